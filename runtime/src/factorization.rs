@@ -1,0 +1,167 @@
+//! Solving M q̈ = f for the accelerations.
+//!
+//! Comes in: the symmetric mass matrix. Goes out: solutions for any number of right-hand sides, and
+//! how much was lost on the way. A positive definite M is factored as L D Lᵀ without pivoting, which
+//! is stable; a regular M that is not (L = ẋ ẏ) takes a cold path with row pivoting. A singular M
+//! gives values that are not finite, and no panic.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::Scalar;
+
+/// A factored mass matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct Factorization<S: Scalar, const N: usize> {
+    /// Below the diagonal the unit lower factor; above it U of the cold path.
+    factors: SMatrix<S, N, N>,
+    /// The reciprocals of the pivots.
+    reciprocals: SVector<S, N>,
+    /// Each pivot in relation to what it was before elimination.
+    relative_pivots: SVector<S, N>,
+    /// The row that each row of the factors was, where rows were exchanged.
+    rows: Option<[usize; N]>,
+}
+
+impl<S: Scalar, const N: usize> Factorization<S, N> {
+    /// Factors the symmetric matrix `mass`, of which only the lower triangle is read.
+    #[inline]
+    #[must_use]
+    pub fn new(mass: SMatrix<S, N, N>) -> Self {
+        let mut factors = mass;
+        let mut reciprocals = SVector::zeros();
+        let mut relative_pivots = SVector::zeros();
+        let mut definite = true;
+        for j in 0..N {
+            let mut pivot = mass[(j, j)];
+            for k in 0..j {
+                // The columns to the left hold L D until the row is scaled below.
+                let scaled = factors[(j, k)];
+                let unscaled = scaled * reciprocals[k];
+                factors[(j, k)] = unscaled;
+                pivot -= unscaled * scaled;
+            }
+            for i in j + 1..N {
+                let mut entry = mass[(i, j)];
+                for k in 0..j {
+                    entry -= factors[(i, k)] * factors[(j, k)];
+                }
+                factors[(i, j)] = entry;
+            }
+            reciprocals[j] = S::one() / pivot;
+            relative_pivots[j] = pivot / mass[(j, j)];
+            definite &= pivot.smallest() > 0.0;
+        }
+        if definite {
+            Self {
+                factors,
+                reciprocals,
+                relative_pivots,
+                rows: None,
+            }
+        } else {
+            Self::with_pivoting(&mass)
+        }
+    }
+
+    /// The cold path: L U with exchange of rows, for a matrix that is not positive definite.
+    #[cold]
+    #[inline(never)]
+    fn with_pivoting(lower: &SMatrix<S, N, N>) -> Self {
+        let mut factors = SMatrix::<S, N, N>::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
+        let scale: SVector<S, N> =
+            SVector::from_fn(|i, _| (0..N).fold(S::zero(), |most, j| most.max(factors[(i, j)].abs())));
+        let mut rows: [usize; N] = core::array::from_fn(|i| i);
+        let mut reciprocals = SVector::zeros();
+        let mut relative_pivots = SVector::zeros();
+        for j in 0..N {
+            let weight = |i: usize| (factors[(i, j)] / scale[rows[i]]).abs().smallest();
+            let best = (j + 1..N).fold(j, |best, i| if weight(i) > weight(best) { i } else { best });
+            factors.swap_rows(j, best);
+            rows.swap(j, best);
+            let pivot = factors[(j, j)];
+            reciprocals[j] = S::one() / pivot;
+            relative_pivots[rows[j]] = (pivot / scale[rows[j]]).abs();
+            for i in j + 1..N {
+                let multiplier = factors[(i, j)] * reciprocals[j];
+                factors[(i, j)] = multiplier;
+                for k in j + 1..N {
+                    let change = multiplier * factors[(j, k)];
+                    factors[(i, k)] -= change;
+                }
+            }
+        }
+        Self {
+            factors,
+            reciprocals,
+            relative_pivots,
+            rows: Some(rows),
+        }
+    }
+
+    /// For each row, the pivot in relation to what it was before elimination: the diagonal entry of
+    /// a positive definite matrix, the largest entry of the row of another. NaN or 0 if singular.
+    #[inline]
+    #[must_use]
+    pub fn relative_pivots(&self) -> SVector<S, N> {
+        self.relative_pivots
+    }
+
+    /// The solutions X of M X = B, column by column.
+    #[inline]
+    #[must_use]
+    pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
+        match self.rows {
+            None => self.solve_symmetric(right),
+            Some(rows) => self.solve_pivoted(right, &rows),
+        }
+    }
+
+    #[inline]
+    fn solve_symmetric<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
+        let l = &self.factors;
+        let mut x = *right;
+        for column in 0..K {
+            for i in 0..N {
+                for k in 0..i {
+                    let change = l[(i, k)] * x[(k, column)];
+                    x[(i, column)] -= change;
+                }
+            }
+            for i in (0..N).rev() {
+                x[(i, column)] *= self.reciprocals[i];
+                for k in i + 1..N {
+                    let change = l[(k, i)] * x[(k, column)];
+                    x[(i, column)] -= change;
+                }
+            }
+        }
+        x
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn solve_pivoted<const K: usize>(
+        &self,
+        right: &SMatrix<S, N, K>,
+        rows: &[usize; N],
+    ) -> SMatrix<S, N, K> {
+        let lu = &self.factors;
+        let mut x = SMatrix::from_fn(|i, column| right[(rows[i], column)]);
+        for column in 0..K {
+            for i in 0..N {
+                for k in 0..i {
+                    let change = lu[(i, k)] * x[(k, column)];
+                    x[(i, column)] -= change;
+                }
+            }
+            for i in (0..N).rev() {
+                for k in i + 1..N {
+                    let change = lu[(i, k)] * x[(k, column)];
+                    x[(i, column)] -= change;
+                }
+                x[(i, column)] *= self.reciprocals[i];
+            }
+        }
+        x
+    }
+}

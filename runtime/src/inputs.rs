@@ -1,0 +1,155 @@
+//! Forces and torques that something outside of the model sets.
+
+use core::marker::PhantomData;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{Lagrangian, Linearization, Scalar, State, System};
+
+/// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
+///
+/// The methods of [`Lagrangian`] use the values of the fields. Those here take the inputs as an
+/// argument, so that they can vary in time and be of any scalar.
+pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N, S> {
+    /// The names of the inputs, in order.
+    const INPUTS: [&'static str; U];
+
+    /// The inputs as the fields have them.
+    fn inputs(&self) -> SVector<S, U>;
+
+    /// The Lagrangian function L under these inputs.
+    fn lagrangian_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> S;
+
+    /// The energy function Σ pᵢ q̇ᵢ − L under these inputs.
+    fn energy_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> S;
+
+    /// The forcing f in M q̈ = f under these inputs.
+    fn forcing_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+
+    /// The generalized forces Q under these inputs.
+    fn generalized_forces_with(&self, state: &State<S, N>, inputs: &SVector<S, U>)
+    -> SVector<S, N>;
+
+    /// The accelerations q̈ under these inputs.
+    fn accelerations_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+
+    /// M q̈ − f under these inputs.
+    fn inverse_dynamics_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N>;
+
+    /// The derivatives of the accelerations with respect to q, q̇ and t, these inputs held.
+    fn linearize_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N>;
+
+    /// The derivatives ∂q̈ᵢ/∂uⱼ in row i, column j.
+    fn input_jacobian_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+    ) -> SMatrix<S, N, U>;
+
+    /// The derivatives ∂q̈ᵢ/∂uⱼ at the inputs that the fields have.
+    fn input_jacobian(&self, state: &State<S, N>) -> SMatrix<S, N, U> {
+        self.input_jacobian_with(state, &self.inputs())
+    }
+
+    /// The same system under other inputs, held constant.
+    fn with_inputs(&self, inputs: impl Into<SVector<S, U>>) -> WithInputs<'_, Self, S, U> {
+        WithInputs {
+            model: self,
+            inputs: inputs.into(),
+        }
+    }
+
+    /// The same system under a control law u(t, q, q̇), evaluated wherever its motion is: at every
+    /// stage of every step.
+    fn controlled_by<C>(&self, law: C) -> ControlledBy<'_, Self, C, S, U>
+    where
+        C: Fn(&State<S, N>) -> SVector<S, U>,
+    {
+        ControlledBy {
+            model: self,
+            law,
+            inputs: PhantomData,
+        }
+    }
+}
+
+/// A model under inputs that are held constant; see [`Inputs::with_inputs`].
+#[derive(Debug)]
+pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
+    model: &'a M,
+    inputs: SVector<S, U>,
+}
+
+/// A model under a control law; see [`Inputs::controlled_by`].
+#[derive(Debug)]
+pub struct ControlledBy<'a, M: ?Sized, C, S: Scalar, const U: usize> {
+    pub(crate) model: &'a M,
+    pub(crate) law: C,
+    inputs: PhantomData<SVector<S, U>>,
+}
+
+impl<M, S, const N: usize, const U: usize> System<N> for WithInputs<'_, M, S, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    const COORDINATES: [&'static str; N] = M::COORDINATES;
+    const ANGLES: [bool; N] = M::ANGLES;
+    const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
+}
+
+impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    fn lagrangian(&self, state: &State<S, N>) -> S {
+        self.model.lagrangian_with(state, &self.inputs)
+    }
+
+    fn energy(&self, state: &State<S, N>) -> S {
+        self.model.energy_with(state, &self.inputs)
+    }
+
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.momenta(state)
+    }
+
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
+        self.model.mass_matrix(state)
+    }
+
+    fn forcing(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.forcing_with(state, &self.inputs)
+    }
+
+    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.generalized_forces_with(state, &self.inputs)
+    }
+
+    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.accelerations_with(state, &self.inputs)
+    }
+
+    fn inverse_dynamics(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N> {
+        self.model
+            .inverse_dynamics_with(state, &self.inputs, accelerations)
+    }
+
+    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N> {
+        self.model.linearize_with(state, &self.inputs)
+    }
+
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.relative_pivots(state)
+    }
+}

@@ -1,0 +1,60 @@
+//! The equations of motion of a system with a Lagrangian.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{Factorization, Linearization, Scalar, State, System};
+
+/// A system that moves by Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6).
+///
+/// `#[derive(Lagrangian)]` implements it; a model can also be written by hand against it. All
+/// methods are functions of the state alone, evaluate without allocating, and return what is not a
+/// number where the declaration has no value.
+pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
+    /// The Lagrangian function L = T − V.
+    fn lagrangian(&self, state: &State<S, N>) -> S;
+
+    /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no
+    /// generalized force does work. It is T + V only for T quadratic in q̇ and V free of it.
+    fn energy(&self, state: &State<S, N>) -> S;
+
+    /// The generalized momenta p = ∂L/∂q̇.
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N>;
+
+    /// The mass matrix M = ∂²L/∂q̇².
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
+
+    /// The forcing f in M q̈ = f: everything of the equations of motion but M q̈.
+    fn forcing(&self, state: &State<S, N>) -> SVector<S, N>;
+
+    /// The generalized forces Q: what the declaration says under `force` and `dissipation`.
+    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N>;
+
+    /// The accelerations q̈.
+    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
+
+    /// The forces M q̈ − f that would have to act besides Q for the system to accelerate so.
+    fn inverse_dynamics(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N>;
+
+    /// The derivatives of the accelerations with respect to q, q̇ and t.
+    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
+
+    /// For each coordinate, the pivot of the mass matrix's factorization relative to what it was
+    /// before elimination: 1 if the coordinate is free of the others, 0 if M is singular. Its inverse
+    /// is the factor by which rounding errors grow in [`accelerations`](Self::accelerations).
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
+        Factorization::new(self.mass_matrix(state)).relative_pivots()
+    }
+}
+
+/// The energies of a system that is declared by them.
+pub trait Energies<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
+    /// The kinetic energy T.
+    fn kinetic_energy(&self, state: &State<S, N>) -> S;
+
+    /// The potential energy V, generalized if it contains velocities.
+    fn potential_energy(&self, state: &State<S, N>) -> S;
+}

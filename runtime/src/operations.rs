@@ -1,0 +1,42 @@
+//! What an evaluation costs, counted when the code is emitted.
+
+/// The arithmetic of one emitted method, by kind. What it hands on to the factorization of the mass
+/// matrix is counted with it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions, subtractions and changes of sign.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Square roots.
+    pub square_roots: usize,
+    /// Sines and cosines; the pair of one angle counts once.
+    pub sines_and_cosines: usize,
+    /// All other elementary functions.
+    pub functions: usize,
+}
+
+/// The operation counts of a model's methods.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Of `lagrangian`.
+    pub lagrangian: OperationCount,
+    /// Of `energy`.
+    pub energy: OperationCount,
+    /// Of `momenta`.
+    pub momenta: OperationCount,
+    /// Of `mass_matrix`.
+    pub mass_matrix: OperationCount,
+    /// Of `forcing`.
+    pub forcing: OperationCount,
+    /// Of `generalized_forces`.
+    pub generalized_forces: OperationCount,
+    /// Of `accelerations`.
+    pub accelerations: OperationCount,
+    /// Of `inverse_dynamics`.
+    pub inverse_dynamics: OperationCount,
+    /// Of `linearize`.
+    pub linearize: OperationCount,
+}

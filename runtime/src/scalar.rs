@@ -1,0 +1,218 @@
+//! The numbers a model can be evaluated on.
+//!
+//! What the derive emits is generic over [`Scalar`] and branch-free: it never compares. Control flow
+//! (a pivot that vanishes, a step that is too long) looks at a scalar only through
+//! [`Scalar::smallest`] and [`Scalar::largest`], so that SIMD lanes and dual numbers fit.
+
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes.
+///
+/// Implement it for a type of your own to evaluate every derived model on it. The elementary
+/// functions are those of the declaration language; angles are in radians.
+pub trait Scalar:
+    nalgebra::Scalar
+    + Copy
+    + Zero
+    + One
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// The scalar nearest to `value`, in every lane, with no derivative part.
+    fn from_f64(value: f64) -> Self;
+
+    /// The value of a plain number; the smallest over the lanes of several, NaN if one of them is.
+    fn smallest(self) -> f64;
+
+    /// The value of a plain number; the largest over the lanes of several, NaN if one of them is.
+    fn largest(self) -> f64;
+
+    /// Whether the value is finite in every lane.
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.smallest().is_finite() && self.largest().is_finite()
+    }
+
+    /// `self · factor + summand`, fused only where the target has the instruction.
+    #[inline]
+    #[must_use]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        self * factor + summand
+    }
+
+    /// Sine and cosine of the same angle.
+    #[inline]
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+
+    /// Sine.
+    #[must_use]
+    fn sin(self) -> Self;
+    /// Cosine.
+    #[must_use]
+    fn cos(self) -> Self;
+    /// Tangent.
+    #[must_use]
+    fn tan(self) -> Self;
+    /// Inverse sine.
+    #[must_use]
+    fn asin(self) -> Self;
+    /// Inverse cosine.
+    #[must_use]
+    fn acos(self) -> Self;
+    /// Inverse tangent.
+    #[must_use]
+    fn atan(self) -> Self;
+    /// The angle of the point (`x`, `self`), in (−π, π].
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+    /// Hyperbolic sine.
+    #[must_use]
+    fn sinh(self) -> Self;
+    /// Hyperbolic cosine.
+    #[must_use]
+    fn cosh(self) -> Self;
+    /// Hyperbolic tangent.
+    #[must_use]
+    fn tanh(self) -> Self;
+    /// Inverse hyperbolic sine.
+    #[must_use]
+    fn asinh(self) -> Self;
+    /// Inverse hyperbolic cosine.
+    #[must_use]
+    fn acosh(self) -> Self;
+    /// Inverse hyperbolic tangent.
+    #[must_use]
+    fn atanh(self) -> Self;
+    /// The exponential function.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// The natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// `self` to a real power; NaN where real numbers have none.
+    #[must_use]
+    fn powf(self, exponent: Self) -> Self;
+    /// The absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+    /// −1, 0 or 1. Unlike [`f64::signum`], it is 0 at 0, where |x| has no slope.
+    #[must_use]
+    fn signum(self) -> Self;
+    /// The lesser of two numbers.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+    /// The greater of two numbers.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+}
+
+/// Forwards the elementary functions to the standard library, or to `libm` without it.
+macro_rules! elementary {
+    ($($name:ident $libm:ident ($($argument:ident)?);)*) => {$(
+        #[inline]
+        fn $name(self $(, $argument: Self)?) -> Self {
+            #[cfg(feature = "std")]
+            return self.$name($($argument)?);
+            #[cfg(not(feature = "std"))]
+            return libm::$libm(self $(, $argument)?);
+        }
+    )*};
+}
+
+macro_rules! float_scalar {
+    ($float:ident, $from:expr, $sincos:ident, $fma:ident, $($table:tt)*) => {
+        impl Scalar for $float {
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                $from(value)
+            }
+
+            #[inline]
+            fn smallest(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn largest(self) -> f64 {
+                f64::from(self)
+            }
+
+            // Without the instruction a fused multiplication is a call into the mathematics
+            // library, many times slower than the two operations.
+            #[cfg(target_feature = "fma")]
+            #[inline]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                #[cfg(feature = "std")]
+                return self.mul_add(factor, summand);
+                #[cfg(not(feature = "std"))]
+                return libm::$fma(self, factor, summand);
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                #[cfg(feature = "std")]
+                return self.sin_cos();
+                #[cfg(not(feature = "std"))]
+                return libm::$sincos(self);
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+
+            #[inline]
+            fn signum(self) -> Self {
+                if self == 0.0 { 0.0 } else { $float::signum(self) }
+            }
+
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                $float::min(self, other)
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                $float::max(self, other)
+            }
+
+            elementary! { $($table)* }
+        }
+    };
+}
+
+#[allow(clippy::cast_possible_truncation)] // Rounding to the narrower format is what is asked for.
+const fn nearest_f32(value: f64) -> f32 {
+    value as f32
+}
+
+float_scalar! { f64, core::convert::identity, sincos, fma,
+    sin sin(); cos cos(); tan tan();
+    asin asin(); acos acos(); atan atan(); atan2 atan2(x);
+    sinh sinh(); cosh cosh(); tanh tanh();
+    asinh asinh(); acosh acosh(); atanh atanh();
+    exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
+}
+
+float_scalar! { f32, nearest_f32, sincosf, fmaf,
+    sin sinf(); cos cosf(); tan tanf();
+    asin asinf(); acos acosf(); atan atanf(); atan2 atan2f(x);
+    sinh sinhf(); cosh coshf(); tanh tanhf();
+    asinh asinhf(); acosh acoshf(); atanh atanhf();
+    exp expf(); ln logf(); sqrt sqrtf(); powf powf(exponent);
+}

@@ -1,0 +1,16 @@
+//! What is known of a system before any number is.
+
+/// The names and the structure of a system with `N` degrees of freedom, known at compile time.
+pub trait System<const N: usize> {
+    /// The names of the coordinates, in order.
+    const COORDINATES: [&'static str; N];
+
+    /// Which coordinates are angles: they occur only inside of sine and cosine, so that the motion
+    /// repeats after a whole turn and their size means nothing to an error estimate.
+    const ANGLES: [bool; N] = [false; N];
+
+    /// For each coordinate, the indices of the coordinates on which the determinant of its block of
+    /// the mass matrix depends: where that block is singular, these are what to look at. Empty if
+    /// only parameters and time decide.
+    const SINGULARITIES: [&'static [usize]; N] = [&[]; N];
+}
