@@ -68,14 +68,16 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     #[inline(never)]
     fn with_pivoting(lower: &SMatrix<S, N, N>) -> Self {
         let mut factors = SMatrix::<S, N, N>::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
-        let scale: SVector<S, N> =
-            SVector::from_fn(|i, _| (0..N).fold(S::zero(), |most, j| most.max(factors[(i, j)].abs())));
+        let scale: SVector<S, N> = SVector::from_fn(|i, _| {
+            (0..N).fold(S::zero(), |most, j| most.max(factors[(i, j)].abs()))
+        });
         let mut rows: [usize; N] = core::array::from_fn(|i| i);
         let mut reciprocals = SVector::zeros();
         let mut relative_pivots = SVector::zeros();
         for j in 0..N {
             let weight = |i: usize| (factors[(i, j)] / scale[rows[i]]).abs().smallest();
-            let best = (j + 1..N).fold(j, |best, i| if weight(i) > weight(best) { i } else { best });
+            let best =
+                (j + 1..N).fold(j, |best, i| if weight(i) > weight(best) { i } else { best });
             factors.swap_rows(j, best);
             rows.swap(j, best);
             let pivot = factors[(j, j)];

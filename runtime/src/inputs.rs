@@ -45,11 +45,7 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
     fn linearize_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N>;
 
     /// The derivatives ∂q̈ᵢ/∂uⱼ in row i, column j.
-    fn input_jacobian_with(
-        &self,
-        state: &State<S, N>,
-        inputs: &SVector<S, U>,
-    ) -> SMatrix<S, N, U>;
+    fn input_jacobian_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U>;
 
     /// The derivatives ∂q̈ᵢ/∂uⱼ at the inputs that the fields have.
     fn input_jacobian(&self, state: &State<S, N>) -> SMatrix<S, N, U> {

@@ -33,11 +33,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
     fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
 
     /// The forces M q̈ − f that would have to act besides Q for the system to accelerate so.
-    fn inverse_dynamics(
-        &self,
-        state: &State<S, N>,
-        accelerations: &SVector<S, N>,
-    ) -> SVector<S, N>;
+    fn inverse_dynamics(&self, state: &State<S, N>, accelerations: &SVector<S, N>)
+    -> SVector<S, N>;
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;

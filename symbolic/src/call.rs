@@ -1,0 +1,71 @@
+//! The normal form of function calls.
+
+use crate::function::Symmetry;
+use crate::{Binary, Expression, Graph, Node, Rational, Unary};
+
+impl Graph {
+    /// f(x), with the sign of x moved out where f allows it.
+    pub fn unary(&mut self, function: Unary, x: Expression) -> Expression {
+        if let Some(value) = self.as_constant(x).and_then(|x| function.exact(x)) {
+            return self.constant(&value);
+        }
+        if self.has_minus(x) && function.symmetry() != Symmetry::None {
+            let opposite = self.negate(x);
+            let value = self.unary_of_positive(function, opposite);
+            return match function.symmetry() {
+                Symmetry::Odd => self.negate(value),
+                Symmetry::Even | Symmetry::None => value,
+            };
+        }
+        self.unary_of_positive(function, x)
+    }
+
+    fn unary_of_positive(&mut self, function: Unary, x: Expression) -> Expression {
+        match (function, self.node(x)) {
+            // Where ln x has a value, it is the inverse; where it has none, neither has the call.
+            (Unary::Exp, Node::Unary(Unary::Ln, y)) | (Unary::Ln, Node::Unary(Unary::Exp, y)) => *y,
+            (Unary::Abs, Node::Unary(Unary::Abs, _)) => x,
+            (Unary::Abs | Unary::Signum, Node::Sum(terms)) if terms.len() == 1 => {
+                // A positive multiple: |c·x| = c·|x|, and signum(c·x) = signum(x).
+                let (y, factor) = terms[0].clone();
+                let value = self.unary(function, y);
+                match function {
+                    Unary::Abs => self.scale(value, &factor.abs()),
+                    _ => value,
+                }
+            }
+            _ => self.intern(Node::Unary(function, x)),
+        }
+    }
+
+    /// f(x, y).
+    pub fn binary(&mut self, function: Binary, x: Expression, y: Expression) -> Expression {
+        match function {
+            Binary::Power => return self.real_power(x, y),
+            Binary::Min | Binary::Max if x == y => return x,
+            Binary::Min | Binary::Max => {
+                if let (Some(a), Some(b)) = (self.as_constant(x), self.as_constant(y)) {
+                    return if (a < b) == (function == Binary::Min) {
+                        x
+                    } else {
+                        y
+                    };
+                }
+                // Both are symmetric: one order stands for both.
+                let (x, y) = (x.min(y), x.max(y));
+                return self.intern(Node::Binary(function, x, y));
+            }
+            Binary::Atan2 => {}
+        }
+        self.intern(Node::Binary(function, x, y))
+    }
+
+    /// x^y: an exact power if y is a number, else one of real numbers.
+    fn real_power(&mut self, x: Expression, y: Expression) -> Expression {
+        if let Some(exponent) = self.as_constant(y) {
+            let exponent: Rational = exponent.clone();
+            return self.power(x, &exponent);
+        }
+        self.intern(Node::Binary(Binary::Power, x, y))
+    }
+}

@@ -1,0 +1,321 @@
+//! The elementary functions: one row each.
+//!
+//! A new function does not compile until every column is filled: name, value, derivative, symmetry,
+//! exact values, cost. The table is closed under differentiation. Square roots and rational powers are
+//! not here: they are products, Π xᵢ^kᵢ.
+
+use crate::{Expression, Graph, Rational};
+
+/// An elementary function of one argument.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[allow(missing_docs)] // Each is the function of that name.
+pub enum Unary {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
+    Exp,
+    Ln,
+    Abs,
+    Signum,
+}
+
+/// An elementary function of two arguments.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Binary {
+    /// The angle of the point (second, first).
+    Atan2,
+    /// The lesser.
+    Min,
+    /// The greater.
+    Max,
+    /// The first to the power of the second, both expressions.
+    Power,
+}
+
+/// What becomes of f(−x).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Symmetry {
+    /// f(−x) = f(x).
+    Even,
+    /// f(−x) = −f(x).
+    Odd,
+    /// Neither.
+    None,
+}
+
+impl Unary {
+    /// All of them, in order.
+    pub const ALL: [Self; 16] = [
+        Self::Sin,
+        Self::Cos,
+        Self::Tan,
+        Self::Asin,
+        Self::Acos,
+        Self::Atan,
+        Self::Sinh,
+        Self::Cosh,
+        Self::Tanh,
+        Self::Asinh,
+        Self::Acosh,
+        Self::Atanh,
+        Self::Exp,
+        Self::Ln,
+        Self::Abs,
+        Self::Signum,
+    ];
+
+    /// The name in a declaration, in Rust and in print.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Asin => "asin",
+            Self::Acos => "acos",
+            Self::Atan => "atan",
+            Self::Sinh => "sinh",
+            Self::Cosh => "cosh",
+            Self::Tanh => "tanh",
+            Self::Asinh => "asinh",
+            Self::Acosh => "acosh",
+            Self::Atanh => "atanh",
+            Self::Exp => "exp",
+            Self::Ln => "ln",
+            Self::Abs => "abs",
+            Self::Signum => "signum",
+        }
+    }
+
+    /// The value at `x`, in binary64.
+    #[must_use]
+    pub fn value(self, x: f64) -> f64 {
+        match self {
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            Self::Tan => x.tan(),
+            Self::Asin => x.asin(),
+            Self::Acos => x.acos(),
+            Self::Atan => x.atan(),
+            Self::Sinh => x.sinh(),
+            Self::Cosh => x.cosh(),
+            Self::Tanh => x.tanh(),
+            Self::Asinh => x.asinh(),
+            Self::Acosh => x.acosh(),
+            Self::Atanh => x.atanh(),
+            Self::Exp => x.exp(),
+            Self::Ln => x.ln(),
+            Self::Abs => x.abs(),
+            Self::Signum if x == 0.0 => 0.0,
+            Self::Signum => x.signum(),
+        }
+    }
+
+    /// The derivative f′(x).
+    ///
+    /// The forms are chosen so that nothing cancels: 1 − x² is (1 − x)(1 + x), and tanh′ is cosh⁻².
+    pub fn derivative(self, graph: &mut Graph, x: Expression) -> Expression {
+        match self {
+            Self::Sin => graph.unary(Self::Cos, x),
+            Self::Cos => {
+                let sin = graph.unary(Self::Sin, x);
+                graph.negate(sin)
+            }
+            Self::Tan => {
+                let tan = graph.unary(Self::Tan, x);
+                plus_square(graph, tan)
+            }
+            Self::Asin => unit_difference(graph, x, Rational::HALF),
+            Self::Acos => {
+                let asin = unit_difference(graph, x, Rational::HALF);
+                graph.negate(asin)
+            }
+            Self::Atan => {
+                let sum = plus_square(graph, x);
+                graph.power(sum, &Rational::MINUS_ONE)
+            }
+            Self::Sinh => graph.unary(Self::Cosh, x),
+            Self::Cosh => graph.unary(Self::Sinh, x),
+            Self::Tanh => {
+                let cosh = graph.unary(Self::Cosh, x);
+                graph.power(cosh, &Rational::integer(-2))
+            }
+            Self::Asinh => {
+                let sum = plus_square(graph, x);
+                graph.power(sum, &-&Rational::HALF)
+            }
+            Self::Acosh => {
+                let minus_half = -&Rational::HALF;
+                let (below, above) = around_one(graph, x);
+                graph.product([(below, minus_half.clone()), (above, minus_half)])
+            }
+            Self::Atanh => unit_difference(graph, x, Rational::ONE),
+            Self::Exp => graph.unary(Self::Exp, x),
+            Self::Ln => graph.power(x, &Rational::MINUS_ONE),
+            Self::Abs => graph.unary(Self::Signum, x),
+            Self::Signum => graph.zero(),
+        }
+    }
+
+    /// How the function behaves when its argument changes sign.
+    #[must_use]
+    pub const fn symmetry(self) -> Symmetry {
+        match self {
+            Self::Cos | Self::Cosh | Self::Abs => Symmetry::Even,
+            Self::Sin
+            | Self::Tan
+            | Self::Asin
+            | Self::Atan
+            | Self::Sinh
+            | Self::Tanh
+            | Self::Asinh
+            | Self::Atanh
+            | Self::Signum => Symmetry::Odd,
+            Self::Acos | Self::Acosh | Self::Exp | Self::Ln => Symmetry::None,
+        }
+    }
+
+    /// The value at an exact number, where that is exact too.
+    #[must_use]
+    pub fn exact(self, x: &Rational) -> Option<Rational> {
+        match self {
+            Self::Sin
+            | Self::Tan
+            | Self::Asin
+            | Self::Atan
+            | Self::Sinh
+            | Self::Tanh
+            | Self::Asinh
+            | Self::Atanh => x.is_zero().then_some(Rational::ZERO),
+            Self::Cos | Self::Cosh | Self::Exp => x.is_zero().then_some(Rational::ONE),
+            Self::Acos | Self::Acosh | Self::Ln => x.is_one().then_some(Rational::ZERO),
+            Self::Abs => Some(x.abs()),
+            Self::Signum if x.is_zero() => Some(Rational::ZERO),
+            Self::Signum if x.is_negative() => Some(Rational::MINUS_ONE),
+            Self::Signum => Some(Rational::ONE),
+        }
+    }
+
+    /// The cost in multiplications, measured on x86-64 with the platform's library.
+    #[must_use]
+    pub const fn cost(self) -> usize {
+        match self {
+            Self::Abs | Self::Signum => 1,
+            Self::Sin | Self::Cos | Self::Exp | Self::Ln => 12,
+            Self::Tan
+            | Self::Asin
+            | Self::Acos
+            | Self::Atan
+            | Self::Sinh
+            | Self::Cosh
+            | Self::Tanh
+            | Self::Asinh
+            | Self::Acosh
+            | Self::Atanh => 20,
+        }
+    }
+}
+
+impl Binary {
+    /// All of them, in order.
+    pub const ALL: [Self; 4] = [Self::Atan2, Self::Min, Self::Max, Self::Power];
+
+    /// The name in a declaration, in Rust and in print.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Atan2 => "atan2",
+            Self::Min => "min",
+            Self::Max => "max",
+            Self::Power => "powf",
+        }
+    }
+
+    /// The value at (`x`, `y`), in binary64.
+    #[must_use]
+    pub fn value(self, x: f64, y: f64) -> f64 {
+        match self {
+            Self::Atan2 => x.atan2(y),
+            Self::Min => x.min(y),
+            Self::Max => x.max(y),
+            Self::Power => x.powf(y),
+        }
+    }
+
+    /// The partial derivatives with respect to both arguments. Where x = y, those of `min` and `max`
+    /// are the mean of both sides.
+    pub fn derivatives(self, graph: &mut Graph, x: Expression, y: Expression) -> [Expression; 2] {
+        match self {
+            Self::Atan2 => {
+                let (x2, y2) = (graph.square(x), graph.square(y));
+                let sum = graph.add(x2, y2);
+                let over_x = graph.divide(y, sum);
+                let over_y = graph.divide(x, sum);
+                [over_x, graph.negate(over_y)]
+            }
+            Self::Min => {
+                let [greater, lesser] = shares(graph, x, y);
+                [lesser, greater]
+            }
+            Self::Max => shares(graph, x, y),
+            Self::Power => {
+                let less = graph.add_constant(y, &Rational::MINUS_ONE);
+                let lower = graph.binary(Self::Power, x, less);
+                let whole = graph.binary(Self::Power, x, y);
+                let ln = graph.unary(Unary::Ln, x);
+                [graph.multiply(y, lower), graph.multiply(whole, ln)]
+            }
+        }
+    }
+
+    /// The cost in multiplications, measured on x86-64 with the platform's library.
+    #[must_use]
+    pub const fn cost(self) -> usize {
+        match self {
+            Self::Min | Self::Max => 1,
+            Self::Atan2 => 25,
+            Self::Power => 40,
+        }
+    }
+}
+
+/// 1 + x².
+fn plus_square(graph: &mut Graph, x: Expression) -> Expression {
+    let square = graph.square(x);
+    graph.add_constant(square, &Rational::ONE)
+}
+
+/// x − 1 and x + 1.
+fn around_one(graph: &mut Graph, x: Expression) -> (Expression, Expression) {
+    let below = graph.add_constant(x, &Rational::MINUS_ONE);
+    let above = graph.add_constant(x, &Rational::ONE);
+    (below, above)
+}
+
+/// ((1 − x)(1 + x))^−k.
+fn unit_difference(graph: &mut Graph, x: Expression, k: Rational) -> Expression {
+    let (below, above) = around_one(graph, x);
+    let below = graph.negate(below);
+    let product = graph.multiply(below, above);
+    graph.power(product, &-&k)
+}
+
+/// The shares ½(1 ± signum(x − y)) of both arguments in the greater one.
+fn shares(graph: &mut Graph, x: Expression, y: Expression) -> [Expression; 2] {
+    let difference = graph.subtract(x, y);
+    let sign = graph.unary(Unary::Signum, difference);
+    let one = graph.one();
+    let half = Rational::HALF;
+    let first = graph.sum([(one, half.clone()), (sign, half.clone())]);
+    let second = graph.sum([(one, half.clone()), (sign, -&half)]);
+    [first, second]
+}

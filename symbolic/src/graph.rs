@@ -1,0 +1,265 @@
+//! The shared expression graph: an append-only, hash-consed arena.
+//!
+//! Smart constructors are the only way in, so every node is in normal form:
+//!
+//! - a sum is Σ cᵢ·xᵢ with exact nonzero c, its x distinct and sorted, no x a number other than 1 and
+//!   none a short sum; a multiple c·x is a sum of one term;
+//! - a product is Π xᵢ^kᵢ with exact nonzero k, its x distinct and sorted, without a numerical factor;
+//!   a power x^k is a product of one factor;
+//! - children precede parents, so that every pass is a loop over indices and never a recursion.
+//!
+//! Equal terms are therefore equal handles. Nothing is ever multiplied out.
+
+use core::hash::BuildHasherDefault;
+use std::hash::DefaultHasher;
+
+use indexmap::IndexSet;
+
+use crate::{Binary, Rational, Symbol, Unary};
+
+/// A handle to an expression of one [`Graph`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Expression(u32);
+
+impl Expression {
+    /// The position in the arena: children have lower ones than their parents.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What an expression is made of.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Node {
+    /// An exact number.
+    Constant(Rational),
+    /// The number π.
+    Pi,
+    /// A coordinate, velocity, parameter …
+    Symbol(Symbol),
+    /// Σ cᵢ·xᵢ, as pairs (xᵢ, cᵢ).
+    Sum(Box<[(Expression, Rational)]>),
+    /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
+    Product(Box<[(Expression, Rational)]>),
+    /// A function of one argument.
+    Unary(Unary, Expression),
+    /// A function of two arguments.
+    Binary(Binary, Expression, Expression),
+}
+
+impl Node {
+    /// Calls `visit` with each operand.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(Expression)) {
+        match self {
+            Self::Constant(_) | Self::Pi | Self::Symbol(_) => {}
+            Self::Sum(parts) | Self::Product(parts) => {
+                for (operand, _) in parts {
+                    visit(*operand);
+                }
+            }
+            Self::Unary(_, x) => visit(*x),
+            Self::Binary(_, x, y) => {
+                visit(*x);
+                visit(*y);
+            }
+        }
+    }
+}
+
+/// The arena of all expressions of a model.
+#[derive(Clone, Debug)]
+pub struct Graph {
+    // The hasher has fixed keys, and the set remembers the order of insertion: nothing depends on
+    // hash order.
+    nodes: IndexSet<Node, BuildHasherDefault<DefaultHasher>>,
+}
+
+impl Default for Graph {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Graph {
+    /// An arena that holds 0 and 1.
+    #[must_use]
+    pub fn new() -> Self {
+        let mut graph = Self {
+            nodes: IndexSet::default(),
+        };
+        graph.intern(Node::Constant(Rational::ZERO));
+        graph.intern(Node::Constant(Rational::ONE));
+        graph
+    }
+
+    /// The number 0.
+    #[must_use]
+    pub const fn zero(&self) -> Expression {
+        Expression(0)
+    }
+
+    /// The number 1.
+    #[must_use]
+    pub const fn one(&self) -> Expression {
+        Expression(1)
+    }
+
+    /// How many expressions the arena holds.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Never: 0 and 1 are always there.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// What `expression` is made of.
+    #[must_use]
+    pub fn node(&self, expression: Expression) -> &Node {
+        &self.nodes[expression.index()]
+    }
+
+    /// All expressions with what they are made of, children before parents.
+    pub fn nodes(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = (Expression, &Node)> + ExactSizeIterator {
+        self.nodes
+            .iter()
+            .enumerate()
+            .map(|(index, node)| (handle(index), node))
+    }
+
+    /// Whether `expression` is the number 0.
+    #[must_use]
+    pub fn is_zero(&self, expression: Expression) -> bool {
+        expression == self.zero()
+    }
+
+    /// The value of `expression`, if it is an exact number.
+    #[must_use]
+    pub fn as_constant(&self, expression: Expression) -> Option<&Rational> {
+        match self.node(expression) {
+            Node::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// For each expression up to the last root, whether a root is made of it.
+    #[must_use]
+    pub fn reachable(&self, roots: &[Expression]) -> Vec<bool> {
+        let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
+        let mut reachable = vec![false; length];
+        for root in roots {
+            reachable[root.index()] = true;
+        }
+        for index in (0..length).rev() {
+            if reachable[index] {
+                self.nodes[index].for_each_operand(|operand| reachable[operand.index()] = true);
+            }
+        }
+        reachable
+    }
+
+    /// The expressions that the roots are made of, themselves included, children before parents.
+    #[must_use]
+    pub fn descendants(&self, roots: &[Expression]) -> Vec<Expression> {
+        let reachable = self.reachable(roots);
+        (0..reachable.len())
+            .filter(|index| reachable[*index])
+            .map(handle)
+            .collect()
+    }
+
+    /// Whether one of `roots` contains a symbol for which `wanted` holds.
+    #[must_use]
+    pub fn contains(&self, roots: &[Expression], wanted: impl Fn(Symbol) -> bool) -> bool {
+        self.descendants(roots).iter().any(
+            |expression| matches!(self.node(*expression), Node::Symbol(symbol) if wanted(*symbol)),
+        )
+    }
+
+    /// The handle of `node`, which is in normal form.
+    pub(crate) fn intern(&mut self, node: Node) -> Expression {
+        handle(self.nodes.insert_full(node).0)
+    }
+
+    /// An exact number.
+    pub fn constant(&mut self, value: &Rational) -> Expression {
+        self.intern(Node::Constant(value.clone()))
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, value: i64) -> Expression {
+        self.intern(Node::Constant(Rational::integer(value)))
+    }
+
+    /// The number π.
+    pub fn pi(&mut self) -> Expression {
+        self.intern(Node::Pi)
+    }
+
+    /// A symbol.
+    pub fn symbol(&mut self, symbol: Symbol) -> Expression {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// x + y.
+    pub fn add(&mut self, x: Expression, y: Expression) -> Expression {
+        self.sum([(x, Rational::ONE), (y, Rational::ONE)])
+    }
+
+    /// x − y.
+    pub fn subtract(&mut self, x: Expression, y: Expression) -> Expression {
+        self.sum([(x, Rational::ONE), (y, Rational::MINUS_ONE)])
+    }
+
+    /// −x.
+    pub fn negate(&mut self, x: Expression) -> Expression {
+        self.sum([(x, Rational::MINUS_ONE)])
+    }
+
+    /// c·x.
+    pub fn scale(&mut self, x: Expression, factor: &Rational) -> Expression {
+        self.sum([(x, factor.clone())])
+    }
+
+    /// x + c.
+    pub fn add_constant(&mut self, x: Expression, value: &Rational) -> Expression {
+        let one = self.one();
+        self.sum([(x, Rational::ONE), (one, value.clone())])
+    }
+
+    /// x · y.
+    pub fn multiply(&mut self, x: Expression, y: Expression) -> Expression {
+        self.product([(x, Rational::ONE), (y, Rational::ONE)])
+    }
+
+    /// x / y.
+    pub fn divide(&mut self, x: Expression, y: Expression) -> Expression {
+        self.product([(x, Rational::ONE), (y, Rational::MINUS_ONE)])
+    }
+
+    /// x to an exact power.
+    pub fn power(&mut self, x: Expression, exponent: &Rational) -> Expression {
+        self.product([(x, exponent.clone())])
+    }
+
+    /// x².
+    pub fn square(&mut self, x: Expression) -> Expression {
+        self.product([(x, Rational::integer(2))])
+    }
+
+    /// √x.
+    pub fn square_root(&mut self, x: Expression) -> Expression {
+        self.product([(x, Rational::HALF)])
+    }
+}
+
+fn handle(index: usize) -> Expression {
+    // Four billion nodes of at least forty bytes do not fit into a compiler's memory.
+    Expression(u32::try_from(index).unwrap_or(u32::MAX))
+}

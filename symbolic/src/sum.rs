@@ -1,0 +1,112 @@
+//! The normal form of sums, Σ cᵢ·xᵢ.
+
+use crate::{Expression, Graph, Node, Rational};
+
+/// A sum of more terms than this stays one term of the sum that contains it. Prefix sums, such as the
+/// positions along a chain, would otherwise grow with the square of its length.
+const LONGEST_MERGED: usize = 8;
+
+impl Graph {
+    /// Σ cᵢ·xᵢ of pairs (xᵢ, cᵢ).
+    pub fn sum(&mut self, terms: impl IntoIterator<Item = (Expression, Rational)>) -> Expression {
+        let mut merged = Vec::new();
+        for (expression, coefficient) in terms {
+            self.merge_term(&mut merged, expression, coefficient);
+        }
+        combine(&mut merged);
+        self.intern_sum(merged)
+    }
+
+    /// Adds c·x to `terms`, with the terms of x in its place if x is a short sum.
+    fn merge_term(
+        &self,
+        terms: &mut Vec<(Expression, Rational)>,
+        expression: Expression,
+        coefficient: Rational,
+    ) {
+        if coefficient.is_zero() {
+            return;
+        }
+        match self.node(expression) {
+            Node::Constant(value) => terms.push((self.one(), &coefficient * value)),
+            Node::Sum(inner) if inner.len() <= LONGEST_MERGED => {
+                terms.extend(inner.iter().map(|(x, c)| (*x, &coefficient * c)));
+            }
+            _ => terms.push((expression, coefficient)),
+        }
+    }
+
+    fn intern_sum(&mut self, terms: Vec<(Expression, Rational)>) -> Expression {
+        match terms.as_slice() {
+            [] => self.zero(),
+            [(x, c)] if *x == self.one() => self.constant(c),
+            [(x, c)] if c.is_one() => *x,
+            _ => self.intern(Node::Sum(terms.into())),
+        }
+    }
+
+    /// The exact factor c of c·x and what remains: (c, x).
+    ///
+    /// Of a sum of several terms it is what makes the rest primitive: integer coefficients without a
+    /// common divisor if one of them is then ±1, else the first of them 1. Two sums of which one is a
+    /// multiple of the other so have the same rest.
+    pub(crate) fn split_content(&mut self, expression: Expression) -> (Rational, Expression) {
+        let terms = match self.node(expression) {
+            Node::Constant(value) => return (value.clone(), self.one()),
+            Node::Sum(terms) => terms,
+            _ => return (Rational::ONE, expression),
+        };
+        let content = self.content(terms);
+        let Some(inverse) = content.reciprocal().filter(|_| !content.is_one()) else {
+            return (Rational::ONE, expression);
+        };
+        let rest = terms.iter().map(|(x, c)| (*x, c * &inverse)).collect();
+        (content, self.intern_sum(rest))
+    }
+
+    pub(crate) fn content(&self, terms: &[(Expression, Rational)]) -> Rational {
+        let leading = self.leading(terms);
+        let mut divisor = leading.abs();
+        for (_, coefficient) in terms {
+            // Once 1 divides integers only, the divisor of what follows is found cheaply.
+            if !(divisor.is_one() && coefficient.is_integer()) {
+                divisor = divisor.common_divisor(coefficient);
+            }
+        }
+        let primitive = terms.iter().any(|(_, c)| c.abs() == divisor);
+        match (primitive, leading.is_negative()) {
+            (false, _) => leading.clone(),
+            (true, true) => -&divisor,
+            (true, false) => divisor,
+        }
+    }
+
+    /// The coefficient that gives a sum its sign: that of its first term that is not a number.
+    fn leading<'a>(&self, terms: &'a [(Expression, Rational)]) -> &'a Rational {
+        let position = usize::from(terms.len() > 1 && terms[0].0 == self.one());
+        &terms[position].1
+    }
+
+    /// Whether `expression` is written with a minus sign in front.
+    #[must_use]
+    pub fn has_minus(&self, expression: Expression) -> bool {
+        match self.node(expression) {
+            Node::Constant(value) => value.is_negative(),
+            Node::Sum(terms) => self.leading(terms).is_negative(),
+            _ => false,
+        }
+    }
+}
+
+/// Sorts pairs (xᵢ, nᵢ), adds the numbers of equal x, and drops those that vanish.
+pub(crate) fn combine(pairs: &mut Vec<(Expression, Rational)>) {
+    pairs.sort_by_key(|(expression, _)| *expression);
+    pairs.dedup_by(|later, earlier| {
+        let equal = later.0 == earlier.0;
+        if equal {
+            earlier.1 = &earlier.1 + &later.1;
+        }
+        equal
+    });
+    pairs.retain(|(_, number)| !number.is_zero());
+}
