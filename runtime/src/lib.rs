@@ -2,15 +2,15 @@
 //! motion as specialized Rust, derived at compile time, and step them.
 #![cfg_attr(not(feature = "std"), no_std)]
 
-mod factorization;
-mod inputs;
-mod lagrangian;
-mod linearization;
-mod operations;
-mod outputs;
 mod scalar;
 mod state;
 mod system;
+mod lagrangian;
+mod linearization;
+mod inputs;
+mod outputs;
+mod operations;
+mod factorization;
 
 pub use factorization::Factorization;
 pub use inputs::{ControlledBy, Inputs, WithInputs};

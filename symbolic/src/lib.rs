@@ -1,21 +1,27 @@
 //! Exact algebra and analytical mechanics.
 
-mod call;
-mod derivative;
-mod evaluation;
-mod function;
-mod graph;
-mod modular;
-mod product;
 mod rational;
-mod residue;
-mod substitution;
-mod sum;
 mod symbol;
+mod graph;
+mod sum;
+mod product;
+mod call;
+mod function;
+mod derivative;
+mod substitution;
+mod evaluation;
+mod residue;
+mod modular;
+mod model;
+mod equations;
+mod structure;
 
 pub use derivative::Direction;
+pub use equations::{Defect, Equations};
 pub use function::{Binary, Symmetry, Unary};
 pub use graph::{Expression, Graph, Node};
+pub use model::{Energies, Model};
 pub use modular::Point;
 pub use rational::Rational;
+pub use structure::Structure;
 pub use symbol::Symbol;

@@ -1,0 +1,199 @@
+//! Lagrange's equations, d/dt (∂L/∂q̇ᵢ) − ∂L/∂qᵢ = Qᵢ (4.6), in the form M q̈ = f.
+//!
+//! With p = ∂L/∂q̇ the total derivative dp/dt is M q̈ plus the derivative of p along (q̇, 1) in (q, t),
+//! so that f = ∂L/∂q − (∂p/∂q) q̇ − ∂p/∂t + Q. The term in ∂p/∂t is what time-dependent models need.
+//! M is differentiated, never inverted: from M q̈ = f follows M ∂q̈/∂x = −∂(M q̈ − f)/∂x at fixed q̈.
+
+use crate::model::Energies;
+use crate::structure::{self, Structure};
+use crate::{Expression, Graph, Model, Rational, Symbol};
+
+/// The equations of motion of a model, as expressions of its graph.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// The Lagrangian function L.
+    pub lagrangian: Expression,
+    /// The energy function h = Σ pᵢ q̇ᵢ − L.
+    pub energy: Expression,
+    /// The momenta p = ∂L/∂q̇.
+    pub momenta: Vec<Expression>,
+    /// The mass matrix M = ∂²L/∂q̇², row by row; symmetric.
+    pub mass: Vec<Vec<Expression>>,
+    /// The forcing f in M q̈ = f.
+    pub forcing: Vec<Expression>,
+    /// The generalized forces Q.
+    pub generalized_forces: Vec<Expression>,
+    /// M q̈ − f with the accelerations as symbols.
+    pub inverse_dynamics: Vec<Expression>,
+    /// What is known of the system before any number is.
+    pub structure: Structure,
+}
+
+/// Why a declaration has no equations of motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Defect {
+    /// The Lagrangian does not contain the velocities of these coordinates.
+    NoVelocity(Vec<u32>),
+    /// det M vanishes identically; the velocities of these coordinates occur only in combinations.
+    SingularMass(Vec<u32>),
+    /// The momenta depend on these inputs, so that the inputs' unknown rates would act.
+    MomentumOfInput(Vec<u32>),
+}
+
+impl Equations {
+    /// Derives the equations of motion of `model`.
+    ///
+    /// # Errors
+    ///
+    /// The [`Defect`] for which there are none.
+    pub fn derive(model: &mut Model) -> Result<Self, Defect> {
+        let lagrangian = model.lagrangian();
+        let graph = &mut model.graph;
+        let momenta: Vec<_> = (0..model.coordinates)
+            .map(|i| graph.derivative(lagrangian, Symbol::Velocity(i)))
+            .collect();
+        let mass = mass_matrix(graph, &momenta);
+        check_momenta(model, &momenta, &mass)?;
+        let generalized_forces = model.generalized_forces();
+        let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);
+        let inverse_dynamics = inverse_dynamics(&mut model.graph, &mass, &forcing);
+        let energy = model.energy(lagrangian, &momenta);
+        let structure = structure::analyze(model, lagrangian, &mass, &generalized_forces)?;
+        Ok(Self {
+            lagrangian,
+            energy,
+            momenta,
+            mass,
+            forcing,
+            generalized_forces,
+            inverse_dynamics,
+            structure,
+        })
+    }
+
+    /// The derivatives ∂(M q̈ − f)ᵢ/∂xⱼ at fixed accelerations, in row i, column j.
+    pub fn residual_derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Vec<Expression>> {
+        let columns: Vec<_> = symbols
+            .iter()
+            .map(|symbol| graph.derivatives(&self.inverse_dynamics, *symbol))
+            .collect();
+        (0..self.inverse_dynamics.len())
+            .map(|i| columns.iter().map(|column| column[i]).collect())
+            .collect()
+    }
+
+    /// The lower triangle of the mass matrix, row by row.
+    pub fn mass_lower(&self) -> impl Iterator<Item = Expression> + '_ {
+        self.mass
+            .iter()
+            .enumerate()
+            .flat_map(|(i, row)| row[..=i].iter().copied())
+    }
+}
+
+impl Model {
+    fn lagrangian(&mut self) -> Expression {
+        match self.energies {
+            Energies::Natural { kinetic, potential } => self.graph.subtract(kinetic, potential),
+            Energies::General(lagrangian) => lagrangian,
+        }
+    }
+
+    /// Qᵢ: the declared force less ∂D/∂q̇ᵢ.
+    fn generalized_forces(&mut self) -> Vec<Expression> {
+        let mut forces = Vec::with_capacity(self.forces.len());
+        for (i, force) in (0..self.coordinates).zip(&self.forces) {
+            let drag = self.graph.derivative(self.dissipation, Symbol::Velocity(i));
+            forces.push(self.graph.subtract(*force, drag));
+        }
+        forces
+    }
+
+    /// fᵢ = ∂L/∂qᵢ − (∂pᵢ/∂q) q̇ − ∂pᵢ/∂t + Qᵢ.
+    fn forcing(
+        &mut self,
+        lagrangian: Expression,
+        momenta: &[Expression],
+        generalized_forces: &[Expression],
+    ) -> Vec<Expression> {
+        let graph = &mut self.graph;
+        let direction = graph.at_rest_direction(self.coordinates);
+        let rates = graph.directional_derivatives(momenta, &direction);
+        let mut forcing = Vec::with_capacity(rates.len());
+        for ((i, rate), force) in (0..).zip(rates).zip(generalized_forces) {
+            let slope = graph.derivative(lagrangian, Symbol::Coordinate(i));
+            forcing.push(graph.sum([
+                (slope, Rational::ONE),
+                (rate, Rational::MINUS_ONE),
+                (*force, Rational::ONE),
+            ]));
+        }
+        forcing
+    }
+
+    /// Σ pᵢ q̇ᵢ − L; T + V, which it then equals, for T quadratic in the velocities and V free of them.
+    fn energy(&mut self, lagrangian: Expression, momenta: &[Expression]) -> Expression {
+        let mut terms = vec![(lagrangian, Rational::MINUS_ONE)];
+        for (i, momentum) in (0..).zip(momenta) {
+            let velocity = self.graph.symbol(Symbol::Velocity(i));
+            let product = self.graph.multiply(*momentum, velocity);
+            terms.push((product, Rational::ONE));
+        }
+        let energy = self.graph.sum(terms);
+        if let Energies::Natural { kinetic, potential } = self.energies {
+            let total = self.graph.add(kinetic, potential);
+            let difference = self.graph.subtract(energy, total);
+            if structure::vanishes(&self.graph, difference) {
+                return total;
+            }
+        }
+        energy
+    }
+}
+
+fn mass_matrix(graph: &mut Graph, momenta: &[Expression]) -> Vec<Vec<Expression>> {
+    let mut mass = vec![vec![graph.zero(); momenta.len()]; momenta.len()];
+    for (j, symbol) in (0..).map(Symbol::Velocity).take(momenta.len()).enumerate() {
+        // M is symmetric: below the diagonal suffices.
+        let column = graph.derivatives(&momenta[j..], symbol);
+        for (i, entry) in (j..).zip(column) {
+            mass[i][j] = entry;
+            mass[j][i] = entry;
+        }
+    }
+    mass
+}
+
+fn inverse_dynamics(
+    graph: &mut Graph,
+    mass: &[Vec<Expression>],
+    forcing: &[Expression],
+) -> Vec<Expression> {
+    let mut residuals = Vec::with_capacity(forcing.len());
+    for (row, force) in mass.iter().zip(forcing) {
+        let mut terms = vec![(*force, Rational::MINUS_ONE)];
+        for (j, entry) in (0..).zip(row) {
+            let acceleration = graph.symbol(Symbol::Acceleration(j));
+            terms.push((graph.multiply(*entry, acceleration), Rational::ONE));
+        }
+        residuals.push(graph.sum(terms));
+    }
+    residuals
+}
+
+fn check_momenta(model: &Model, momenta: &[Expression], mass: &[Vec<Expression>]) -> Result<(), Defect> {
+    let graph = &model.graph;
+    let still: Vec<u32> = (0..model.coordinates)
+        .zip(mass)
+        .filter(|(_, row)| row.iter().all(|entry| graph.is_zero(*entry)))
+        .map(|(i, _)| i)
+        .collect();
+    if !still.is_empty() {
+        return Err(Defect::NoVelocity(still));
+    }
+    let inputs: Vec<u32> = (0..model.inputs)
+        .filter(|input| structure::depends(graph, momenta, Symbol::Input(*input)))
+        .collect();
+    if inputs.is_empty() { Ok(()) } else { Err(Defect::MomentumOfInput(inputs)) }
+}
+

@@ -1,0 +1,84 @@
+//! A mechanical system as declared: what comes into the derivation.
+
+use std::collections::BTreeMap;
+
+use crate::{Direction, Expression, Graph, Symbol};
+
+/// The energies and forces of a system with `coordinates` degrees of freedom.
+///
+/// Symbols of the graph count up to the numbers given here. Energies, dissipation and forces contain
+/// no accelerations; outputs may.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The arena of all expressions below.
+    pub graph: Graph,
+    /// The number of coordinates.
+    pub coordinates: u32,
+    /// The number of inputs.
+    pub inputs: u32,
+    /// What the Lagrangian is made of.
+    pub energies: Energies,
+    /// Rayleigh's function D: Q gains −∂D/∂q̇. Zero if there is none.
+    pub dissipation: Expression,
+    /// The declared generalized force of each coordinate.
+    pub forces: Vec<Expression>,
+    /// Quantities for observers.
+    pub outputs: Vec<Expression>,
+}
+
+/// The Lagrangian function, as energies or directly.
+#[derive(Clone, Copy, Debug)]
+pub enum Energies {
+    /// L = T − V.
+    Natural {
+        /// The kinetic energy T.
+        kinetic: Expression,
+        /// The potential energy V, which may contain velocities.
+        potential: Expression,
+    },
+    /// A general L.
+    General(Expression),
+}
+
+impl Model {
+    /// The symbols qᵢ.
+    #[must_use]
+    pub fn coordinate_symbols(&self) -> Vec<Symbol> {
+        (0..self.coordinates).map(Symbol::Coordinate).collect()
+    }
+
+    /// The symbols q̇ᵢ.
+    #[must_use]
+    pub fn velocity_symbols(&self) -> Vec<Symbol> {
+        (0..self.coordinates).map(Symbol::Velocity).collect()
+    }
+
+    /// The symbols of the inputs.
+    #[must_use]
+    pub fn input_symbols(&self) -> Vec<Symbol> {
+        (0..self.inputs).map(Symbol::Input).collect()
+    }
+}
+
+impl Graph {
+    /// The total time derivative of expressions of a system with `coordinates` degrees of freedom, by
+    /// the chain rule through q, q̇ and t: q̇ for q, q̈ for q̇, 1 for t.
+    pub fn time_derivatives(&mut self, roots: &[Expression], coordinates: u32) -> Vec<Expression> {
+        let mut direction = self.at_rest_direction(coordinates);
+        for i in 0..coordinates {
+            let acceleration = self.symbol(Symbol::Acceleration(i));
+            direction.insert(Symbol::Velocity(i), acceleration);
+        }
+        self.directional_derivatives(roots, &direction)
+    }
+
+    /// The direction in which time goes on while velocities stay: q̇ for q, 1 for t.
+    pub(crate) fn at_rest_direction(&mut self, coordinates: u32) -> Direction {
+        let mut direction = BTreeMap::from([(Symbol::Time, self.one())]);
+        for i in 0..coordinates {
+            let velocity = self.symbol(Symbol::Velocity(i));
+            direction.insert(Symbol::Coordinate(i), velocity);
+        }
+        direction
+    }
+}
