@@ -72,7 +72,11 @@ impl Equations {
     }
 
     /// The derivatives ∂(M q̈ − f)ᵢ/∂xⱼ at fixed accelerations, in row i, column j.
-    pub fn residual_derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Vec<Expression>> {
+    pub fn residual_derivatives(
+        &self,
+        graph: &mut Graph,
+        symbols: &[Symbol],
+    ) -> Vec<Vec<Expression>> {
         let columns: Vec<_> = symbols
             .iter()
             .map(|symbol| graph.derivatives(&self.inverse_dynamics, *symbol))
@@ -181,7 +185,11 @@ fn inverse_dynamics(
     residuals
 }
 
-fn check_momenta(model: &Model, momenta: &[Expression], mass: &[Vec<Expression>]) -> Result<(), Defect> {
+fn check_momenta(
+    model: &Model,
+    momenta: &[Expression],
+    mass: &[Vec<Expression>],
+) -> Result<(), Defect> {
     let graph = &model.graph;
     let still: Vec<u32> = (0..model.coordinates)
         .zip(mass)
@@ -194,6 +202,9 @@ fn check_momenta(model: &Model, momenta: &[Expression], mass: &[Vec<Expression>]
     let inputs: Vec<u32> = (0..model.inputs)
         .filter(|input| structure::depends(graph, momenta, Symbol::Input(*input)))
         .collect();
-    if inputs.is_empty() { Ok(()) } else { Err(Defect::MomentumOfInput(inputs)) }
+    if inputs.is_empty() {
+        Ok(())
+    } else {
+        Err(Defect::MomentumOfInput(inputs))
+    }
 }
-

@@ -16,12 +16,14 @@ pub struct Point {
     pub seed: u64,
     /// A symbol that has another value than the seed gives it.
     pub moved: Option<Symbol>,
+    /// Whether addition theorems hold, and not only relations between functions of equal arguments.
+    addition_theorems: bool,
 }
 
 /// The image of a number: modulo p, and its logarithm modulo q as far as phases go.
 #[derive(Clone, Copy, Debug)]
-struct Image {
-    value: u64,
+pub(crate) struct Image {
+    pub(crate) value: u64,
     /// ℓ(x), additive and linear over the rationals: e^{ix} is the generator's ℓ-th power.
     phase: u64,
 }
@@ -30,15 +32,27 @@ impl Point {
     /// The point drawn from `seed`.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
-        Self { seed, moved: None }
+        Self {
+            seed,
+            moved: None,
+            addition_theorems: true,
+        }
     }
 
     /// The same point with another value for `symbol`.
     #[must_use]
     pub const fn moving(self, symbol: Symbol) -> Self {
         Self {
-            seed: self.seed,
             moved: Some(symbol),
+            ..self
+        }
+    }
+
+    /// The same point, where functions of different arguments have nothing to do with each other.
+    pub(crate) const fn without_addition_theorems(self) -> Self {
+        Self {
+            addition_theorems: false,
+            ..self
         }
     }
 
@@ -63,28 +77,21 @@ impl Point {
         let of = |operand: Expression| images[operand.index()];
         let value = match node {
             Node::Sum(terms) => {
-                let mut sum = Image { value: 0, phase: 0 };
-                for (x, c) in terms {
-                    sum.value = residue::add(
-                        sum.value,
-                        residue::multiply(reduce(c, P)?, of(*x).value, P),
-                        P,
-                    );
-                    sum.phase = residue::add(
-                        sum.phase,
-                        residue::multiply(reduce(c, Q)?, of(*x).phase, Q),
-                        Q,
-                    );
+                let sum = linear_combination(terms, of)?;
+                if self.addition_theorems {
+                    return Some(sum);
                 }
-                return Some(sum);
+                sum.value
             }
             Node::Constant(number) => {
-                return Some(Image {
-                    value: reduce(number, P)?,
-                    phase: residue::multiply(reduce(number, Q)?, self.draw(2, 0) % Q, Q),
-                });
+                let value = self.constant(number)?;
+                if self.addition_theorems {
+                    let phase = residue::multiply(reduce(number, Q)?, self.draw(2, 0) % Q, Q);
+                    return Some(Image { value, phase });
+                }
+                value
             }
-            Node::Pi => self.draw(1, 0) % P,
+            Node::Pi => self.pi(),
             Node::Symbol(symbol) => self.symbol(*symbol),
             Node::Product(factors) => {
                 let mut product = 1;
@@ -94,20 +101,30 @@ impl Point {
                 product
             }
             Node::Unary(function, x) => self.unary(*function, of(*x))?,
-            Node::Binary(function, x, y) => self.binary(*function, of(*x).value, of(*y).value)?,
+            Node::Binary(function, x, y) => self.binary(*function, of(*x).value, of(*y).value),
         };
-        // What is not linear has a phase of its own, the same for equal values.
-        Some(Image {
-            value,
-            phase: self.draw(3, value) % Q,
-        })
+        Some(self.atom(value))
+    }
+
+    /// What is not linear has a phase of its own, the same for equal values.
+    pub(crate) fn atom(self, value: u64) -> Image {
+        let phase = self.draw(3, value) % Q;
+        Image { value, phase }
+    }
+
+    pub(crate) fn constant(self, number: &Rational) -> Option<u64> {
+        reduce(number, P)
+    }
+
+    pub(crate) fn pi(self) -> u64 {
+        self.draw(1, 0) % P
     }
 
     fn draw(self, kind: u64, value: u64) -> u64 {
         residue::mix(residue::mix(self.seed, kind), value)
     }
 
-    fn symbol(self, symbol: Symbol) -> u64 {
+    pub(crate) fn symbol(self, symbol: Symbol) -> u64 {
         let (kind, index) = match symbol {
             Symbol::Time => (0, 0),
             Symbol::Coordinate(index) => (1, index),
@@ -120,20 +137,23 @@ impl Point {
         self.draw(16 + kind + 8 * moved, index.into()) % P
     }
 
-    fn power(self, base: u64, exponent: &Rational) -> Option<u64> {
+    pub(crate) fn power(self, base: u64, exponent: &Rational) -> Option<u64> {
         if let Some(k) = exponent.to_integer() {
             return integer_power(base, k);
         }
         let (numerator, denominator) = exponent.to_fraction()?;
-        let root = if denominator == 2 {
-            residue::square_root(base)?
+        if denominator == 2 {
+            return integer_power(residue::square_root(base)?, numerator);
+        }
+        let power = self.binary(Binary::Power, base, reduce(&exponent.abs(), P)?);
+        if exponent.is_negative() {
+            residue::reciprocal(power, P)
         } else {
-            self.draw(64, residue::mix(denominator.unsigned_abs(), base)) % P
-        };
-        integer_power(root, numerator)
+            Some(power)
+        }
     }
 
-    fn unary(self, function: Unary, x: Image) -> Option<u64> {
+    pub(crate) fn unary(self, function: Unary, x: Image) -> Option<u64> {
         // Real exponentials and phases are unrelated homomorphisms.
         let rate = match function {
             Unary::Exp | Unary::Sinh | Unary::Cosh | Unary::Tanh => self.draw(4, 0) % Q,
@@ -170,12 +190,12 @@ impl Point {
         })
     }
 
-    fn binary(self, function: Binary, x: u64, y: u64) -> Option<u64> {
+    pub(crate) fn binary(self, function: Binary, x: u64, y: u64) -> u64 {
         let difference = residue::add(x, residue::negate(y, P), P);
         let distance = residue::multiply(difference, residue::legendre(difference), P);
         let sum = residue::add(x, y, P);
         let half = P.div_ceil(2);
-        Some(match function {
+        match function {
             Binary::Max => residue::multiply(half, residue::add(sum, distance, P), P),
             Binary::Min => {
                 let twice = residue::add(sum, residue::negate(distance, P), P);
@@ -184,8 +204,23 @@ impl Point {
             Binary::Atan2 | Binary::Power => {
                 self.draw(192 + function as u64, residue::mix(x, y)) % P
             }
-        })
+        }
     }
+}
+
+/// Σ cᵢ·xᵢ, in value and in phase.
+fn linear_combination(
+    terms: &[(Expression, Rational)],
+    of: impl Fn(Expression) -> Image,
+) -> Option<Image> {
+    let mut sum = Image { value: 0, phase: 0 };
+    for (x, c) in terms {
+        let value = residue::multiply(reduce(c, P)?, of(*x).value, P);
+        let phase = residue::multiply(reduce(c, Q)?, of(*x).phase, Q);
+        sum.value = residue::add(sum.value, value, P);
+        sum.phase = residue::add(sum.phase, phase, Q);
+    }
+    Some(sum)
 }
 
 /// The image of a rational modulo a prime, unless the prime divides its denominator.

@@ -34,7 +34,8 @@ pub(crate) fn analyze(
     let mut singular = Vec::new();
     for block in blocks(graph, mass) {
         let determinant = |point: Point| block_determinant(graph, mass, &block, point);
-        if usable(determinant).all(|(_, value)| value == 0) && usable(determinant).next().is_some() {
+        if usable(determinant).all(|(_, value)| value == 0) && usable(determinant).next().is_some()
+        {
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;
         }
@@ -65,9 +66,9 @@ pub(crate) fn vanishes(graph: &Graph, expression: Expression) -> bool {
 /// Whether one of `roots` depends on `symbol`, and not only in its spelling.
 pub(crate) fn depends(graph: &Graph, roots: &[Expression], symbol: Symbol) -> bool {
     graph.contains(roots, |occurring| occurring == symbol)
-        && roots.iter().any(|root| {
-            moves(|point| Some(point.evaluate(graph, &[*root])?[0]), symbol)
-        })
+        && roots
+            .iter()
+            .any(|root| moves(|point| Some(point.evaluate(graph, &[*root])?[0]), symbol))
 }
 
 /// The first few points in the domain of `value`, with the values there.

@@ -1,0 +1,87 @@
+//! The check that a program computes what it was made from.
+
+use std::collections::HashSet;
+
+use crate::modular::Point;
+use crate::program::{Operand, Operation, Program};
+use crate::{Expression, Graph};
+
+/// What is wrong with a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// A value is used before it is computed.
+    Undefined(usize),
+    /// Two instructions do the same.
+    Repeated(Operation),
+    /// This output of this group does not have the value of its root.
+    WrongOutput {
+        /// The group.
+        group: usize,
+        /// The position in the group.
+        output: usize,
+    },
+}
+
+/// Points to try until one is in the domain of all roots.
+const ATTEMPTS: u64 = 64;
+
+impl Program {
+    /// Checks the program's invariants against the roots that it was made from.
+    ///
+    /// The values of the outputs are compared at a random point in modular arithmetic, so that neither
+    /// rounding nor the order of terms matters: a wrong program passes with a probability below 10⁻¹⁵.
+    ///
+    /// # Errors
+    ///
+    /// The first [`Fault`] found.
+    pub fn verify(&self, graph: &Graph, groups: &[&[Expression]]) -> Result<(), Fault> {
+        self.verify_order()?;
+        let roots = groups.concat();
+        let points = (0..ATTEMPTS).map(|seed| Point::new(seed).without_addition_theorems());
+        for point in points {
+            let expected = point.evaluate(graph, &roots);
+            if let (Some(expected), Some(found)) = (expected, self.evaluate_at(point)) {
+                return compare(groups, &expected, &found);
+            }
+        }
+        // No point was in the domain of all roots: there is nothing to compare.
+        Ok(())
+    }
+
+    /// Checks that operands precede their uses, and that no operation is done twice.
+    fn verify_order(&self) -> Result<(), Fault> {
+        let mut computed = 0;
+        let mut done = HashSet::new();
+        let defined = |operand: &Operand, computed: usize| match operand {
+            Operand::Value(number) if *number >= computed => Err(Fault::Undefined(*number)),
+            _ => Ok(()),
+        };
+        for phase in &self.phases {
+            for instruction in &phase.instructions {
+                for operand in instruction.operation.operands() {
+                    defined(operand, computed)?;
+                }
+                if instruction.value != computed || !done.insert(&instruction.operation) {
+                    return Err(Fault::Repeated(instruction.operation.clone()));
+                }
+                computed += instruction.operation.results();
+            }
+            for operand in &phase.outputs {
+                defined(operand, computed)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn compare(groups: &[&[Expression]], expected: &[u64], found: &[Vec<u64>]) -> Result<(), Fault> {
+    let mut expected = expected.iter();
+    for (group, (roots, values)) in groups.iter().zip(found).enumerate() {
+        for output in 0..roots.len() {
+            if expected.next() != values.get(output) {
+                return Err(Fault::WrongOutput { group, output });
+            }
+        }
+    }
+    Ok(())
+}
