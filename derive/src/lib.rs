@@ -1,9 +1,25 @@
-//! The derive macro of the `lagrangian` crate.
+//! The derive macro of the `lagrangian` crate: words in, words out.
+
+mod expand;
+mod diagnostics;
+mod declaration;
+mod check;
+mod scope;
+mod expression;
+mod lower;
+mod methods;
+mod names;
+mod body;
+mod implementation;
+mod documentation;
+mod fallback;
 
 use proc_macro::TokenStream;
 
-/// Derives the equations of motion.
+/// Derives the equations of motion from the energies declared on a struct of parameters.
+///
+/// The declaration language is described in the documentation of the crate `lagrangian`.
 #[proc_macro_derive(Lagrangian, attributes(lagrangian))]
-pub fn derive_lagrangian(_input: TokenStream) -> TokenStream {
-    TokenStream::new()
+pub fn derive_lagrangian(input: TokenStream) -> TokenStream {
+    expand::expand(input.into()).into()
 }

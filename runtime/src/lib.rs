@@ -12,6 +12,10 @@ mod outputs;
 mod operations;
 mod factorization;
 
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
+
 pub use factorization::Factorization;
 pub use inputs::{ControlledBy, Inputs, WithInputs};
 pub use lagrangian::{Energies, Lagrangian};

@@ -40,3 +40,41 @@ pub struct Operations {
     /// Of `linearize`.
     pub linearize: OperationCount,
 }
+
+impl Operations {
+    /// The counts of a model without equations.
+    #[doc(hidden)]
+    pub const NONE: Self = Self {
+        lagrangian: OperationCount::NONE,
+        energy: OperationCount::NONE,
+        momenta: OperationCount::NONE,
+        mass_matrix: OperationCount::NONE,
+        forcing: OperationCount::NONE,
+        generalized_forces: OperationCount::NONE,
+        accelerations: OperationCount::NONE,
+        inverse_dynamics: OperationCount::NONE,
+        linearize: OperationCount::NONE,
+    };
+}
+
+impl OperationCount {
+    const NONE: Self = Self {
+        additions: 0,
+        multiplications: 0,
+        divisions: 0,
+        square_roots: 0,
+        sines_and_cosines: 0,
+        functions: 0,
+    };
+
+    /// All operations together, each function counted as one.
+    #[must_use]
+    pub const fn total(&self) -> usize {
+        self.additions
+            + self.multiplications
+            + self.divisions
+            + self.square_roots
+            + self.sines_and_cosines
+            + self.functions
+    }
+}

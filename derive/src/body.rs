@@ -1,0 +1,238 @@
+//! From a straight-line program to the statements of a method.
+//!
+//! Each value that is used more than once, or that the declaration names, is a `let`; the others stand
+//! where they are used, as a person would write them, though never nested deeply.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use lagrangian_symbolic::{Instruction, Operand, Operation, Phase, Program, Rational, Symbol};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+use crate::names::Locals;
+
+/// How deep expressions are nested in one statement.
+const DEEPEST: usize = 6;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// The text of a value.
+#[derive(Clone)]
+struct Text {
+    tokens: TokenStream,
+    level: Level,
+    depth: usize,
+}
+
+impl Text {
+    fn atom(tokens: impl ToTokens) -> Self {
+        Self {
+            tokens: tokens.into_token_stream(),
+            level: Level::Atom,
+            depth: 0,
+        }
+    }
+
+    /// The tokens, in parentheses unless they hold together at `level`.
+    fn at(self, level: Level) -> TokenStream {
+        if self.level >= level {
+            self.tokens
+        } else {
+            TokenTree::Group(Group::new(Delimiter::Parenthesis, self.tokens)).into()
+        }
+    }
+}
+
+/// Where the emitted code finds a symbol's value.
+pub(crate) trait Source {
+    /// The expression that reads `symbol`.
+    fn read(&self, symbol: Symbol) -> TokenStream;
+}
+
+/// Writes the phases of one program, one after the other.
+pub(crate) struct Body<'a> {
+    locals: Locals<'a>,
+    scalar: &'a Ident,
+    source: &'a dyn Source,
+    symbols: BTreeMap<Symbol, Ident>,
+    texts: BTreeMap<usize, Text>,
+    uses: BTreeMap<usize, usize>,
+    /// Values that a later phase uses, which must not be written twice.
+    carried: BTreeSet<usize>,
+}
+
+impl<'a> Body<'a> {
+    pub(crate) fn new(
+        program: &Program,
+        locals: Locals<'a>,
+        scalar: &'a Ident,
+        source: &'a dyn Source,
+    ) -> Self {
+        let (uses, carried) = count_uses(program);
+        Self {
+            locals,
+            scalar,
+            source,
+            symbols: BTreeMap::new(),
+            texts: BTreeMap::new(),
+            uses,
+            carried,
+        }
+    }
+
+    /// The statements of a phase, and the expressions of its outputs.
+    pub(crate) fn phase(&mut self, phase: &Phase) -> (TokenStream, Vec<TokenStream>) {
+        let mut statements = TokenStream::new();
+        self.load_symbols(phase, &mut statements);
+        for instruction in &phase.instructions {
+            self.instruction(instruction, &mut statements);
+        }
+        let outputs = phase.outputs.iter().map(|operand| self.operand(operand).tokens).collect();
+        (statements, outputs)
+    }
+
+    /// Reads the symbols that no phase before has read.
+    fn load_symbols(&mut self, phase: &Phase, statements: &mut TokenStream) {
+        let operands = phase.instructions.iter().flat_map(|instruction| instruction.operation.operands());
+        let wanted: BTreeSet<Symbol> = operands
+            .chain(&phase.outputs)
+            .filter_map(|operand| match operand {
+                Operand::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect();
+        for symbol in wanted {
+            if !self.symbols.contains_key(&symbol) {
+                let name = self.locals.symbol(symbol);
+                let read = self.source.read(symbol);
+                statements.extend(quote!(let #name = #read;));
+                self.symbols.insert(symbol, name);
+            }
+        }
+    }
+
+    fn instruction(&mut self, instruction: &Instruction, statements: &mut TokenStream) {
+        let value = instruction.value;
+        if let Operation::SineAndCosine(x) = &instruction.operation {
+            let argument = self.operand(x).at(Level::Atom);
+            let (sine, cosine) = self.locals.pair(instruction.expression);
+            statements.extend(quote!(let (#sine, #cosine) = #argument.sin_cos();));
+            self.texts.insert(value, Text::atom(sine));
+            self.texts.insert(value + 1, Text::atom(cosine));
+            return;
+        }
+        let text = self.operation(&instruction.operation);
+        let once = self.uses.get(&value) == Some(&1) && !self.carried.contains(&value);
+        let named = self.locals.is_defined(instruction.expression);
+        if once && !named && text.depth < DEEPEST {
+            self.texts.insert(value, text);
+            return;
+        }
+        let name = self.locals.value(instruction.expression);
+        let tokens = text.tokens;
+        statements.extend(quote!(let #name = #tokens;));
+        self.texts.insert(value, Text::atom(name));
+    }
+
+    fn operation(&mut self, operation: &Operation) -> Text {
+        let operands: Vec<Text> = operation.operands().map(|operand| self.operand(operand)).collect();
+        let depth = 1 + operands.iter().map(|text| text.depth).max().unwrap_or(0);
+        let mut operands = operands.into_iter();
+        let mut next = || operands.next().unwrap_or_else(|| Text::atom(TokenStream::new()));
+        let (tokens, level) = match operation {
+            Operation::Add(..) => (infix(next(), '+', next(), Level::Sum), Level::Sum),
+            Operation::Subtract(..) => (infix(next(), '-', next(), Level::Sum), Level::Sum),
+            Operation::Multiply(..) => (infix(next(), '*', next(), Level::Product), Level::Product),
+            Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
+            Operation::Negate(_) => {
+                let x = next().at(Level::Atom);
+                (quote!(-#x), Level::Sign)
+            }
+            Operation::SquareRoot(_) => (call(next(), "sqrt", None), Level::Atom),
+            Operation::SineAndCosine(_) => (call(next(), "sin_cos", None), Level::Atom),
+            Operation::Unary(function, _) => (call(next(), function.name(), None), Level::Atom),
+            Operation::Binary(function, ..) => {
+                let (x, y) = (next(), next());
+                (call(x, function.name(), Some(y)), Level::Atom)
+            }
+        };
+        Text { tokens, level, depth }
+    }
+
+    fn operand(&self, operand: &Operand) -> Text {
+        match operand {
+            Operand::Value(value) => self.texts[value].clone(),
+            Operand::Symbol(symbol) => Text::atom(&self.symbols[symbol]),
+            Operand::Constant(number) => Text::atom(constant(self.scalar, number)),
+            Operand::Pi => {
+                let scalar = self.scalar;
+                Text::atom(quote!(#scalar::from_f64(::core::f64::consts::PI)))
+            }
+        }
+    }
+}
+
+/// How often each value is used, and which are used in another phase than their own.
+fn count_uses(program: &Program) -> (BTreeMap<usize, usize>, BTreeSet<usize>) {
+    let mut uses = BTreeMap::new();
+    let mut carried = BTreeSet::new();
+    let mut start = 0;
+    for phase in &program.phases {
+        let operands = phase.instructions.iter().flat_map(|instruction| instruction.operation.operands());
+        for operand in operands.chain(&phase.outputs) {
+            if let Operand::Value(value) = operand {
+                *uses.entry(*value).or_default() += 1;
+                if *value < start {
+                    carried.insert(*value);
+                }
+            }
+        }
+        if let Some(last) = phase.instructions.last() {
+            start = last.value + last.operation.results();
+        }
+    }
+    (uses, carried)
+}
+
+fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
+    let mut tokens = left.at(level);
+    tokens.extend([TokenTree::Punct(Punct::new(operator, Spacing::Alone))]);
+    // The operand on the right keeps its parentheses at the same level: the order of operations is
+    // part of what was scheduled.
+    let tighter = if level == Level::Sum { Level::Product } else { Level::Sign };
+    tokens.extend(right.at(tighter));
+    tokens
+}
+
+fn call(x: Text, function: &str, y: Option<Text>) -> TokenStream {
+    let receiver = x.at(Level::Atom);
+    let function = Ident::new(function, Span::mixed_site());
+    let argument = y.map(|y| y.tokens);
+    quote!(#receiver.#function(#argument))
+}
+
+/// The scalar nearest to an exact number.
+pub(crate) fn constant(scalar: &Ident, number: &Rational) -> TokenStream {
+    let value = number.to_f64();
+    let magnitude = literal(value.abs());
+    let sign = (value < 0.0).then(|| quote!(-));
+    quote!(#scalar::from_f64(#sign #magnitude))
+}
+
+/// The shortest literal that reads back as `value`, which is not negative.
+fn literal(value: f64) -> TokenStream {
+    let written = format!("{value:?}");
+    match written.parse::<Literal>() {
+        Ok(literal) => literal.into_token_stream(),
+        // Not a number, or infinite: there is no literal.
+        Err(_) if value.is_nan() => quote!(f64::NAN),
+        Err(_) => quote!(f64::INFINITY),
+    }
+}

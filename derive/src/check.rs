@@ -1,0 +1,162 @@
+//! What can be wrong with a declaration before its expressions are looked at.
+//!
+//! Each check says why it is there by what it reports.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::Type;
+
+use crate::declaration::{Clause, Declaration, Role};
+use crate::diagnostics::{Diagnostics, similar};
+use crate::scope::RESERVED;
+
+/// Checks names, types of fields and the set of clauses.
+pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    check_field_types(declaration, diagnostics);
+    check_names(declaration, diagnostics);
+    check_constants(declaration, diagnostics);
+    check_forces(declaration, diagnostics);
+    check_outputs(declaration, diagnostics);
+    // Where something could not be read, what is missing may stand there.
+    if diagnostics.is_empty() {
+        check_clauses(declaration, diagnostics);
+    }
+}
+
+fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    for field in declaration.fields.iter().filter(|field| field.role != Role::Skipped) {
+        if !is_float(&field.ty) {
+            let written = field.ty.to_token_stream().to_string().replace(' ', "");
+            diagnostics.error(
+                &field.ty,
+                format!(
+                    "parameters are of type `f64` or `f32`, not `{written}`: change the type, or mark the \
+                     field `#[lagrangian(skip)]` if the equations do not need it"
+                ),
+            );
+        }
+    }
+}
+
+fn is_float(ty: &Type) -> bool {
+    match ty {
+        Type::Path(path) => {
+            let last = path.path.segments.last();
+            last.is_some_and(|last| last.ident == "f64" || last.ident == "f32")
+        }
+        Type::Group(group) => is_float(&group.elem),
+        Type::Paren(paren) => is_float(&paren.elem),
+        _ => false,
+    }
+}
+
+/// Names are unique, and none is reserved.
+fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut taken: BTreeMap<String, &str> = BTreeMap::new();
+    for field in &declaration.fields {
+        if field.role != Role::Skipped {
+            refuse_reserved(&field.name, diagnostics);
+        }
+        taken.insert(field.name.to_string(), "a field");
+    }
+    let clauses = &declaration.clauses;
+    let coordinates = clauses.coordinates.iter().map(|name| (name, "a coordinate"));
+    let definitions = clauses.definitions.iter().map(|named| (&named.name, "a definition"));
+    for (name, kind) in coordinates.chain(definitions) {
+        refuse_reserved(name, diagnostics);
+        if let Some(holder) = taken.insert(name.to_string(), kind) {
+            let message = if holder == kind {
+                format!("`{name}` is declared twice: give one of them another name")
+            } else {
+                format!("`{name}` is {holder} already: give {kind} another name")
+            };
+            diagnostics.error(name, message);
+        }
+    }
+}
+
+fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
+    if RESERVED.iter().any(|reserved| name == reserved) {
+        let meaning = match name.to_string().as_str() {
+            "t" => "the time",
+            "PI" => "the number π",
+            _ => "the time derivative",
+        };
+        diagnostics.error(name, format!("`{name}` is {meaning}: choose another name"));
+    }
+}
+
+/// Each coordinate becomes a constant of the type, beside those that are always there.
+fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut taken: BTreeMap<String, String> = ["COORDINATES", "OPERATIONS", "EQUATIONS"]
+        .into_iter()
+        .map(|name| (name.to_owned(), "a constant of every model".to_owned()))
+        .collect();
+    for name in &declaration.clauses.coordinates {
+        let constant = crate::names::constant(name);
+        if let Some(holder) = taken.insert(constant.clone(), format!("the index of `{name}`"))
+            && holder != format!("the index of `{name}`")
+        {
+            let message = format!("the constant `{constant}` is {holder} already: rename this coordinate");
+            diagnostics.error(name, message);
+        }
+    }
+}
+
+fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let coordinates: Vec<String> = declaration.clauses.coordinates.iter().map(Ident::to_string).collect();
+    let mut seen = BTreeMap::new();
+    for force in &declaration.clauses.forces {
+        let written = force.name.to_string();
+        if !coordinates.contains(&written) {
+            let hint = match similar(&written, coordinates.iter().map(String::as_str)) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("write one of `{}`", coordinates.join("`, `")),
+            };
+            let message = format!("a generalized force acts on a coordinate, and `{written}` is none: {hint}");
+            diagnostics.error(&force.name, message);
+        } else if seen.insert(written, ()).is_some() {
+            diagnostics.error(&force.name, "this coordinate has a force already: add them up in one expression");
+        }
+    }
+}
+
+fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut seen = BTreeMap::new();
+    for output in &declaration.clauses.outputs {
+        if seen.insert(output.name.to_string(), ()).is_some() {
+            let message = format!("the output `{}` is declared twice: give one of them another name", output.name);
+            diagnostics.error(&output.name, message);
+        }
+    }
+}
+
+fn check_clauses(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    let name = &declaration.name;
+    if clauses.coordinates.is_empty() {
+        let message = "no coordinates: write `#[lagrangian(coordinates(theta), kinetic = …)]`";
+        return diagnostics.error(name, message);
+    }
+    if let [_, second, ..] = clauses.lagrangian.as_slice() {
+        diagnostics.error(&second.keyword, "there is a Lagrangian already: add them up in one expression");
+    }
+    match (clauses.lagrangian.first(), clauses.kinetic.first(), clauses.potential.first()) {
+        (Some(lagrangian), Some(energy), _) | (Some(lagrangian), None, Some(energy)) => {
+            diagnostics.error(
+                &lagrangian.keyword,
+                format!(
+                    "`lagrangian` stands in place of `kinetic` and `potential`: remove it, or `{}`",
+                    energy.keyword
+                ),
+            );
+        }
+        (None, None, potential) => diagnostics.error(
+            potential.map_or(name, |potential: &Clause| &potential.keyword),
+            "no kinetic energy: write `kinetic = 0.5 * m * dot(x).powi(2)`, or a whole `lagrangian = …`",
+        ),
+        _ => {}
+    }
+}

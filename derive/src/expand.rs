@@ -1,0 +1,89 @@
+//! The whole macro: parse, check, lower, derive the equations, schedule, emit.
+
+use lagrangian_symbolic::{Defect, Equations};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::DeriveInput;
+
+use crate::check::check;
+use crate::declaration::{Clause, Declaration};
+use crate::diagnostics::Diagnostics;
+use crate::fallback;
+use crate::implementation::Implementation;
+use crate::lower::lower;
+use crate::methods::Methods;
+
+/// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
+pub(crate) fn expand(input: TokenStream) -> TokenStream {
+    let input = match syn::parse2::<DeriveInput>(input) {
+        Ok(input) => input,
+        Err(error) => return error.to_compile_error(),
+    };
+    let mut diagnostics = Diagnostics::default();
+    let declaration = Declaration::parse(input, &mut diagnostics);
+    check(&declaration, &mut diagnostics);
+    let (model, scope) = lower(&declaration, &mut diagnostics);
+    let derived = model.and_then(|mut model| match Equations::derive(&mut model) {
+        Ok(equations) => Some((model, equations)),
+        Err(defect) => {
+            report(&defect, &declaration, &mut diagnostics);
+            None
+        }
+    });
+    let Some((mut model, equations)) = derived else {
+        let errors = diagnostics.to_compile_errors();
+        let items = fallback::items(&declaration, Some(&scope));
+        return quote!(#errors #items);
+    };
+    let methods = Methods::schedule(&mut model, &equations);
+    Implementation::new(&declaration, &scope, &model, &equations, &methods).items()
+}
+
+/// Says why there are no equations of motion, where the declaration can be mended.
+fn report(defect: &Defect, declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    let energy = clauses.kinetic.first().or(clauses.lagrangian.first());
+    let names = |indices: &[u32]| {
+        let names: Vec<String> =
+            indices.iter().map(|i| format!("`{}`", clauses.coordinates[*i as usize])).collect();
+        names.join(", ")
+    };
+    match defect {
+        Defect::NoVelocity(coordinates) => {
+            for i in coordinates {
+                let coordinate = &clauses.coordinates[*i as usize];
+                diagnostics.error(
+                    coordinate,
+                    format!(
+                        "no energy contains `dot({coordinate})`, so its equation of motion has no acceleration: \
+                         add the kinetic energy of this coordinate, or remove it"
+                    ),
+                );
+            }
+        }
+        Defect::SingularMass(coordinates) => {
+            let message = format!(
+                "the mass matrix is singular everywhere: the velocities of {} occur only in combinations of \
+                 which there are fewer; add the kinetic energy that is missing, or remove a coordinate",
+                names(coordinates)
+            );
+            report_at(energy, &message, diagnostics);
+        }
+        Defect::MomentumOfInput(inputs) => {
+            let fields: Vec<_> = declaration.fields_with(crate::declaration::Role::Input).collect();
+            let names: Vec<String> = inputs.iter().map(|i| format!("`{}`", fields[*i as usize].name)).collect();
+            let message = format!(
+                "the momenta ∂L/∂q̇ contain the input {}, whose rate of change is unknown: make it a \
+                 coordinate or a function of `t`",
+                names.join(", ")
+            );
+            report_at(energy, &message, diagnostics);
+        }
+    }
+}
+
+fn report_at(energy: Option<&Clause>, message: &str, diagnostics: &mut Diagnostics) {
+    if let Some(clause) = energy {
+        diagnostics.error(&clause.expression, message);
+    }
+}

@@ -1,0 +1,410 @@
+//! From Rust expressions to the expression graph.
+//!
+//! Comes in: `syn` expressions with their spans. Goes out: handles of the graph, or errors at the
+//! tokens that are not understood. Long sums and products are loops; only nesting recurses, which the
+//! compiler's own parser bounds.
+
+use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, Lit, Member, UnOp};
+
+use crate::diagnostics::{Diagnostics, similar};
+use crate::scope::{Meaning, Scope};
+
+/// Where an expression stands, which decides what it may contain.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Energies, dissipation and forces: functions of q, q̇, t, parameters and inputs.
+    Energy,
+    /// Definitions and outputs, which may contain accelerations.
+    Observation,
+}
+
+/// The translation of one declaration.
+pub(crate) struct Translator<'a> {
+    pub(crate) graph: Graph,
+    pub(crate) scope: Scope,
+    pub(crate) coordinates: u32,
+    pub(crate) diagnostics: &'a mut Diagnostics,
+}
+
+/// A chain of operations of one kind, kept until it ends.
+enum Chain {
+    Sum(Vec<(Expression, Rational)>),
+    Product(Vec<(Expression, Rational)>),
+}
+
+impl Translator<'_> {
+    /// The handle of `expression`; `None` if errors were reported.
+    pub(crate) fn translate(&mut self, expression: &Expr, place: Place) -> Option<Expression> {
+        match expression {
+            Expr::Paren(inner) => self.translate(&inner.expr, place),
+            Expr::Group(inner) => self.translate(&inner.expr, place),
+            Expr::Lit(literal) => self.literal(literal),
+            Expr::Path(path) => match path.path.get_ident() {
+                Some(name) if path.qself.is_none() => self.name(name, place),
+                _ => self.reject(path, path_hint(path)),
+            },
+            Expr::Unary(unary) => self.negation(unary, place),
+            Expr::Binary(binary) => self.chain(binary, place),
+            Expr::Call(call) => self.call(call, place),
+            Expr::MethodCall(call) => self.method(call, place),
+            Expr::Field(field) => self.reject(field, field_hint(field)),
+            other => self.reject(
+                other,
+                "this is not part of the declaration language: write an expression of numbers, names, \
+                 `+ - * /`, and functions such as `sin(x)` or `x.powi(2)`",
+            ),
+        }
+    }
+
+    fn reject<T>(&mut self, tokens: impl ToTokens, message: impl core::fmt::Display) -> Option<T> {
+        self.diagnostics.error(tokens, message);
+        None
+    }
+
+    fn literal(&mut self, literal: &ExprLit) -> Option<Expression> {
+        let (digits, suffix) = match &literal.lit {
+            Lit::Int(integer) => (integer.base10_digits(), integer.suffix()),
+            Lit::Float(float) => (float.base10_digits(), float.suffix()),
+            other => return self.reject(other, "write a number such as `2`, `0.5` or `1e-3`"),
+        };
+        if !matches!(suffix, "" | "f64" | "f32") {
+            return self.reject(literal, format!("numbers here are real: write `{digits}`"));
+        }
+        match Rational::from_decimal(digits) {
+            Some(value) if in_range(&value) => Some(self.graph.constant(&value)),
+            _ => self.reject(literal, "this number is outside of the range of `f64`"),
+        }
+    }
+
+    fn name(&mut self, name: &Ident, place: Place) -> Option<Expression> {
+        match self.scope.resolve(name) {
+            Some(Meaning::Symbol(symbol)) => Some(self.graph.symbol(symbol)),
+            Some(Meaning::Pi) => Some(self.graph.pi()),
+            Some(Meaning::Defined(expression)) => {
+                if place == Place::Energy && self.has_acceleration(expression) {
+                    return self.reject(
+                        name,
+                        format!(
+                            "`{name}` contains accelerations, which energies and forces cannot: \
+                             use it under `output`"
+                        ),
+                    );
+                }
+                Some(expression)
+            }
+            Some(Meaning::Broken) => None,
+            Some(Meaning::Skipped) => self.reject(
+                name,
+                format!("the field `{name}` is marked `skip`: remove the mark to use it here"),
+            ),
+            None => self.unknown(name),
+        }
+    }
+
+    /// A name that stands for nothing. What looks like a misspelt coordinate, definition or function is
+    /// ours to report; anything else may have been a field, and the compiler says so best.
+    fn unknown(&mut self, name: &Ident) -> Option<Expression> {
+        if let Some(meant) = self.scope.suggest(name) {
+            let message = format!("unknown name `{name}`: did you mean `{meant}`?");
+            return self.reject(name, message);
+        }
+        let written = name.to_string();
+        for suffix in ["_dot", "dot"] {
+            let stem = written.strip_suffix(suffix).unwrap_or_default();
+            if !stem.is_empty() && self.scope.coordinate(&Ident::new(stem, name.span())).is_some() {
+                let message = format!("unknown name `{name}`: the velocity is written `dot({stem})`");
+                return self.reject(name, message);
+            }
+        }
+        if is_function(&written) {
+            return self.reject(name, format!("`{name}` is a function: write `{name}(x)`"));
+        }
+        self.scope.note_unknown(name);
+        None
+    }
+
+    fn negation(&mut self, unary: &ExprUnary, place: Place) -> Option<Expression> {
+        match unary.op {
+            UnOp::Neg(_) => {
+                let operand = self.translate(&unary.expr, place)?;
+                Some(self.graph.negate(operand))
+            }
+            _ => self.reject(unary.op, "only the minus sign stands in front of an expression here"),
+        }
+    }
+
+    /// A chain of operators, from the left.
+    fn chain(&mut self, binary: &ExprBinary, place: Place) -> Option<Expression> {
+        let mut steps = vec![(&binary.op, &*binary.right)];
+        let mut first = &*binary.left;
+        while let Expr::Binary(inner) = first {
+            steps.push((&inner.op, &*inner.right));
+            first = &*inner.left;
+        }
+        let first = self.translate(first, place);
+        let mut chain = first.map(|first| Chain::Sum(vec![(first, Rational::ONE)]));
+        for (operator, operand) in steps.into_iter().rev() {
+            let value = self.operand(operator, operand, place);
+            chain = match (chain, value) {
+                (Some(chain), Some(value)) => Some(self.extend(chain, operator, value)),
+                _ => None,
+            };
+        }
+        chain.map(|chain| self.close(chain))
+    }
+
+    /// The operand on the right of an operator that is understood.
+    fn operand(&mut self, operator: &BinOp, operand: &Expr, place: Place) -> Option<Expression> {
+        let hint = match operator {
+            BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) => None,
+            BinOp::BitXor(_) => Some(
+                "`^` is no power in Rust, where `a * b ^ 2` means `(a * b) ^ 2`: \
+                 write `x.powi(2)`, or `x.powf(1.5)`",
+            ),
+            BinOp::Rem(_) => Some("there is no remainder here: angles need no reduction"),
+            _ => Some("only `+`, `-`, `*` and `/` join expressions here"),
+        };
+        if let Some(hint) = hint {
+            return self.reject(operator, hint);
+        }
+        let value = self.translate(operand, place)?;
+        if matches!(operator, BinOp::Div(_)) && self.graph.is_zero(value) {
+            return self.reject(operand, "this divisor is zero: the quotient has no value anywhere");
+        }
+        Some(value)
+    }
+
+    fn extend(&mut self, chain: Chain, operator: &BinOp, value: Expression) -> Chain {
+        let sign = match operator {
+            BinOp::Sub(_) | BinOp::Div(_) => Rational::MINUS_ONE,
+            _ => Rational::ONE,
+        };
+        let additive = matches!(operator, BinOp::Add(_) | BinOp::Sub(_));
+        match (chain, additive) {
+            (Chain::Sum(mut terms), true) => {
+                terms.push((value, sign));
+                Chain::Sum(terms)
+            }
+            (Chain::Product(mut factors), false) => {
+                factors.push((value, sign));
+                Chain::Product(factors)
+            }
+            (chain, additive) => {
+                let start = vec![(self.close(chain), Rational::ONE), (value, sign)];
+                if additive { Chain::Sum(start) } else { Chain::Product(start) }
+            }
+        }
+    }
+
+    fn close(&mut self, chain: Chain) -> Expression {
+        match chain {
+            Chain::Sum(terms) => self.graph.sum(terms),
+            Chain::Product(factors) => self.graph.product(factors),
+        }
+    }
+
+    fn call(&mut self, call: &ExprCall, place: Place) -> Option<Expression> {
+        let name = match &*call.func {
+            Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
+            _ => None,
+        };
+        let Some(name) = name else {
+            return self.reject(&call.func, "write the function by its name alone, such as `sin(x)`");
+        };
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        if name == "dot" {
+            return self.time_derivative(call, &arguments, place);
+        }
+        self.apply(name, &arguments, call, place)
+    }
+
+    fn method(&mut self, call: &ExprMethodCall, place: Place) -> Option<Expression> {
+        let mut arguments = vec![&*call.receiver];
+        arguments.extend(&call.args);
+        if let Some(turbofish) = &call.turbofish {
+            return self.reject(turbofish, "functions here take no type arguments");
+        }
+        self.apply(&call.method, &arguments, call, place)
+    }
+
+    /// A function of the table, `sqrt`, `powi`, `powf` or `recip`.
+    fn apply(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        call: impl ToTokens,
+        place: Place,
+    ) -> Option<Expression> {
+        let written = name.to_string();
+        let unary = Unary::ALL.into_iter().find(|function| function.name() == written);
+        let binary = Binary::ALL.into_iter().find(|function| function.name() == written);
+        let expected = match written.as_str() {
+            "sqrt" | "recip" => 1,
+            "powi" => 2,
+            _ if unary.is_some() => 1,
+            _ if binary.is_some() => 2,
+            _ => return self.reject(name, function_hint(&written)),
+        };
+        if arguments.len() != expected {
+            let message = format!(
+                "`{written}` takes {}: write `{}`",
+                if expected == 1 { "one argument" } else { "two arguments" },
+                example(&written, expected),
+            );
+            return self.reject(call, message);
+        }
+        let values: Vec<_> = arguments.iter().map(|argument| self.translate(argument, place)).collect();
+        let values: Vec<Expression> = values.into_iter().collect::<Option<_>>()?;
+        match (unary, binary) {
+            (Some(function), _) => Some(self.graph.unary(function, values[0])),
+            (_, Some(function)) => Some(self.graph.binary(function, values[0], values[1])),
+            _ => self.power(&written, arguments, &values),
+        }
+    }
+
+    fn power(&mut self, name: &str, arguments: &[&Expr], values: &[Expression]) -> Option<Expression> {
+        let exponent = match name {
+            "sqrt" => Rational::HALF,
+            "recip" => Rational::MINUS_ONE,
+            _ => match self.graph.as_constant(values[1]).and_then(Rational::to_integer) {
+                Some(exponent) if i32::try_from(exponent).is_ok() => Rational::integer(exponent),
+                _ => {
+                    return self.reject(
+                        arguments[1],
+                        "the exponent of `powi` is an integer constant: write `x.powi(2)`, or `x.powf(y)` \
+                         for any other exponent",
+                    );
+                }
+            },
+        };
+        if exponent.is_negative() && self.graph.is_zero(values[0]) {
+            return self.reject(arguments[0], "this divisor is zero: the quotient has no value anywhere");
+        }
+        Some(self.graph.power(values[0], &exponent))
+    }
+
+    /// `dot(x)`: the total time derivative.
+    fn time_derivative(
+        &mut self,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        place: Place,
+    ) -> Option<Expression> {
+        let [argument] = arguments else {
+            return self.reject(call, "`dot` takes one argument: write `dot(theta)`");
+        };
+        let value = self.translate(argument, Place::Observation)?;
+        if let Node::Symbol(Symbol::Parameter(_)) | Node::Constant(_) = self.graph.node(value)
+            && !matches!(argument, Expr::Path(path) if self.is_defined(path))
+        {
+            return self.reject(
+                argument,
+                "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
+            );
+        }
+        if self.graph.contains(&[value], |symbol| matches!(symbol, Symbol::Input(_))) {
+            return self.reject(
+                call,
+                "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \
+                 what is made of them, or make the input a coordinate",
+            );
+        }
+        if self.has_acceleration(value) {
+            return self.reject(
+                call,
+                "this contains accelerations already: a third time derivative is not part of the equations \
+                 of motion",
+            );
+        }
+        let derivative = self.graph.time_derivatives(&[value], self.coordinates)[0];
+        if place == Place::Energy && self.has_acceleration(derivative) {
+            return self.reject(
+                call,
+                "`dot` of what contains velocities contains accelerations, which energies and forces cannot: \
+                 use it under `output`",
+            );
+        }
+        Some(derivative)
+    }
+
+    fn is_defined(&mut self, path: &syn::ExprPath) -> bool {
+        let name = path.path.get_ident();
+        name.is_some_and(|name| matches!(self.scope.resolve(name), Some(Meaning::Defined(_))))
+    }
+
+    fn has_acceleration(&self, expression: Expression) -> bool {
+        self.graph
+            .contains(&[expression], |symbol| matches!(symbol, Symbol::Acceleration(_)))
+    }
+}
+
+/// Whether a literal is neither beyond the largest nor lost below the smallest `f64`.
+fn in_range(value: &Rational) -> bool {
+    let rounded = value.to_f64();
+    rounded.is_finite() && (rounded != 0.0 || value.is_zero())
+}
+
+fn is_function(name: &str) -> bool {
+    function_names().any(|function| function == name)
+}
+
+fn function_names() -> impl Iterator<Item = &'static str> {
+    let unary = Unary::ALL.into_iter().map(Unary::name);
+    let binary = Binary::ALL.into_iter().map(Binary::name);
+    unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
+}
+
+fn example(name: &str, arguments: usize) -> String {
+    match (name, arguments) {
+        ("powi", _) => "x.powi(2)".to_owned(),
+        ("powf", _) => "x.powf(1.5)".to_owned(),
+        ("atan2", _) => "atan2(y, x)".to_owned(),
+        (_, 1) => format!("{name}(x)"),
+        _ => format!("{name}(x, y)"),
+    }
+}
+
+fn function_hint(name: &str) -> String {
+    let hint = match name {
+        "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
+        "log" => "the natural logarithm is `ln(x)`",
+        "arcsin" => "write `asin(x)`",
+        "arccos" => "write `acos(x)`",
+        "arctan" => "write `atan(x)`",
+        "sign" | "sgn" => "write `signum(x)`",
+        "cbrt" => "write `x.powf(1.0 / 3.0)`",
+        "square" | "sq" => "write `x.powi(2)`",
+        "sec" | "csc" | "cosec" | "cot" => "write it through `sin`, `cos` and `tan`",
+        "ddt" | "diff" | "derivative" => "the time derivative is `dot(x)`",
+        _ => {
+            return match similar(name, function_names()) {
+                Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
+                None => format!(
+                    "unknown function `{name}`: there are `{}`",
+                    function_names().collect::<Vec<_>>().join("`, `")
+                ),
+            };
+        }
+    };
+    format!("unknown function `{name}`: {hint}")
+}
+
+fn path_hint(path: &syn::ExprPath) -> String {
+    match path.path.segments.last() {
+        Some(last) if last.ident == "PI" => "write `PI`".to_owned(),
+        _ => "paths are not part of the declaration language: make this a field of the struct, or write its value"
+            .to_owned(),
+    }
+}
+
+fn field_hint(field: &syn::ExprField) -> String {
+    match (&*field.base, &field.member) {
+        (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
+            format!("fields are written without `self`: `{member}`")
+        }
+        _ => "fields of fields cannot be used here: make this a field of the struct".to_owned(),
+    }
+}

@@ -1,0 +1,96 @@
+//! Which programs a model's methods are.
+
+use lagrangian_symbolic::{Equations, Expression, Model, OperationCount, Program, Symbol};
+
+/// A method whose body is one program.
+pub(crate) struct Method {
+    pub(crate) program: Program,
+    pub(crate) count: OperationCount,
+}
+
+/// The programs of everything that is emitted for a model.
+pub(crate) struct Methods {
+    pub(crate) lagrangian: Method,
+    pub(crate) energy: Method,
+    pub(crate) momenta: Method,
+    pub(crate) mass_matrix: Method,
+    pub(crate) forcing: Method,
+    pub(crate) generalized_forces: Method,
+    /// The lower triangle of M, then f.
+    pub(crate) accelerations: Method,
+    pub(crate) inverse_dynamics: Method,
+    /// The lower triangle of M, then f; and in a second phase, with the accelerations known, the columns
+    /// of ∂(M q̈ − f)/∂q, ∂/∂q̇ and ∂/∂t.
+    pub(crate) linearize: Method,
+    /// The lower triangle of M, then the columns of ∂(M q̈ − f)/∂u.
+    pub(crate) input_jacobian: Method,
+    /// T and V, where they were declared.
+    pub(crate) energies: Option<[Method; 2]>,
+    pub(crate) outputs: Method,
+}
+
+impl Methods {
+    /// Differentiates what is still to be differentiated, and schedules each method.
+    pub(crate) fn schedule(model: &mut Model, equations: &Equations) -> Self {
+        let n = model.coordinates as usize;
+        let system: Vec<_> = equations.mass_lower().chain(equations.forcing.iter().copied()).collect();
+        let derivatives = columns(model, equations, &state_symbols(model));
+        let by_inputs = columns(model, equations, &model.input_symbols());
+        let jacobian: Vec<_> = equations.mass_lower().chain(by_inputs.iter().copied()).collect();
+        let energies = match model.energies {
+            lagrangian_symbolic::Energies::Natural { kinetic, potential } => Some([kinetic, potential]),
+            lagrangian_symbolic::Energies::General(_) => None,
+        };
+        let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
+        let full: Vec<_> = equations.mass.concat();
+        Self {
+            lagrangian: method(&[&[equations.lagrangian]]),
+            energy: method(&[&[equations.energy]]),
+            momenta: method(&[&equations.momenta]),
+            mass_matrix: method(&[&full]),
+            forcing: method(&[&equations.forcing]),
+            generalized_forces: method(&[&equations.generalized_forces]),
+            accelerations: method(&[&system]).with_solution(n, 1),
+            inverse_dynamics: method(&[&equations.inverse_dynamics]),
+            linearize: method(&[&system, &derivatives]).with_solution(n, 2 * n + 2),
+            input_jacobian: method(&[&jacobian]).with_solution(n, model.inputs as usize),
+            energies: energies.map(|energies| energies.map(|energy| method(&[&[energy]]))),
+            outputs: method(&[&model.outputs]),
+        }
+    }
+}
+
+impl Method {
+    fn schedule(model: &Model, groups: &[&[Expression]]) -> Self {
+        let program = Program::schedule(&model.graph, groups);
+        let count = program.count();
+        Self { program, count }
+    }
+
+    /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.
+    fn with_solution(mut self, n: usize, right_hand_sides: usize) -> Self {
+        let below = n * n.saturating_sub(1) / 2;
+        let eliminations = below + n * n.saturating_sub(1) * n.saturating_sub(2) / 6;
+        let substitutions = 2 * below * right_hand_sides;
+        self.count.additions += eliminations + substitutions;
+        self.count.multiplications += eliminations + below + substitutions + n * right_hand_sides;
+        self.count.divisions += n;
+        self
+    }
+}
+
+/// q, q̇ and t.
+fn state_symbols(model: &Model) -> Vec<Symbol> {
+    let mut symbols = model.coordinate_symbols();
+    symbols.extend(model.velocity_symbols());
+    symbols.push(Symbol::Time);
+    symbols
+}
+
+/// The derivatives ∂(M q̈ − f)/∂x, column by column.
+fn columns(model: &mut Model, equations: &Equations, symbols: &[Symbol]) -> Vec<Expression> {
+    let rows = equations.residual_derivatives(&mut model.graph, symbols);
+    (0..symbols.len())
+        .flat_map(|j| rows.iter().map(move |row| row[j]).collect::<Vec<_>>())
+        .collect()
+}

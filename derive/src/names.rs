@@ -1,0 +1,132 @@
+//! The names that the emitted code gives to things.
+
+use std::collections::BTreeSet;
+
+use lagrangian_symbolic::{Expression, Graph, Node, Symbol, Unary};
+use proc_macro2::{Ident, Span};
+
+use crate::scope::Scope;
+
+/// The constant that holds a coordinate's index.
+pub(crate) fn constant(coordinate: &Ident) -> String {
+    plain(coordinate).to_uppercase()
+}
+
+/// The name without `r#`.
+pub(crate) fn plain(name: &Ident) -> String {
+    let written = name.to_string();
+    written.strip_prefix("r#").unwrap_or(&written).to_owned()
+}
+
+/// The names of a model's symbols.
+pub(crate) struct SymbolNames {
+    pub(crate) coordinates: Vec<Ident>,
+    pub(crate) parameters: Vec<Ident>,
+    pub(crate) inputs: Vec<Ident>,
+}
+
+impl SymbolNames {
+    /// What a symbol is called in the emitted code.
+    pub(crate) fn name(&self, symbol: Symbol) -> String {
+        let of = |names: &[Ident], i: u32| names.get(i as usize).map(plain).unwrap_or_default();
+        match symbol {
+            Symbol::Time => "t".to_owned(),
+            Symbol::Coordinate(i) => of(&self.coordinates, i),
+            Symbol::Velocity(i) => format!("{}_dot", of(&self.coordinates, i)),
+            Symbol::Acceleration(i) => format!("{}_ddot", of(&self.coordinates, i)),
+            Symbol::Parameter(i) => of(&self.parameters, i),
+            Symbol::Input(i) => of(&self.inputs, i),
+        }
+    }
+}
+
+/// Gives every local variable of one method a name of its own.
+pub(crate) struct Locals<'a> {
+    graph: &'a Graph,
+    scope: &'a Scope,
+    symbols: &'a SymbolNames,
+    taken: BTreeSet<String>,
+    counter: usize,
+}
+
+impl<'a> Locals<'a> {
+    pub(crate) fn new(graph: &'a Graph, scope: &'a Scope, symbols: &'a SymbolNames) -> Self {
+        let taken = ["self", "state", "inputs", "accelerations", "factors"];
+        Self {
+            graph,
+            scope,
+            symbols,
+            taken: taken.into_iter().map(str::to_owned).collect(),
+            counter: 0,
+        }
+    }
+
+    /// The variable that holds a symbol.
+    pub(crate) fn symbol(&mut self, symbol: Symbol) -> Ident {
+        let name = self.symbols.name(symbol);
+        self.unique(name)
+    }
+
+    /// The variable that holds the value of an expression: named by its definition, or by what it is.
+    pub(crate) fn value(&mut self, expression: Option<Expression>) -> Ident {
+        match expression.and_then(|expression| self.describe(expression)) {
+            Some(name) => self.unique(name),
+            None => self.numbered(),
+        }
+    }
+
+    /// The variables that hold the sine and the cosine of one argument.
+    pub(crate) fn pair(&mut self, sine: Option<Expression>) -> (Ident, Ident) {
+        match sine.and_then(|sine| self.describe(sine)) {
+            Some(name) if name.starts_with("sin_") => {
+                let cosine = name.replacen("sin_", "cos_", 1);
+                (self.unique(name), self.unique(cosine))
+            }
+            Some(name) if name.starts_with("cos_") => {
+                let sine = name.replacen("cos_", "sin_", 1);
+                (self.unique(sine), self.unique(name))
+            }
+            _ => (self.numbered(), self.numbered()),
+        }
+    }
+
+    /// Whether the declaration has a name for an expression.
+    pub(crate) fn is_defined(&self, expression: Option<Expression>) -> bool {
+        expression.is_some_and(|expression| self.definition(expression).is_some())
+    }
+
+    fn definition(&self, expression: Expression) -> Option<&str> {
+        let mut definitions = self.scope.definitions(self.graph);
+        definitions.find(|(_, defined)| *defined == expression).map(|(name, _)| name)
+    }
+
+    fn describe(&self, expression: Expression) -> Option<String> {
+        if let Some(name) = self.definition(expression) {
+            return Some(name.strip_prefix("r#").unwrap_or(name).to_owned());
+        }
+        match self.graph.node(expression) {
+            Node::Unary(function @ (Unary::Sin | Unary::Cos), x) => match self.graph.node(*x) {
+                Node::Symbol(symbol) => Some(format!("{}_{}", function.name(), self.symbols.name(*symbol))),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn numbered(&mut self) -> Ident {
+        let name = format!("x{}", self.counter);
+        self.counter += 1;
+        self.unique(name)
+    }
+
+    /// `name`, or the next free one after it. A local variable never meets a name of the user's: its
+    /// span has the hygiene of the macro.
+    fn unique(&mut self, mut name: String) -> Ident {
+        while self.taken.contains(&name) || syn::parse_str::<Ident>(&name).is_err() {
+            name.push('_');
+        }
+        let ident = Ident::new(&name, Span::mixed_site());
+        self.taken.insert(name);
+        ident
+    }
+}
