@@ -94,13 +94,20 @@ impl<'a> Body<'a> {
         for instruction in &phase.instructions {
             self.instruction(instruction, &mut statements);
         }
-        let outputs = phase.outputs.iter().map(|operand| self.operand(operand).tokens).collect();
+        let outputs = phase
+            .outputs
+            .iter()
+            .map(|operand| self.operand(operand).tokens)
+            .collect();
         (statements, outputs)
     }
 
     /// Reads the symbols that no phase before has read.
     fn load_symbols(&mut self, phase: &Phase, statements: &mut TokenStream) {
-        let operands = phase.instructions.iter().flat_map(|instruction| instruction.operation.operands());
+        let operands = phase
+            .instructions
+            .iter()
+            .flat_map(|instruction| instruction.operation.operands());
         let wanted: BTreeSet<Symbol> = operands
             .chain(&phase.outputs)
             .filter_map(|operand| match operand {
@@ -112,7 +119,8 @@ impl<'a> Body<'a> {
             if !self.symbols.contains_key(&symbol) {
                 let name = self.locals.symbol(symbol);
                 let read = self.source.read(symbol);
-                statements.extend(quote!(let #name = #read;));
+                let scalar = self.scalar;
+                statements.extend(quote!(let #name: #scalar = #read;));
                 self.symbols.insert(symbol, name);
             }
         }
@@ -142,10 +150,17 @@ impl<'a> Body<'a> {
     }
 
     fn operation(&mut self, operation: &Operation) -> Text {
-        let operands: Vec<Text> = operation.operands().map(|operand| self.operand(operand)).collect();
+        let operands: Vec<Text> = operation
+            .operands()
+            .map(|operand| self.operand(operand))
+            .collect();
         let depth = 1 + operands.iter().map(|text| text.depth).max().unwrap_or(0);
         let mut operands = operands.into_iter();
-        let mut next = || operands.next().unwrap_or_else(|| Text::atom(TokenStream::new()));
+        let mut next = || {
+            operands
+                .next()
+                .unwrap_or_else(|| Text::atom(TokenStream::new()))
+        };
         let (tokens, level) = match operation {
             Operation::Add(..) => (infix(next(), '+', next(), Level::Sum), Level::Sum),
             Operation::Subtract(..) => (infix(next(), '-', next(), Level::Sum), Level::Sum),
@@ -163,7 +178,11 @@ impl<'a> Body<'a> {
                 (call(x, function.name(), Some(y)), Level::Atom)
             }
         };
-        Text { tokens, level, depth }
+        Text {
+            tokens,
+            level,
+            depth,
+        }
     }
 
     fn operand(&self, operand: &Operand) -> Text {
@@ -185,7 +204,10 @@ fn count_uses(program: &Program) -> (BTreeMap<usize, usize>, BTreeSet<usize>) {
     let mut carried = BTreeSet::new();
     let mut start = 0;
     for phase in &program.phases {
-        let operands = phase.instructions.iter().flat_map(|instruction| instruction.operation.operands());
+        let operands = phase
+            .instructions
+            .iter()
+            .flat_map(|instruction| instruction.operation.operands());
         for operand in operands.chain(&phase.outputs) {
             if let Operand::Value(value) = operand {
                 *uses.entry(*value).or_default() += 1;
@@ -206,7 +228,11 @@ fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
     tokens.extend([TokenTree::Punct(Punct::new(operator, Spacing::Alone))]);
     // The operand on the right keeps its parentheses at the same level: the order of operations is
     // part of what was scheduled.
-    let tighter = if level == Level::Sum { Level::Product } else { Level::Sign };
+    let tighter = if level == Level::Sum {
+        Level::Product
+    } else {
+        Level::Sign
+    };
     tokens.extend(right.at(tighter));
     tokens
 }

@@ -26,7 +26,11 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    for field in declaration.fields.iter().filter(|field| field.role != Role::Skipped) {
+    for field in declaration
+        .fields
+        .iter()
+        .filter(|field| field.role != Role::Skipped)
+    {
         if !is_float(&field.ty) {
             let written = field.ty.to_token_stream().to_string().replace(' ', "");
             diagnostics.error(
@@ -62,8 +66,14 @@ fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         taken.insert(field.name.to_string(), "a field");
     }
     let clauses = &declaration.clauses;
-    let coordinates = clauses.coordinates.iter().map(|name| (name, "a coordinate"));
-    let definitions = clauses.definitions.iter().map(|named| (&named.name, "a definition"));
+    let coordinates = clauses
+        .coordinates
+        .iter()
+        .map(|name| (name, "a coordinate"));
+    let definitions = clauses
+        .definitions
+        .iter()
+        .map(|named| (&named.name, "a definition"));
     for (name, kind) in coordinates.chain(definitions) {
         refuse_reserved(name, diagnostics);
         if let Some(holder) = taken.insert(name.to_string(), kind) {
@@ -99,14 +109,20 @@ fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         if let Some(holder) = taken.insert(constant.clone(), format!("the index of `{name}`"))
             && holder != format!("the index of `{name}`")
         {
-            let message = format!("the constant `{constant}` is {holder} already: rename this coordinate");
+            let message =
+                format!("the constant `{constant}` is {holder} already: rename this coordinate");
             diagnostics.error(name, message);
         }
     }
 }
 
 fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let coordinates: Vec<String> = declaration.clauses.coordinates.iter().map(Ident::to_string).collect();
+    let coordinates: Vec<String> = declaration
+        .clauses
+        .coordinates
+        .iter()
+        .map(Ident::to_string)
+        .collect();
     let mut seen = BTreeMap::new();
     for force in &declaration.clauses.forces {
         let written = force.name.to_string();
@@ -115,10 +131,15 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("write one of `{}`", coordinates.join("`, `")),
             };
-            let message = format!("a generalized force acts on a coordinate, and `{written}` is none: {hint}");
+            let message = format!(
+                "a generalized force acts on a coordinate, and `{written}` is none: {hint}"
+            );
             diagnostics.error(&force.name, message);
         } else if seen.insert(written, ()).is_some() {
-            diagnostics.error(&force.name, "this coordinate has a force already: add them up in one expression");
+            diagnostics.error(
+                &force.name,
+                "this coordinate has a force already: add them up in one expression",
+            );
         }
     }
 }
@@ -127,7 +148,10 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut seen = BTreeMap::new();
     for output in &declaration.clauses.outputs {
         if seen.insert(output.name.to_string(), ()).is_some() {
-            let message = format!("the output `{}` is declared twice: give one of them another name", output.name);
+            let message = format!(
+                "the output `{}` is declared twice: give one of them another name",
+                output.name
+            );
             diagnostics.error(&output.name, message);
         }
     }
@@ -141,7 +165,10 @@ fn check_clauses(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         return diagnostics.error(name, message);
     }
     if let [_, second, ..] = clauses.lagrangian.as_slice() {
-        diagnostics.error(&second.keyword, "there is a Lagrangian already: add them up in one expression");
+        diagnostics.error(
+            &second.keyword,
+            "there is a Lagrangian already: add them up in one expression",
+        );
     }
     match (clauses.lagrangian.first(), clauses.kinetic.first(), clauses.potential.first()) {
         (Some(lagrangian), Some(energy), _) | (Some(lagrangian), None, Some(energy)) => {

@@ -176,7 +176,9 @@ impl Clauses {
 
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         match keyword.to_string().as_str() {
-            "coordinates" => self.coordinates.extend(list::<Coordinate>(&keyword, input)?.map(|c| c.0)),
+            "coordinates" => self
+                .coordinates
+                .extend(list::<Coordinate>(&keyword, input)?.map(|c| c.0)),
             "define" => self.definitions.extend(list::<Named>(&keyword, input)?),
             "force" => self.forces.extend(list::<Named>(&keyword, input)?),
             "output" => self.outputs.extend(list::<Named>(&keyword, input)?),
@@ -207,7 +209,10 @@ impl Clause {
         }
         input.parse::<Token![=]>()?;
         let expression = input.parse()?;
-        Ok(Self { keyword, expression })
+        Ok(Self {
+            keyword,
+            expression,
+        })
     }
 }
 
@@ -239,7 +244,11 @@ impl Parse for Coordinate {
 
 /// Where an error about what follows `word` is shown: there, or at the word if nothing follows.
 fn position(word: &Ident, input: ParseStream<'_>) -> Span {
-    if input.is_empty() { word.span() } else { input.span() }
+    if input.is_empty() {
+        word.span()
+    } else {
+        input.span()
+    }
 }
 
 /// `(item, item, …)` after a keyword.

@@ -43,7 +43,10 @@ impl Diagnostics {
 }
 
 /// The name of `names` that was probably meant by `written`, if one is close.
-pub(crate) fn similar<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn similar<'a>(
+    written: &str,
+    names: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
     names
         .into_iter()
         .map(|name| (distance(written, name), name))
@@ -63,9 +66,14 @@ fn distance(from: &str, to: &str) -> usize {
             } else {
                 let replaced = table[i - 1][j - 1] + usize::from(from[i - 1] != to[j - 1]);
                 let shorter = (table[i - 1][j] + 1).min(table[i][j - 1] + 1);
-                let swapped = i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1];
+                let swapped =
+                    i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1];
                 let best = replaced.min(shorter);
-                if swapped { best.min(table[i - 2][j - 2] + 1) } else { best }
+                if swapped {
+                    best.min(table[i - 2][j - 2] + 1)
+                } else {
+                    best
+                }
             };
         }
     }

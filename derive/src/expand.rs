@@ -44,8 +44,10 @@ fn report(defect: &Defect, declaration: &Declaration, diagnostics: &mut Diagnost
     let clauses = &declaration.clauses;
     let energy = clauses.kinetic.first().or(clauses.lagrangian.first());
     let names = |indices: &[u32]| {
-        let names: Vec<String> =
-            indices.iter().map(|i| format!("`{}`", clauses.coordinates[*i as usize])).collect();
+        let names: Vec<String> = indices
+            .iter()
+            .map(|i| format!("`{}`", clauses.coordinates[*i as usize]))
+            .collect();
         names.join(", ")
     };
     match defect {
@@ -70,8 +72,13 @@ fn report(defect: &Defect, declaration: &Declaration, diagnostics: &mut Diagnost
             report_at(energy, &message, diagnostics);
         }
         Defect::MomentumOfInput(inputs) => {
-            let fields: Vec<_> = declaration.fields_with(crate::declaration::Role::Input).collect();
-            let names: Vec<String> = inputs.iter().map(|i| format!("`{}`", fields[*i as usize].name)).collect();
+            let fields: Vec<_> = declaration
+                .fields_with(crate::declaration::Role::Input)
+                .collect();
+            let names: Vec<String> = inputs
+                .iter()
+                .map(|i| format!("`{}`", fields[*i as usize].name))
+                .collect();
             let message = format!(
                 "the momenta ∂L/∂q̇ contain the input {}, whose rate of change is unknown: make it a \
                  coordinate or a function of `t`",

@@ -7,7 +7,9 @@
 use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, Lit, Member, UnOp};
+use syn::{
+    BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, Lit, Member, UnOp,
+};
 
 use crate::diagnostics::{Diagnostics, similar};
 use crate::scope::{Meaning, Scope};
@@ -114,8 +116,14 @@ impl Translator<'_> {
         let written = name.to_string();
         for suffix in ["_dot", "dot"] {
             let stem = written.strip_suffix(suffix).unwrap_or_default();
-            if !stem.is_empty() && self.scope.coordinate(&Ident::new(stem, name.span())).is_some() {
-                let message = format!("unknown name `{name}`: the velocity is written `dot({stem})`");
+            if !stem.is_empty()
+                && self
+                    .scope
+                    .coordinate(&Ident::new(stem, name.span()))
+                    .is_some()
+            {
+                let message =
+                    format!("unknown name `{name}`: the velocity is written `dot({stem})`");
                 return self.reject(name, message);
             }
         }
@@ -132,7 +140,10 @@ impl Translator<'_> {
                 let operand = self.translate(&unary.expr, place)?;
                 Some(self.graph.negate(operand))
             }
-            _ => self.reject(unary.op, "only the minus sign stands in front of an expression here"),
+            _ => self.reject(
+                unary.op,
+                "only the minus sign stands in front of an expression here",
+            ),
         }
     }
 
@@ -172,7 +183,10 @@ impl Translator<'_> {
         }
         let value = self.translate(operand, place)?;
         if matches!(operator, BinOp::Div(_)) && self.graph.is_zero(value) {
-            return self.reject(operand, "this divisor is zero: the quotient has no value anywhere");
+            return self.reject(
+                operand,
+                "this divisor is zero: the quotient has no value anywhere",
+            );
         }
         Some(value)
     }
@@ -194,7 +208,11 @@ impl Translator<'_> {
             }
             (chain, additive) => {
                 let start = vec![(self.close(chain), Rational::ONE), (value, sign)];
-                if additive { Chain::Sum(start) } else { Chain::Product(start) }
+                if additive {
+                    Chain::Sum(start)
+                } else {
+                    Chain::Product(start)
+                }
             }
         }
     }
@@ -212,7 +230,10 @@ impl Translator<'_> {
             _ => None,
         };
         let Some(name) = name else {
-            return self.reject(&call.func, "write the function by its name alone, such as `sin(x)`");
+            return self.reject(
+                &call.func,
+                "write the function by its name alone, such as `sin(x)`",
+            );
         };
         let arguments: Vec<&Expr> = call.args.iter().collect();
         if name == "dot" {
@@ -239,8 +260,12 @@ impl Translator<'_> {
         place: Place,
     ) -> Option<Expression> {
         let written = name.to_string();
-        let unary = Unary::ALL.into_iter().find(|function| function.name() == written);
-        let binary = Binary::ALL.into_iter().find(|function| function.name() == written);
+        let unary = Unary::ALL
+            .into_iter()
+            .find(|function| function.name() == written);
+        let binary = Binary::ALL
+            .into_iter()
+            .find(|function| function.name() == written);
         let expected = match written.as_str() {
             "sqrt" | "recip" => 1,
             "powi" => 2,
@@ -251,12 +276,19 @@ impl Translator<'_> {
         if arguments.len() != expected {
             let message = format!(
                 "`{written}` takes {}: write `{}`",
-                if expected == 1 { "one argument" } else { "two arguments" },
+                if expected == 1 {
+                    "one argument"
+                } else {
+                    "two arguments"
+                },
                 example(&written, expected),
             );
             return self.reject(call, message);
         }
-        let values: Vec<_> = arguments.iter().map(|argument| self.translate(argument, place)).collect();
+        let values: Vec<_> = arguments
+            .iter()
+            .map(|argument| self.translate(argument, place))
+            .collect();
         let values: Vec<Expression> = values.into_iter().collect::<Option<_>>()?;
         match (unary, binary) {
             (Some(function), _) => Some(self.graph.unary(function, values[0])),
@@ -265,11 +297,20 @@ impl Translator<'_> {
         }
     }
 
-    fn power(&mut self, name: &str, arguments: &[&Expr], values: &[Expression]) -> Option<Expression> {
+    fn power(
+        &mut self,
+        name: &str,
+        arguments: &[&Expr],
+        values: &[Expression],
+    ) -> Option<Expression> {
         let exponent = match name {
             "sqrt" => Rational::HALF,
             "recip" => Rational::MINUS_ONE,
-            _ => match self.graph.as_constant(values[1]).and_then(Rational::to_integer) {
+            _ => match self
+                .graph
+                .as_constant(values[1])
+                .and_then(Rational::to_integer)
+            {
                 Some(exponent) if i32::try_from(exponent).is_ok() => Rational::integer(exponent),
                 _ => {
                     return self.reject(
@@ -281,7 +322,10 @@ impl Translator<'_> {
             },
         };
         if exponent.is_negative() && self.graph.is_zero(values[0]) {
-            return self.reject(arguments[0], "this divisor is zero: the quotient has no value anywhere");
+            return self.reject(
+                arguments[0],
+                "this divisor is zero: the quotient has no value anywhere",
+            );
         }
         Some(self.graph.power(values[0], &exponent))
     }
@@ -305,7 +349,10 @@ impl Translator<'_> {
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
             );
         }
-        if self.graph.contains(&[value], |symbol| matches!(symbol, Symbol::Input(_))) {
+        if self
+            .graph
+            .contains(&[value], |symbol| matches!(symbol, Symbol::Input(_)))
+        {
             return self.reject(
                 call,
                 "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \
@@ -336,8 +383,9 @@ impl Translator<'_> {
     }
 
     fn has_acceleration(&self, expression: Expression) -> bool {
-        self.graph
-            .contains(&[expression], |symbol| matches!(symbol, Symbol::Acceleration(_)))
+        self.graph.contains(&[expression], |symbol| {
+            matches!(symbol, Symbol::Acceleration(_))
+        })
     }
 }
 

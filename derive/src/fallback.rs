@@ -26,7 +26,10 @@ pub(crate) fn items(declaration: &Declaration, scope: Option<&Scope>) -> TokenSt
     let n = coordinates.len();
     let names = coordinates.iter().map(|coordinate| plain(coordinate));
     let indices = coordinates.iter().enumerate().map(|(i, coordinate)| {
-        let constant = Ident::new(&constant(coordinate), Span::mixed_site().located_at(coordinate.span()));
+        let constant = Ident::new(
+            &constant(coordinate),
+            Span::mixed_site().located_at(coordinate.span()),
+        );
         quote!(pub const #constant: usize = #i;)
     });
     let fields: Vec<&Ident> = scope.into_iter().flat_map(Scope::unknown).collect();
@@ -54,7 +57,9 @@ pub(crate) fn items(declaration: &Declaration, scope: Option<&Scope>) -> TokenSt
 fn lagrangian(declaration: &Declaration, n: usize, fields: &[&Ident]) -> TokenStream {
     let name = &declaration.name;
     let mut generics = declaration.generics.clone();
-    generics.params.push(syn::parse_quote!(__S: ::lagrangian::Scalar));
+    generics
+        .params
+        .push(syn::parse_quote!(__S: ::lagrangian::Scalar));
     let (generics, _, _) = generics.split_for_impl();
     let (_, arguments, conditions) = declaration.generics.split_for_impl();
     let state = quote!(&::lagrangian::State<__S, #n>);
@@ -66,7 +71,8 @@ fn lagrangian(declaration: &Declaration, n: usize, fields: &[&Ident]) -> TokenSt
             quote!(fn #name(&self, _: #state, #inputs) -> #output { ::core::unreachable!() })
         };
         let scalars = ["lagrangian", "energy"].map(|name| method(name, quote!(__S)));
-        let vectors = ["generalized_forces", "accelerations"].map(|name| method(name, vector.clone()));
+        let vectors =
+            ["generalized_forces", "accelerations"].map(|name| method(name, vector.clone()));
         let forcing = quote::format_ident!("forcing{suffix}");
         let inverse = quote::format_ident!("inverse_dynamics{suffix}");
         let linearize = method("linearize", quote!(::lagrangian::Linearization<__S, #n>));

@@ -66,7 +66,12 @@ impl<'a> Implementation<'a> {
         equations: &'a Equations,
         methods: &'a Methods,
     ) -> Self {
-        let names = |role| declaration.fields_with(role).map(|field| field.name.clone()).collect();
+        let names = |role| {
+            declaration
+                .fields_with(role)
+                .map(|field| field.name.clone())
+                .collect()
+        };
         Self {
             declaration,
             scope,
@@ -109,7 +114,9 @@ impl<'a> Implementation<'a> {
         let name = &self.declaration.name;
         let scalar = &self.scalar;
         let mut generics = self.declaration.generics.clone();
-        generics.params.push(syn::parse_quote!(#scalar: ::lagrangian::Scalar));
+        generics
+            .params
+            .push(syn::parse_quote!(#scalar: ::lagrangian::Scalar));
         let (generics, _, _) = generics.split_for_impl();
         let (_, arguments, conditions) = self.declaration.generics.split_for_impl();
         quote! {
@@ -129,11 +136,16 @@ impl<'a> Implementation<'a> {
         let documentation = crate::documentation::of(self);
         let names = self.symbols.coordinates.iter().map(plain);
         let operations = self.operations();
-        let indices = self.symbols.coordinates.iter().enumerate().map(|(i, coordinate)| {
-            let constant = placed(&constant(coordinate), coordinate);
-            let text = format!("The index of the coordinate `{}`.", plain(coordinate));
-            quote!(#[doc = #text] #visibility const #constant: usize = #i;)
-        });
+        let indices = self
+            .symbols
+            .coordinates
+            .iter()
+            .enumerate()
+            .map(|(i, coordinate)| {
+                let constant = placed(&constant(coordinate), coordinate);
+                let text = format!("The index of the coordinate `{}`.", plain(coordinate));
+                quote!(#[doc = #text] #visibility const #constant: usize = #i;)
+            });
         let equations = crate::documentation::equations(self);
         quote! {
             #[doc = #documentation]
@@ -178,7 +190,9 @@ impl<'a> Implementation<'a> {
         let structure = &self.equations.structure;
         let angles = &structure.angles;
         let singularities = structure.singularities.iter().map(|coordinates| {
-            let coordinates = coordinates.iter().map(|i| proc_macro2::Literal::u32_unsuffixed(*i));
+            let coordinates = coordinates
+                .iter()
+                .map(|i| proc_macro2::Literal::u32_unsuffixed(*i));
             quote!(&[#(#coordinates),*])
         });
         quote! {
@@ -198,8 +212,14 @@ impl<'a> Implementation<'a> {
         let vector = self.vector();
         let momenta = self.method("momenta", &[], &vector, &methods.momenta, |b| b.vector());
         let mass = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #n>);
-        let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| b.columns(n));
-        let driven = if self.has_inputs() { self.delegations() } else { self.driven(&[], "") };
+        let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
+            b.columns(n)
+        });
+        let driven = if self.has_inputs() {
+            self.delegations()
+        } else {
+            self.driven(&[], "")
+        };
         self.implement(
             &quote!(::lagrangian::Lagrangian<#n, #scalar>),
             &quote!(#driven #momenta #mass),
@@ -218,9 +238,23 @@ impl<'a> Implementation<'a> {
         let scalar = quote!(#scalar);
         let linearization = quote!(::lagrangian::Linearization<#scalar, #n>);
         [
-            self.method(&name("lagrangian"), arguments, &scalar, &methods.lagrangian, |b| b.scalar()),
-            self.method(&name("energy"), arguments, &scalar, &methods.energy, |b| b.scalar()),
-            self.method(&name("forcing"), arguments, &vector, &methods.forcing, |b| b.vector()),
+            self.method(
+                &name("lagrangian"),
+                arguments,
+                &scalar,
+                &methods.lagrangian,
+                |b| b.scalar(),
+            ),
+            self.method(&name("energy"), arguments, &scalar, &methods.energy, |b| {
+                b.scalar()
+            }),
+            self.method(
+                &name("forcing"),
+                arguments,
+                &vector,
+                &methods.forcing,
+                |b| b.vector(),
+            ),
             self.method(
                 &name("generalized_forces"),
                 arguments,
@@ -228,9 +262,13 @@ impl<'a> Implementation<'a> {
                 &methods.generalized_forces,
                 |b| b.vector(),
             ),
-            self.method(&name("accelerations"), arguments, &vector, &methods.accelerations, |b| {
-                b.accelerations(n)
-            }),
+            self.method(
+                &name("accelerations"),
+                arguments,
+                &vector,
+                &methods.accelerations,
+                |b| b.accelerations(n),
+            ),
             self.method(
                 &name("inverse_dynamics"),
                 &with_accelerations,
@@ -238,9 +276,13 @@ impl<'a> Implementation<'a> {
                 &methods.inverse_dynamics,
                 |b| b.vector(),
             ),
-            self.method(&name("linearize"), arguments, &linearization, &methods.linearize, |b| {
-                b.linearize(n)
-            }),
+            self.method(
+                &name("linearize"),
+                arguments,
+                &linearization,
+                &methods.linearize,
+                |b| b.linearize(n),
+            ),
         ]
         .into_iter()
         .collect()
@@ -266,7 +308,10 @@ impl<'a> Implementation<'a> {
             delegation("forcing", vector.clone()),
             delegation("generalized_forces", vector.clone()),
             delegation("accelerations", vector.clone()),
-            delegation("linearize", quote!(::lagrangian::Linearization<#scalar, #n>)),
+            delegation(
+                "linearize",
+                quote!(::lagrangian::Linearization<#scalar, #n>),
+            ),
         ]
         .into_iter()
         .collect();
@@ -293,7 +338,10 @@ impl<'a> Implementation<'a> {
         let output = quote!(#scalar);
         let kinetic = self.method("kinetic_energy", &[], &output, kinetic, |b| b.scalar());
         let potential = self.method("potential_energy", &[], &output, potential, |b| b.scalar());
-        self.implement(&quote!(::lagrangian::Energies<#n, #scalar>), &quote!(#kinetic #potential))
+        self.implement(
+            &quote!(::lagrangian::Energies<#n, #scalar>),
+            &quote!(#kinetic #potential),
+        )
     }
 
     fn inputs(&self) -> TokenStream {
@@ -348,7 +396,9 @@ impl<'a> Implementation<'a> {
         });
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
         let output = quote!(Self::Outputs);
-        let method = self.method("outputs", &[], &output, &self.methods.outputs, |b| b.outputs(&results, &names));
+        let method = self.method("outputs", &[], &output, &self.methods.outputs, |b| {
+            b.outputs(&results, &names)
+        });
         let implementation = self.implement(
             &quote!(::lagrangian::Outputs<#n, #scalar>),
             &quote!(type Outputs = #results<#scalar>; #method),
@@ -377,7 +427,11 @@ impl<'a> Implementation<'a> {
         method: &Method,
         write: impl FnOnce(&mut Writer<'_>) -> TokenStream,
     ) -> TokenStream {
-        let inputs = if name.ends_with("_with") { InputsFrom::Argument } else { InputsFrom::Fields };
+        let inputs = if name.ends_with("_with") {
+            InputsFrom::Argument
+        } else {
+            InputsFrom::Fields
+        };
         let reader = Reader {
             implementation: self,
             inputs,
@@ -390,8 +444,11 @@ impl<'a> Implementation<'a> {
         };
         let body = write(&mut writer);
         let (n, scalar, name) = (self.coordinates(), &self.scalar, format_ident!("{name}"));
-        let [state, arguments] = [quote!(state: &::lagrangian::State<#scalar, #n>), quote!(#(#arguments),*)]
-            .map(|parameters| marked_if_unused(parameters, &body));
+        let [state, arguments] = [
+            quote!(state: &::lagrangian::State<#scalar, #n>),
+            quote!(#(#arguments),*),
+        ]
+        .map(|parameters| marked_if_unused(parameters, &body));
         quote! {
             fn #name(&self, #state, #arguments) -> #output {
                 #body
@@ -472,7 +529,13 @@ impl Writer<'_> {
         let zero = quote!(#scalar::from_f64(0.0));
         let columns: Vec<_> = (0..n)
             .flat_map(|j| (0..n).map(move |i| (i, j)))
-            .map(|(i, j)| if i < j { &zero } else { &outputs[i * (i + 1) / 2 + j] })
+            .map(|(i, j)| {
+                if i < j {
+                    &zero
+                } else {
+                    &outputs[i * (i + 1) / 2 + j]
+                }
+            })
             .cloned()
             .collect();
         let mass = matrix(&columns, n);
@@ -485,8 +548,9 @@ impl Writer<'_> {
             .symbols()
             .iter()
             .any(|symbol| matches!(symbol, Symbol::Acceleration(_)));
-        let accelerations =
-            accelerates.then(|| quote!(let accelerations = ::lagrangian::Lagrangian::accelerations(self, state);));
+        let accelerations = accelerates.then(
+            || quote!(let accelerations = ::lagrangian::Lagrangian::accelerations(self, state);),
+        );
         let (statements, outputs) = self.phase(0);
         quote!(#accelerations #statements #results { #(#names: #outputs),* })
     }
@@ -505,7 +569,11 @@ fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> TokenStream 
         match token {
             TokenTree::Ident(name) if PARAMETERS.iter().any(|known| name == known) => {
                 let unused = !mentions(body, &name);
-                tokens.push(if unused { format_ident!("_{name}").into() } else { TokenTree::Ident(name) });
+                tokens.push(if unused {
+                    format_ident!("_{name}").into()
+                } else {
+                    TokenTree::Ident(name)
+                });
             }
             token => tokens.push(token),
         }
@@ -530,7 +598,9 @@ fn vector(elements: &[TokenStream]) -> TokenStream {
 
 /// A matrix from its elements, column by column.
 fn matrix(elements: &[TokenStream], rows: usize) -> TokenStream {
-    let columns = elements.chunks(rows.max(1)).map(|column| quote!([#(#column),*]));
+    let columns = elements
+        .chunks(rows.max(1))
+        .map(|column| quote!([#(#column),*]));
     quote!(::lagrangian::__private::SMatrix::from([#(#columns),*]))
 }
 

@@ -8,7 +8,10 @@ use crate::expression::{Place, Translator};
 use crate::scope::{Meaning, Scope};
 
 /// Resolves a declaration. The model is there unless errors were reported or names are unknown.
-pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) -> (Option<Model>, Scope) {
+pub(crate) fn lower(
+    declaration: &Declaration,
+    diagnostics: &mut Diagnostics,
+) -> (Option<Model>, Scope) {
     let mut translator = Translator {
         graph: Graph::new(),
         scope: Scope::new(declaration),

@@ -33,12 +33,20 @@ impl Methods {
     /// Differentiates what is still to be differentiated, and schedules each method.
     pub(crate) fn schedule(model: &mut Model, equations: &Equations) -> Self {
         let n = model.coordinates as usize;
-        let system: Vec<_> = equations.mass_lower().chain(equations.forcing.iter().copied()).collect();
+        let system: Vec<_> = equations
+            .mass_lower()
+            .chain(equations.forcing.iter().copied())
+            .collect();
         let derivatives = columns(model, equations, &state_symbols(model));
         let by_inputs = columns(model, equations, &model.input_symbols());
-        let jacobian: Vec<_> = equations.mass_lower().chain(by_inputs.iter().copied()).collect();
+        let jacobian: Vec<_> = equations
+            .mass_lower()
+            .chain(by_inputs.iter().copied())
+            .collect();
         let energies = match model.energies {
-            lagrangian_symbolic::Energies::Natural { kinetic, potential } => Some([kinetic, potential]),
+            lagrangian_symbolic::Energies::Natural { kinetic, potential } => {
+                Some([kinetic, potential])
+            }
             lagrangian_symbolic::Energies::General(_) => None,
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);

@@ -97,7 +97,9 @@ impl<'a> Locals<'a> {
 
     fn definition(&self, expression: Expression) -> Option<&str> {
         let mut definitions = self.scope.definitions(self.graph);
-        definitions.find(|(_, defined)| *defined == expression).map(|(name, _)| name)
+        definitions
+            .find(|(_, defined)| *defined == expression)
+            .map(|(name, _)| name)
     }
 
     fn describe(&self, expression: Expression) -> Option<String> {
@@ -106,7 +108,11 @@ impl<'a> Locals<'a> {
         }
         match self.graph.node(expression) {
             Node::Unary(function @ (Unary::Sin | Unary::Cos), x) => match self.graph.node(*x) {
-                Node::Symbol(symbol) => Some(format!("{}_{}", function.name(), self.symbols.name(*symbol))),
+                Node::Symbol(symbol) => Some(format!(
+                    "{}_{}",
+                    function.name(),
+                    self.symbols.name(*symbol)
+                )),
                 _ => None,
             },
             _ => None,

@@ -46,7 +46,10 @@ impl Scope {
             meanings.insert(field.name.to_string(), Meaning::Skipped);
         }
         for (i, field) in (0..).zip(declaration.fields_with(Role::Parameter)) {
-            meanings.insert(field.name.to_string(), Meaning::Symbol(Symbol::Parameter(i)));
+            meanings.insert(
+                field.name.to_string(),
+                Meaning::Symbol(Symbol::Parameter(i)),
+            );
         }
         for (i, field) in (0..).zip(declaration.fields_with(Role::Input)) {
             meanings.insert(field.name.to_string(), Meaning::Symbol(Symbol::Input(i)));
@@ -96,7 +99,9 @@ impl Scope {
 
     /// Notes a name that stands for nothing: the compiler will look for such a field.
     pub(crate) fn note_unknown(&mut self, name: &Ident) {
-        self.unknown.entry(name.to_string()).or_insert_with(|| name.clone());
+        self.unknown
+            .entry(name.to_string())
+            .or_insert_with(|| name.clone());
     }
 
     /// The names that stand for nothing, where they were first written.
@@ -114,11 +119,13 @@ impl Scope {
         &'a self,
         graph: &'a Graph,
     ) -> impl Iterator<Item = (&'a str, Expression)> {
-        self.meanings.iter().filter_map(|(name, meaning)| match meaning {
-            Meaning::Defined(expression) if graph.as_constant(*expression).is_none() => {
-                Some((name.as_str(), *expression))
-            }
-            _ => None,
-        })
+        self.meanings
+            .iter()
+            .filter_map(|(name, meaning)| match meaning {
+                Meaning::Defined(expression) if graph.as_constant(*expression).is_none() => {
+                    Some((name.as_str(), *expression))
+                }
+                _ => None,
+            })
     }
 }
