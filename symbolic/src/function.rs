@@ -73,7 +73,7 @@ impl Unary {
         Self::Signum,
     ];
 
-    /// The name in a declaration, in Rust and in print.
+    /// The name in a declaration and in Rust.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -229,7 +229,7 @@ impl Binary {
     /// All of them, in order.
     pub const ALL: [Self; 4] = [Self::Atan2, Self::Min, Self::Max, Self::Power];
 
-    /// The name in a declaration, in Rust and in print.
+    /// The name in a declaration and in Rust.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

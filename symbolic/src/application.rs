@@ -1,0 +1,123 @@
+//! Powers, roots and functions laid out.
+
+use crate::layout::{Factor, Layout, Piece, Shape};
+use crate::notation::Notation;
+use crate::numeral::Numeral;
+use crate::{Binary, Expression, Node, Rational, Unary};
+
+impl<'a> Layout<'a> {
+    pub(crate) fn factor(&self, line: &mut Vec<Piece<'a>>, factor: &Factor) {
+        let (base, exponent) = (factor.base, &factor.exponent);
+        if *exponent == Rational::HALF {
+            return self.root(line, base);
+        }
+        if let (None, Node::Unary(function, x)) =
+            (self.letters.definition(base), self.graph.node(base))
+            && exponent.is_integer()
+        {
+            return self.call(line, *function, *x, exponent, factor.before_bar);
+        }
+        if exponent.is_one() {
+            return self.at_least(line, Shape::Power, base);
+        }
+        self.at_least(line, Shape::Atom, base);
+        line.push(Piece::owned(self.exponent(exponent)));
+    }
+
+    /// The exponent k > 0 behind a base.
+    fn exponent(&self, exponent: &Rational) -> String {
+        if exponent.is_one() {
+            return String::new();
+        }
+        if exponent.is_integer() {
+            return self.notation.exponent(&exponent.to_string());
+        }
+        match (self.notation, Numeral::of(exponent)) {
+            (Notation::Unicode, Numeral::Fraction(above, below)) => format!("^({above}/{below})"),
+            (Notation::Unicode, numeral @ Numeral::Scientific(..)) => {
+                format!("^({})", numeral.print(self.notation))
+            }
+            (Notation::Unicode, Numeral::Decimal(digits)) => format!("^{digits}"),
+            (Notation::Latex, Numeral::Fraction(above, below)) => format!("^{{{above}/{below}}}"),
+            (Notation::Latex, numeral) => format!("^{{{}}}", numeral.print(self.notation)),
+        }
+    }
+
+    fn root(&self, line: &mut Vec<Piece<'a>>, x: Expression) {
+        if self.notation == Notation::Latex {
+            line.extend([Piece::Open("\\sqrt{"), Piece::Whole(x), Piece::Close("}")]);
+        } else {
+            line.push(Piece::Text("√".into()));
+            let letter = self.is_letter(x) || self.is_plain_number(x);
+            self.enclosed(line, !letter, x);
+        }
+    }
+
+    /// f(x)^k for k ≥ 1, as f^k x where that is the custom.
+    pub(crate) fn call(
+        &self,
+        line: &mut Vec<Piece<'a>>,
+        function: Unary,
+        x: Expression,
+        exponent: &Rational,
+        before_bar: bool,
+    ) {
+        let raised = self.exponent(exponent);
+        let name = self.notation.function(function);
+        match function {
+            Unary::Abs if self.notation == Notation::Latex || !self.contents[x.index()].bars => {
+                let (open, close) = self.notation.bars();
+                line.extend([Piece::Open(open), Piece::Whole(x), Piece::Close(close)]);
+                line.push(Piece::owned(raised));
+            }
+            Unary::Abs | Unary::Exp | Unary::Signum => {
+                line.push(Piece::Text(name.into()));
+                self.enclosed(line, true, x);
+                line.push(Piece::owned(raised));
+            }
+            _ => {
+                line.push(Piece::owned(format!("{name}{raised}")));
+                let bare = self.is_letter(x) && !before_bar;
+                if bare && (self.notation == Notation::Latex || exponent.is_one()) {
+                    line.push(Piece::Text(" ".into()));
+                }
+                self.enclosed(line, !bare, x);
+            }
+        }
+    }
+
+    pub(crate) fn binary(
+        &self,
+        line: &mut Vec<Piece<'a>>,
+        function: Binary,
+        x: Expression,
+        y: Expression,
+    ) {
+        let name = match (self.notation, function) {
+            (_, Binary::Power) => return self.real_power(line, x, y),
+            (Notation::Unicode, function) => function.name(),
+            (Notation::Latex, Binary::Atan2) => "\\operatorname{atan2}",
+            (Notation::Latex, Binary::Min) => "\\min",
+            (Notation::Latex, Binary::Max) => "\\max",
+        };
+        let (open, close) = self.notation.parentheses();
+        line.extend([
+            Piece::Text(name.into()),
+            Piece::Open(open),
+            Piece::Whole(x),
+            Piece::Text(", ".into()),
+            Piece::Whole(y),
+            Piece::Close(close),
+        ]);
+    }
+
+    fn real_power(&self, line: &mut Vec<Piece<'a>>, x: Expression, y: Expression) {
+        self.at_least(line, Shape::Atom, x);
+        if self.notation == Notation::Latex {
+            line.extend([Piece::Open("^{"), Piece::Whole(y), Piece::Close("}")]);
+        } else {
+            line.push(Piece::Text("^".into()));
+            self.at_least(line, Shape::Atom, y);
+        }
+    }
+}

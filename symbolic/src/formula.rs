@@ -1,0 +1,114 @@
+//! Formulas as a book prints them, in Unicode or in LaTeX.
+
+use core::fmt;
+
+use crate::layout::{Layout, Piece};
+use crate::notation::Notation;
+use crate::{Expression, Graph, Names};
+
+/// An expression with the names of its symbols, ready to be printed.
+#[derive(Clone, Copy, Debug)]
+pub struct Formula<'a> {
+    graph: &'a Graph,
+    names: &'a Names,
+    root: Expression,
+    notation: Notation,
+    limit: usize,
+}
+
+/// What is shared in the graph is printed wherever it occurs, which can be exponentially often.
+const LIMIT: usize = 1 << 16;
+
+impl Graph {
+    /// The expression as a line of Unicode, such as `½ m (ṙ² + r² φ̇²) + k/r`.
+    ///
+    /// The expression itself is written out even if it has a name; what it is made of is called by name.
+    #[must_use]
+    pub const fn display<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
+        Formula {
+            graph: self,
+            names,
+            root: expression,
+            notation: Notation::Unicode,
+            limit: LIMIT,
+        }
+    }
+
+    /// The expression as LaTeX, for a place in mathematics mode.
+    #[must_use]
+    pub const fn latex<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
+        Formula {
+            notation: Notation::Latex,
+            ..self.display(expression, names)
+        }
+    }
+}
+
+impl Formula<'_> {
+    /// The same formula, broken off with `…` after about `characters` characters. Brackets that are
+    /// open then are still closed.
+    #[must_use]
+    pub const fn limit(mut self, characters: usize) -> Self {
+        self.limit = characters;
+        self
+    }
+}
+
+impl fmt::Display for Formula<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut layout = Layout::new(self.graph, self.names, self.notation, self.root);
+        let mut room = Room {
+            left: self.limit,
+            unopened: None,
+        };
+        let mut complete = true;
+        while let Some(piece) = layout.next() {
+            let Some(text) = piece.text() else {
+                if room.unopened.is_none() {
+                    layout.expand(piece);
+                }
+                continue;
+            };
+            if room.admits(&piece, text) {
+                formatter.write_str(text)?;
+            } else if core::mem::take(&mut complete) {
+                formatter.write_str(self.notation.ellipsis())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// How much more may be printed.
+struct Room {
+    left: usize,
+    /// Once something was left out, the number of brackets that were not opened and are not closed yet.
+    unopened: Option<usize>,
+}
+
+impl Room {
+    fn admits(&mut self, piece: &Piece<'_>, text: &str) -> bool {
+        if self.unopened.is_none() {
+            let length = text.chars().count();
+            if length <= self.left || matches!(piece, Piece::Close(_) | Piece::Turn(_)) {
+                self.left = self.left.saturating_sub(length);
+                return true;
+            }
+            self.unopened = Some(0);
+        }
+        let depth = self.unopened.get_or_insert(0);
+        match piece {
+            Piece::Open(_) => {
+                *depth += 1;
+                false
+            }
+            Piece::Turn(_) => *depth == 0,
+            Piece::Close(_) if *depth == 0 => true,
+            Piece::Close(_) => {
+                *depth -= 1;
+                false
+            }
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Expressions laid out as pieces of text, from left to right.
+//!
+//! What is still to be printed lies on a stack, so that depth costs no recursion: an expression is
+//! taken off and its own pieces are put in its place. Each piece knows what it may contain without
+//! parentheses.
+
+use std::borrow::Cow;
+
+use crate::names::Letters;
+use crate::notation::Notation;
+use crate::numeral::Numeral;
+use crate::order::Contents;
+use crate::{Binary, Expression, Graph, Names, Node, Rational, Unary};
+
+/// A part of a formula.
+#[derive(Debug)]
+pub(crate) enum Piece<'a> {
+    Text(Cow<'static, str>),
+    /// A bracket that opens,
+    Open(&'static str),
+    /// one that closes and opens,
+    Turn(&'static str),
+    /// and one that closes.
+    Close(&'static str),
+    /// An expression where no parentheses are needed: by name if it has one,
+    Whole(Expression),
+    /// or written out.
+    Body(Expression),
+    /// A multiple c·x in a sum, and whether it is the first.
+    Term(Expression, &'a Rational, bool),
+    /// A power x^k with k > 0 in a product.
+    Factor(Factor),
+}
+
+/// A power x^k with k > 0 in a product.
+#[derive(Clone, Debug)]
+pub(crate) struct Factor {
+    pub(crate) base: Expression,
+    pub(crate) exponent: Rational,
+    /// Whether a quotient's bar follows, so that a function's argument needs parentheses.
+    pub(crate) before_bar: bool,
+}
+
+impl Piece<'_> {
+    pub(crate) fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            Self::Open(text) | Self::Turn(text) | Self::Close(text) => Some(text),
+            Self::Whole(_) | Self::Body(_) | Self::Term(..) | Self::Factor(_) => None,
+        }
+    }
+
+    pub(crate) fn owned(text: String) -> Self {
+        Self::Text(Cow::Owned(text))
+    }
+}
+
+/// How tightly an expression holds together in print.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Shape {
+    /// A sum, or anything with a minus sign in front.
+    Sum,
+    /// A product or quotient.
+    Product,
+    /// A power, a root or a function of something.
+    Power,
+    /// A letter, or something within its own brackets.
+    Atom,
+}
+
+/// A formula of which the rest is still to be printed.
+pub(crate) struct Layout<'a> {
+    pub(crate) graph: &'a Graph,
+    pub(crate) letters: Letters,
+    pub(crate) notation: Notation,
+    pub(crate) contents: Vec<Contents>,
+    stack: Vec<Piece<'a>>,
+}
+
+impl<'a> Layout<'a> {
+    pub(crate) fn new(
+        graph: &'a Graph,
+        names: &Names,
+        notation: Notation,
+        root: Expression,
+    ) -> Self {
+        Self {
+            graph,
+            letters: Letters::new(names),
+            notation,
+            contents: Contents::up_to(graph, root),
+            stack: vec![Piece::Body(root)],
+        }
+    }
+
+    /// Takes off what is to be printed next.
+    pub(crate) fn next(&mut self) -> Option<Piece<'a>> {
+        self.stack.pop()
+    }
+
+    /// Puts the pieces of `piece` in its place.
+    pub(crate) fn expand(&mut self, piece: Piece<'a>) {
+        let mut line = Vec::new();
+        match piece {
+            Piece::Whole(expression) => self.whole(&mut line, expression),
+            Piece::Body(expression) => self.body(&mut line, expression),
+            Piece::Term(x, coefficient, first) => self.term(&mut line, x, coefficient, first),
+            Piece::Factor(factor) => self.factor(&mut line, &factor),
+            Piece::Text(_) | Piece::Open(_) | Piece::Turn(_) | Piece::Close(_) => line.push(piece),
+        }
+        self.stack.extend(line.into_iter().rev());
+    }
+
+    fn whole(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
+        match self.letters.definition(expression) {
+            Some(name) => line.push(Piece::owned(name.print(0, self.notation))),
+            None => self.body(line, expression),
+        }
+    }
+
+    fn body(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
+        match self.graph.node(expression) {
+            Node::Constant(value) => {
+                if value.is_negative() {
+                    line.push(Piece::Text(self.notation.minus().into()));
+                }
+                line.push(Piece::owned(Numeral::of(value).print(self.notation)));
+            }
+            Node::Pi => line.push(Piece::Text(self.notation.pi().into())),
+            Node::Symbol(symbol) => {
+                let (spelling, dots) = self.letters.symbol(*symbol);
+                line.push(Piece::owned(spelling.print(dots, self.notation)));
+            }
+            Node::Sum(terms) => self.sum(line, terms, true),
+            Node::Product(factors) => self.product(line, &Rational::ONE, factors),
+            Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
+            Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
+        }
+    }
+
+    /// Σ cᵢ·xᵢ, beginning with a term without a minus sign if there is one.
+    fn sum(&self, line: &mut Vec<Piece<'a>>, terms: &'a [(Expression, Rational)], first: bool) {
+        let mut ordered: Vec<_> = terms.iter().collect();
+        ordered.sort_by_key(|(x, _)| {
+            let number = *x == self.graph.one();
+            let rank = if number {
+                0
+            } else {
+                self.contents[x.index()].term_rank()
+            };
+            (rank, *x)
+        });
+        if let Some(position) = ordered.iter().position(|(_, c)| !c.is_negative()) {
+            ordered[..=position].rotate_right(1);
+        }
+        for (position, (x, c)) in ordered.into_iter().enumerate() {
+            line.push(Piece::Term(*x, c, first && position == 0));
+        }
+    }
+
+    fn term(
+        &self,
+        line: &mut Vec<Piece<'a>>,
+        x: Expression,
+        coefficient: &'a Rational,
+        first: bool,
+    ) {
+        let named = self.letters.definition(x).is_some();
+        if let Node::Sum(terms) = self.graph.node(x)
+            && coefficient.is_one()
+            && !named
+        {
+            // A long sum that is a term of another one continues it.
+            return self.sum(line, terms, first);
+        }
+        match (first, coefficient.is_negative()) {
+            (true, false) => {}
+            (true, true) => line.push(Piece::Text(self.notation.minus().into())),
+            (false, negative) => {
+                line.push(Piece::Text(self.notation.between_terms(negative).into()));
+            }
+        }
+        let size = coefficient.abs();
+        match self.graph.node(x) {
+            _ if x == self.graph.one() => {
+                line.push(Piece::owned(Numeral::of(&size).print(self.notation)));
+            }
+            Node::Product(factors) if !named => self.product(line, &size, factors),
+            _ => self.product(line, &size, &[(x, Rational::ONE)]),
+        }
+    }
+
+    /// x, within parentheses unless it holds together as tightly as `shape`.
+    pub(crate) fn at_least(&self, line: &mut Vec<Piece<'a>>, shape: Shape, x: Expression) {
+        self.enclosed(line, self.shape(x) < shape, x);
+    }
+
+    pub(crate) fn enclosed(&self, line: &mut Vec<Piece<'a>>, parentheses: bool, x: Expression) {
+        let (open, close) = self.notation.parentheses();
+        line.extend(parentheses.then_some(Piece::Open(open)));
+        line.push(Piece::Whole(x));
+        line.extend(parentheses.then_some(Piece::Close(close)));
+    }
+
+    fn shape(&self, expression: Expression) -> Shape {
+        if self.letters.definition(expression).is_some() {
+            return Shape::Atom;
+        }
+        match self.graph.node(expression) {
+            Node::Constant(value) if value.is_negative() => Shape::Sum,
+            Node::Constant(value) if Numeral::of(value).is_plain() => Shape::Atom,
+            Node::Constant(_) => Shape::Product,
+            Node::Pi
+            | Node::Symbol(_)
+            | Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _)
+            | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max, ..) => Shape::Atom,
+            Node::Sum(terms) => match &**terms {
+                [(_, c)] if !c.is_negative() => Shape::Product,
+                _ => Shape::Sum,
+            },
+            Node::Product(factors) => match &**factors {
+                [(_, k)] if !k.is_negative() => Shape::Power,
+                _ => Shape::Product,
+            },
+            Node::Unary(..) | Node::Binary(Binary::Power, ..) => Shape::Power,
+        }
+    }
+
+    /// Whether `expression` is printed as one letter, which a function takes without parentheses.
+    pub(crate) fn is_letter(&self, expression: Expression) -> bool {
+        match (
+            self.letters.definition(expression),
+            self.graph.node(expression),
+        ) {
+            (Some(name), _) => !name.is_word(),
+            (_, Node::Symbol(symbol)) => !self.letters.symbol(*symbol).0.is_word(),
+            (_, Node::Pi) => true,
+            _ => false,
+        }
+    }
+
+    pub(crate) fn is_plain_number(&self, expression: Expression) -> bool {
+        self.graph
+            .as_constant(expression)
+            .is_some_and(|value| !value.is_negative() && Numeral::of(value).is_plain())
+    }
+}

@@ -1,0 +1,136 @@
+//! What symbols and subexpressions are called.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::spelling::Spelling;
+use crate::{Expression, Symbol};
+
+/// The names under which a formula is printed.
+///
+/// They are written as in Rust and printed as in a book: `theta` as θ, `i1` as i₁, `c_phi` as `c_φ`,
+/// and the velocity of `theta` as θ̇. A symbol without a name is called by its kind and number.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    /// The names of the coordinates, in order; velocities and accelerations are those with dots.
+    pub coordinates: Vec<String>,
+    /// The names of the parameters, in order.
+    pub parameters: Vec<String>,
+    /// The names of the inputs, in order.
+    pub inputs: Vec<String>,
+    /// Expressions that are printed by name wherever they occur within others.
+    pub definitions: BTreeMap<Expression, String>,
+}
+
+/// Names as they are spelled in print, no two alike.
+#[derive(Debug)]
+pub(crate) struct Letters {
+    coordinates: Vec<Spelling>,
+    parameters: Vec<Spelling>,
+    inputs: Vec<Spelling>,
+    definitions: BTreeMap<Expression, Spelling>,
+}
+
+impl Letters {
+    pub(crate) fn new(names: &Names) -> Self {
+        let mut spelled = Collisions::default();
+        for name in names.all() {
+            spelled.note(name);
+        }
+        let list = |names: &[String]| names.iter().map(|name| spelled.spelling(name)).collect();
+        Self {
+            coordinates: list(&names.coordinates),
+            parameters: list(&names.parameters),
+            inputs: list(&names.inputs),
+            definitions: names
+                .definitions
+                .iter()
+                .map(|(expression, name)| (*expression, spelled.spelling(name)))
+                .collect(),
+        }
+    }
+
+    /// The name of a subexpression, if it has one.
+    pub(crate) fn definition(&self, expression: Expression) -> Option<&Spelling> {
+        self.definitions.get(&expression)
+    }
+
+    /// The name of a symbol and the number of dots above it.
+    pub(crate) fn symbol(&self, symbol: Symbol) -> (Spelling, usize) {
+        let find = |list: &[Spelling], letter: &str, index: u32| {
+            list.get(index as usize)
+                .cloned()
+                .unwrap_or_else(|| Spelling::of(&format!("{letter}{}", u64::from(index) + 1)))
+        };
+        match symbol {
+            Symbol::Time => (Spelling::of("t"), 0),
+            Symbol::Coordinate(index) => (find(&self.coordinates, "q", index), 0),
+            Symbol::Velocity(index) => (find(&self.coordinates, "q", index), 1),
+            Symbol::Acceleration(index) => (find(&self.coordinates, "q", index), 2),
+            Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
+            Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
+        }
+    }
+}
+
+impl Names {
+    fn all(&self) -> impl Iterator<Item = &str> {
+        let lists = [&self.coordinates, &self.parameters, &self.inputs];
+        let definitions = self.definitions.values();
+        lists
+            .into_iter()
+            .flatten()
+            .chain(definitions)
+            .map(String::as_str)
+    }
+}
+
+/// Finds names that would be printed alike, such as `i1` and `i_1`; those are printed as written.
+#[derive(Default)]
+struct Collisions {
+    seen: BTreeMap<Spelling, String>,
+    ambiguous: BTreeSet<Spelling>,
+}
+
+impl Collisions {
+    fn note(&mut self, name: &str) {
+        let spelling = Spelling::of(name);
+        let first = self
+            .seen
+            .entry(spelling.clone())
+            .or_insert_with(|| name.into());
+        // The number π is printed by that letter alone.
+        if first != name || spelling == Spelling::of("pi") {
+            self.ambiguous.insert(spelling);
+        }
+    }
+
+    fn spelling(&self, name: &str) -> Spelling {
+        let spelling = Spelling::of(name);
+        if self.ambiguous.contains(&spelling) {
+            Spelling::verbatim(name)
+        } else {
+            spelling
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::notation::Notation;
+
+    #[test]
+    fn names_that_would_look_alike_are_printed_as_written() {
+        let names = Names {
+            parameters: ["i1", "i_1", "theta", "pi"].map(String::from).into(),
+            ..Names::default()
+        };
+        let letters = Letters::new(&names);
+        let printed = |index| {
+            let (spelling, dots) = letters.symbol(Symbol::Parameter(index));
+            spelling.print(dots, Notation::Unicode)
+        };
+        assert_eq!([0, 1, 2, 3].map(printed), ["i1", "i_1", "θ", "pi"]);
+        assert_eq!(printed(4), "p₅");
+    }
+}

@@ -1,0 +1,127 @@
+//! The two ways in which formulas are written: lines of Unicode, and LaTeX.
+
+use crate::Unary;
+
+/// How a formula is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Notation {
+    Unicode,
+    Latex,
+}
+
+impl Notation {
+    /// What is written for what is left out.
+    pub(crate) const fn ellipsis(self) -> &'static str {
+        match self {
+            Self::Unicode => "…",
+            Self::Latex => "\\ldots ",
+        }
+    }
+
+    pub(crate) const fn minus(self) -> &'static str {
+        match self {
+            Self::Unicode => "−",
+            Self::Latex => "-",
+        }
+    }
+
+    pub(crate) const fn between_terms(self, negative: bool) -> &'static str {
+        match (self, negative) {
+            (_, false) => " + ",
+            (Self::Unicode, true) => " − ",
+            (Self::Latex, true) => " - ",
+        }
+    }
+
+    /// What stands between factors of which one is a word.
+    pub(crate) const fn between_words(self) -> &'static str {
+        match self {
+            Self::Unicode => "·",
+            Self::Latex => "\\,",
+        }
+    }
+
+    /// What stands between a factor and a number.
+    pub(crate) const fn before_number(self) -> &'static str {
+        match self {
+            Self::Unicode => "·",
+            Self::Latex => " \\cdot ",
+        }
+    }
+
+    pub(crate) const fn pi(self) -> &'static str {
+        match self {
+            Self::Unicode => "π",
+            Self::Latex => "\\pi",
+        }
+    }
+
+    pub(crate) const fn parentheses(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Unicode => ("(", ")"),
+            Self::Latex => ("\\left(", "\\right)"),
+        }
+    }
+
+    pub(crate) const fn bars(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Unicode => ("|", "|"),
+            Self::Latex => ("\\left|", "\\right|"),
+        }
+    }
+
+    /// The exponent `digits`, an integer.
+    pub(crate) fn exponent(self, digits: &str) -> String {
+        match self {
+            Self::Unicode => superscript(digits),
+            Self::Latex => format!("^{{{digits}}}"),
+        }
+    }
+
+    /// The name of a function in a book.
+    pub(crate) const fn function(self, function: Unary) -> &'static str {
+        let (unicode, latex) = match function {
+            Unary::Sin => ("sin", "\\sin"),
+            Unary::Cos => ("cos", "\\cos"),
+            Unary::Tan => ("tan", "\\tan"),
+            Unary::Asin => ("arcsin", "\\arcsin"),
+            Unary::Acos => ("arccos", "\\arccos"),
+            Unary::Atan => ("arctan", "\\arctan"),
+            Unary::Sinh => ("sinh", "\\sinh"),
+            Unary::Cosh => ("cosh", "\\cosh"),
+            Unary::Tanh => ("tanh", "\\tanh"),
+            Unary::Asinh => ("arsinh", "\\operatorname{arsinh}"),
+            Unary::Acosh => ("arcosh", "\\operatorname{arcosh}"),
+            Unary::Atanh => ("artanh", "\\operatorname{artanh}"),
+            Unary::Exp => ("exp", "\\exp"),
+            Unary::Ln => ("ln", "\\ln"),
+            Unary::Abs => ("abs", "\\operatorname{abs}"),
+            Unary::Signum => ("sgn", "\\operatorname{sgn}"),
+        };
+        match self {
+            Self::Unicode => unicode,
+            Self::Latex => latex,
+        }
+    }
+}
+
+/// Digits and minus signs above the line.
+pub(crate) fn superscript(digits: &str) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        digit => shifted(digit, ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']),
+    };
+    digits.chars().map(raised).collect()
+}
+
+/// Digits below the line.
+pub(crate) fn subscript(digits: &str) -> String {
+    let lowered = |c| shifted(c, ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉']);
+    digits.chars().map(lowered).collect()
+}
+
+fn shifted(digit: char, row: [char; 10]) -> char {
+    digit
+        .to_digit(10)
+        .map_or(digit, |digit| row[digit as usize])
+}

@@ -1,0 +1,99 @@
+//! The order in which terms and factors are printed.
+//!
+//! Factors go from the constant to the changing: numbers, parameters, time, inputs, coordinates,
+//! velocities, sums, roots, and functions last, so that `m g l cos θ` and `φ̇ sin θ` cannot be misread.
+//! Terms begin with a number, then come those with accelerations, with velocities, and the rest, each
+//! in the order in which they were first written.
+
+use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
+
+/// What an expression contains, at any depth.
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Contents {
+    pub(crate) velocity: bool,
+    pub(crate) acceleration: bool,
+    pub(crate) bars: bool,
+}
+
+impl Contents {
+    /// What each expression up to `root` contains, in one pass.
+    pub(crate) fn up_to(graph: &Graph, root: Expression) -> Vec<Self> {
+        let mut contents = vec![Self::default(); root.index() + 1];
+        for expression in graph.descendants(&[root]) {
+            let node = graph.node(expression);
+            let mut all = Self {
+                velocity: matches!(node, Node::Symbol(Symbol::Velocity(_))),
+                acceleration: matches!(node, Node::Symbol(Symbol::Acceleration(_))),
+                bars: matches!(node, Node::Unary(Unary::Abs, _)),
+            };
+            node.for_each_operand(|operand| {
+                let part = contents[operand.index()];
+                all.velocity |= part.velocity;
+                all.acceleration |= part.acceleration;
+                all.bars |= part.bars;
+            });
+            contents[expression.index()] = all;
+        }
+        contents
+    }
+
+    /// The place of a term among others.
+    pub(crate) fn term_rank(self) -> u8 {
+        match (self.acceleration, self.velocity) {
+            (true, _) => 1,
+            (_, true) => 2,
+            _ => 3,
+        }
+    }
+}
+
+/// The place of a symbol among factors.
+pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
+    match symbol {
+        Symbol::Parameter(index) => (2, index),
+        Symbol::Time => (3, 0),
+        Symbol::Input(index) => (4, index),
+        Symbol::Coordinate(index) => (5, index),
+        Symbol::Velocity(index) => (6, index),
+        Symbol::Acceleration(index) => (7, index),
+    }
+}
+
+/// The place of a factor that is called by name.
+pub(crate) const NAMED: u8 = 8;
+
+/// The place of the factor base^exponent: its class, and for functions their argument and kind.
+pub(crate) fn factor_rank(
+    graph: &Graph,
+    base: Expression,
+    exponent: &Rational,
+) -> (u8, u8, u32, u8) {
+    let class = |class| (class, 0, 0, 0);
+    if matches!(graph.node(base), Node::Constant(_)) {
+        return class(0);
+    }
+    if *exponent == Rational::HALF || *exponent == -&Rational::HALF {
+        return class(12);
+    }
+    if !exponent.is_integer() {
+        return class(11);
+    }
+    match graph.node(base) {
+        Node::Constant(_) | Node::Pi => class(1),
+        Node::Symbol(symbol) => {
+            let (rank, index) = symbol_rank(*symbol);
+            (rank, 0, index, 0)
+        }
+        Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _) => class(9),
+        Node::Unary(function, x) => {
+            let (rank, index) = match graph.node(*x) {
+                Node::Symbol(symbol) => symbol_rank(*symbol),
+                _ => (u8::MAX, x.index().try_into().unwrap_or(u32::MAX)),
+            };
+            (13, rank, index, *function as u8)
+        }
+        Node::Binary(crate::Binary::Power, ..) => class(11),
+        Node::Binary(..) => class(9),
+        Node::Sum(_) | Node::Product(_) => class(10),
+    }
+}

@@ -1,0 +1,314 @@
+//! Formulas in print, as a physicist would write them.
+
+use lagrangian_symbolic::{Binary, Expression, Graph, Names, Rational, Symbol, Unary};
+
+/// A graph and the names of its symbols.
+#[derive(Default)]
+struct Book {
+    graph: Graph,
+    names: Names,
+}
+
+impl Book {
+    fn new(coordinates: &[&str], parameters: &[&str]) -> Self {
+        let list = |names: &[&str]| names.iter().map(ToString::to_string).collect();
+        Self {
+            graph: Graph::new(),
+            names: Names {
+                coordinates: list(coordinates),
+                parameters: list(parameters),
+                inputs: vec!["u".into()],
+                ..Names::default()
+            },
+        }
+    }
+
+    fn q(&mut self, index: u32) -> Expression {
+        self.graph.symbol(Symbol::Coordinate(index))
+    }
+
+    fn v(&mut self, index: u32) -> Expression {
+        self.graph.symbol(Symbol::Velocity(index))
+    }
+
+    fn a(&mut self, index: u32) -> Expression {
+        self.graph.symbol(Symbol::Acceleration(index))
+    }
+
+    fn p(&mut self, index: u32) -> Expression {
+        self.graph.symbol(Symbol::Parameter(index))
+    }
+
+    fn sin(&mut self, x: Expression) -> Expression {
+        self.graph.unary(Unary::Sin, x)
+    }
+
+    fn cos(&mut self, x: Expression) -> Expression {
+        self.graph.unary(Unary::Cos, x)
+    }
+
+    fn number(&mut self, literal: &str) -> Expression {
+        let value = Rational::from_decimal(literal).unwrap();
+        self.graph.constant(&value)
+    }
+
+    fn product<const N: usize>(&mut self, factors: [Expression; N]) -> Expression {
+        self.graph.product(factors.map(|x| (x, Rational::ONE)))
+    }
+
+    fn define(&mut self, name: &str, expression: Expression) -> Expression {
+        self.names.definitions.insert(expression, name.into());
+        expression
+    }
+
+    fn unicode(&self, expression: Expression) -> String {
+        self.graph.display(expression, &self.names).to_string()
+    }
+
+    fn latex(&self, expression: Expression) -> String {
+        self.graph.latex(expression, &self.names).to_string()
+    }
+}
+
+/// The coordinates φ, θ, ψ and the body-fixed angular velocity (4.4) of a top.
+fn top() -> (Book, [Expression; 3]) {
+    let mut book = Book::new(&["phi", "theta", "psi"], &["i1", "i2", "i3", "m", "g", "l"]);
+    let [theta, psi] = [1, 2].map(|index| book.q(index));
+    let [phi_dot, theta_dot, psi_dot] = [0, 1, 2].map(|index| book.v(index));
+    let (sin_theta, cos_theta) = (book.sin(theta), book.cos(theta));
+    let (sin_psi, cos_psi) = (book.sin(psi), book.cos(psi));
+    let a = book.product([phi_dot, sin_theta, sin_psi]);
+    let b = book.product([theta_dot, cos_psi]);
+    let w1 = book.graph.add(a, b);
+    let a = book.product([phi_dot, sin_theta, cos_psi]);
+    let b = book.product([theta_dot, sin_psi]);
+    let w2 = book.graph.subtract(a, b);
+    let a = book.product([phi_dot, cos_theta]);
+    let w3 = book.graph.add(a, psi_dot);
+    (book, [w1, w2, w3])
+}
+
+/// T = ½ Σ Iₖ wₖ² with two or three different moments.
+fn kinetic(book: &mut Book, w: [Expression; 3], moments: [u32; 3]) -> Expression {
+    let terms = [0, 1, 2].map(|k| {
+        let moment = book.p(moments[k]);
+        let square = book.graph.square(w[k]);
+        (book.product([moment, square]), Rational::HALF)
+    });
+    book.graph.sum(terms)
+}
+
+#[test]
+fn kinetic_energy_of_a_top() {
+    let (mut book, w) = top();
+    let energy = kinetic(&mut book, w, [0, 1, 2]);
+    assert_eq!(
+        book.unicode(energy),
+        "½ i₁ (φ\u{307} sin θ sin ψ + θ\u{307} cos ψ)² \
+         + ½ i₂ (φ\u{307} sin θ cos ψ − θ\u{307} sin ψ)² \
+         + ½ i₃ (ψ\u{307} + φ\u{307} cos θ)²"
+    );
+    assert_eq!(
+        book.latex(energy),
+        "\\frac{1}{2} i_{1} \\left(\\dot{\\phi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi\\right)^{2} \
+         + \\frac{1}{2} i_{2} \\left(\\dot{\\phi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi\\right)^{2} \
+         + \\frac{1}{2} i_{3} \\left(\\dot{\\psi} + \\dot{\\phi} \\cos \\theta\\right)^{2}"
+    );
+    for (k, name) in ["w1", "w2", "w3"].into_iter().enumerate() {
+        book.define(name, w[k]);
+    }
+    assert_eq!(book.unicode(energy), "½ i₁ w₁² + ½ i₂ w₂² + ½ i₃ w₃²");
+    assert_eq!(book.unicode(w[2]), "ψ\u{307} + φ\u{307} cos θ");
+}
+
+#[test]
+fn kinetic_energy_of_a_symmetric_top() {
+    let (mut book, w) = top();
+    let [phi_dot, theta_dot] = [0, 1].map(|index| book.v(index));
+    let theta = book.q(1);
+    let sin = book.sin(theta);
+    let theta_squared = book.graph.square(theta_dot);
+    let turning = book.product([phi_dot, phi_dot, sin, sin]);
+    let tilting = book.graph.add(theta_squared, turning);
+    let (i1, i3) = (book.p(0), book.p(2));
+    let first = book.product([i1, tilting]);
+    let square = book.graph.square(w[2]);
+    let second = book.product([i3, square]);
+    let energy = book
+        .graph
+        .sum([(first, Rational::HALF), (second, Rational::HALF)]);
+    assert_eq!(
+        book.unicode(energy),
+        "½ i₁ (θ\u{307}² + φ\u{307}² sin²θ) + ½ i₃ (ψ\u{307} + φ\u{307} cos θ)²"
+    );
+    let momentum = book.graph.derivative(energy, Symbol::Velocity(0));
+    assert_eq!(
+        book.unicode(momentum),
+        "i₁ φ\u{307} sin²θ + i₃ (ψ\u{307} + φ\u{307} cos θ) cos θ"
+    );
+}
+
+#[test]
+fn kepler() {
+    let mut book = Book::new(&["r", "phi"], &["m", "k"]);
+    let (m, k, r) = (book.p(0), book.p(1), book.q(0));
+    let (r_dot, phi_dot) = (book.v(0), book.v(1));
+    let radial = book.graph.square(r_dot);
+    let angular = book.product([r, r, phi_dot, phi_dot]);
+    let speed = book.graph.add(radial, angular);
+    let kinetic = book.product([m, speed]);
+    let over_r = book.graph.divide(k, r);
+    let lagrangian = book
+        .graph
+        .sum([(kinetic, Rational::HALF), (over_r, Rational::ONE)]);
+    assert_eq!(
+        book.unicode(lagrangian),
+        "½ m (r\u{307}² + r² φ\u{307}²) + k/r"
+    );
+    assert_eq!(
+        book.latex(lagrangian),
+        "\\frac{1}{2} m \\left(\\dot{r}^{2} + r^{2} \\dot{\\phi}^{2}\\right) + \\frac{k}{r}"
+    );
+    let force = book.graph.derivative(lagrangian, Symbol::Coordinate(0));
+    assert_eq!(book.unicode(force), "m r φ\u{307}² − k/r²");
+}
+
+#[test]
+fn pendulum() {
+    let mut book = Book::new(&["theta"], &["m", "g", "l"]);
+    let (m, g, l, theta) = (book.p(0), book.p(1), book.p(2), book.q(0));
+    let (theta_dot, theta_ddot) = (book.v(0), book.a(0));
+    let (sin, cos) = (book.sin(theta), book.cos(theta));
+    let kinetic = book.product([m, l, l, theta_dot, theta_dot]);
+    let potential = book.product([m, g, l, cos]);
+    let lagrangian = book
+        .graph
+        .sum([(kinetic, Rational::HALF), (potential, Rational::ONE)]);
+    assert_eq!(book.unicode(lagrangian), "½ m l² θ\u{307}² + m g l cos θ");
+    let inertia = book.product([m, l, l, theta_ddot]);
+    let torque = book.product([m, g, l, sin]);
+    let equation = book.graph.add(torque, inertia);
+    assert_eq!(book.unicode(equation), "m l² θ\u{308} + m g l sin θ");
+    let weight = book.product([g, sin]);
+    let quotient = book.graph.divide(weight, l);
+    let acceleration = book.graph.negate(quotient);
+    assert_eq!(book.unicode(acceleration), "−g sin(θ)/l");
+    assert_eq!(book.latex(acceleration), "-\\frac{g \\sin \\theta}{l}");
+}
+
+#[test]
+fn effective_potential_of_a_heavy_top() {
+    let mut book = Book::new(&["theta"], &["c_phi", "c_psi", "i1", "m", "g", "l"]);
+    let [c_phi, c_psi, i1, m, g, l] = [0, 1, 2, 3, 4, 5].map(|index| book.p(index));
+    let theta = book.q(0);
+    let (sin, cos) = (book.sin(theta), book.cos(theta));
+    let part = book.product([c_psi, cos]);
+    let difference = book.graph.subtract(c_phi, part);
+    let two = Rational::integer(2);
+    let minus_two = Rational::integer(-2);
+    let turning = book.graph.product([
+        (difference, two),
+        (i1, Rational::MINUS_ONE),
+        (sin, minus_two),
+    ]);
+    let weight = book.product([m, g, l, cos]);
+    let potential = book
+        .graph
+        .sum([(turning, Rational::HALF), (weight, Rational::ONE)]);
+    assert_eq!(
+        book.unicode(potential),
+        "(c_φ − c_ψ cos θ)²/(2 i₁ sin²θ) + m g l cos θ"
+    );
+    assert_eq!(
+        book.latex(potential),
+        "\\frac{\\left(c_{\\phi} - c_{\\psi} \\cos \\theta\\right)^{2}}{2 i_{1} \\sin^{2} \\theta} + m g l \\cos \\theta"
+    );
+}
+
+/// Each line: an expression, its Unicode and its LaTeX.
+#[test]
+fn small_formulas() {
+    let mut book = Book::new(&["x", "y"], &["a", "mass", "length"]);
+    let (x, y, a, mass, length) = (book.q(0), book.q(1), book.p(0), book.p(1), book.p(2));
+    let third = Rational::new(1, 3).unwrap();
+    let one = book.graph.one();
+    let [sum, difference] = [book.graph.add(x, y), book.graph.subtract(x, y)];
+    let graph = &mut book.graph;
+    let minus_x = graph.negate(x);
+    let from_one = graph.subtract(one, x);
+    let reciprocal = graph.divide(one, sum);
+    let quotient = graph.divide(difference, sum);
+    let over_seven = graph.scale(x, &Rational::new(-5, 7).unwrap());
+    let heavy = graph.product([mass, length, x].map(|x| (x, Rational::ONE)));
+    let energy = graph.multiply(mass, sum);
+    let root = graph.square_root(x);
+    let root_of_sum = graph.square_root(sum);
+    let over_root = graph.divide(a, root_of_sum);
+    let cube_root = graph.power(x, &third);
+    let power = graph.binary(Binary::Power, sum, y);
+    let doubled = graph.scale(x, &Rational::integer(2));
+    let sin_double = graph.unary(Unary::Sin, doubled);
+    let sin_double_squared = graph.square(sin_double);
+    let size = graph.unary(Unary::Abs, difference);
+    let nested = graph.subtract(size, y);
+    let nested = graph.unary(Unary::Abs, nested);
+    let decay = graph.unary(Unary::Exp, minus_x);
+    let least = graph.binary(Binary::Min, x, sum);
+    let two = graph.integer(2);
+    let root_two = graph.square_root(two);
+    let scaled_root = graph.multiply(x, root_two);
+    let pi = graph.pi();
+    let cylinder = graph.product([(pi, Rational::ONE), (x, Rational::integer(2))]);
+    let log = graph.unary(Unary::Ln, mass);
+    let gravity = book.number("9.81");
+    let fall = book.product([gravity, a, x]);
+    let planck = book.number("6.62607015e-34");
+    let quantum = book.graph.divide(planck, x);
+    for (expression, unicode, latex) in [
+        (minus_x, "−x", "-x"),
+        (from_one, "1 − x", "1 - x"),
+        (difference, "x − y", "x - y"),
+        (reciprocal, "1/(x + y)", "\\frac{1}{x + y}"),
+        (quotient, "(x − y)/(x + y)", "\\frac{x - y}{x + y}"),
+        (over_seven, "−5 x/7", "-\\frac{5}{7} x"),
+        (
+            heavy,
+            "mass·length·x",
+            "\\mathrm{mass}\\,\\mathrm{length}\\,x",
+        ),
+        (
+            energy,
+            "mass·(x + y)",
+            "\\mathrm{mass}\\,\\left(x + y\\right)",
+        ),
+        (root, "√x", "\\sqrt{x}"),
+        (over_root, "a/√(x + y)", "\\frac{a}{\\sqrt{x + y}}"),
+        (cube_root, "x^(1/3)", "x^{1/3}"),
+        (power, "(x + y)^y", "\\left(x + y\\right)^{y}"),
+        (
+            sin_double_squared,
+            "sin²(2 x)",
+            "\\sin^{2}\\left(2 x\\right)",
+        ),
+        (size, "|x − y|", "\\left|x - y\\right|"),
+        (
+            nested,
+            "abs(y − |x − y|)",
+            "\\left|y - \\left|x - y\\right|\\right|",
+        ),
+        (decay, "exp(−x)", "\\exp\\left(-x\\right)"),
+        (least, "min(x, x + y)", "\\min\\left(x, x + y\\right)"),
+        (scaled_root, "√2 x", "\\sqrt{2} x"),
+        (cylinder, "π x²", "\\pi x^{2}"),
+        (log, "ln(mass)", "\\ln\\left(\\mathrm{mass}\\right)"),
+        (fall, "9.81 a x", "9.81 a x"),
+        (
+            quantum,
+            "6.62607015×10⁻³⁴/x",
+            "\\frac{6.62607015 \\times 10^{-34}}{x}",
+        ),
+    ] {
+        assert_eq!(book.unicode(expression), unicode);
+        assert_eq!(book.latex(expression), latex);
+    }
+}
