@@ -163,19 +163,7 @@ impl<'a> Implementation<'a> {
     }
 
     fn operations(&self) -> TokenStream {
-        let methods = self.methods;
-        let counts = [
-            ("lagrangian", &methods.lagrangian),
-            ("energy", &methods.energy),
-            ("momenta", &methods.momenta),
-            ("mass_matrix", &methods.mass_matrix),
-            ("forcing", &methods.forcing),
-            ("generalized_forces", &methods.generalized_forces),
-            ("accelerations", &methods.accelerations),
-            ("inverse_dynamics", &methods.inverse_dynamics),
-            ("linearize", &methods.linearize),
-        ]
-        .map(|(name, method)| {
+        let counts = self.methods.all().map(|(name, method)| {
             let name = format_ident!("{name}");
             let count = operation_count(&method.count);
             quote!(#name: #count)

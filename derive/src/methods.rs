@@ -30,6 +30,21 @@ pub(crate) struct Methods {
 }
 
 impl Methods {
+    /// The methods that are counted, with their names.
+    pub(crate) const fn all(&self) -> [(&'static str, &Method); 9] {
+        [
+            ("lagrangian", &self.lagrangian),
+            ("energy", &self.energy),
+            ("momenta", &self.momenta),
+            ("mass_matrix", &self.mass_matrix),
+            ("forcing", &self.forcing),
+            ("generalized_forces", &self.generalized_forces),
+            ("accelerations", &self.accelerations),
+            ("inverse_dynamics", &self.inverse_dynamics),
+            ("linearize", &self.linearize),
+        ]
+    }
+
     /// Differentiates what is still to be differentiated, and schedules each method.
     pub(crate) fn schedule(model: &mut Model, equations: &Equations) -> Self {
         let n = model.coordinates as usize;

@@ -114,6 +114,14 @@ impl Scope {
         self.uses.get(&name.to_string())
     }
 
+    /// The expression that is defined as `name`.
+    pub(crate) fn defined(&self, name: &Ident) -> Option<Expression> {
+        match self.meanings.get(&name.to_string())? {
+            Meaning::Defined(expression) => Some(*expression),
+            _ => None,
+        }
+    }
+
     /// The defined quantities by name.
     pub(crate) fn definitions<'a>(
         &'a self,

@@ -182,6 +182,11 @@ impl Graph {
         )
     }
 
+    /// Where `node` stands in the arena, if it does.
+    pub(crate) fn position(&self, node: &Node) -> Option<usize> {
+        self.nodes.get_index_of(node)
+    }
+
     /// The handle of `node`, which is in normal form.
     pub(crate) fn intern(&mut self, node: Node) -> Expression {
         handle(self.nodes.insert_full(node).0)

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::notation::Notation;
 use crate::spelling::Spelling;
 use crate::{Expression, Symbol};
 
@@ -73,6 +74,21 @@ impl Letters {
 }
 
 impl Names {
+    /// A symbol as it is printed in Unicode, such as θ̇.
+    #[must_use]
+    pub fn symbol(&self, symbol: Symbol) -> String {
+        let (spelling, dots) = Letters::new(self).symbol(symbol);
+        spelling.print(dots, Notation::Unicode)
+    }
+
+    /// The name of an expression as it is printed in Unicode, if it has one.
+    #[must_use]
+    pub fn definition(&self, expression: Expression) -> Option<String> {
+        let letters = Letters::new(self);
+        let spelling = letters.definition(expression)?;
+        Some(spelling.print(0, Notation::Unicode))
+    }
+
     fn all(&self) -> impl Iterator<Item = &str> {
         let lists = [&self.coordinates, &self.parameters, &self.inputs];
         let definitions = self.definitions.values();
@@ -117,7 +133,6 @@ impl Collisions {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::notation::Notation;
 
     #[test]
     fn names_that_would_look_alike_are_printed_as_written() {

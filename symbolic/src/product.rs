@@ -98,7 +98,7 @@ impl Graph {
                 Node::Sum(_) | Node::Product(_) => {
                     exponent.is_integer() && {
                         // A root that has become a whole power opens up: (√(2x+2))² = 2(x+1).
-                        matches!(graph.node(*base), Node::Product(_)) || graph.is_scaled(*base)
+                        matches!(graph.node(*base), Node::Product(_)) || graph.is_multiple(*base)
                     }
                 }
                 _ => false,
@@ -118,10 +118,6 @@ impl Graph {
             }
             combine(factors);
         }
-    }
-
-    fn is_scaled(&self, expression: Expression) -> bool {
-        matches!(self.node(expression), Node::Sum(terms) if !self.content(terms).is_one())
     }
 
     fn intern_product(&mut self, factors: Vec<(Expression, Rational)>) -> Expression {

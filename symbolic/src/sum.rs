@@ -51,20 +51,46 @@ impl Graph {
     /// common divisor if one of them is then ±1, else the first of them 1. Two sums of which one is a
     /// multiple of the other so have the same rest.
     pub(crate) fn split_content(&mut self, expression: Expression) -> (Rational, Expression) {
-        let terms = match self.node(expression) {
+        let (content, rest) = match self.node(expression) {
             Node::Constant(value) => return (value.clone(), self.one()),
-            Node::Sum(terms) => terms,
+            Node::Sum(terms) => self.primitive(terms),
             _ => return (Rational::ONE, expression),
         };
-        let content = self.content(terms);
-        let Some(inverse) = content.reciprocal().filter(|_| !content.is_one()) else {
-            return (Rational::ONE, expression);
-        };
-        let rest = terms.iter().map(|(x, c)| (*x, c * &inverse)).collect();
         (content, self.intern_sum(rest))
     }
 
-    pub(crate) fn content(&self, terms: &[(Expression, Rational)]) -> Rational {
+    /// Whether a sum is a multiple of another that stands for it in products.
+    pub(crate) fn is_multiple(&self, expression: Expression) -> bool {
+        matches!(self.node(expression), Node::Sum(terms) if !self.primitive(terms).0.is_one())
+    }
+
+    /// The factor of a sum, and the terms of the rest.
+    fn primitive(
+        &self,
+        terms: &[(Expression, Rational)],
+    ) -> (Rational, Vec<(Expression, Rational)>) {
+        let mut content = self.content(terms);
+        let divided = |content: &Rational| -> Vec<(Expression, Rational)> {
+            let inverse = content.reciprocal().unwrap_or(Rational::ONE);
+            terms.iter().map(|(x, c)| (*x, c * &inverse)).collect()
+        };
+        let mut rest = divided(&content);
+        // Of a sum and its opposite, the one that was there first stands for both, so that what a
+        // declaration defines is found again as it was written.
+        let opposite = -&content;
+        let other = divided(&opposite);
+        let first = |terms: &[(Expression, Rational)]| self.position(&Node::Sum(terms.into()));
+        if terms.len() > 1
+            && let Some(there) = first(&other)
+            && first(&rest).is_none_or(|here| there < here)
+        {
+            (content, rest) = (opposite, other);
+        }
+        (content, rest)
+    }
+
+    /// What makes the rest primitive, its leading coefficient positive.
+    fn content(&self, terms: &[(Expression, Rational)]) -> Rational {
         let leading = self.leading(terms);
         let mut divisor = leading.abs();
         for (_, coefficient) in terms {
