@@ -62,14 +62,14 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
 
     /// The same system under a control law u(t, q, q̇), evaluated wherever its motion is: at every
     /// stage of every step.
-    fn controlled_by<C>(&self, law: C) -> ControlledBy<'_, Self, C, S, U>
+    fn controlled_by<C>(&self, law: C) -> ControlledBy<'_, Self, C, S, N, U>
     where
         C: Fn(&State<S, N>) -> SVector<S, U>,
     {
         ControlledBy {
             model: self,
             law,
-            inputs: PhantomData,
+            law_of: PhantomData,
         }
     }
 }
@@ -83,10 +83,10 @@ pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
 
 /// A model under a control law; see [`Inputs::controlled_by`].
 #[derive(Debug)]
-pub struct ControlledBy<'a, M: ?Sized, C, S: Scalar, const U: usize> {
+pub struct ControlledBy<'a, M: ?Sized, C, S: Scalar, const N: usize, const U: usize> {
     pub(crate) model: &'a M,
     pub(crate) law: C,
-    inputs: PhantomData<SVector<S, U>>,
+    law_of: PhantomData<fn(&State<S, N>) -> SVector<S, U>>,
 }
 
 impl<M, S, const N: usize, const U: usize> System<N> for WithInputs<'_, M, S, U>

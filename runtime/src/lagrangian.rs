@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{Factorization, Linearization, Scalar, State, System};
+use crate::{EquationsOfMotion, Factorization, Linearization, Scalar, State, System};
 
 /// A system that moves by Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6).
 ///
@@ -44,6 +44,14 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
     /// is the factor by which rounding errors grow in [`accelerations`](Self::accelerations).
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state)).relative_pivots()
+    }
+
+    /// The equations of motion as an integrator takes them.
+    fn dynamics(&self) -> EquationsOfMotion<'_, Self, S, N>
+    where
+        Self: Sized,
+    {
+        EquationsOfMotion::new(self)
     }
 }
 

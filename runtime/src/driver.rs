@@ -1,0 +1,288 @@
+//! Steps a motion until there is a reason to end.
+//!
+//! Comes in: a method, the dynamics, where to begin, at which times to sample and how far to go.
+//! Goes out: samples to an observer, and how it ended. Nothing here allocates but
+//! [`Driver::sample`], which collects. Errors are values; each time is visited once, in order.
+
+use core::marker::PhantomData;
+
+use crate::{
+    Condition, Dynamics, IntegrationError, Integrator, Observer, Sample, Scalar, Statistics,
+    condition::{AtZero, When},
+    integrator::checked_state,
+    run::{Run, check_singularity},
+    singularity::machine_epsilon,
+};
+
+/// No condition to stop on.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unconditional;
+
+/// No observer.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unobserved;
+
+/// Why an integration ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The end was reached.
+    Completed,
+    /// The condition to stop on was met.
+    Condition,
+    /// The observer stopped it.
+    Observer,
+    /// An error stopped it.
+    Error,
+}
+
+/// Where and how an integration ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ending<X> {
+    /// The last state that was reached.
+    pub last: Sample<X>,
+    /// Why it is the last.
+    pub reason: Reason,
+    /// What it has cost.
+    pub statistics: Statistics,
+}
+
+/// A method of integration with limits, a condition to stop on and an observer.
+///
+/// ```
+/// use core::ops::ControlFlow;
+/// use lagrangian::prelude::*;
+/// use nalgebra::SVector;
+///
+/// /// A stone: height and velocity.
+/// struct Stone;
+///
+/// impl Dynamics for Stone {
+///     type State = SVector<f64, 2>;
+///
+///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+///         SVector::from([x[1], -10.0])
+///     }
+/// }
+///
+/// let mut fastest = 0.0_f64;
+/// let ending = Dop853::new()
+///     .driver()
+///     .maximal_steps(1000)
+///     .stop_at_zero(|_, x: &SVector<f64, 2>| x[0])
+///     .observe(|progress: &Progress<'_, SVector<f64, 2>>| {
+///         fastest = fastest.max(progress.x[1].abs());
+///         ControlFlow::Continue(())
+///     })
+///     .integrate_to(&Stone, (0.0, SVector::from([20.0, 0.0])), 10.0)?;
+/// assert_eq!(ending.reason, Reason::Condition);
+/// assert!((ending.last.t - 2.0).abs() < 1e-9);
+/// assert!((fastest - 20.0).abs() < 1e-9);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Driver<I, C = Unconditional, O = Unobserved> {
+    integrator: I,
+    maximal_steps: u64,
+    allowed_loss: Option<f64>,
+    condition: C,
+    observer: O,
+}
+
+impl<I> Driver<I> {
+    /// The driver of a method, with no condition, no observer, and at most 10⁸ steps.
+    #[must_use]
+    pub fn new(integrator: I) -> Self {
+        Self {
+            integrator,
+            maximal_steps: 100_000_000,
+            allowed_loss: None,
+            condition: Unconditional,
+            observer: Unobserved,
+        }
+    }
+}
+
+impl<I, C, O> Driver<I, C, O> {
+    /// Limits the number of steps, those that are rejected included.
+    #[must_use]
+    pub fn maximal_steps(mut self, steps: u64) -> Self {
+        self.maximal_steps = steps;
+        self
+    }
+
+    /// Sets the relative error of the accelerations at which the integration ends near a
+    /// singularity of the mass matrix, estimated as the machine epsilon over the smallest relative
+    /// pivot. Infinity turns the check off.
+    ///
+    /// It is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps unless set, but
+    /// not below 4096 machine epsilons, since the pivots of regular models are small, too.
+    #[must_use]
+    pub fn allowed_loss(mut self, loss: f64) -> Self {
+        self.allowed_loss = Some(loss);
+        self
+    }
+
+    /// Stops after the first step at whose end `condition(t, x)` holds.
+    #[must_use]
+    pub fn stop_when<F>(self, condition: F) -> Driver<I, When<F>, O> {
+        self.with_condition(When(condition))
+    }
+
+    /// Stops where `function(t, x)` changes its sign. It is seen if the signs at the two ends of a
+    /// step differ; where within the step is found by bisection.
+    #[must_use]
+    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, AtZero<F>, O> {
+        self.with_condition(AtZero(function))
+    }
+
+    fn with_condition<E>(self, condition: E) -> Driver<I, E, O> {
+        Driver {
+            integrator: self.integrator,
+            maximal_steps: self.maximal_steps,
+            allowed_loss: self.allowed_loss,
+            condition,
+            observer: self.observer,
+        }
+    }
+
+    /// Shows every sample and the end of every step to `observer`, which may stop.
+    #[must_use]
+    pub fn observe<E>(self, observer: E) -> Driver<I, C, E> {
+        Driver {
+            integrator: self.integrator,
+            maximal_steps: self.maximal_steps,
+            allowed_loss: self.allowed_loss,
+            condition: self.condition,
+            observer,
+        }
+    }
+
+    /// Integrates from `initial` to the time `end`, which may lie before.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        initial: impl Into<Sample<D::State>>,
+        end: f64,
+    ) -> Result<Ending<D::State>, IntegrationError>
+    where
+        I: Integrator,
+        C: Condition<D::State>,
+        O: Observer<D::State>,
+    {
+        self.visit(dynamics, initial, &[end])
+    }
+
+    /// Integrates through each of `times`, which advance in one direction from the initial time.
+    /// The observer sees the samples; nothing is collected.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn visit<S: Scalar, D: Dynamics<S> + ?Sized>(
+        mut self,
+        dynamics: &D,
+        initial: impl Into<Sample<D::State>>,
+        times: &[f64],
+    ) -> Result<Ending<D::State>, IntegrationError>
+    where
+        I: Integrator,
+        C: Condition<D::State>,
+        O: Observer<D::State>,
+    {
+        let (ending, result) = self.run(dynamics, initial.into(), times, &mut |_| {});
+        result.map(|()| ending)
+    }
+
+    /// Hands each sample to `collect` and then to the observer. Where it ended is known also after
+    /// an error.
+    pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        initial: Sample<D::State>,
+        times: &[f64],
+        collect: &mut dyn FnMut(&Sample<D::State>),
+    ) -> (Ending<D::State>, Result<(), IntegrationError>)
+    where
+        I: Integrator,
+        C: Condition<D::State>,
+        O: Observer<D::State>,
+    {
+        let mut ending = Ending {
+            last: initial.clone(),
+            reason: Reason::Error,
+            statistics: Statistics::default(),
+        };
+        let result = self.begin(dynamics, &initial, times).and_then(|stepper| {
+            let mut run = Run {
+                dynamics,
+                stepper,
+                start: initial.t,
+                end: times.last().copied().unwrap_or(initial.t),
+                waiting: times,
+                least_pivot: self.least_pivot::<S>(),
+                maximal_steps: self.maximal_steps,
+                condition: &mut self.condition,
+                observer: &mut self.observer,
+                collect,
+                ending: &mut ending,
+                scalar: PhantomData,
+            };
+            run.complete()
+        });
+        (ending, result)
+    }
+
+    /// Checks everything that can be checked beforehand, the singularity first: where M is singular
+    /// the accelerations are not finite, and that would say less.
+    fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        initial: &Sample<D::State>,
+        times: &[f64],
+    ) -> Result<I::Stepper<S, D::State>, IntegrationError>
+    where
+        I: Integrator,
+    {
+        checked_state(dynamics, initial.t, &initial.x)?;
+        check_times(initial.t, times)?;
+        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.least_pivot::<S>())?;
+        self.integrator
+            .start(dynamics, initial.t, initial.x.clone())
+    }
+
+    /// The relative pivot below which the integration ends.
+    fn least_pivot<S: Scalar>(&self) -> f64
+    where
+        I: Integrator,
+    {
+        let epsilon = machine_epsilon::<S>();
+        let allowed = self
+            .allowed_loss
+            .unwrap_or_else(|| self.integrator.allowed_loss().max(4096.0 * epsilon));
+        epsilon / allowed
+    }
+}
+
+/// An error unless the times are finite and advance in the direction from `start` to the last.
+fn check_times(start: f64, times: &[f64]) -> Result<(), IntegrationError> {
+    if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
+        return Err(IntegrationError::NonFiniteTime { time });
+    }
+    let backwards = times.last().is_some_and(|&end| end < start);
+    let mut previous = start;
+    for (index, &time) in times.iter().enumerate() {
+        if (time < previous && !backwards) || (time > previous && backwards) {
+            return Err(IntegrationError::UnorderedTimes {
+                index,
+                time,
+                previous,
+            });
+        }
+        previous = time;
+    }
+    Ok(())
+}

@@ -1,0 +1,189 @@
+//! The door through which a Lagrangian system enters an integrator.
+
+use core::marker::PhantomData;
+
+use nalgebra::SVector;
+
+use crate::{
+    Component, ControlledBy, Dynamics, Inputs, Lagrangian, Phase, Scalar, Singularity, State,
+    System,
+};
+
+/// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
+/// [`Lagrangian::dynamics`].
+#[derive(Debug)]
+pub struct EquationsOfMotion<'a, M: ?Sized, S, const N: usize> {
+    model: &'a M,
+    scalar: PhantomData<S>,
+}
+
+impl<'a, M: ?Sized, S, const N: usize> EquationsOfMotion<'a, M, S, N> {
+    pub(crate) fn new(model: &'a M) -> Self {
+        Self {
+            model,
+            scalar: PhantomData,
+        }
+    }
+}
+
+impl<M: ?Sized, S, const N: usize> Clone for EquationsOfMotion<'_, M, S, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: ?Sized, S, const N: usize> Copy for EquationsOfMotion<'_, M, S, N> {}
+
+impl<M, S, const N: usize> Dynamics<S> for EquationsOfMotion<'_, M, S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    type State = Phase<S, N>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+        Phase {
+            q: x.v,
+            v: self.model.accelerations(&x.at(t)),
+        }
+    }
+
+    #[inline]
+    fn magnitude(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        magnitude::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), least_pivot)
+    }
+
+    fn component(&self, index: usize) -> Component {
+        component::<M, N>(index)
+    }
+}
+
+/// The control law is evaluated wherever the derivative is: at every stage of every step.
+impl<M, C, S, const N: usize, const U: usize> Dynamics<S> for ControlledBy<'_, M, C, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    C: Fn(&State<S, N>) -> SVector<S, U>,
+    S: Scalar,
+{
+    type State = Phase<S, N>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+        let state = x.at(t);
+        let inputs = (self.law)(&state);
+        Phase {
+            q: x.v,
+            v: self.model.accelerations_with(&state, &inputs),
+        }
+    }
+
+    #[inline]
+    fn magnitude(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        magnitude::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), least_pivot)
+    }
+
+    fn component(&self, index: usize) -> Component {
+        component::<M, N>(index)
+    }
+}
+
+/// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle: it is the same after a whole turn.
+#[inline]
+fn magnitude<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
+where
+    M: System<N> + ?Sized,
+    S: Scalar,
+{
+    let mut sizes = Phase {
+        q: x.q.map(Scalar::abs),
+        v: x.v.map(Scalar::abs),
+    };
+    for (size, is_angle) in sizes.q.iter_mut().zip(M::ANGLES) {
+        if is_angle {
+            *size = S::one();
+        }
+    }
+    sizes
+}
+
+/// The coordinate with the smallest relative pivot, if that is below `least_pivot`.
+#[inline]
+fn singularity<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    least_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let pivots = model.relative_pivots(state);
+    let regular = pivots
+        .iter()
+        .all(|pivot| pivot.abs().smallest() >= least_pivot);
+    if regular {
+        None
+    } else {
+        Some(report::<M, S, N>(&pivots, state))
+    }
+}
+
+/// Names the coordinates that make the smallest of the relative pivots small.
+#[cold]
+fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
+where
+    M: System<N> + ?Sized,
+    S: Scalar,
+{
+    // A pivot that is no number comes from a division by zero: nothing is smaller.
+    let sizes = pivots.iter().map(|pivot| {
+        let size = pivot.abs().smallest();
+        if size.is_nan() { 0.0 } else { size }
+    });
+    let (coordinate, least) = sizes
+        .enumerate()
+        .fold((0, f64::INFINITY), |least, (i, size)| {
+            if size < least.1 { (i, size) } else { least }
+        });
+    let dependencies = Structure::<M, N>::SINGULARITIES
+        .get(coordinate)
+        .copied()
+        .unwrap_or_default();
+    Singularity::new(
+        least,
+        coordinate,
+        Structure::<M, N>::COORDINATES,
+        dependencies,
+        |i| state.q.get(i).map_or(f64::NAN, |value| value.smallest()),
+    )
+}
+
+fn component<M: System<N> + ?Sized, const N: usize>(index: usize) -> Component {
+    let names = Structure::<M, N>::COORDINATES;
+    let coordinate = names.get(index);
+    let velocity = index.checked_sub(N).and_then(|i| names.get(i));
+    match (coordinate, velocity) {
+        (Some(name), _) => Component::Coordinate(name),
+        (None, Some(name)) => Component::Velocity(name),
+        (None, None) => Component::Index(index),
+    }
+}
+
+/// The constants of a system as slices that live as long as the program.
+struct Structure<M: ?Sized, const N: usize>(PhantomData<M>);
+
+impl<M: System<N> + ?Sized, const N: usize> Structure<M, N> {
+    const COORDINATES: &'static [&'static str] = &M::COORDINATES;
+    const SINGULARITIES: &'static [&'static [usize]] = &M::SINGULARITIES;
+}

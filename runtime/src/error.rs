@@ -1,0 +1,140 @@
+//! Why an integration could not go on.
+
+use core::fmt;
+
+use crate::{Component, Singularity};
+
+/// Why an integration could not begin or could not go on.
+///
+/// Errors are values; an integrator never panics. What a collecting integration had sampled before
+/// the error is in `Interrupted`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum IntegrationError {
+    /// The state is not finite.
+    NonFiniteState {
+        /// The time of the state.
+        time: f64,
+        /// Its first component that is not finite.
+        component: Component,
+        /// The value of that component.
+        value: f64,
+    },
+    /// The state is finite but its derivative is not.
+    NonFiniteDerivative {
+        /// The time of the state.
+        time: f64,
+        /// The first component whose derivative is not finite.
+        component: Component,
+        /// The derivative of that component.
+        value: f64,
+    },
+    /// A time to begin with or to integrate to is not finite, or differs between lanes.
+    NonFiniteTime {
+        /// That time.
+        time: f64,
+    },
+    /// The mass matrix is singular, or so near to it that more accuracy is lost than is allowed.
+    SingularConfiguration {
+        /// The time of the configuration.
+        time: f64,
+        /// The relative error in the accelerations, estimated as the machine epsilon over the
+        /// smallest relative pivot.
+        estimated_loss: f64,
+        /// Which coordinates make it so.
+        singularity: Singularity,
+    },
+    /// The tolerance asks for a step that is too small to advance the time.
+    StepTooSmall {
+        /// The time reached.
+        time: f64,
+        /// The size of the step that was to be taken next.
+        step: f64,
+    },
+    /// The limit on the number of steps was reached before the end.
+    TooManySteps {
+        /// The time reached.
+        time: f64,
+        /// The limit.
+        limit: u64,
+    },
+    /// A step size is not a positive finite number.
+    InvalidStep {
+        /// That step size.
+        step: f64,
+    },
+    /// The tolerances are negative, not finite, or both zero.
+    InvalidTolerance {
+        /// The relative tolerance.
+        relative: f64,
+        /// The absolute tolerance.
+        absolute: f64,
+    },
+    /// The sample times do not advance in the direction of integration.
+    UnorderedTimes {
+        /// The index of the first time that does not.
+        index: usize,
+        /// That time.
+        time: f64,
+        /// The time before it.
+        previous: f64,
+    },
+}
+
+impl fmt::Display for IntegrationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NonFiniteState {
+                time,
+                component,
+                value,
+            } => write!(f, "{component} is {value} at t = {time}"),
+            Self::NonFiniteDerivative {
+                time,
+                component,
+                value,
+            } => write!(f, "the derivative of {component} is {value} at t = {time}"),
+            Self::NonFiniteTime { time } => {
+                write!(
+                    f,
+                    "a time to integrate from or to must be finite and one, not {time}"
+                )
+            }
+            Self::SingularConfiguration {
+                time,
+                estimated_loss,
+                singularity,
+            } => write!(
+                f,
+                "at t = {time} {singularity}; the estimated relative error of the accelerations \
+                 is {estimated_loss:.1e}"
+            ),
+            Self::StepTooSmall { time, step } => write!(
+                f,
+                "the step {step:e} is too small at t = {time}: the tolerance cannot be met there"
+            ),
+            Self::TooManySteps { time, limit } => {
+                write!(f, "the limit of {limit} steps is reached at t = {time}")
+            }
+            Self::InvalidStep { step } => {
+                write!(f, "a step size must be positive and finite, not {step}")
+            }
+            Self::InvalidTolerance { relative, absolute } => write!(
+                f,
+                "tolerances must be finite, not negative and not both zero, not {relative} \
+                 (relative) and {absolute} (absolute)"
+            ),
+            Self::UnorderedTimes {
+                index,
+                time,
+                previous,
+            } => write!(
+                f,
+                "sample times must advance from the initial time towards the last: {time} at index \
+                 {index} comes after {previous}"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for IntegrationError {}

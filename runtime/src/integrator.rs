@@ -1,0 +1,180 @@
+//! What all methods of integration have in common.
+//!
+//! An [`Integrator`] is a method with its settings. It starts a [`Stepper`], which is at a time and
+//! a state, and owns what a state cannot hold. A [`Driver`] makes steps until there is a reason to
+//! end.
+
+use crate::{
+    Driver, Dynamics, Ending, IntegrationError, Sample, Scalar, VectorSpace, driver::Unconditional,
+    driver::Unobserved,
+};
+#[cfg(feature = "alloc")]
+use crate::{Interrupted, Trajectory};
+
+/// A method of integration and its settings: [`Dop853`](crate::Dop853),
+/// [`RungeKutta`](crate::RungeKutta).
+pub trait Integrator {
+    /// What takes the steps.
+    type Stepper<S: Scalar, X: VectorSpace<S>>: Stepper<S, X>;
+
+    /// A stepper at time `t` and state `x`. It evaluates the derivative there once.
+    ///
+    /// # Errors
+    ///
+    /// If a setting is invalid, or the time, the state or its derivative is not finite.
+    fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        t: f64,
+        x: D::State,
+    ) -> Result<Self::Stepper<S, D::State>, IntegrationError>;
+
+    /// The relative error of the accelerations at which a [`Driver`] ends near a singularity,
+    /// unless it is told otherwise.
+    fn allowed_loss(&self) -> f64;
+
+    /// A driver of this method, to which limits, conditions and an observer can be given.
+    fn driver(&self) -> Driver<Self, Unconditional, Unobserved>
+    where
+        Self: Clone,
+    {
+        Driver::new(self.clone())
+    }
+
+    /// Integrates from `initial` to the time `end`, which may lie before.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        initial: impl Into<Sample<D::State>>,
+        end: f64,
+    ) -> Result<Sample<D::State>, IntegrationError>
+    where
+        Self: Clone,
+    {
+        let ending: Ending<D::State> = self.driver().integrate_to(dynamics, initial, end)?;
+        Ok(ending.last)
+    }
+
+    /// The motion from `initial` at each of `times`, which advance in one direction.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the samples up to then.
+    #[cfg(feature = "alloc")]
+    fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        initial: impl Into<Sample<D::State>>,
+        times: &[f64],
+    ) -> Result<Trajectory<D::State>, Interrupted<D::State>>
+    where
+        Self: Clone,
+    {
+        self.driver().sample(dynamics, initial, times)
+    }
+}
+
+/// A motion in progress.
+///
+/// A clone of it is a checkpoint: the motion continued from the clone is the same to the last bit.
+/// It does not hold the dynamics; they are given to each step, and must be the same until
+/// [`restart`](Self::restart).
+pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
+    /// Whether [`interpolate`](Self::interpolate) is so cheap that sample times need not be ends of
+    /// steps.
+    const DENSE: bool;
+
+    /// The time reached.
+    fn time(&self) -> f64;
+
+    /// The state at that time.
+    fn state(&self) -> &X;
+
+    /// The time from which the last step was taken.
+    fn previous_time(&self) -> f64;
+
+    /// What has been done so far.
+    fn statistics(&self) -> Statistics;
+
+    /// Takes one step towards the time `target` and never beyond it; the last one lands on it
+    /// exactly. At the target there is nothing to do.
+    ///
+    /// # Errors
+    ///
+    /// If no step can be taken that is finite and meets the tolerance. The stepper stays at its
+    /// time and state.
+    fn step<D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        target: f64,
+    ) -> Result<(), IntegrationError>;
+
+    /// The state at a time within the last step.
+    fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X;
+
+    /// Forgets what was remembered of the dynamics, which have changed: an input that is held for a
+    /// while, a load that was picked up.
+    fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D);
+}
+
+/// What an integration has cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Steps taken.
+    pub steps: u64,
+    /// Steps tried and taken back, because the estimated error exceeded the tolerance.
+    pub rejected: u64,
+    /// Evaluations of the derivative.
+    pub evaluations: u64,
+}
+
+/// An error unless the time, the state and its derivative are finite. Returns the derivative.
+pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    t: f64,
+    x: &D::State,
+) -> Result<D::State, IntegrationError> {
+    checked_state(dynamics, t, x)?;
+    let derivative = dynamics.derivative(S::from_f64(t), x);
+    match derivative.first_non_finite() {
+        None => Ok(derivative),
+        Some((index, value)) => Err(IntegrationError::NonFiniteDerivative {
+            time: t,
+            component: dynamics.component(index),
+            value: not_finite_of(value),
+        }),
+    }
+}
+
+/// An error unless the time and the state are finite.
+pub(crate) fn checked_state<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    t: f64,
+    x: &D::State,
+) -> Result<(), IntegrationError> {
+    if !t.is_finite() {
+        return Err(IntegrationError::NonFiniteTime { time: t });
+    }
+    match x.first_non_finite() {
+        None => Ok(()),
+        Some((index, value)) => Err(IntegrationError::NonFiniteState {
+            time: t,
+            component: dynamics.component(index),
+            value: not_finite_of(value),
+        }),
+    }
+}
+
+/// Of several lanes, one that is not finite.
+fn not_finite_of<S: Scalar>(value: S) -> f64 {
+    let least = value.smallest();
+    if least.is_finite() {
+        value.largest()
+    } else {
+        least
+    }
+}

@@ -1,0 +1,70 @@
+//! Coordinates and velocities, without the time.
+
+use nalgebra::SVector;
+
+use crate::{Scalar, State, VectorSpace};
+
+/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: what an integrator
+/// steps. With a time it is a [`State`].
+///
+/// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components
+/// are the coordinates, then the velocities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase<S: Scalar, const N: usize> {
+    /// Coordinates q.
+    pub q: SVector<S, N>,
+    /// Velocities q̇.
+    pub v: SVector<S, N>,
+}
+
+impl<S: Scalar, const N: usize> Phase<S, N> {
+    /// The phase with coordinates `q` and velocities `v`, from arrays or vectors.
+    pub fn new(q: impl Into<SVector<S, N>>, v: impl Into<SVector<S, N>>) -> Self {
+        Self {
+            q: q.into(),
+            v: v.into(),
+        }
+    }
+
+    /// The state that has this phase at time `t`.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, t: S) -> State<S, N> {
+        State {
+            t,
+            q: self.q,
+            v: self.v,
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize> From<State<S, N>> for Phase<S, N> {
+    #[inline]
+    fn from(state: State<S, N>) -> Self {
+        Self {
+            q: state.q,
+            v: state.v,
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.q.add_scaled(factor, &other.q);
+        self.v.add_scaled(factor, &other.v);
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        Self {
+            q: self.q.map(&mut function),
+            v: self.v.map(&mut function),
+        }
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        self.q.iter().chain(self.v.iter()).copied()
+    }
+}

@@ -1,0 +1,72 @@
+//! A state at a time, for any dynamics.
+
+use crate::{Phase, Scalar, State};
+
+/// A state `x` at a time `t`: where an integration begins, what it hands out, where it ends.
+///
+/// Times are `f64` whatever the scalars of the state are. For a mechanical system it is made from a
+/// [`State`], and viewed as one by [`state`](Self::state); for other dynamics from a pair:
+///
+/// ```
+/// use lagrangian::{Sample, State};
+/// use nalgebra::SVector;
+///
+/// let pendulum = Sample::from(State::new(0.0, [0.5], [0.0]));
+/// assert_eq!(pendulum.state().q[0], 0.5);
+/// let decay = Sample::from((0.0, SVector::from([1.0])));
+/// assert_eq!(decay.x[0], 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<X> {
+    /// Time.
+    pub t: f64,
+    /// The state at that time.
+    pub x: X,
+}
+
+impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {
+    /// The sample as a state of the mechanical system.
+    #[inline]
+    #[must_use]
+    pub fn state(&self) -> State<S, N> {
+        self.x.at(S::from_f64(self.t))
+    }
+}
+
+impl<X> From<(f64, X)> for Sample<X> {
+    fn from((t, x): (f64, X)) -> Self {
+        Self { t, x }
+    }
+}
+
+impl<X: Clone> From<&Sample<X>> for Sample<X> {
+    fn from(sample: &Sample<X>) -> Self {
+        sample.clone()
+    }
+}
+
+impl<S: Scalar, const N: usize> From<State<S, N>> for Sample<Phase<S, N>> {
+    /// The time is that of all lanes, and not a number if they differ.
+    fn from(state: State<S, N>) -> Self {
+        let (least, most) = (state.t.smallest(), state.t.largest());
+        // The bit patterns are compared, since no rounding comes between equal lanes.
+        let t = if least.to_bits() == most.to_bits() {
+            least
+        } else {
+            f64::NAN
+        };
+        Self { t, x: state.into() }
+    }
+}
+
+impl<S: Scalar, const N: usize> From<&State<S, N>> for Sample<Phase<S, N>> {
+    fn from(state: &State<S, N>) -> Self {
+        (*state).into()
+    }
+}
+
+impl<S: Scalar, const N: usize> From<Sample<Phase<S, N>>> for State<S, N> {
+    fn from(sample: Sample<Phase<S, N>>) -> Self {
+        sample.state()
+    }
+}

@@ -1,0 +1,151 @@
+//! Motions that are kept. Needs the feature `alloc`.
+
+use alloc::{boxed::Box, vec::Vec};
+use core::fmt;
+
+use crate::{
+    Condition, Driver, Dynamics, Ending, IntegrationError, Integrator, Observer, Phase, Reason,
+    Sample, Scalar, State, Statistics,
+};
+
+/// The samples of a motion, in the order of the times that were asked for, and how it ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trajectory<X> {
+    samples: Vec<Sample<X>>,
+    ending: Ending<X>,
+}
+
+impl<X> Trajectory<X> {
+    /// The samples.
+    #[must_use]
+    pub fn samples(&self) -> &[Sample<X>] {
+        &self.samples
+    }
+
+    /// The samples, as a vector.
+    #[must_use]
+    pub fn into_samples(self) -> Vec<Sample<X>> {
+        self.samples
+    }
+
+    /// The number of samples.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.samples.len()
+    }
+
+    /// Whether there is no sample.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.samples.is_empty()
+    }
+
+    /// The last state that was reached. It is the last sample unless something stopped the motion
+    /// before the end.
+    #[must_use]
+    pub fn last(&self) -> &Sample<X> {
+        &self.ending.last
+    }
+
+    /// Why the motion ended.
+    #[must_use]
+    pub fn reason(&self) -> Reason {
+        self.ending.reason
+    }
+
+    /// What it has cost.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        self.ending.statistics
+    }
+}
+
+impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>> {
+    /// The samples as states of the mechanical system.
+    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
+        self.samples.iter().map(Sample::state)
+    }
+}
+
+impl<'a, X> IntoIterator for &'a Trajectory<X> {
+    type Item = &'a Sample<X>;
+    type IntoIter = core::slice::Iter<'a, Sample<X>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.samples.iter()
+    }
+}
+
+/// An error that stopped a motion, with the samples up to then.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interrupted<X> {
+    // One pointer, so that a result is not large because of its error.
+    parts: Box<(IntegrationError, Trajectory<X>)>,
+}
+
+impl<X> Interrupted<X> {
+    /// What stopped it.
+    #[must_use]
+    pub fn error(&self) -> IntegrationError {
+        self.parts.0
+    }
+
+    /// The motion up to there. Its [`last`](Trajectory::last) state is the last that was reached.
+    #[must_use]
+    pub fn trajectory(&self) -> &Trajectory<X> {
+        &self.parts.1
+    }
+
+    /// The motion up to there, to keep.
+    #[must_use]
+    pub fn into_trajectory(self) -> Trajectory<X> {
+        self.parts.1
+    }
+}
+
+impl<X> fmt::Display for Interrupted<X> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let samples = self.trajectory().len();
+        let plural = if samples == 1 { "" } else { "s" };
+        write!(f, "{} (after {samples} sample{plural})", self.error())
+    }
+}
+
+impl<X: fmt::Debug> core::error::Error for Interrupted<X> {}
+
+impl<X> From<Interrupted<X>> for IntegrationError {
+    fn from(interrupted: Interrupted<X>) -> Self {
+        interrupted.error()
+    }
+}
+
+impl<I, C, O> Driver<I, C, O> {
+    /// The motion from `initial` at each of `times`, which advance in one direction. An empty list
+    /// gives an empty trajectory.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the samples up to then.
+    pub fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
+        mut self,
+        dynamics: &D,
+        initial: impl Into<Sample<D::State>>,
+        times: &[f64],
+    ) -> Result<Trajectory<D::State>, Interrupted<D::State>>
+    where
+        I: Integrator,
+        C: Condition<D::State>,
+        O: Observer<D::State>,
+    {
+        let mut samples = Vec::with_capacity(times.len());
+        let mut collect = |sample: &Sample<D::State>| samples.push(sample.clone());
+        let (ending, result) = self.run(dynamics, initial.into(), times, &mut collect);
+        let trajectory = Trajectory { samples, ending };
+        match result {
+            Ok(()) => Ok(trajectory),
+            Err(error) => Err(Interrupted {
+                parts: Box::new((error, trajectory)),
+            }),
+        }
+    }
+}

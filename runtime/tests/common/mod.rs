@@ -1,0 +1,213 @@
+//! Models written by hand against the traits, and the one way in which numbers are compared.
+#![allow(dead_code, unreachable_pub)] // Every test has a copy of it, and none uses all.
+
+use lagrangian::prelude::*;
+use nalgebra::{SMatrix, SVector};
+
+/// Fails unless |a − b| ≤ tolerance; a value that is not finite is close to nothing.
+#[track_caller]
+pub fn assert_close(a: f64, b: f64, tolerance: f64) {
+    let error = (a - b).abs();
+    assert!(
+        error <= tolerance && tolerance.is_finite(),
+        "{a:e} and {b:e} differ by {error:e}, more than {tolerance:e}"
+    );
+}
+
+/// a · b, for any scalar.
+pub fn dot<S: Scalar, const N: usize>(a: &SVector<S, N>, b: &SVector<S, N>) -> S {
+    a.iter()
+        .zip(b.iter())
+        .fold(S::zero(), |sum, (a, b)| sum + *a * *b)
+}
+
+/// M v, for any scalar.
+pub fn apply<S: Scalar, const N: usize>(m: &SMatrix<S, N, N>, v: &SVector<S, N>) -> SVector<S, N> {
+    SVector::from_fn(|i, _| (0..N).fold(S::zero(), |sum, j| sum + m[(i, j)] * v[j]))
+}
+
+/// A model whose equations of motion are written down; the rest of the trait follows from them.
+pub trait Written<const N: usize, S: Scalar> {
+    fn energy(&self, state: &State<S, N>) -> S;
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
+    fn forcing(&self, state: &State<S, N>) -> SVector<S, N>;
+}
+
+/// Implements `Lagrangian` for a [`Written`] model whose L is quadratic in the velocities.
+#[macro_export]
+macro_rules! written_model {
+    ($model:ty, $n:literal) => {
+        impl<S: Scalar> Lagrangian<$n, S> for $model {
+            fn lagrangian(&self, state: &State<S, $n>) -> S {
+                // h = T + V and L = T − V.
+                dot(&Lagrangian::momenta(self, state), &state.v) - Lagrangian::energy(self, state)
+            }
+            fn energy(&self, state: &State<S, $n>) -> S {
+                Written::energy(self, state)
+            }
+            fn momenta(&self, state: &State<S, $n>) -> SVector<S, $n> {
+                apply(&Written::mass_matrix(self, state), &state.v)
+            }
+            fn mass_matrix(&self, state: &State<S, $n>) -> SMatrix<S, $n, $n> {
+                Written::mass_matrix(self, state)
+            }
+            fn forcing(&self, state: &State<S, $n>) -> SVector<S, $n> {
+                Written::forcing(self, state)
+            }
+            fn generalized_forces(&self, _: &State<S, $n>) -> SVector<S, $n> {
+                SVector::zeros()
+            }
+            fn accelerations(&self, state: &State<S, $n>) -> SVector<S, $n> {
+                let mass = Written::mass_matrix(self, state);
+                lagrangian::Factorization::new(mass).solve(&Written::forcing(self, state))
+            }
+            fn inverse_dynamics(
+                &self,
+                state: &State<S, $n>,
+                accelerations: &SVector<S, $n>,
+            ) -> SVector<S, $n> {
+                apply(&Written::mass_matrix(self, state), accelerations)
+                    - Written::forcing(self, state)
+            }
+            fn linearize(&self, _: &State<S, $n>) -> Linearization<S, $n> {
+                unimplemented!("no test of the integrators needs it")
+            }
+        }
+    };
+}
+
+/// A mathematical pendulum: θ̈ = −(g/l) sin θ.
+#[derive(Clone, Debug)]
+pub struct Pendulum {
+    pub m: f64,
+    pub g: f64,
+    pub l: f64,
+}
+
+impl System<1> for Pendulum {
+    const COORDINATES: [&'static str; 1] = ["theta"];
+    const ANGLES: [bool; 1] = [true];
+}
+
+impl<S: Scalar> Written<1, S> for Pendulum {
+    fn energy(&self, state: &State<S, 1>) -> S {
+        let [m, g, l] = [self.m, self.g, self.l].map(S::from_f64);
+        let half = S::from_f64(0.5);
+        half * m * l * l * state.v[0] * state.v[0] - m * g * l * state.q[0].cos()
+    }
+    fn mass_matrix(&self, _: &State<S, 1>) -> SMatrix<S, 1, 1> {
+        SMatrix::from([[S::from_f64(self.m * self.l * self.l)]])
+    }
+    fn forcing(&self, state: &State<S, 1>) -> SVector<S, 1> {
+        SVector::from([-S::from_f64(self.m * self.g * self.l) * state.q[0].sin()])
+    }
+}
+
+written_model!(Pendulum, 1);
+
+/// The symmetric top of (4.7) in z-x-z Euler angles, with V = m g l cos θ.
+#[derive(Clone, Debug)]
+pub struct SymmetricTop {
+    /// I.
+    pub transverse: f64,
+    /// Iₛ.
+    pub axial: f64,
+    /// m g l.
+    pub weight: f64,
+}
+
+impl System<3> for SymmetricTop {
+    const COORDINATES: [&'static str; 3] = ["phi", "theta", "psi"];
+    const ANGLES: [bool; 3] = [true; 3];
+    // The block of ψ is that of the whole matrix: det M = I² Iₛ sin²θ.
+    const SINGULARITIES: [&'static [usize]; 3] = [&[1], &[], &[1]];
+}
+
+impl<S: Scalar> Written<3, S> for SymmetricTop {
+    fn energy(&self, state: &State<S, 3>) -> S {
+        let momenta = apply(&Written::mass_matrix(self, state), &state.v);
+        S::from_f64(0.5) * dot(&momenta, &state.v) + S::from_f64(self.weight) * state.q[1].cos()
+    }
+
+    fn mass_matrix(&self, state: &State<S, 3>) -> SMatrix<S, 3, 3> {
+        let [i, i_s] = [self.transverse, self.axial].map(S::from_f64);
+        let (s, c) = state.q[1].sin_cos();
+        let zero = S::zero();
+        SMatrix::from([
+            [i * s * s + i_s * c * c, zero, i_s * c],
+            [zero, i, zero],
+            [i_s * c, zero, i_s],
+        ])
+    }
+
+    /// d/dt (∂T/∂q̇) − ∂T/∂q of (4.7) without the accelerations.
+    fn forcing(&self, state: &State<S, 3>) -> SVector<S, 3> {
+        let [i, i_s] = [self.transverse, self.axial].map(S::from_f64);
+        let (s, c) = state.q[1].sin_cos();
+        let [phi, theta, psi]: [S; 3] = state.v.into();
+        let two = S::from_f64(2.0);
+        let spin = phi * c + psi;
+        SVector::from([
+            -(two * (i - i_s) * s * c * phi * theta - i_s * s * theta * psi),
+            i * phi * phi * s * c - i_s * spin * phi * s + S::from_f64(self.weight) * s,
+            i_s * s * theta * phi,
+        ])
+    }
+}
+
+written_model!(SymmetricTop, 3);
+
+/// L = ẋ ẏ − x y, whose mass matrix is indefinite and regular: ẍ = −x, ÿ = −y.
+#[derive(Clone, Debug)]
+pub struct Crossed;
+
+impl System<2> for Crossed {
+    const COORDINATES: [&'static str; 2] = ["x", "y"];
+}
+
+impl<S: Scalar> Written<2, S> for Crossed {
+    fn energy(&self, state: &State<S, 2>) -> S {
+        state.v[0] * state.v[1] + state.q[0] * state.q[1]
+    }
+    fn mass_matrix(&self, _: &State<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from([[S::zero(), S::one()], [S::one(), S::zero()]])
+    }
+    fn forcing(&self, state: &State<S, 2>) -> SVector<S, 2> {
+        SVector::from([-state.q[1], -state.q[0]])
+    }
+}
+
+written_model!(Crossed, 2);
+
+/// ẋ = v, v̇ = −x, with no name and no angle: x = cos t from (1, 0).
+pub struct Oscillator;
+
+impl<S: Scalar> Dynamics<S> for Oscillator {
+    type State = SVector<S, 2>;
+
+    fn derivative(&self, _: S, x: &Self::State) -> Self::State {
+        SVector::from([x[1], -x[0]])
+    }
+}
+
+/// ẋ = f(t, x) of a closure, with `D` components.
+pub struct Equation<F, const D: usize>(F);
+
+/// The dynamics of a closure.
+pub fn equation<const D: usize, F>(function: F) -> Equation<F, D>
+where
+    F: Fn(f64, &SVector<f64, D>) -> SVector<f64, D>,
+{
+    Equation(function)
+}
+
+impl<const D: usize, F> Dynamics for Equation<F, D>
+where
+    F: Fn(f64, &SVector<f64, D>) -> SVector<f64, D>,
+{
+    type State = SVector<f64, D>;
+
+    fn derivative(&self, t: f64, x: &Self::State) -> Self::State {
+        (self.0)(t, x)
+    }
+}
