@@ -1,5 +1,36 @@
 //! Write the energies of a mechanical system on a struct of its parameters; get its equations of
 //! motion as specialized Rust, derived at compile time, and step them.
+//!
+//! ```
+//! use lagrangian::prelude::*;
+//!
+//! #[derive(Lagrangian)]
+//! #[lagrangian(
+//!     coordinates(theta),
+//!     define(x = l * sin(theta), y = -l * cos(theta)),
+//!     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+//!     potential = m * g * y,
+//! )]
+//! struct Pendulum { m: f64, g: f64, l: f64 }
+//!
+//! let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+//! let start = State::new(0.0, [0.5], [0.0]);
+//! let end = Dop853::new()
+//!     .relative_tolerance(1e-10)
+//!     .absolute_tolerance(1e-12)
+//!     .integrate_to(&pendulum.dynamics(), start, 10.0)?
+//!     .state();
+//! assert!((pendulum.energy(&end) - pendulum.energy(&start)).abs() < 1e-8);
+//! # Ok::<(), IntegrationError>(())
+//! ```
+//!
+//! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
+//! - [`trait@Lagrangian`] is what a model can do: mass matrix, forcing, accelerations, momenta, energy,
+//!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`] and [`Energies`] stand beside it.
+//! - [`Dynamics`] is what an [`Integrator`] steps; [`trait@Lagrangian`] enters by its `dynamics`.
+//! - [`Scalar`] is what all of it is generic over.
+//!
+//! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "alloc")]
@@ -47,6 +78,7 @@ pub use factorization::Factorization;
 pub use inputs::{ControlledBy, Inputs, WithInputs};
 pub use integrator::{Integrator, Statistics, Stepper};
 pub use lagrangian::{Energies, Lagrangian};
+#[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
 pub use linearization::Linearization;
 pub use observer::{Observer, Occasion, Progress};
