@@ -13,6 +13,8 @@ mod body;
 mod implementation;
 mod documentation;
 mod fallback;
+#[cfg(test)]
+mod timing;
 
 use proc_macro::TokenStream;
 
