@@ -117,7 +117,7 @@ fn dense_output_is_exact_for_polynomials_of_degree_seven() {
     let times = [0.1, 0.35, 0.5, 0.8, 1.0];
     let trajectory = fixed_dop853(1.0).sample(&power, start, &times).unwrap();
     assert_eq!(trajectory.statistics().steps, 1);
-    for sample in &trajectory {
+    for sample in trajectory.samples() {
         // The coefficients of the dense output are up to 500.
         assert_close(sample.x[0], sample.t.powi(7), 1000.0 * f64::EPSILON);
     }
