@@ -108,20 +108,18 @@ fn a_law_in_time_is_the_force_in_the_model() {
     let law = |state: &State<f64, 1>| SVector::from([(3.0 * state.t).sin()]);
     let controlled = SPRING.controlled_by(law);
     let fixed = RungeKutta::classical(0.05);
-    let a = fixed.integrate_to(&controlled, &initial(), 2.0).unwrap();
-    let b = fixed
-        .integrate_to(&Forced(SPRING), &initial(), 2.0)
-        .unwrap();
+    let a = fixed.integrate_to(&controlled, initial(), 2.0).unwrap();
+    let b = fixed.integrate_to(&Forced(SPRING), initial(), 2.0).unwrap();
     assert_eq!(
         a, b,
         "the law is evaluated at the same times to the last bit"
     );
     let times = [0.3, 1.1, 2.0];
     let a = Dop853::new()
-        .sample(&controlled, &initial(), &times)
+        .sample(&controlled, initial(), &times)
         .unwrap();
     let b = Dop853::new()
-        .sample(&Forced(SPRING), &initial(), &times)
+        .sample(&Forced(SPRING), initial(), &times)
         .unwrap();
     for (a, b) in a.states().zip(b.states()) {
         // The sizes of the errors are measured in the same way, so the steps are the same.
@@ -139,7 +137,7 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
     let controlled = SPRING.controlled_by(law);
     let driver = RungeKutta::classical(0.1).driver();
     let statistics = driver
-        .integrate_to(&controlled, &initial(), 1.0)
+        .integrate_to(&controlled, initial(), 1.0)
         .unwrap()
         .statistics;
     assert_eq!(statistics.steps, 10);
@@ -148,7 +146,7 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
     calls.set(0);
     let driver = Dop853::new().driver();
     let statistics = driver
-        .integrate_to(&controlled, &initial(), 1.0)
+        .integrate_to(&controlled, initial(), 1.0)
         .unwrap()
         .statistics;
     assert_eq!(calls.get(), statistics.evaluations);
@@ -166,7 +164,7 @@ fn a_law_in_the_state_closes_the_loop() {
     let delta = 0.5;
     let law = |state: &State<f64, 1>| SVector::from([-2.0 * SPRING.m * delta * state.v[0]]);
     let end = Dop853::new()
-        .integrate_to(&SPRING.controlled_by(law), &initial(), 1.7)
+        .integrate_to(&SPRING.controlled_by(law), initial(), 1.7)
         .unwrap();
     let omega = (SPRING.k / SPRING.m - delta * delta).sqrt();
     let (s, c) = (omega * end.t).sin_cos();
@@ -178,7 +176,7 @@ fn a_law_in_the_state_closes_the_loop() {
 fn held_inputs_are_those_of_the_model() {
     let held = SPRING.with_inputs([8.0]);
     let end = Dop853::new()
-        .integrate_to(&held.dynamics(), &initial(), 1.0)
+        .integrate_to(&held.dynamics(), initial(), 1.0)
         .unwrap();
     assert_close(end.x.q[0], 1.0, 1e-12);
 }

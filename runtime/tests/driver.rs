@@ -28,7 +28,7 @@ fn tight() -> Dop853 {
 fn the_symmetric_top_conserves_energy_and_momenta() {
     let initial = top_state(0.0);
     let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.1).collect();
-    let trajectory = tight().sample(&TOP.dynamics(), &initial, &times).unwrap();
+    let trajectory = tight().sample(&TOP.dynamics(), initial, &times).unwrap();
     assert_eq!(trajectory.len(), 101);
     assert_eq!(trajectory.reason(), Reason::Completed);
     let steps = f64::from(u32::try_from(trajectory.statistics().steps).unwrap());
@@ -46,9 +46,9 @@ fn the_symmetric_top_conserves_energy_and_momenta() {
 fn two_methods_agree() {
     let initial = top_state(0.0);
     let dynamics = TOP.dynamics();
-    let adaptive = tight().integrate_to(&dynamics, &initial, 3.0).unwrap();
+    let adaptive = tight().integrate_to(&dynamics, initial, 3.0).unwrap();
     let fixed = RungeKutta::classical(1e-3)
-        .integrate_to(&dynamics, &initial, 3.0)
+        .integrate_to(&dynamics, initial, 3.0)
         .unwrap();
     for (a, b) in adaptive.x.components().zip(fixed.x.components()) {
         // (6 h)⁴/120 over three seconds at a frequency of 6.
@@ -60,7 +60,7 @@ fn two_methods_agree() {
 fn an_indefinite_mass_matrix_is_no_obstacle() {
     let initial = State::new(0.0, [1.0, 2.0], [0.0, 0.0]);
     let end = tight()
-        .integrate_to(&Crossed.dynamics(), &initial, 1.0)
+        .integrate_to(&Crossed.dynamics(), initial, 1.0)
         .unwrap()
         .state();
     assert_close(end.q[0], 1.0_f64.cos(), 1e-11);
@@ -71,13 +71,13 @@ fn an_indefinite_mass_matrix_is_no_obstacle() {
 fn a_run_backwards_returns() {
     let initial = top_state(0.0);
     let dynamics = TOP.dynamics();
-    let there = tight().integrate_to(&dynamics, &initial, 5.0).unwrap();
+    let there = tight().integrate_to(&dynamics, initial, 5.0).unwrap();
     let back = tight().integrate_to(&dynamics, there, 0.0).unwrap();
     for (a, b) in back.x.components().zip(Phase::from(initial).components()) {
         assert_close(a, b, 1e-9);
     }
     let fixed = RungeKutta::classical(1e-3);
-    let there = fixed.integrate_to(&dynamics, &initial, 1.0).unwrap();
+    let there = fixed.integrate_to(&dynamics, initial, 1.0).unwrap();
     let back = fixed.integrate_to(&dynamics, there, 0.0).unwrap();
     for (a, b) in back.x.components().zip(Phase::from(initial).components()) {
         assert_close(a, b, 1e-10);
@@ -109,7 +109,7 @@ fn the_size_of_an_angle_does_not_change_the_steps() {
     let statistics = |psi| {
         let end = tight()
             .driver()
-            .integrate_to(&TOP.dynamics(), &top_state(psi), 5.0)
+            .integrate_to(&TOP.dynamics(), top_state(psi), 5.0)
             .unwrap();
         end.statistics
     };
@@ -136,12 +136,12 @@ fn the_size_of_an_angle_does_not_change_the_steps() {
 #[test]
 fn an_empty_list_of_times_gives_an_empty_trajectory() {
     let initial = top_state(0.0);
-    let trajectory = tight().sample(&TOP.dynamics(), &initial, &[]).unwrap();
+    let trajectory = tight().sample(&TOP.dynamics(), initial, &[]).unwrap();
     assert!(trajectory.is_empty());
     assert_eq!(trajectory.last().state(), initial);
     assert_eq!(trajectory.statistics().steps, 0);
     let trajectory = tight()
-        .sample(&TOP.dynamics(), &initial, &[0.0, -0.0, 0.0])
+        .sample(&TOP.dynamics(), initial, &[0.0, -0.0, 0.0])
         .unwrap();
     assert_eq!(trajectory.len(), 3);
 }
@@ -268,7 +268,7 @@ fn landing_often_does_not_shorten_the_steps() {
     }
     let straight = tight()
         .driver()
-        .integrate_to(&dynamics, &top_state(0.0), 2.0)
+        .integrate_to(&dynamics, top_state(0.0), 2.0)
         .unwrap();
     assert!(stepper.statistics().steps <= straight.statistics.steps + 3);
 }
@@ -289,7 +289,7 @@ fn a_pendulum_has_the_period_of_the_elliptic_integral() {
     let period = 2.0 * core::f64::consts::PI / a * (pendulum.l / pendulum.g).sqrt();
     let initial = State::new(0.0, [amplitude], [0.0]);
     let end = tight()
-        .integrate_to(&pendulum.dynamics(), &initial, 3.0 * period)
+        .integrate_to(&pendulum.dynamics(), initial, 3.0 * period)
         .unwrap();
     assert_close(end.x.q[0], amplitude, 1e-10);
     assert_close(end.x.v[0], 0.0, 1e-9);

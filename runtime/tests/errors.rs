@@ -26,12 +26,12 @@ fn blows_up() -> impl Dynamics<State = SVector<f64, 1>> {
 fn an_initial_state_that_is_not_finite_is_named() {
     let state = State::new(0.5, [0.0, f64::NAN, 0.0], [0.0, 0.0, 1.0]);
     let error = Dop853::new()
-        .integrate_to(&TOP.dynamics(), &state, 1.0)
+        .integrate_to(&TOP.dynamics(), state, 1.0)
         .unwrap_err();
     assert_eq!(error.to_string(), "the coordinate theta is NaN at t = 0.5");
     let state = State::new(0.5, [0.0, 1.0, 0.0], [0.0, 0.0, f64::INFINITY]);
     let error = RungeKutta::classical(0.1)
-        .integrate_to(&TOP.dynamics(), &state, 1.0)
+        .integrate_to(&TOP.dynamics(), state, 1.0)
         .unwrap_err();
     assert_eq!(error.to_string(), "the velocity of psi is inf at t = 0.5");
     let start = (0.0, Plain::new(0.0, f64::NAN));
@@ -165,10 +165,8 @@ fn a_step_that_is_too_small_keeps_the_samples_before_it() {
         .sample(&blows_up(), start, &times)
         .unwrap_err();
     let error = interrupted.error();
-    let time = match error {
-        IntegrationError::StepTooSmall { time, .. }
-        | IntegrationError::NonFiniteState { time, .. } => time,
-        _ => panic!("{error}"),
+    let IntegrationError::StepTooSmall { time, .. } = error else {
+        panic!("{error}")
     };
     assert_close(time, 1.0, 1e-6);
     assert_eq!(interrupted.trajectory().len(), 3);
@@ -246,10 +244,10 @@ fn an_upright_top_is_a_singular_configuration() {
     let state = State::new(0.0, [0.0, 0.0, 0.0], [1.0, 0.0, 2.0]);
     for error in [
         Dop853::new()
-            .integrate_to(&TOP.dynamics(), &state, 1.0)
+            .integrate_to(&TOP.dynamics(), state, 1.0)
             .unwrap_err(),
         RungeKutta::classical(0.01)
-            .integrate_to(&TOP.dynamics(), &state, 1.0)
+            .integrate_to(&TOP.dynamics(), state, 1.0)
             .unwrap_err(),
     ] {
         let IntegrationError::SingularConfiguration {
@@ -268,14 +266,14 @@ fn an_upright_top_is_a_singular_configuration() {
     }
 }
 
-/// A top that is thrown so as to rise through the vertical: C_φ = C_ψ = 0, a pendulum through the
+/// A top that is thrown so as to rise through the vertical: both momenta of (4.8) are zero, a pendulum through the
 /// pole of its angles.
 #[test]
 fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);
     let times: Vec<f64> = (0..100).map(|i| f64::from(i) * 0.01).collect();
     let method = Dop853::new().maximal_step(1e-3);
-    let interrupted = method.sample(&TOP.dynamics(), &state, &times).unwrap_err();
+    let interrupted = method.sample(&TOP.dynamics(), state, &times).unwrap_err();
     let error = interrupted.error();
     let IntegrationError::SingularConfiguration {
         time,
@@ -301,7 +299,7 @@ fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     let driver = RungeKutta::classical(1e-3)
         .driver()
         .allowed_loss(f64::INFINITY);
-    assert!(driver.integrate_to(&TOP.dynamics(), &state, 0.1).is_ok());
+    assert!(driver.integrate_to(&TOP.dynamics(), state, 0.1).is_ok());
 }
 
 #[test]
@@ -315,10 +313,10 @@ fn a_zero_inertia_is_an_error_at_the_start() {
     for model in [rod, needle] {
         for error in [
             Dop853::new()
-                .integrate_to(&model.dynamics(), &state, 1.0)
+                .integrate_to(&model.dynamics(), state, 1.0)
                 .unwrap_err(),
             RungeKutta::classical(0.01)
-                .integrate_to(&model.dynamics(), &state, 1.0)
+                .integrate_to(&model.dynamics(), state, 1.0)
                 .unwrap_err(),
         ] {
             let IntegrationError::SingularConfiguration {
@@ -339,7 +337,7 @@ fn a_zero_inertia_is_an_error_at_the_start() {
     };
     let state = State::new(0.0, [0.5], [0.0]);
     let error = Dop853::new()
-        .integrate_to(&massless.dynamics(), &state, 1.0)
+        .integrate_to(&massless.dynamics(), state, 1.0)
         .unwrap_err();
     assert!(
         error.to_string().contains("whatever the coordinates are"),

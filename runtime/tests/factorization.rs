@@ -33,7 +33,7 @@ fn positive_definite<const N: usize>(numbers: &mut Numbers) {
     let expected = a.cholesky().unwrap().solve(&b);
     // λ_max ≤ N², λ_min ≥ 0.1: the error is at most about N ε κ |x|.
     let condition = a.norm() * a.try_inverse().unwrap().norm();
-    let n = a.nrows() as f64;
+    let n = f64::from(u8::try_from(N).unwrap());
     assert_close(
         (x - expected).norm(),
         0.0,
