@@ -225,6 +225,8 @@ fn the_number_of_steps_is_limited() {
         };
         assert!(limit == 3 && time > 0.0 && time < 1e3);
     }
+    let short = RungeKutta::classical(0.2).driver().maximal_steps(4);
+    assert!(short.integrate_to(&Oscillator, START, 1.0).is_err());
     let enough = RungeKutta::classical(0.25).driver().maximal_steps(4);
     assert!(enough.integrate_to(&Oscillator, START, 1.0).is_ok());
 }
