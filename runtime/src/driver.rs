@@ -247,6 +247,12 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator,
     {
+        if let Some(loss) = self
+            .allowed_loss
+            .filter(|&loss| loss.is_nan() || loss <= 0.0)
+        {
+            return Err(IntegrationError::InvalidLoss { loss });
+        }
         checked_state(dynamics, initial.t, &initial.x)?;
         check_times(initial.t, times)?;
         check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.least_pivot::<S>())?;

@@ -196,6 +196,35 @@ fn a_state_that_becomes_infinite_ends_a_run_of_fixed_steps() {
     assert_eq!(interrupted.trajectory().len(), 1);
 }
 
+/// ẋ = 1 as long as x < ½, and no number beyond: the step shrinks until it cannot be blamed.
+#[test]
+fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
+    let bounded = equation::<2, _>(|_, x| Plain::new(0.0, 1.0 + 0.0 * (0.5 - x[1]).sqrt()));
+    let result = Dop853::new().sample(&bounded, START, &[0.25, 1.0]);
+    let interrupted = result.unwrap_err();
+    let IntegrationError::NonFiniteState {
+        time, component, ..
+    } = interrupted.error()
+    else {
+        panic!("{interrupted}")
+    };
+    assert_eq!(component, Component::Index(1));
+    assert_close(time, 0.5, 1e-9);
+    assert_eq!(interrupted.trajectory().len(), 1);
+}
+
+#[test]
+fn the_allowed_loss_must_be_positive() {
+    for loss in [0.0, -1.0, f64::NAN] {
+        let driver = Dop853::new().driver().allowed_loss(loss);
+        let error = driver.integrate_to(&Oscillator, START, 1.0).unwrap_err();
+        assert!(
+            matches!(error, IntegrationError::InvalidLoss { .. }),
+            "{error}"
+        );
+    }
+}
+
 /// An error can be passed on alone.
 #[test]
 fn an_interruption_converts_to_its_error() {
