@@ -23,14 +23,14 @@ pub(crate) enum Recipe {
     /// The product of the first list over that of the second; factors may repeat.
     Quotient(Vec<Value>, Vec<Value>),
     /// x^k for a large whole k.
-    Power(Value, i64),
+    Power(Value, usize),
     SquareRoot(Value),
     Unary(Unary, Value),
     Binary(Binary, Value, Value),
 }
 
 /// Whole powers up to this one are written as repeated factors, of which parts can be shared.
-const LARGEST_REPEATED: i64 = 8;
+const LARGEST_REPEATED: usize = 8;
 
 /// The recipes of all values that a program computes.
 pub(crate) struct Plan {
@@ -138,7 +138,7 @@ impl Plan {
     /// Appends the factors of x^k for k > 0.
     fn push_power(&mut self, factors: &mut Vec<Value>, x: Value, exponent: &Rational) {
         let (numerator, denominator) = exponent.to_fraction().unwrap_or((0, 0));
-        match (numerator, denominator) {
+        match (usize::try_from(numerator).unwrap_or(0), denominator) {
             (k, 1) if k <= LARGEST_REPEATED => factors.extend((0..k).map(|_| x)),
             (k, 1) => {
                 let power = self.push(Recipe::Power(x, k), None);

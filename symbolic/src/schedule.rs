@@ -217,19 +217,23 @@ impl Scheduler {
         self.emit(Operation::Divide(numerator, denominator))
     }
 
+    /// The product of factors, those that repeat by squaring.
     fn factors(&mut self, factors: &[Value]) -> Operand {
-        let one = Operand::Constant(Rational::ONE);
-        factors.iter().fold(one, |product, factor| {
-            let factor = self.operand(*factor);
-            self.multiply(product, factor)
-        })
+        let mut factors = factors.to_vec();
+        factors.sort_unstable();
+        let mut product = Operand::Constant(Rational::ONE);
+        for run in factors.chunk_by(|x, y| x == y) {
+            let power = self.power(run[0], run.len());
+            product = self.multiply(product, power);
+        }
+        product
     }
 
     /// x^k by squaring.
-    fn power(&mut self, x: Value, exponent: i64) -> Operand {
+    fn power(&mut self, x: Value, exponent: usize) -> Operand {
         let x = self.operand(x);
         let mut power = Operand::Constant(Rational::ONE);
-        for bit in (0..64 - exponent.leading_zeros()).rev() {
+        for bit in (0..usize::BITS - exponent.leading_zeros()).rev() {
             power = self.multiply(power.clone(), power);
             if exponent >> bit & 1 == 1 {
                 power = self.multiply(power, x.clone());
