@@ -213,6 +213,23 @@ fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
     assert_eq!(interrupted.trajectory().len(), 1);
 }
 
+/// A tolerance near the machine epsilon does not make every coupled system a singular one: at
+/// θ = 0.1 the relative pivot is 0.016.
+#[test]
+fn a_regular_configuration_is_none_to_a_tight_tolerance() {
+    let state = State::new(0.0, [0.0, 0.1, 0.0], [1.0, 0.0, 2.0]);
+    let tight = Dop853::new()
+        .relative_tolerance(1e-15)
+        .absolute_tolerance(1e-12);
+    assert!(tight.integrate_to(&TOP.dynamics(), state, 0.01).is_ok());
+    let driver = tight.driver().allowed_loss(1e-15);
+    let error = driver.integrate_to(&TOP.dynamics(), state, 0.01);
+    assert!(error.is_err(), "unless it is asked for");
+    let single = State::new(0.0, [0.0, 0.1, 0.0], [1.0, 0.0, 2.0_f32]);
+    let fixed = RungeKutta::classical(0.001);
+    assert!(fixed.integrate_to(&TOP.dynamics(), single, 0.01).is_ok());
+}
+
 #[test]
 fn the_allowed_loss_must_be_positive() {
     for loss in [0.0, -1.0, f64::NAN] {
