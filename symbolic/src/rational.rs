@@ -5,6 +5,7 @@
 
 use core::cmp::Ordering;
 use core::fmt;
+use core::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -15,14 +16,37 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 pub struct Rational(Fraction);
 
 /// Invariant: lowest terms, positive denominator, and `Small` whenever both parts fit.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(Clone)]
 enum Fraction {
     Small(i64, i64),
     Large(Box<BigRational>),
 }
 
-/// Powers of constants are computed only while they stay below this many bits.
-const MAXIMUM_POWER_BITS: u64 = 4096;
+// In lowest terms equal numbers have equal parts. The comparisons and hashes of `num-rational` go
+// through continued fractions instead, by a recursion as deep as those are long.
+impl PartialEq for Fraction {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(a, b), Self::Small(c, d)) => (a, b) == (c, d),
+            (Self::Large(x), Self::Large(y)) => (x.numer(), x.denom()) == (y.numer(), y.denom()),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Fraction {}
+
+impl Hash for Fraction {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Self::Small(numerator, denominator) => (numerator, denominator).hash(state),
+            Self::Large(value) => (value.numer(), value.denom()).hash(state),
+        }
+    }
+}
+
+/// Constants are folded only while they stay below this many bits.
+const MAXIMUM_BITS: u64 = 4096;
 
 impl Rational {
     /// Zero.
@@ -176,6 +200,14 @@ impl Rational {
         }
     }
 
+    /// Whether the number is too long to be worth computing with exactly.
+    pub(crate) fn is_long(&self) -> bool {
+        match &self.0 {
+            Fraction::Small(..) => false,
+            Fraction::Large(value) => value.numer().bits().max(value.denom().bits()) > MAXIMUM_BITS,
+        }
+    }
+
     /// The absolute value.
     #[must_use]
     pub fn abs(&self) -> Self {
@@ -213,7 +245,7 @@ impl Rational {
         let bits = value.numer().bits().max(value.denom().bits());
         let trivial =
             value.numer().magnitude().is_one() && value.denom().is_one() || self.is_zero();
-        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > MAXIMUM_POWER_BITS {
+        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > MAXIMUM_BITS {
             return None;
         }
         let exponent = if trivial { 2 - exponent % 2 } else { exponent };
@@ -344,7 +376,10 @@ impl Ord for Rational {
             (Fraction::Small(a, b), Fraction::Small(c, d)) => {
                 (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
             }
-            _ => self.to_big().cmp(&other.to_big()),
+            _ => {
+                let (a, b) = (self.to_big(), other.to_big());
+                (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
+            }
         }
     }
 }
