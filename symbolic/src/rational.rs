@@ -87,10 +87,11 @@ impl Rational {
             None => (text.as_str(), 0),
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        if whole.is_empty() && fraction.is_empty() {
+        let digits = format!("{whole}{fraction}");
+        if digits.is_empty() || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
             return None;
         }
-        let digits: BigInt = format!("{whole}{fraction}").parse().ok()?;
+        let digits: BigInt = digits.parse().ok()?;
         let scale = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
         // Beyond any binary64 by far, and a defence against `1e999999999`.
         if scale.unsigned_abs() > 20_000 {
@@ -139,12 +140,12 @@ impl Rational {
     /// The nearest binary64; infinite beyond its range.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        const EXACT: i64 = 1 << 53;
+        const EXACT: u64 = 1 << 53;
         match &self.0 {
             #[allow(clippy::cast_precision_loss)]
             // Both are exact, so the quotient is rounded once.
             Fraction::Small(numerator, denominator)
-                if numerator.abs() <= EXACT && *denominator <= EXACT =>
+                if numerator.unsigned_abs() <= EXACT && denominator.unsigned_abs() <= EXACT =>
             {
                 *numerator as f64 / *denominator as f64
             }
