@@ -4,8 +4,12 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²) = |x|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::sum::{LONGEST_MERGED, Split, combine};
+use crate::sum::{Split, combine};
 use crate::{Expression, Graph, Node, Rational, Unary};
+
+/// A product of more factors than this stays one factor of the product that contains it, as long sums
+/// do. It is more than a formula written by hand has, so that quotients of those cancel.
+const LONGEST_MERGED: usize = 16;
 
 /// c·Π xᵢ^kᵢ.
 type Opened = (Rational, Vec<(Expression, Rational)>);

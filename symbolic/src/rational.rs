@@ -373,15 +373,11 @@ impl PartialOrd for Rational {
 
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
-        match (&self.0, &other.0) {
-            (Fraction::Small(a, b), Fraction::Small(c, d)) => {
-                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
-            }
-            _ => {
-                let (a, b) = (self.to_big(), other.to_big());
-                (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
-            }
+        if let (Fraction::Small(a, b), Fraction::Small(c, d)) = (&self.0, &other.0) {
+            return (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)));
         }
+        let (a, b) = (self.to_big(), other.to_big());
+        (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
     }
 }
 

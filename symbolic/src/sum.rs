@@ -2,10 +2,10 @@
 
 use crate::{Expression, Graph, Node, Rational};
 
-/// A sum of more terms than this stays one term of the sum that contains it, and a product of more
-/// factors one factor. Prefix sums, such as the positions along a chain, would otherwise grow with the
-/// square of its length. Numbers that are too long are kept apart for the same reason.
-pub(crate) const LONGEST_MERGED: usize = 8;
+/// A sum of more terms than this stays one term of the sum that contains it. Prefix sums, such as the
+/// positions along a chain, would otherwise grow with the square of its length. Numbers that are too
+/// long are kept apart for the same reason.
+const LONGEST_MERGED: usize = 8;
 
 /// A sum as number · Π common · rest.
 pub(crate) struct Split {

@@ -196,7 +196,7 @@ fn a_limit_breaks_off_what_is_shared_too_often() {
 #[test]
 fn signs_of_long_sums_settle() {
     let mut graph = Graph::new();
-    let terms = (0..12).map(|index| Symbol::Parameter(index));
+    let terms = (0..12).map(Symbol::Parameter);
     let terms: Vec<_> = terms.map(|symbol| graph.symbol(symbol)).collect();
     let sum = graph.sum(terms.into_iter().map(|x| (x, Rational::MINUS_ONE)));
     let negative = graph.negate(sum);

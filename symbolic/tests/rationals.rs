@@ -113,7 +113,7 @@ proptest! {
         let scaled = (a.numer() * BigInt::from(10).pow(60)) / a.denom();
         let sticky = if (&a * BigInt::from(10).pow(60)).is_integer() { "" } else { "1" };
         let literal = format!("{scaled}{sticky}e-{}", 60 + sticky.len());
-        prop_assert_eq!(x.to_f64(), literal.parse::<f64>().unwrap());
+        prop_assert_eq!(x.to_f64().to_bits(), literal.parse::<f64>().unwrap().to_bits());
     }
 }
 
