@@ -12,10 +12,12 @@
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
 use core::hash::BuildHasherDefault;
+use std::collections::BTreeMap;
 use std::hash::DefaultHasher;
 
 use indexmap::IndexSet;
 
+use crate::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].
@@ -74,6 +76,8 @@ pub struct Graph {
     // The hasher has fixed keys, and the set remembers the order of insertion: nothing depends on
     // hash order.
     nodes: IndexSet<Node, BuildHasherDefault<DefaultHasher>>,
+    /// What sums are multiples of, as far as products have asked.
+    pub(crate) splits: BTreeMap<Expression, Option<Split>>,
 }
 
 impl Default for Graph {
@@ -88,6 +92,7 @@ impl Graph {
     pub fn new() -> Self {
         let mut graph = Self {
             nodes: IndexSet::default(),
+            splits: BTreeMap::new(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));

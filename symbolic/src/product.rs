@@ -4,15 +4,18 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²) = |x|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::sum::{Split, combine};
+use crate::sum::Split;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 /// A product of more factors than this stays one factor of the product that contains it, as long sums
 /// do. It is more than a formula written by hand has, so that quotients of those cancel.
 const LONGEST_MERGED: usize = 16;
 
+/// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
+type Factors = Vec<(Expression, Rational)>;
+
 /// c·Π xᵢ^kᵢ.
-type Opened = (Rational, Vec<(Expression, Rational)>);
+type Opened = (Rational, Factors);
 
 impl Graph {
     /// Π xᵢ^kᵢ of pairs (xᵢ, kᵢ).
@@ -20,11 +23,26 @@ impl Graph {
         &mut self,
         factors: impl IntoIterator<Item = (Expression, Rational)>,
     ) -> Expression {
+        self.multiply_factors(Vec::new(), factors.into_iter().collect())
+    }
+
+    /// The product of factors of one product in normal form, and of others that may open.
+    pub(crate) fn multiply_factors(
+        &mut self,
+        mut settled: Factors,
+        mut pending: Factors,
+    ) -> Expression {
         let mut coefficient = Rational::ONE;
-        let mut pending: Vec<_> = factors.into_iter().collect();
-        let mut settled = Vec::new();
         while !pending.is_empty() {
             while let Some((base, exponent)) = pending.pop() {
+                match self.node(base) {
+                    // The factors of a product are in normal form already.
+                    Node::Product(inner) if exponent.is_one() && inner.len() <= LONGEST_MERGED => {
+                        settled.extend(inner.iter().cloned());
+                        continue;
+                    }
+                    _ => {}
+                }
                 if let Some((number, parts)) = self.open(base, &exponent) {
                     coefficient = &coefficient * &number;
                     pending.extend(parts);
@@ -32,12 +50,8 @@ impl Graph {
                     settled.push((base, exponent));
                 }
             }
-            let count = settled.len();
-            combine(&mut settled);
-            if settled.len() < count {
-                // Where equal bases met, an exponent may have become one that opens: |x|·|x| = x².
-                pending.append(&mut settled);
-            }
+            // Where equal bases meet, an exponent may become one that opens: |x|·|x| = x².
+            pending = combine_and_take_merged(&mut settled);
         }
         if let Some((zero, _)) = settled.iter().find(|(base, _)| self.is_zero(*base)) {
             // What divides by zero has no value, 0/0 no more than 1/0, which stands for them all.
@@ -70,12 +84,12 @@ impl Graph {
                 let base = if even { self.unary(Unary::Abs, x) } else { x };
                 Some((Rational::ONE, vec![(base, exponent)]))
             }
-            Node::Sum(_) if exponent.is_integer() && self.is_multiple(base) => {
+            Node::Sum(_) if exponent.is_integer() => {
                 let Split {
                     number,
                     common,
                     rest,
-                } = self.split(base);
+                } = self.split(base)?;
                 if number.is_long() {
                     return None;
                 }
@@ -84,7 +98,7 @@ impl Graph {
                 let common = common
                     .into_iter()
                     .map(|(x, j)| Some((x, short(&j * exponent)?)));
-                let mut parts = common.collect::<Option<Vec<_>>>()?;
+                let mut parts = common.collect::<Option<Factors>>()?;
                 parts.push((rest, exponent.clone()));
                 Some((power, parts))
             }
@@ -102,6 +116,28 @@ impl Graph {
             _ => self.intern(Node::Product(factors.into())),
         }
     }
+}
+
+/// Sorts the factors, and takes those out that are there more than once, multiplied together.
+fn combine_and_take_merged(
+    factors: &mut Vec<(Expression, Rational)>,
+) -> Vec<(Expression, Rational)> {
+    factors.sort_by_key(|(base, _)| *base);
+    let repeats = |pair: &[(Expression, Rational)]| pair[0].0 == pair[1].0;
+    if !factors.windows(2).any(repeats) {
+        return Vec::new();
+    }
+    let (mut single, mut merged) = (Vec::new(), Vec::new());
+    for group in factors.chunk_by(|a, b| a.0 == b.0) {
+        if let [factor] = group {
+            single.push(factor.clone());
+        } else {
+            let exponent = group.iter().fold(Rational::ZERO, |sum, (_, k)| &sum + k);
+            merged.push((group[0].0, exponent));
+        }
+    }
+    *factors = single;
+    merged
 }
 
 /// value^exponent, if it is rational: an integer power, or an exact root of a positive number.

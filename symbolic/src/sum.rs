@@ -8,6 +8,7 @@ use crate::{Expression, Graph, Node, Rational};
 const LONGEST_MERGED: usize = 8;
 
 /// A sum as number · Π common · rest.
+#[derive(Clone, Debug)]
 pub(crate) struct Split {
     pub(crate) number: Rational,
     pub(crate) common: Vec<(Expression, Rational)>,
@@ -62,9 +63,21 @@ impl Graph {
     /// divisor if one of them is then ±1, else the first of them 1. Of a sum and its opposite, the one
     /// that was there first is the rest of both, so that what a declaration defines is found again as it
     /// was written. Two sums of which one is a multiple of the other so have the same rest.
-    pub(crate) fn split(&mut self, expression: Expression) -> Split {
-        let common = self.common_factors(expression);
-        let divided = self.divide_terms(expression, &common);
+    ///
+    /// Of a sum that nothing can be taken out of there is no split.
+    pub(crate) fn split(&mut self, sum: Expression) -> Option<Split> {
+        if let Some(known) = self.splits.get(&sum) {
+            return known.clone();
+        }
+        let split = self.find_split(sum);
+        // A sum stands in many products, and what it is a multiple of stays the same.
+        self.splits.insert(sum, split.clone());
+        split
+    }
+
+    fn find_split(&mut self, sum: Expression) -> Option<Split> {
+        let common = self.common_factors(sum);
+        let divided = self.divide_terms(sum, &common);
         let (number, rest) = match self.node(divided) {
             Node::Constant(value) => (value.clone(), self.one()),
             Node::Sum(terms) => {
@@ -73,17 +86,11 @@ impl Graph {
             }
             _ => (Rational::ONE, divided),
         };
-        Split {
+        (rest != sum).then_some(Split {
             number,
             common,
             rest,
-        }
-    }
-
-    /// Whether a sum is a multiple of another that stands for it in products.
-    pub(crate) fn is_multiple(&self, expression: Expression) -> bool {
-        matches!(self.node(expression), Node::Sum(terms) if !self.primitive(terms).0.is_one())
-            || !self.common_factors(expression).is_empty()
+        })
     }
 
     /// The powers that divide every term of a sum of several.
@@ -99,18 +106,17 @@ impl Graph {
         }
         let mut common = self.factors(*first);
         for (term, _) in others {
-            let factors = self.factors(*term);
             common.retain_mut(|(base, exponent)| {
-                let other = factors
-                    .iter()
-                    .find(|(other, _)| other == base)
-                    .map(|(_, k)| k);
+                let other = self.exponent_in(*term, *base);
                 let shared = other.filter(|k| k.is_negative() == exponent.is_negative());
                 if let Some(k) = shared.filter(|k| k.abs() < exponent.abs()) {
                     *exponent = k.clone();
                 }
                 shared.is_some()
             });
+            if common.is_empty() {
+                break;
+            }
         }
         common
     }
@@ -120,6 +126,20 @@ impl Graph {
         match self.node(expression) {
             Node::Product(factors) => factors.to_vec(),
             _ => vec![(expression, Rational::ONE)],
+        }
+    }
+
+    /// The exponent of `base` in a product of powers.
+    fn exponent_in(&self, product: Expression, base: Expression) -> Option<&Rational> {
+        static ONE: Rational = Rational::ONE;
+        match self.node(product) {
+            Node::Product(factors) => {
+                let position = factors
+                    .binary_search_by_key(&base, |(base, _)| *base)
+                    .ok()?;
+                Some(&factors[position].1)
+            }
+            _ => (product == base).then_some(&ONE),
         }
     }
 
@@ -133,11 +153,8 @@ impl Graph {
         let quotients: Vec<_> = terms
             .iter()
             .map(|(term, c)| {
-                let factors = self
-                    .factors(*term)
-                    .into_iter()
-                    .chain(inverse.iter().cloned());
-                (self.product(factors), c.clone())
+                let quotient = self.multiply_factors(self.factors(*term), inverse.clone());
+                (quotient, c.clone())
             })
             .collect();
         self.sum(quotients)
