@@ -4,6 +4,7 @@ mod rational;
 mod symbol;
 mod graph;
 mod sum;
+mod pythagoras;
 mod product;
 mod call;
 mod function;

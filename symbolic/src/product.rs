@@ -4,7 +4,7 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²) = |x|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::sum::combine;
+use crate::sum::{Split, combine};
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 impl Graph {
@@ -42,14 +42,19 @@ impl Graph {
             return self.merge_root(coefficient, factors, base, exponent);
         }
         // For an integer k: (c·x)^k = c^k·x^k, and (Π x^j)^k = Π x^(jk).
-        let (content, rest) = self.split_content(base);
-        match exponent.to_integer().and_then(|k| content.power(k)) {
+        let Split {
+            number,
+            common,
+            rest,
+        } = self.split(base);
+        match exponent.to_integer().and_then(|k| number.power(k)) {
             Some(power) => *coefficient = &*coefficient * &power,
             None => {
-                let content = self.constant(&content);
-                factors.push((content, exponent.clone()));
+                let number = self.constant(&number);
+                factors.push((number, exponent.clone()));
             }
         }
+        factors.extend(common.into_iter().map(|(x, j)| (x, &j * exponent)));
         match self.node(rest) {
             Node::Product(inner) => factors.extend(inner.iter().map(|(x, j)| (*x, j * exponent))),
             _ if rest == self.one() => {}

@@ -6,6 +6,13 @@ use crate::{Expression, Graph, Node, Rational};
 /// positions along a chain, would otherwise grow with the square of its length.
 const LONGEST_MERGED: usize = 8;
 
+/// A sum as number · Π common · rest.
+pub(crate) struct Split {
+    pub(crate) number: Rational,
+    pub(crate) common: Vec<(Expression, Rational)>,
+    pub(crate) rest: Expression,
+}
+
 impl Graph {
     /// Σ cᵢ·xᵢ of pairs (xᵢ, cᵢ).
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (Expression, Rational)>) -> Expression {
@@ -14,11 +21,12 @@ impl Graph {
             self.merge_term(&mut merged, expression, coefficient);
         }
         combine(&mut merged);
+        self.apply_pythagoras(&mut merged);
         self.intern_sum(merged)
     }
 
     /// Adds c·x to `terms`, with the terms of x in its place if x is a short sum.
-    fn merge_term(
+    pub(crate) fn merge_term(
         &self,
         terms: &mut Vec<(Expression, Rational)>,
         expression: Expression,
@@ -45,23 +53,91 @@ impl Graph {
         }
     }
 
-    /// The exact factor c of c·x and what remains: (c, x).
+    /// Divides a sum by what all its terms have in common.
     ///
-    /// Of a sum of several terms it is what makes the rest primitive: integer coefficients without a
-    /// common divisor if one of them is then ±1, else the first of them 1. Two sums of which one is a
-    /// multiple of the other so have the same rest.
-    pub(crate) fn split_content(&mut self, expression: Expression) -> (Rational, Expression) {
-        let (content, rest) = match self.node(expression) {
-            Node::Constant(value) => return (value.clone(), self.one()),
-            Node::Sum(terms) => self.primitive(terms),
-            _ => return (Rational::ONE, expression),
+    /// The numerical factor is what makes the rest primitive: integer coefficients without a common
+    /// divisor if one of them is then ±1, else the first of them 1. Of a sum and its opposite, the one
+    /// that was there first is the rest of both, so that what a declaration defines is found again as it
+    /// was written. Two sums of which one is a multiple of the other so have the same rest.
+    pub(crate) fn split(&mut self, expression: Expression) -> Split {
+        let common = self.common_factors(expression);
+        let divided = self.divide_terms(expression, &common);
+        let (number, rest) = match self.node(divided) {
+            Node::Constant(value) => (value.clone(), self.one()),
+            Node::Sum(terms) => {
+                let (number, terms) = self.primitive(terms);
+                (number, self.intern_sum(terms))
+            }
+            _ => (Rational::ONE, divided),
         };
-        (content, self.intern_sum(rest))
+        Split {
+            number,
+            common,
+            rest,
+        }
     }
 
     /// Whether a sum is a multiple of another that stands for it in products.
     pub(crate) fn is_multiple(&self, expression: Expression) -> bool {
         matches!(self.node(expression), Node::Sum(terms) if !self.primitive(terms).0.is_one())
+            || !self.common_factors(expression).is_empty()
+    }
+
+    /// The powers that divide every term of a sum of several.
+    fn common_factors(&self, expression: Expression) -> Vec<(Expression, Rational)> {
+        let Node::Sum(terms) = self.node(expression) else {
+            return Vec::new();
+        };
+        let [(first, _), others @ ..] = &**terms else {
+            return Vec::new();
+        };
+        if others.is_empty() || *first == self.one() {
+            return Vec::new();
+        }
+        let mut common = self.factors(*first);
+        for (term, _) in others {
+            let factors = self.factors(*term);
+            common.retain_mut(|(base, exponent)| {
+                let other = factors
+                    .iter()
+                    .find(|(other, _)| other == base)
+                    .map(|(_, k)| k);
+                let shared = other.filter(|k| k.is_negative() == exponent.is_negative());
+                if let Some(k) = shared.filter(|k| k.abs() < exponent.abs()) {
+                    *exponent = k.clone();
+                }
+                shared.is_some()
+            });
+        }
+        common
+    }
+
+    /// An expression as a product of powers.
+    fn factors(&self, expression: Expression) -> Vec<(Expression, Rational)> {
+        match self.node(expression) {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![(expression, Rational::ONE)],
+        }
+    }
+
+    /// The sum of the terms of a sum, each divided by the same powers.
+    fn divide_terms(&mut self, sum: Expression, divisor: &[(Expression, Rational)]) -> Expression {
+        let terms = match self.node(sum) {
+            Node::Sum(terms) if !divisor.is_empty() => terms.clone(),
+            _ => return sum,
+        };
+        let inverse: Vec<_> = divisor.iter().map(|(x, k)| (*x, -k)).collect();
+        let quotients: Vec<_> = terms
+            .iter()
+            .map(|(term, c)| {
+                let factors = self
+                    .factors(*term)
+                    .into_iter()
+                    .chain(inverse.iter().cloned());
+                (self.product(factors), c.clone())
+            })
+            .collect();
+        self.sum(quotients)
     }
 
     /// The factor of a sum, and the terms of the rest.
@@ -69,24 +145,23 @@ impl Graph {
         &self,
         terms: &[(Expression, Rational)],
     ) -> (Rational, Vec<(Expression, Rational)>) {
-        let mut content = self.content(terms);
+        let content = self.content(terms);
         let divided = |content: &Rational| -> Vec<(Expression, Rational)> {
             let inverse = content.reciprocal().unwrap_or(Rational::ONE);
             terms.iter().map(|(x, c)| (*x, c * &inverse)).collect()
         };
-        let mut rest = divided(&content);
-        // Of a sum and its opposite, the one that was there first stands for both, so that what a
-        // declaration defines is found again as it was written.
+        let rest = divided(&content);
         let opposite = -&content;
         let other = divided(&opposite);
-        let first = |terms: &[(Expression, Rational)]| self.position(&Node::Sum(terms.into()));
-        if terms.len() > 1
-            && let Some(there) = first(&other)
-            && first(&rest).is_none_or(|here| there < here)
-        {
-            (content, rest) = (opposite, other);
+        let position = |terms: &[(Expression, Rational)]| self.position(&Node::Sum(terms.into()));
+        let opposite_was_first = terms.len() > 1
+            && position(&other)
+                .is_some_and(|there| position(&rest).is_none_or(|here| there < here));
+        if opposite_was_first {
+            (opposite, other)
+        } else {
+            (content, rest)
         }
-        (content, rest)
     }
 
     /// What makes the rest primitive, its leading coefficient positive.
