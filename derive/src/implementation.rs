@@ -373,16 +373,8 @@ impl<'a> Implementation<'a> {
         }
         let n = self.coordinates();
         let scalar = &self.scalar;
-        let name = &self.declaration.name;
-        let visibility = &self.declaration.visibility;
-        let results = placed(&format!("{}Outputs", plain(name)), name);
-        let documentation = format!("The outputs of [`{name}`].");
-        let fields = outputs.iter().map(|output| {
-            let name = placed(&output.name.to_string(), &output.name);
-            let text = format!("The output `{}`.", plain(&output.name));
-            quote!(#[doc = #text] #visibility #name: #scalar)
-        });
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
+        let (results, definition) = results(self.declaration, scalar, &names);
         let output = quote!(Self::Outputs);
         let method = self.method("outputs", &[], &output, &self.methods.outputs, |b| {
             b.outputs(&results, &names)
@@ -391,14 +383,7 @@ impl<'a> Implementation<'a> {
             &quote!(::lagrangian::Outputs<#n, #scalar>),
             &quote!(type Outputs = #results<#scalar>; #method),
         );
-        quote! {
-            #[doc = #documentation]
-            #[derive(Clone, Copy, Debug, PartialEq)]
-            #visibility struct #results<#scalar> {
-                #(#fields),*
-            }
-            #implementation
-        }
+        quote!(#definition #implementation)
     }
 
     fn vector(&self) -> TokenStream {
@@ -544,10 +529,45 @@ impl Writer<'_> {
     }
 }
 
+/// The struct that holds a model's outputs: its name, and its definition.
+pub(crate) fn results(
+    declaration: &Declaration,
+    scalar: &Ident,
+    outputs: &[&Ident],
+) -> (Ident, TokenStream) {
+    let name = &declaration.name;
+    let visibility = &declaration.visibility;
+    let results = placed(&format!("{}Outputs", plain(name)), name);
+    let documentation = format!("The outputs of [`{name}`].");
+    let fields = outputs.iter().map(|output| {
+        let mut name = (*output).clone();
+        name.set_span(hygienic(output));
+        let text = format!("The output `{}`.", plain(output));
+        quote!(#[doc = #text] #visibility #name: #scalar)
+    });
+    let definition = quote! {
+        #[doc = #documentation]
+        #[derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+        )]
+        #visibility struct #results<#scalar> {
+            #(#fields),*
+        }
+    };
+    (results, definition)
+}
+
 /// A name where `at` stands, with the hygiene of the macro: what the user's lints would say of it does
 /// not concern the user.
-fn placed(name: &str, at: &Ident) -> Ident {
-    Ident::new(name, Span::mixed_site().located_at(at.span()))
+pub(crate) fn placed(name: &str, at: &Ident) -> Ident {
+    Ident::new(name, hygienic(at))
+}
+
+fn hygienic(at: &Ident) -> Span {
+    Span::mixed_site().located_at(at.span())
 }
 
 /// The parameters of a method, with an underscore before those that its body does not use.

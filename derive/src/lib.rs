@@ -6,6 +6,7 @@ mod declaration;
 mod check;
 mod scope;
 mod expression;
+mod hints;
 mod lower;
 mod methods;
 mod names;

@@ -18,6 +18,14 @@ pub(crate) fn plain(name: &Ident) -> String {
     written.strip_prefix("r#").unwrap_or(&written).to_owned()
 }
 
+/// The name as the declaration has to write it: with `r#` if it is a keyword.
+pub(crate) fn spelled(plain: &str) -> String {
+    match syn::parse_str::<Ident>(plain) {
+        Ok(_) => plain.to_owned(),
+        Err(_) => format!("r#{plain}"),
+    }
+}
+
 /// The names of a model's symbols.
 pub(crate) struct SymbolNames {
     pub(crate) coordinates: Vec<Ident>,
