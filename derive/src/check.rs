@@ -2,7 +2,7 @@
 //!
 //! Each check says why it is there by what it reports.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Ident;
 use syn::Type;
@@ -116,23 +116,25 @@ fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    if declaration.clauses.names_unreadable {
+    let clauses = &declaration.clauses;
+    if clauses.names_unreadable || clauses.coordinates.is_empty() {
         return;
     }
-    let coordinates: Vec<String> = declaration.clauses.coordinates.iter().map(plain).collect();
-    let mut seen = BTreeMap::new();
-    for force in &declaration.clauses.forces {
+    let coordinates: BTreeSet<String> = clauses.coordinates.iter().map(plain).collect();
+    let mut seen = BTreeSet::new();
+    for force in &clauses.forces {
         let written = plain(&force.name);
         if !coordinates.contains(&written) {
-            let hint = match similar(&written, coordinates.iter().map(String::as_str)) {
+            let names: Vec<&str> = coordinates.iter().map(String::as_str).collect();
+            let hint = match similar(&written, names.iter().copied()) {
                 Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("write one of `{}`", coordinates.join("`, `")),
+                None => format!("write one of `{}`", names.join("`, `")),
             };
             let message = format!(
                 "a generalized force acts on a coordinate, and `{written}` is none: {hint}"
             );
             diagnostics.error(&force.name, message);
-        } else if seen.insert(written, ()).is_some() {
+        } else if !seen.insert(written) {
             diagnostics.error(
                 &force.name,
                 "this coordinate has a force already: add them up in one expression",
@@ -142,9 +144,9 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let mut seen = BTreeMap::new();
+    let mut seen = BTreeSet::new();
     for output in &declaration.clauses.outputs {
-        if seen.insert(plain(&output.name), ()).is_some() {
+        if !seen.insert(plain(&output.name)) {
             let message = format!(
                 "the output `{}` is declared twice: give one of them another name",
                 output.name

@@ -191,7 +191,7 @@ const HOW_TO_MARK: &str = "write `#[lagrangian(input)]` or `#[lagrangian(skip)]`
 impl Clauses {
     fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {
         let clauses = |input: ParseStream<'_>| {
-            separated(input, "a comma between clauses, or an operator", |input| {
+            separated(input, "a comma between clauses, or an operator,", |input| {
                 let keyword = word(input, &no_clause())?;
                 self.read_clause(keyword, input)
             })
@@ -304,7 +304,7 @@ fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
 
 /// `(name = expression, …)` after a keyword.
 fn named(keyword: &Ident, input: ParseStream<'_>, items: &mut Vec<Named>) -> syn::Result<()> {
-    list(keyword, input, "a comma, or an operator", |input| {
+    list(keyword, input, "a comma, or an operator,", |input| {
         let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
         let expression = equated(&name, input)?;
         items.push(Named { name, expression });

@@ -100,7 +100,7 @@ impl Translator<'_> {
             Some(Meaning::Broken) => None,
             Some(Meaning::Later) => self.reject(
                 name,
-                format!("`{name}` is defined further down: move its definition up, before this"),
+                format!("`{name}` is not defined yet: a definition may use only those before it"),
             ),
             Some(Meaning::Output) => self.reject(
                 name,
@@ -283,6 +283,11 @@ impl Translator<'_> {
             "powi" => 2,
             _ if unary.is_some() => 1,
             _ if binary.is_some() => 2,
+            _ if self.scope.resolve(name).is_some() => {
+                let message =
+                    format!("`{name}` is no function: write `{name} * (…)` for a product");
+                return self.reject(name, message);
+            }
             _ => return self.reject(name, hints::function(&written)),
         };
         if arguments.len() != expected {

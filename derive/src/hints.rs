@@ -24,7 +24,7 @@ pub(crate) fn syntax(expression: &Expr) -> &'static str {
         }
         Expr::Cast(_) => "all numbers here are real: leave out the conversion",
         Expr::Reference(_) => "there are no references here: leave out the `&`",
-        Expr::Array(_) | Expr::Repeat(_) | Expr::Tuple(_) | Expr::Index(_) | Expr::Range(_) => {
+        Expr::Array(_) | Expr::Repeat(_) | Expr::Tuple(_) | Expr::Index(_) => {
             "all quantities here are scalars: write each component by a name of its own"
         }
         Expr::Infer(_) => "write the expression that is meant in place of `_`",

@@ -43,17 +43,17 @@ impl Source for Reader<'_> {
         let names = &self.implementation.symbols;
         match symbol {
             Symbol::Time => quote!(state.t),
-            Symbol::Coordinate(i) => element(quote!(state.q), i),
-            Symbol::Velocity(i) => element(quote!(state.v), i),
-            Symbol::Acceleration(i) => element(quote!(accelerations), i),
+            Symbol::Coordinate(i) => element(&quote!(state.q), i),
+            Symbol::Velocity(i) => element(&quote!(state.v), i),
+            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
             Symbol::Parameter(i) => field(&names.parameters, i),
-            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(quote!(inputs), i),
+            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&names.inputs, i),
         }
     }
 }
 
-fn element(vector: TokenStream, index: u32) -> TokenStream {
+fn element(vector: &TokenStream, index: u32) -> TokenStream {
     let index = proc_macro2::Literal::u32_unsuffixed(index);
     quote!(#vector[#index])
 }

@@ -1,6 +1,6 @@
 //! The names of a declaration and what they stand for.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{Expression, Graph, Symbol};
 use proc_macro2::Ident;
@@ -33,9 +33,10 @@ pub(crate) struct Scope {
     meanings: BTreeMap<String, Meaning>,
     /// Where a field is first spoken of: the emitted code accesses it with that span.
     uses: BTreeMap<String, Ident>,
-    /// Names that stand for nothing, where they were first written.
-    unknown: BTreeMap<String, Ident>,
-    /// Whether all names of the declaration are here.
+    /// Names that stand for nothing, wherever they were written.
+    unknown: Vec<Ident>,
+    /// Whether all names of the declaration are here. They are not where coordinates or definitions
+    /// could not be read, or where one of them is written for another.
     pub(crate) complete: bool,
 }
 
@@ -59,6 +60,8 @@ impl Scope {
             meanings.insert(plain(name), Meaning::Symbol(Symbol::Coordinate(i)));
         }
         let clauses = &declaration.clauses;
+        let names: BTreeSet<String> = clauses.coordinates.iter().map(plain).collect();
+        let repeated = names.len() < clauses.coordinates.len();
         let definitions = clauses.definitions.iter().map(|named| &named.name);
         let skipped = declaration
             .fields_with(Role::Skipped)
@@ -75,8 +78,8 @@ impl Scope {
         Self {
             meanings,
             uses: BTreeMap::new(),
-            unknown: BTreeMap::new(),
-            complete: !clauses.names_unreadable && !clauses.coordinates.is_empty(),
+            unknown: Vec::new(),
+            complete: !clauses.names_unreadable && !clauses.coordinates.is_empty() && !repeated,
         }
     }
 
@@ -123,14 +126,12 @@ impl Scope {
 
     /// Notes a name that stands for nothing: the compiler will look for such a field.
     pub(crate) fn note_unknown(&mut self, name: &Ident) {
-        self.unknown
-            .entry(plain(name))
-            .or_insert_with(|| name.clone());
+        self.unknown.push(name.clone());
     }
 
-    /// The names that stand for nothing, where they were first written.
+    /// The names that stand for nothing, wherever they were written.
     pub(crate) fn unknown(&self) -> impl Iterator<Item = &Ident> {
-        self.unknown.values()
+        self.unknown.iter()
     }
 
     /// Where the field called `name` is first spoken of.

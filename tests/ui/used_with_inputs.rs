@@ -1,4 +1,4 @@
-use lagrangian::{Inputs as _, Lagrangian, State};
+use lagrangian::prelude::*;
 use nalgebra::SVector;
 
 #[derive(Lagrangian)]
@@ -22,5 +22,6 @@ fn main() {
     println!("{}", pushed.accelerations(&state)[CartPole::X]);
     println!("{}", model.input_jacobian(&state));
     let controlled = model.controlled_by(|state: &State<f64, 2>| SVector::from([-state.q[1]]));
-    println!("{:?}", controlled);
+    let end = Dop853::new().integrate_to(&controlled, state, 1.0);
+    println!("{:?}", end.map(|end| end.state()));
 }
