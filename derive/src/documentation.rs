@@ -11,11 +11,11 @@ use crate::names::plain;
 const LONGEST: usize = 600;
 
 /// The documentation of the model's impl: coordinates, energies, mass matrix, equations of motion.
-pub(crate) fn of(implementation: &Implementation<'_>) -> String {
+pub(crate) fn of(implementation: &Implementation<'_>, equations: &str) -> String {
     let mut text = String::from(
         "# The equations of motion\n\nM q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with\n\n```text\n",
     );
-    text.push_str(&equations(implementation));
+    text.push_str(equations);
     text.push_str("```\n\n# Operations\n\n");
     text.push_str(
         "| method | + − | × | ÷ | √ | sin, cos | others |\n|---|---|---|---|---|---|---|\n",

@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 
 use crate::body::{Body, Source};
 use crate::declaration::{Declaration, Role};
+use crate::documentation;
 use crate::methods::{Method, Methods};
 use crate::names::{Locals, SymbolNames, constant, plain};
 use crate::scope::Scope;
@@ -133,7 +134,8 @@ impl<'a> Implementation<'a> {
         let visibility = &self.declaration.visibility;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.coordinates();
-        let documentation = crate::documentation::of(self);
+        let equations = documentation::equations(self);
+        let documentation = documentation::of(self, &equations);
         let names = self.symbols.coordinates.iter().map(plain);
         let operations = self.operations();
         let indices = self
@@ -146,7 +148,6 @@ impl<'a> Implementation<'a> {
                 let text = format!("The index of the coordinate `{}`.", plain(coordinate));
                 quote!(#[doc = #text] #visibility const #constant: usize = #i;)
             });
-        let equations = crate::documentation::equations(self);
         quote! {
             #[doc = #documentation]
             #[automatically_derived]

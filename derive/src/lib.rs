@@ -14,6 +14,8 @@ mod body;
 mod implementation;
 mod documentation;
 mod fallback;
+#[cfg(test)]
+mod timing;
 
 use proc_macro::TokenStream;
 

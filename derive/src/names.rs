@@ -84,8 +84,8 @@ impl<'a> Locals<'a> {
     }
 
     /// The variables that hold the sine and the cosine of one argument.
-    pub(crate) fn pair(&mut self, sine: Option<Expression>) -> (Ident, Ident) {
-        match sine.and_then(|sine| self.describe(sine)) {
+    pub(crate) fn pair(&mut self, either: Option<Expression>) -> (Ident, Ident) {
+        match either.and_then(|either| self.describe(either)) {
             Some(name) if name.starts_with("sin_") => {
                 let cosine = name.replacen("sin_", "cos_", 1);
                 (self.unique(name), self.unique(cosine))

@@ -38,7 +38,7 @@ pub enum Reason {
 /// Where and how an integration ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ending<X> {
-    /// The last state that was reached.
+    /// The last state that was reached without an error.
     pub last: Sample<X>,
     /// Why it is the last.
     pub reason: Reason,
@@ -193,7 +193,7 @@ impl<I, C, O> Driver<I, C, O> {
         C: Condition<D::State>,
         O: Observer<D::State>,
     {
-        let (ending, result) = self.run(dynamics, initial.into(), times, &mut |_| {});
+        let (ending, result) = self.run(dynamics, &initial.into(), times, &mut |_| {});
         result.map(|()| ending)
     }
 
@@ -202,7 +202,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
         dynamics: &D,
-        initial: Sample<D::State>,
+        initial: &Sample<D::State>,
         times: &[f64],
         collect: &mut dyn FnMut(&Sample<D::State>),
     ) -> (Ending<D::State>, Result<(), IntegrationError>)
@@ -216,7 +216,7 @@ impl<I, C, O> Driver<I, C, O> {
             reason: Reason::Error,
             statistics: Statistics::default(),
         };
-        let result = self.begin(dynamics, &initial, times).and_then(|stepper| {
+        let result = self.begin(dynamics, initial, times).and_then(|stepper| {
             let mut run = Run {
                 dynamics,
                 stepper,
@@ -247,6 +247,12 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator,
     {
+        if let Some(loss) = self
+            .allowed_loss
+            .filter(|&loss| loss.is_nan() || loss <= 0.0)
+        {
+            return Err(IntegrationError::InvalidLoss { loss });
+        }
         checked_state(dynamics, initial.t, &initial.x)?;
         check_times(initial.t, times)?;
         check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.least_pivot::<S>())?;

@@ -70,6 +70,11 @@ pub enum IntegrationError {
         /// The absolute tolerance.
         absolute: f64,
     },
+    /// The allowed loss of accuracy near a singularity is not a positive number.
+    InvalidLoss {
+        /// That loss.
+        loss: f64,
+    },
     /// The sample times do not advance in the direction of integration.
     UnorderedTimes {
         /// The index of the first time that does not.
@@ -124,6 +129,12 @@ impl fmt::Display for IntegrationError {
                 "tolerances must be finite, not negative and not both zero, not {relative} \
                  (relative) and {absolute} (absolute)"
             ),
+            Self::InvalidLoss { loss } => {
+                write!(
+                    f,
+                    "the allowed loss of accuracy must be positive, not {loss}"
+                )
+            }
             Self::UnorderedTimes {
                 index,
                 time,

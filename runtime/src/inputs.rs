@@ -86,7 +86,7 @@ pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
 pub struct ControlledBy<'a, M: ?Sized, C, S: Scalar, const N: usize, const U: usize> {
     pub(crate) model: &'a M,
     pub(crate) law: C,
-    law_of: PhantomData<fn(&State<S, N>) -> SVector<S, U>>,
+    law_of: PhantomData<(State<S, N>, SVector<S, U>)>,
 }
 
 impl<M, S, const N: usize, const U: usize> System<N> for WithInputs<'_, M, S, U>

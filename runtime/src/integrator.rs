@@ -83,6 +83,40 @@ pub trait Integrator {
 /// A clone of it is a checkpoint: the motion continued from the clone is the same to the last bit.
 /// It does not hold the dynamics; they are given to each step, and must be the same until
 /// [`restart`](Self::restart).
+///
+/// A force that a controller sets ten times a second and holds in between:
+///
+/// ```
+/// use lagrangian::prelude::*;
+/// use nalgebra::SVector;
+///
+/// /// A mass of 1 under a force: position and velocity.
+/// struct Mass {
+///     force: f64,
+/// }
+///
+/// impl Dynamics for Mass {
+///     type State = SVector<f64, 2>;
+///
+///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+///         SVector::from([x[1], self.force])
+///     }
+/// }
+///
+/// let mut mass = Mass { force: 0.0 };
+/// let mut stepper = Dop853::new().start(&mass, 0.0, SVector::from([1.0, 0.0]))?;
+/// for period in 1..=100 {
+///     let x = stepper.state();
+///     mass.force = -x[0] - 2.0 * x[1];
+///     stepper.restart(&mass);
+///     let end = 0.1 * f64::from(period);
+///     while stepper.time() < end {
+///         stepper.step(&mass, end)?;
+///     }
+/// }
+/// assert!(stepper.state()[0].abs() < 1e-2);
+/// # Ok::<(), IntegrationError>(())
+/// ```
 pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
     /// Whether [`interpolate`](Self::interpolate) is so cheap that sample times need not be ends of
     /// steps.

@@ -62,6 +62,8 @@ mod observer;
 #[cfg(feature = "alloc")]
 mod trajectory;
 mod error;
+#[cfg(test)]
+mod order_conditions;
 pub mod prelude;
 
 #[doc(hidden)]

@@ -41,7 +41,7 @@ where
         if reason.is_none() && self.condition.met(value, value) {
             reason = Some(Reason::Condition);
         }
-        while reason.is_none() && self.stepper.time().to_bits() != self.end.to_bits() {
+        while reason.is_none() && self.stepper.time() - self.end != 0.0 {
             self.step()?;
             let before = value;
             value = self
@@ -108,7 +108,7 @@ where
 
     /// The sample at a time within the last step.
     fn at(&mut self, t: f64) -> Sample<D::State> {
-        let x = if t.to_bits() == self.stepper.time().to_bits() {
+        let x = if t - self.stepper.time() == 0.0 {
             self.stepper.state().clone()
         } else {
             self.stepper.interpolate(self.dynamics, t)

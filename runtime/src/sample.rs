@@ -49,12 +49,7 @@ impl<S: Scalar, const N: usize> From<State<S, N>> for Sample<Phase<S, N>> {
     /// The time is that of all lanes, and not a number if they differ.
     fn from(state: State<S, N>) -> Self {
         let (least, most) = (state.t.smallest(), state.t.largest());
-        // The bit patterns are compared, since no rounding comes between equal lanes.
-        let t = if least.to_bits() == most.to_bits() {
-            least
-        } else {
-            f64::NAN
-        };
+        let t = if least < most { f64::NAN } else { least };
         Self { t, x: state.into() }
     }
 }

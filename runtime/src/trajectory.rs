@@ -40,8 +40,8 @@ impl<X> Trajectory<X> {
         self.samples.is_empty()
     }
 
-    /// The last state that was reached. It is the last sample unless something stopped the motion
-    /// before the end.
+    /// The last state that was reached without an error. It is the last sample unless something
+    /// stopped the motion before the end.
     #[must_use]
     pub fn last(&self) -> &Sample<X> {
         &self.ending.last
@@ -64,15 +64,6 @@ impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>> {
     /// The samples as states of the mechanical system.
     pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
         self.samples.iter().map(Sample::state)
-    }
-}
-
-impl<'a, X> IntoIterator for &'a Trajectory<X> {
-    type Item = &'a Sample<X>;
-    type IntoIter = core::slice::Iter<'a, Sample<X>>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        self.samples.iter()
     }
 }
 
@@ -139,7 +130,7 @@ impl<I, C, O> Driver<I, C, O> {
     {
         let mut samples = Vec::with_capacity(times.len());
         let mut collect = |sample: &Sample<D::State>| samples.push(sample.clone());
-        let (ending, result) = self.run(dynamics, initial.into(), times, &mut collect);
+        let (ending, result) = self.run(dynamics, &initial.into(), times, &mut collect);
         let trajectory = Trajectory { samples, ending };
         match result {
             Ok(()) => Ok(trajectory),

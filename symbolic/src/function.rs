@@ -134,9 +134,9 @@ impl Unary {
                 let tan = graph.unary(Self::Tan, x);
                 plus_square(graph, tan)
             }
-            Self::Asin => unit_difference(graph, x, Rational::HALF),
+            Self::Asin => unit_difference(graph, x, &Rational::HALF),
             Self::Acos => {
-                let asin = unit_difference(graph, x, Rational::HALF);
+                let asin = unit_difference(graph, x, &Rational::HALF);
                 graph.negate(asin)
             }
             Self::Atan => {
@@ -158,7 +158,7 @@ impl Unary {
                 let (below, above) = around_one(graph, x);
                 graph.product([(below, minus_half.clone()), (above, minus_half)])
             }
-            Self::Atanh => unit_difference(graph, x, Rational::ONE),
+            Self::Atanh => unit_difference(graph, x, &Rational::ONE),
             Self::Exp => graph.unary(Self::Exp, x),
             Self::Ln => graph.power(x, &Rational::MINUS_ONE),
             Self::Abs => graph.unary(Self::Signum, x),
@@ -302,11 +302,11 @@ fn around_one(graph: &mut Graph, x: Expression) -> (Expression, Expression) {
 }
 
 /// ((1 − x)(1 + x))^−k.
-fn unit_difference(graph: &mut Graph, x: Expression, k: Rational) -> Expression {
+fn unit_difference(graph: &mut Graph, x: Expression, k: &Rational) -> Expression {
     let (below, above) = around_one(graph, x);
     let below = graph.negate(below);
     let product = graph.multiply(below, above);
-    graph.power(product, &-&k)
+    graph.power(product, &-k)
 }
 
 /// The shares ½(1 ± signum(x − y)) of both arguments in the greater one.

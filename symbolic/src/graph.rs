@@ -124,6 +124,7 @@ impl Graph {
     }
 
     /// All expressions with what they are made of, children before parents.
+    #[must_use]
     pub fn nodes(
         &self,
     ) -> impl DoubleEndedIterator<Item = (Expression, &Node)> + ExactSizeIterator {

@@ -3,7 +3,7 @@
 //! The same instructions are read as arithmetic in binary64, modulo a prime, or on expressions, so that
 //! what is emitted can be checked against what it was made from.
 
-use crate::modular::Point;
+use crate::modular::{self, Point};
 use crate::program::{Operand, Operation, Program};
 use crate::residue::{self, P};
 use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
@@ -203,7 +203,7 @@ impl Arithmetic for Point {
     type Number = u64;
 
     fn constant(&mut self, value: &Rational) -> Option<u64> {
-        Self::constant(*self, value)
+        modular::constant(value)
     }
 
     fn pi(&mut self) -> Option<u64> {

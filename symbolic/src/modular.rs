@@ -84,7 +84,7 @@ impl Point {
                 sum.value
             }
             Node::Constant(number) => {
-                let value = self.constant(number)?;
+                let value = constant(number)?;
                 if self.addition_theorems {
                     let phase = residue::multiply(reduce(number, Q)?, self.draw(2, 0) % Q, Q);
                     return Some(Image { value, phase });
@@ -110,10 +110,6 @@ impl Point {
     pub(crate) fn atom(self, value: u64) -> Image {
         let phase = self.draw(3, value) % Q;
         Image { value, phase }
-    }
-
-    pub(crate) fn constant(self, number: &Rational) -> Option<u64> {
-        reduce(number, P)
     }
 
     pub(crate) fn pi(self) -> u64 {
@@ -223,6 +219,11 @@ fn linear_combination(
     Some(sum)
 }
 
+/// The image of a rational modulo p.
+pub(crate) fn constant(number: &Rational) -> Option<u64> {
+    reduce(number, P)
+}
+
 /// The image of a rational modulo a prime, unless the prime divides its denominator.
 fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
     use num_bigint::BigInt;
@@ -232,18 +233,15 @@ fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
         let modulus = BigInt::from(modulus);
         ((integer % &modulus + &modulus) % &modulus).to_u64()
     };
-    let (numerator, denominator) = match number.to_fraction() {
-        Some((numerator, denominator)) => {
-            let numerator = i128::from(numerator).rem_euclid(i128::from(modulus));
-            (
-                u64::try_from(numerator).ok()?,
-                denominator.unsigned_abs() % modulus,
-            )
-        }
-        None => {
-            let number = number.to_big();
-            (remainder(number.numer())?, remainder(number.denom())?)
-        }
+    let (numerator, denominator) = if let Some((numerator, denominator)) = number.to_fraction() {
+        let numerator = i128::from(numerator).rem_euclid(i128::from(modulus));
+        (
+            u64::try_from(numerator).ok()?,
+            denominator.unsigned_abs() % modulus,
+        )
+    } else {
+        let number = number.to_big();
+        (remainder(number.numer())?, remainder(number.denom())?)
     };
     if denominator == 1 {
         return Some(numerator);

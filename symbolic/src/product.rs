@@ -47,12 +47,11 @@ impl Graph {
             common,
             rest,
         } = self.split(base);
-        match exponent.to_integer().and_then(|k| number.power(k)) {
-            Some(power) => *coefficient = &*coefficient * &power,
-            None => {
-                let number = self.constant(&number);
-                factors.push((number, exponent.clone()));
-            }
+        if let Some(power) = exponent.to_integer().and_then(|k| number.power(k)) {
+            *coefficient = &*coefficient * &power;
+        } else {
+            let number = self.constant(&number);
+            factors.push((number, exponent.clone()));
         }
         factors.extend(common.into_iter().map(|(x, j)| (x, &j * exponent)));
         match self.node(rest) {

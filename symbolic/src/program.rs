@@ -77,7 +77,7 @@ pub struct Instruction {
     pub operation: Operation,
     /// The number of the value; a second result has the next one.
     pub value: usize,
-    /// The expression whose value the first result is, if it is that of one.
+    /// The expression whose value a result is, if it is that of one.
     pub expression: Option<Expression>,
 }
 

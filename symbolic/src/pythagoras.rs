@@ -2,9 +2,9 @@
 //!
 //! Three directed rules, each of which leaves one term where there were two:
 //!
-//!     c·r·sin²x + c·r·cos²x  →  c·r
-//!     c·r − c·r·sin²x        →  c·r·cos²x
-//!     c·r − c·r·cos²x        →  c·r·sin²x
+//! - `c·r·sin²x + c·r·cos²x → c·r`
+//! - `c·r − c·r·sin²x → c·r·cos²x`
+//! - `c·r − c·r·cos²x → c·r·sin²x`
 //!
 //! The last two make a product of a difference, which is exact where the difference cancels. No rule
 //! goes the other way: sin²x never becomes 1 − cos²x.
@@ -74,4 +74,82 @@ fn find(terms: &[(Expression, Rational)], term: Expression) -> Option<&Rational>
         .iter()
         .find(|(x, _)| *x == term)
         .map(|(_, coefficient)| coefficient)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Symbol;
+
+    /// The coordinates x and y, the parameter r, and squares of sine and cosine of x.
+    fn symbols(graph: &mut Graph) -> [Expression; 5] {
+        let x = graph.symbol(Symbol::Coordinate(0));
+        let y = graph.symbol(Symbol::Coordinate(1));
+        let r = graph.symbol(Symbol::Parameter(0));
+        let [sine, cosine] = [Unary::Sin, Unary::Cos].map(|function| {
+            let value = graph.unary(function, x);
+            graph.square(value)
+        });
+        [x, y, r, sine, cosine]
+    }
+
+    #[test]
+    fn squares_of_one_angle_merge() {
+        let mut graph = Graph::new();
+        let [_, y, r, sine, cosine] = symbols(&mut graph);
+        let three = Rational::integer(3);
+        let [a, b] = [sine, cosine].map(|square| graph.multiply(r, square));
+        let merged = graph.sum([(a, three.clone()), (y, Rational::ONE), (b, three.clone())]);
+        let expected = graph.sum([(r, three), (y, Rational::ONE)]);
+        assert_eq!(merged, expected);
+    }
+
+    #[test]
+    fn differences_become_squares() {
+        let mut graph = Graph::new();
+        let [_, _, r, sine, cosine] = symbols(&mut graph);
+        let one = graph.one();
+        assert_eq!(graph.subtract(one, sine), cosine);
+        assert_eq!(graph.subtract(one, cosine), sine);
+        let part = graph.multiply(r, sine);
+        let difference = graph.subtract(part, r);
+        let square = graph.multiply(r, cosine);
+        assert_eq!(difference, graph.negate(square));
+    }
+
+    #[test]
+    fn higher_powers_and_longer_sums_merge_in_turn() {
+        // sin⁴ + 2 sin² cos² + cos⁴ is not touched, but sin⁴ + sin² cos² is sin².
+        let mut graph = Graph::new();
+        let [_, _, _, sine, cosine] = symbols(&mut graph);
+        let fourth = graph.square(sine);
+        let mixed = graph.multiply(sine, cosine);
+        assert_eq!(graph.add(fourth, mixed), sine);
+        let last = graph.add(fourth, mixed);
+        assert_eq!(graph.add(last, cosine), graph.one());
+    }
+
+    #[test]
+    fn nothing_else_merges() {
+        let mut graph = Graph::new();
+        let [_, y, r, sine, cosine] = symbols(&mut graph);
+        let other = graph.unary(Unary::Cos, y);
+        let other = graph.square(other);
+        let double = graph.scale(cosine, &Rational::integer(2));
+        let scaled = graph.multiply(r, cosine);
+        let one = graph.one();
+        // Other angles, other coefficients, other factors, and sums that would become differences.
+        for (x, y) in [
+            (sine, other),
+            (sine, double),
+            (sine, scaled),
+            (one, sine),
+            (sine, r),
+        ] {
+            let sum = graph.add(x, y);
+            assert!(matches!(graph.node(sum), Node::Sum(terms) if terms.len() == 2));
+        }
+        let difference = graph.subtract(sine, cosine);
+        assert!(matches!(graph.node(difference), Node::Sum(terms) if terms.len() == 2));
+    }
 }

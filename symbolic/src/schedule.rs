@@ -1,41 +1,41 @@
-//! From the expression graph to straight-line code.
+//! From a plan to straight-line code.
 //!
-//! Comes in: roots of the graph. Goes out: instructions that compute each value once. Subtraction,
-//! negation and division, which the normal forms do not have, reappear here: terms of a sum with equal
-//! coefficients share one multiplication, powers are built from squares, sine and cosine of one angle
-//! are one operation, and a divisor that serves twice is inverted once. Values are numbered, so that
-//! what two expressions have in common by accident is found as well.
+//! Comes in: roots of the graph. Goes out: instructions that compute each value once, operands first.
+//! Subtraction, negation and division, which the normal forms do not have, reappear here: terms of a sum
+//! with equal coefficients share one multiplication, and sine and cosine of one angle are one operation.
+//! Values are numbered, so that what two recipes have in common by accident is found as well.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+use crate::plan::{Plan, Recipe, Value};
 use crate::program::{Instruction, Operand, Operation, Phase, Program};
-use crate::{Binary, Expression, Graph, Node, Rational, Unary};
+use crate::{Expression, Graph, Rational, Unary};
 
 /// The state of a scheduling run.
-pub(crate) struct Scheduler<'a> {
-    graph: &'a Graph,
-    /// Where the value of each expression is.
-    operands: HashMap<Expression, Operand>,
+pub(crate) struct Scheduler {
+    plan: Plan,
+    /// Where each value is, once it has been computed.
+    operands: Vec<Option<Operand>>,
     /// The number of the first result of each operation done.
     numbers: HashMap<Operation, usize>,
     /// Arguments of both a sine and a cosine.
-    paired: BTreeSet<Expression>,
-    /// Powers below 1 that divide more than once.
-    shared_divisors: BTreeSet<(Expression, Rational)>,
+    paired: BTreeSet<Value>,
     instructions: Vec<Instruction>,
     next: usize,
 }
 
-impl<'a> Scheduler<'a> {
-    pub(crate) fn new(graph: &'a Graph, groups: &[&[Expression]]) -> Self {
+impl Scheduler {
+    pub(crate) fn new(graph: &Graph, groups: &[&[Expression]]) -> Self {
         let roots = groups.concat();
-        let descendants = graph.descendants(&roots);
+        let mut plan = Plan::new(graph, &roots);
+        let uses = plan.uses(&roots);
+        plan.factor(&uses);
+        plan.share();
         Self {
-            graph,
-            operands: HashMap::new(),
+            operands: vec![None; plan.recipes.len()],
             numbers: HashMap::new(),
-            paired: paired_arguments(graph, &descendants),
-            shared_divisors: shared_divisors(graph, &descendants),
+            paired: paired_arguments(&plan),
+            plan,
             instructions: Vec::new(),
             next: 0,
         }
@@ -44,15 +44,13 @@ impl<'a> Scheduler<'a> {
     pub(crate) fn run(mut self, groups: &[&[Expression]]) -> Program {
         let mut phases = Vec::with_capacity(groups.len());
         for roots in groups {
-            for expression in self.graph.descendants(roots) {
-                if !self.operands.contains_key(&expression) {
-                    let operand = self.compute(expression);
-                    self.operands.insert(expression, operand);
-                }
-            }
             let outputs = roots
                 .iter()
-                .map(|root| self.operands[root].clone())
+                .map(|root| {
+                    let value = self.plan.value(*root);
+                    self.compute(value);
+                    self.operand(value)
+                })
                 .collect();
             phases.push(Phase {
                 instructions: core::mem::take(&mut self.instructions),
@@ -62,32 +60,65 @@ impl<'a> Scheduler<'a> {
         Program { phases }
     }
 
-    /// The operand that holds `expression`, whose operands have been computed.
-    fn compute(&mut self, expression: Expression) -> Operand {
-        let graph = self.graph;
-        let operand = match graph.node(expression) {
-            Node::Constant(value) => return Operand::Constant(value.clone()),
-            Node::Pi => return Operand::Pi,
-            Node::Symbol(symbol) => return Operand::Symbol(*symbol),
-            Node::Sum(terms) => self.sum(terms),
-            Node::Product(factors) => self.product(factors),
-            Node::Unary(function, x) => self.unary(*function, *x),
-            Node::Binary(function, x, y) => {
-                let (x, y) = (self.operands[x].clone(), self.operands[y].clone());
-                self.emit(Operation::Binary(*function, x, y))
+    /// Computes a value and all that it is made of, each as late as possible.
+    fn compute(&mut self, value: Value) {
+        let mut waiting = vec![value];
+        while let Some(value) = waiting.last().copied() {
+            if self.operands[value].is_some() {
+                waiting.pop();
+                continue;
             }
+            let before = waiting.len();
+            self.plan.recipes[value].for_each_operand(|operand| {
+                if self.operands[operand].is_none() {
+                    waiting.push(operand);
+                }
+            });
+            // The first operand is computed first.
+            waiting[before..].reverse();
+            if waiting.len() == before {
+                let operand = self.perform(value);
+                self.operands[value] = Some(operand);
+                waiting.pop();
+            }
+        }
+    }
+
+    /// The operand that holds a value which has been computed.
+    fn operand(&self, value: Value) -> Operand {
+        self.operands[value]
+            .clone()
+            .unwrap_or(Operand::Constant(Rational::ZERO))
+    }
+
+    /// Computes a value whose operands have been.
+    fn perform(&mut self, value: Value) -> Operand {
+        let operand = match self.plan.recipes[value].clone() {
+            Recipe::Constant(number) => return Operand::Constant(number),
+            Recipe::Pi => return Operand::Pi,
+            Recipe::Symbol(symbol) => return Operand::Symbol(symbol),
+            Recipe::Sum(terms) => self.sum(&terms),
+            Recipe::Quotient(numerator, denominator) => self.quotient(&numerator, &denominator),
+            Recipe::Power(x, exponent) => self.power(x, exponent),
+            Recipe::SquareRoot(x) => self.emit(Operation::SquareRoot(self.operand(x))),
+            Recipe::Unary(function, x) => self.unary(function, x),
+            Recipe::Binary(function, x, y) => self.emit(Operation::Binary(
+                function,
+                self.operand(x),
+                self.operand(y),
+            )),
         };
-        self.label(&operand, expression);
+        self.label(&operand, self.plan.expressions[value]);
         operand
     }
 
-    /// Notes whose value an instruction computes.
-    fn label(&mut self, operand: &Operand, expression: Expression) {
+    /// Notes whose value the last instruction computes.
+    fn label(&mut self, operand: &Operand, expression: Option<Expression>) {
         if let Operand::Value(number) = operand
             && let Some(last) = self.instructions.last_mut()
-            && last.value == *number
+            && (last.value..last.value + last.operation.results()).contains(number)
         {
-            last.expression.get_or_insert(expression);
+            last.expression = last.expression.or(expression);
         }
     }
 
@@ -119,16 +150,25 @@ impl<'a> Scheduler<'a> {
     }
 
     /// Σ cᵢ·xᵢ: one multiplication for each magnitude of c, then additions and subtractions.
-    fn sum(&mut self, terms: &[(Expression, Rational)]) -> Operand {
+    fn sum(&mut self, terms: &[(Value, Rational)]) -> Operand {
         let mut groups: BTreeMap<Rational, Vec<(Operand, bool)>> = BTreeMap::new();
         for (x, c) in terms {
-            let (operand, magnitude) = match self.graph.node(*x) {
-                // The number in a sum is a term of coefficient one.
-                Node::Constant(_) => (Operand::Constant(c.abs()), Rational::ONE),
-                _ => (self.operands[x].clone(), c.abs()),
+            let (operand, magnitude) = match self.operand(*x) {
+                // A number in a sum is a term of coefficient one.
+                Operand::Constant(number) => {
+                    let term = &number * c;
+                    groups
+                        .entry(Rational::ONE)
+                        .or_default()
+                        .push((Operand::Constant(term.abs()), term.is_negative()));
+                    continue;
+                }
+                operand => (operand, c.abs()),
             };
-            let group = groups.entry(magnitude).or_default();
-            group.push((operand, c.is_negative()));
+            groups
+                .entry(magnitude)
+                .or_default()
+                .push((operand, c.is_negative()));
         }
         let mut parts = Vec::new();
         for (magnitude, members) in groups {
@@ -136,7 +176,7 @@ impl<'a> Scheduler<'a> {
                 parts.extend(members);
                 continue;
             }
-            // The sign of a group is that of its first term.
+            // A group that is negative throughout is subtracted.
             let negative = members.iter().all(|(_, negative)| *negative);
             let members = members
                 .into_iter()
@@ -168,56 +208,33 @@ impl<'a> Scheduler<'a> {
         })
     }
 
-    /// Π xᵢ^kᵢ: the positive powers over the negative ones.
-    fn product(&mut self, factors: &[(Expression, Rational)]) -> Operand {
-        let one = Operand::Constant(Rational::ONE);
-        let (mut numerator, mut denominator) = (one.clone(), one.clone());
-        for (x, k) in factors {
-            if !k.is_negative() {
-                let power = self.power(*x, k);
-                numerator = self.multiply(numerator, power);
-            } else if self.shared_divisors.contains(&(*x, k.clone())) {
-                let power = self.power(*x, &-k);
-                let reciprocal = self.emit(Operation::Divide(one.clone(), power));
-                numerator = self.multiply(numerator, reciprocal);
-            } else {
-                let power = self.power(*x, &-k);
-                denominator = self.multiply(denominator, power);
-            }
+    fn quotient(&mut self, numerator: &[Value], denominator: &[Value]) -> Operand {
+        let numerator = self.factors(numerator);
+        if denominator.is_empty() {
+            return numerator;
         }
-        if denominator == one {
-            numerator
-        } else {
-            self.emit(Operation::Divide(numerator, denominator))
-        }
+        let denominator = self.factors(denominator);
+        self.emit(Operation::Divide(numerator, denominator))
     }
 
-    /// x^k for k > 0: whole powers by squaring, halves by a square root, others by the power function.
-    fn power(&mut self, base: Expression, exponent: &Rational) -> Operand {
-        let x = self.operands[&base].clone();
-        if let Some(k) = exponent.to_integer() {
-            return self.integer_power(x, k);
+    /// The product of factors, those that repeat by squaring.
+    fn factors(&mut self, factors: &[Value]) -> Operand {
+        let mut factors = factors.to_vec();
+        factors.sort_unstable();
+        let mut product = Operand::Constant(Rational::ONE);
+        for run in factors.chunk_by(|x, y| x == y) {
+            let power = self.power(run[0], run.len());
+            product = self.multiply(product, power);
         }
-        match exponent.to_fraction() {
-            Some((numerator, 2)) => {
-                let root = self.emit(Operation::SquareRoot(x.clone()));
-                let whole = self.integer_power(x, numerator / 2);
-                self.multiply(whole, root)
-            }
-            _ => self.emit(Operation::Binary(
-                Binary::Power,
-                x,
-                Operand::Constant(exponent.clone()),
-            )),
-        }
+        product
     }
 
-    fn integer_power(&mut self, x: Operand, exponent: i64) -> Operand {
+    /// x^k by squaring.
+    fn power(&mut self, x: Value, exponent: usize) -> Operand {
+        let x = self.operand(x);
         let mut power = Operand::Constant(Rational::ONE);
-        for bit in (0..64 - exponent.leading_zeros()).rev() {
-            if !matches!(power, Operand::Constant(_)) {
-                power = self.multiply(power.clone(), power);
-            }
+        for bit in (0..usize::BITS - exponent.leading_zeros()).rev() {
+            power = self.multiply(power.clone(), power);
             if exponent >> bit & 1 == 1 {
                 power = self.multiply(power, x.clone());
             }
@@ -225,8 +242,8 @@ impl<'a> Scheduler<'a> {
         power
     }
 
-    fn unary(&mut self, function: Unary, x: Expression) -> Operand {
-        let operand = self.operands[&x].clone();
+    fn unary(&mut self, function: Unary, x: Value) -> Operand {
+        let operand = self.operand(x);
         let paired = self.paired.contains(&x);
         match (function, paired) {
             (Unary::Sin, true) => self.emit(Operation::SineAndCosine(operand)),
@@ -240,31 +257,15 @@ impl<'a> Scheduler<'a> {
 }
 
 /// The arguments of which both sine and cosine are wanted.
-fn paired_arguments(graph: &Graph, descendants: &[Expression]) -> BTreeSet<Expression> {
-    let arguments = |wanted: Unary| -> BTreeSet<Expression> {
-        descendants
+fn paired_arguments(plan: &Plan) -> BTreeSet<Value> {
+    let arguments = |wanted: Unary| -> BTreeSet<Value> {
+        plan.recipes
             .iter()
-            .filter_map(|expression| match graph.node(*expression) {
-                Node::Unary(function, x) if *function == wanted => Some(*x),
+            .filter_map(|recipe| match recipe {
+                Recipe::Unary(function, x) if *function == wanted => Some(*x),
                 _ => None,
             })
             .collect()
     };
     &arguments(Unary::Sin) & &arguments(Unary::Cos)
-}
-
-/// The negative powers that more than one product divides by.
-fn shared_divisors(graph: &Graph, descendants: &[Expression]) -> BTreeSet<(Expression, Rational)> {
-    let mut uses: BTreeMap<(Expression, Rational), usize> = BTreeMap::new();
-    for expression in descendants {
-        if let Node::Product(factors) = graph.node(*expression) {
-            for (x, k) in factors.iter().filter(|(_, k)| k.is_negative()) {
-                *uses.entry((*x, k.clone())).or_default() += 1;
-            }
-        }
-    }
-    uses.into_iter()
-        .filter(|(_, uses)| *uses > 1)
-        .map(|(divisor, _)| divisor)
-        .collect()
 }

@@ -291,3 +291,81 @@ pub(super) const DENSE: [[f64; 16]; 4] = [
         -149.72683625798562581422125276,
     ],
 ];
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::super::dense_output::DenseOutput;
+    use super::{FIFTH_ORDER_ERROR, MATRIX, NODES, THIRD_ORDER, WEIGHTS};
+    use crate::order_conditions::defect;
+
+    /// Rounding errors of the sums: the coefficients are up to 44, and products of a few rows of
+    /// them enter a condition.
+    const ROUNDING: f64 = 1e-13;
+
+    #[test]
+    fn nodes_are_row_sums() {
+        for (node, row) in NODES.iter().zip(MATRIX) {
+            // The entries are up to 44, so their rounding errors up to 44 ε.
+            assert!((node - row.iter().sum::<f64>()).abs() < 50.0 * f64::EPSILON);
+        }
+    }
+
+    #[test]
+    fn the_method_is_of_order_eight() {
+        for order in 1..=8 {
+            let defect = defect(&MATRIX, &WEIGHTS, 1.0, order);
+            assert!(defect < ROUNDING, "{defect:e} at order {order}");
+        }
+        assert!(defect(&MATRIX, &WEIGHTS, 1.0, 9) > 1e-7);
+    }
+
+    #[test]
+    fn the_embedded_methods_are_of_orders_five_and_three() {
+        let mut fifth = WEIGHTS;
+        for (weight, error) in fifth.iter_mut().zip(FIFTH_ORDER_ERROR) {
+            *weight -= error;
+        }
+        for (weights, embedded) in [(fifth, 5), (THIRD_ORDER, 3)] {
+            for order in 1..=embedded {
+                let defect = defect(&MATRIX, &weights, 1.0, order);
+                assert!(defect < ROUNDING, "{defect:e} at order {order}");
+            }
+            assert!(defect(&MATRIX, &weights, 1.0, embedded + 1) > 1e-5);
+        }
+    }
+
+    /// The weights bᵢ(θ) of the dense output are what it makes of the unit vectors as derivatives.
+    fn dense_weights(theta: f64) -> SVector<f64, 16> {
+        let stages =
+            core::array::from_fn(|i| SVector::<f64, 16>::from_fn(|j, _| f64::from(i == j)));
+        let end = SVector::<f64, 16>::from_fn(|j, _| WEIGHTS.get(j).copied().unwrap_or(0.0));
+        let start = SVector::zeros();
+        DenseOutput::new::<f64>(&start, &end, 1.0, &stages).at::<f64>(theta)
+    }
+
+    #[test]
+    fn the_dense_output_is_of_order_seven() {
+        for theta in [0.1, 0.37, 0.5, 0.9, 1.0] {
+            let weights = dense_weights(theta);
+            for order in 1..=7 {
+                let defect = defect(&MATRIX, weights.as_slice(), theta, order);
+                assert!(
+                    defect < ROUNDING,
+                    "{defect:e} at order {order}, θ = {theta}"
+                );
+            }
+        }
+        assert!(defect(&MATRIX, dense_weights(0.5).as_slice(), 0.5, 8) > 1e-7);
+    }
+
+    #[test]
+    fn the_dense_output_begins_and_ends_with_the_step() {
+        assert_eq!(dense_weights(0.0), SVector::<f64, 16>::zeros());
+        for (i, weight) in dense_weights(1.0).iter().enumerate() {
+            let exact = WEIGHTS.get(i).copied().unwrap_or(0.0);
+            assert!((weight - exact).abs() < 8.0 * f64::EPSILON);
+        }
+    }
+}

@@ -40,13 +40,14 @@ macro_rules! written_model {
         impl<S: Scalar> Lagrangian<$n, S> for $model {
             fn lagrangian(&self, state: &State<S, $n>) -> S {
                 // h = T + V and L = T − V.
-                dot(&Lagrangian::momenta(self, state), &state.v) - Lagrangian::energy(self, state)
+                $crate::common::dot(&Lagrangian::momenta(self, state), &state.v)
+                    - Lagrangian::energy(self, state)
             }
             fn energy(&self, state: &State<S, $n>) -> S {
                 Written::energy(self, state)
             }
             fn momenta(&self, state: &State<S, $n>) -> SVector<S, $n> {
-                apply(&Written::mass_matrix(self, state), &state.v)
+                $crate::common::apply(&Written::mass_matrix(self, state), &state.v)
             }
             fn mass_matrix(&self, state: &State<S, $n>) -> SMatrix<S, $n, $n> {
                 Written::mass_matrix(self, state)
@@ -66,7 +67,7 @@ macro_rules! written_model {
                 state: &State<S, $n>,
                 accelerations: &SVector<S, $n>,
             ) -> SVector<S, $n> {
-                apply(&Written::mass_matrix(self, state), accelerations)
+                $crate::common::apply(&Written::mass_matrix(self, state), accelerations)
                     - Written::forcing(self, state)
             }
             fn linearize(&self, _: &State<S, $n>) -> Linearization<S, $n> {

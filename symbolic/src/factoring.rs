@@ -1,0 +1,98 @@
+//! Common factors taken out of sums: x·a + x·b is computed as x·(a + b).
+//!
+//! Only terms that are computed for this one sum are regrouped, so that nothing shared is computed
+//! twice. Each group saves as many multiplications as it has terms, less one.
+
+use std::collections::BTreeMap;
+
+use crate::Rational;
+use crate::plan::{Plan, Recipe, Value};
+
+impl Plan {
+    /// Regroups all sums. `uses` says how often each value is used.
+    pub(crate) fn factor(&mut self, uses: &[usize]) {
+        let mut waiting: Vec<Value> = (0..self.recipes.len()).rev().collect();
+        while let Some(value) = waiting.pop() {
+            let Recipe::Sum(terms) = &self.recipes[value] else {
+                continue;
+            };
+            let Some(factor) = self.common_factor(terms, uses) else {
+                continue;
+            };
+            let (group, mut rest): (Vec<_>, Vec<_>) = terms
+                .clone()
+                .into_iter()
+                .partition(|(x, _)| self.contains(*x, factor, uses));
+            let inner: Vec<_> = group
+                .into_iter()
+                .map(|(x, c)| (self.without(x, factor), c))
+                .collect();
+            let sum = self.push(Recipe::Sum(merged(inner)), None);
+            let product = self.push(Recipe::Quotient(vec![factor, sum], Vec::new()), None);
+            rest.push((product, Rational::ONE));
+            self.recipes[value] = Recipe::Sum(rest);
+            waiting.extend([value, sum]);
+        }
+    }
+
+    /// The factor that most of the terms contain, if it is two of them at least.
+    fn common_factor(&self, terms: &[(Value, Rational)], uses: &[usize]) -> Option<Value> {
+        let mut counts: BTreeMap<Value, usize> = BTreeMap::new();
+        for (x, _) in terms {
+            let mut factors = self.free_factors(*x, uses).to_vec();
+            factors.dedup();
+            for factor in factors {
+                *counts.entry(factor).or_default() += 1;
+            }
+        }
+        let (factor, count) = counts.into_iter().rev().max_by_key(|(_, count)| *count)?;
+        (count > 1).then_some(factor)
+    }
+
+    /// The factors of a term that is computed for one sum only.
+    fn free_factors(&self, term: Value, uses: &[usize]) -> &[Value] {
+        match &self.recipes[term] {
+            Recipe::Quotient(numerator, _) if uses.get(term).is_none_or(|uses| *uses == 1) => {
+                numerator
+            }
+            _ => &[],
+        }
+    }
+
+    fn contains(&self, term: Value, factor: Value, uses: &[usize]) -> bool {
+        self.free_factors(term, uses).contains(&factor)
+    }
+
+    /// A product without one of its factors: the product itself, changed, as nothing else uses it.
+    fn without(&mut self, product: Value, factor: Value) -> Value {
+        let Recipe::Quotient(numerator, denominator) = &mut self.recipes[product] else {
+            return product;
+        };
+        if let Some(position) = numerator.iter().position(|x| *x == factor) {
+            numerator.remove(position);
+        }
+        self.expressions[product] = None;
+        match (&**numerator, &**denominator) {
+            ([single], []) => {
+                let single = *single;
+                self.recipes[product] = Recipe::Constant(Rational::ZERO);
+                single
+            }
+            ([], []) => {
+                self.recipes[product] = Recipe::Constant(Rational::ONE);
+                product
+            }
+            _ => product,
+        }
+    }
+}
+
+/// Terms with equal values added up.
+fn merged(terms: Vec<(Value, Rational)>) -> Vec<(Value, Rational)> {
+    let mut sums: BTreeMap<Value, Rational> = BTreeMap::new();
+    for (x, c) in terms {
+        let sum = sums.entry(x).or_insert(Rational::ZERO);
+        *sum = &*sum + &c;
+    }
+    sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
+}

@@ -1,0 +1,211 @@
+//! How the values of a program are made from each other, while that can still be changed.
+//!
+//! Comes in: roots of the graph. Goes out: one [`Recipe`] for each value. Where the graph has sums and
+//! products in normal form, a plan has lists that passes may regroup: [`factoring`](crate::factoring)
+//! takes common factors out of sums, [`sharing`](crate::sharing) makes one value of what several lists
+//! have in common. What a value is does not change, only how it is computed.
+
+use std::collections::{BTreeMap, HashMap};
+
+use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+
+/// A value of a plan.
+pub(crate) type Value = usize;
+
+/// How a value is made.
+#[derive(Clone, Debug)]
+pub(crate) enum Recipe {
+    Constant(Rational),
+    Pi,
+    Symbol(Symbol),
+    /// Σ cᵢ·xᵢ, each x once.
+    Sum(Vec<(Value, Rational)>),
+    /// The product of the first list over that of the second; factors may repeat.
+    Quotient(Vec<Value>, Vec<Value>),
+    /// x^k for a large whole k.
+    Power(Value, usize),
+    SquareRoot(Value),
+    Unary(Unary, Value),
+    Binary(Binary, Value, Value),
+}
+
+/// Whole powers up to this one are written as repeated factors, of which parts can be shared.
+const LARGEST_REPEATED: usize = 8;
+
+/// The recipes of all values that a program computes.
+pub(crate) struct Plan {
+    pub(crate) recipes: Vec<Recipe>,
+    /// The expression that a value is, if it is one of the graph's.
+    pub(crate) expressions: Vec<Option<Expression>>,
+    values: HashMap<Expression, Value>,
+    /// Values that are made of others but stand for no expression, by what they are.
+    roots: BTreeMap<Value, Value>,
+    reciprocals: BTreeMap<Value, Value>,
+}
+
+impl Plan {
+    /// The plan that computes each expression as its normal form says.
+    pub(crate) fn new(graph: &Graph, roots: &[Expression]) -> Self {
+        let mut plan = Self {
+            recipes: Vec::new(),
+            expressions: Vec::new(),
+            values: HashMap::new(),
+            roots: BTreeMap::new(),
+            reciprocals: BTreeMap::new(),
+        };
+        let descendants = graph.descendants(roots);
+        let shared = shared_divisors(graph, &descendants);
+        for expression in descendants {
+            let recipe = plan.recipe(graph.node(expression), &shared);
+            let value = plan.push(recipe, Some(expression));
+            plan.values.insert(expression, value);
+        }
+        plan
+    }
+
+    /// The value that is `expression`.
+    pub(crate) fn value(&self, expression: Expression) -> Value {
+        self.values[&expression]
+    }
+
+    /// A new value.
+    pub(crate) fn push(&mut self, recipe: Recipe, expression: Option<Expression>) -> Value {
+        self.recipes.push(recipe);
+        self.expressions.push(expression);
+        self.recipes.len() - 1
+    }
+
+    /// How often each value is an operand or a root.
+    pub(crate) fn uses(&self, roots: &[Expression]) -> Vec<usize> {
+        let mut uses = vec![0; self.recipes.len()];
+        for root in roots {
+            uses[self.value(*root)] += 1;
+        }
+        for recipe in &self.recipes {
+            recipe.for_each_operand(|operand| uses[operand] += 1);
+        }
+        uses
+    }
+
+    fn recipe(&mut self, node: &Node, shared: &BTreeMap<(Expression, Rational), usize>) -> Recipe {
+        match node {
+            Node::Constant(number) => Recipe::Constant(number.clone()),
+            Node::Pi => Recipe::Pi,
+            Node::Symbol(symbol) => Recipe::Symbol(*symbol),
+            Node::Sum(terms) => Recipe::Sum(
+                terms
+                    .iter()
+                    .map(|(x, c)| (self.value(*x), c.clone()))
+                    .collect(),
+            ),
+            Node::Product(factors) => self.quotient(factors, shared),
+            Node::Unary(function, x) => Recipe::Unary(*function, self.value(*x)),
+            Node::Binary(function, x, y) => {
+                Recipe::Binary(*function, self.value(*x), self.value(*y))
+            }
+        }
+    }
+
+    fn quotient(
+        &mut self,
+        factors: &[(Expression, Rational)],
+        shared: &BTreeMap<(Expression, Rational), usize>,
+    ) -> Recipe {
+        let (mut numerator, mut denominator) = (Vec::new(), Vec::new());
+        for (base, exponent) in factors {
+            let base_value = self.value(*base);
+            if !exponent.is_negative() {
+                self.push_power(&mut numerator, base_value, exponent);
+                continue;
+            }
+            let divides_often = shared
+                .get(&(*base, exponent.clone()))
+                .is_some_and(|uses| *uses > 1);
+            if divides_often {
+                let mut powers = Vec::new();
+                self.push_power(&mut powers, base_value, &-exponent);
+                let reciprocals: Vec<_> = powers.into_iter().map(|x| self.reciprocal(x)).collect();
+                numerator.extend(reciprocals);
+            } else {
+                self.push_power(&mut denominator, base_value, &-exponent);
+            }
+        }
+        numerator.sort_unstable();
+        denominator.sort_unstable();
+        Recipe::Quotient(numerator, denominator)
+    }
+
+    /// Appends the factors of x^k for k > 0.
+    fn push_power(&mut self, factors: &mut Vec<Value>, x: Value, exponent: &Rational) {
+        let (numerator, denominator) = exponent.to_fraction().unwrap_or((0, 0));
+        match (usize::try_from(numerator).unwrap_or(0), denominator) {
+            (k, 1) if k <= LARGEST_REPEATED => factors.extend((0..k).map(|_| x)),
+            (k, 1) => {
+                let power = self.push(Recipe::Power(x, k), None);
+                factors.push(power);
+            }
+            (k, 2) if k / 2 <= LARGEST_REPEATED => {
+                factors.extend((0..k / 2).map(|_| x));
+                let root = self.square_root(x);
+                factors.push(root);
+            }
+            _ => {
+                let exponent = self.push(Recipe::Constant(exponent.clone()), None);
+                let power = self.push(Recipe::Binary(Binary::Power, x, exponent), None);
+                factors.push(power);
+            }
+        }
+    }
+
+    fn square_root(&mut self, x: Value) -> Value {
+        if let Some(root) = self.roots.get(&x) {
+            return *root;
+        }
+        let root = self.push(Recipe::SquareRoot(x), None);
+        self.roots.insert(x, root);
+        root
+    }
+
+    fn reciprocal(&mut self, x: Value) -> Value {
+        if let Some(reciprocal) = self.reciprocals.get(&x) {
+            return *reciprocal;
+        }
+        let reciprocal = self.push(Recipe::Quotient(Vec::new(), vec![x]), None);
+        self.reciprocals.insert(x, reciprocal);
+        reciprocal
+    }
+}
+
+impl Recipe {
+    /// Calls `visit` with each operand, as often as it is one.
+    pub(crate) fn for_each_operand(&self, mut visit: impl FnMut(Value)) {
+        match self {
+            Self::Constant(_) | Self::Pi | Self::Symbol(_) => {}
+            Self::Sum(terms) => terms.iter().for_each(|(x, _)| visit(*x)),
+            Self::Quotient(numerator, denominator) => {
+                numerator.iter().chain(denominator).for_each(|x| visit(*x));
+            }
+            Self::Power(x, _) | Self::SquareRoot(x) | Self::Unary(_, x) => visit(*x),
+            Self::Binary(_, x, y) => {
+                visit(*x);
+                visit(*y);
+            }
+        }
+    }
+}
+
+/// How many products divide by each power.
+fn shared_divisors(
+    graph: &Graph,
+    descendants: &[Expression],
+) -> BTreeMap<(Expression, Rational), usize> {
+    let mut uses = BTreeMap::new();
+    for expression in descendants {
+        if let Node::Product(factors) = graph.node(*expression) {
+            for (x, k) in factors.iter().filter(|(_, k)| k.is_negative()) {
+                *uses.entry((*x, k.clone())).or_default() += 1;
+            }
+        }
+    }
+    uses
+}
