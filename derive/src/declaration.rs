@@ -4,6 +4,7 @@
 //! its span. What the words mean is not looked at here.
 
 use proc_macro2::{Ident, Span, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative;
 use syn::punctuated::Punctuated;
@@ -297,9 +298,17 @@ fn coordinate(input: ParseStream<'_>) -> syn::Result<Ident> {
 
 /// A name, or an error that says what the name is for.
 fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
-    input
-        .parse()
-        .map_err(|error| syn::Error::new(error.span(), message))
+    if input.peek(syn::Ident) || !input.peek(syn::Ident::peek_any) {
+        return input
+            .parse()
+            .map_err(|error| syn::Error::new(error.span(), message));
+    }
+    let keyword = input.call(Ident::parse_any)?;
+    let message = match keyword.to_string().as_str() {
+        "self" | "Self" | "super" | "crate" | "_" => message.to_owned(),
+        word => format!("`{word}` is a keyword of Rust: write `r#{word}`, or choose another name"),
+    };
+    Err(syn::Error::new(keyword.span(), message))
 }
 
 /// `(name = expression, …)` after a keyword.
