@@ -204,6 +204,11 @@ impl<'a> Implementation<'a> {
         let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
             b.columns(n)
         });
+        let pivots = methods.relative_pivots.as_ref().map(|method| {
+            self.method("relative_pivots", &[], &vector, method, |b| {
+                b.relative_pivots(n)
+            })
+        });
         let driven = if self.has_inputs() {
             self.delegations()
         } else {
@@ -211,7 +216,7 @@ impl<'a> Implementation<'a> {
         };
         self.implement(
             &quote!(::lagrangian::Lagrangian<#n, #scalar>),
-            &quote!(#driven #momenta #mass),
+            &quote!(#driven #momenta #mass #pivots),
         )
     }
 
@@ -256,7 +261,10 @@ impl<'a> Implementation<'a> {
                 arguments,
                 &vector,
                 &methods.accelerations,
-                |b| b.accelerations(n),
+                |b| match methods.relative_pivots {
+                    Some(_) => b.eliminated(n, &self.forcing(suffix)),
+                    None => b.accelerations(n),
+                },
             ),
             self.method(
                 &name("inverse_dynamics"),
@@ -275,6 +283,17 @@ impl<'a> Implementation<'a> {
         ]
         .into_iter()
         .collect()
+    }
+
+    /// The forcing, as the method with a suffix computes it.
+    fn forcing(&self, suffix: &str) -> TokenStream {
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let scalar = &self.scalar;
+        if suffix.is_empty() {
+            quote!(::lagrangian::Lagrangian::<#n, #scalar>::forcing(self, state))
+        } else {
+            quote!(::lagrangian::Inputs::<#n, #u, #scalar>::forcing_with(self, state, inputs))
+        }
     }
 
     /// The methods of `Lagrangian` for a model with inputs: those of `Inputs`, at the fields' values.
@@ -466,6 +485,27 @@ impl Writer<'_> {
         let factors = self.factors(&outputs, n);
         let forcing = vector(&outputs[outputs.len() - n..]);
         quote!(#statements #factors factors.solve(&#forcing))
+    }
+
+    /// The accelerations of an elimination whose pivots are positive; else M is factored in numbers.
+    fn eliminated(&mut self, n: usize, forcing: &TokenStream) -> TokenStream {
+        let (statements, outputs) = self.phase(0);
+        let (pivots, accelerations) = outputs.split_at(n);
+        let accelerations = vector(accelerations);
+        let scalar = self.scalar;
+        quote! {
+            #statements
+            ::lagrangian::__private::if_positive([#(#pivots),*], #accelerations, || {
+                let mass = ::lagrangian::Lagrangian::<#n, #scalar>::mass_matrix(self, state);
+                ::lagrangian::Factorization::new(mass).solve(&#forcing)
+            })
+        }
+    }
+
+    fn relative_pivots(&mut self, n: usize) -> TokenStream {
+        let (statements, outputs) = self.phase(0);
+        let (pivots, magnitudes) = outputs.split_at(n);
+        quote!(#statements ::lagrangian::__private::ratios([#(#pivots),*], [#(#magnitudes),*]))
     }
 
     /// Solves M q̈ = f, then M ∂q̈/∂x = −∂(M q̈ − f)/∂x.

@@ -1,6 +1,8 @@
 //! Which programs a model's methods are.
 
-use lagrangian_symbolic::{Equations, Expression, Model, OperationCount, Program, Symbol};
+use lagrangian_symbolic::{
+    Elimination, Equations, Expression, Model, OperationCount, Program, Symbol,
+};
 
 /// A method whose body is one program.
 pub(crate) struct Method {
@@ -16,8 +18,10 @@ pub(crate) struct Methods {
     pub(crate) mass_matrix: Method,
     pub(crate) forcing: Method,
     pub(crate) generalized_forces: Method,
-    /// The lower triangle of M, then f.
+    /// Either the pivots and then q̈, or the lower triangle of M and then f.
     pub(crate) accelerations: Method,
+    /// The pivots and their magnitudes, where M is eliminated before any number is known.
+    pub(crate) relative_pivots: Option<Method>,
     pub(crate) inverse_dynamics: Method,
     /// The lower triangle of M, then f; and in a second phase, with the accelerations known, the columns
     /// of ∂(M q̈ − f)/∂q, ∂/∂q̇ and ∂/∂t.
@@ -58,6 +62,7 @@ impl Methods {
             .mass_lower()
             .chain(by_inputs.iter().copied())
             .collect();
+        let elimination = Elimination::solve(&mut model.graph, &equations.mass, &equations.forcing);
         let energies = match model.energies {
             lagrangian_symbolic::Energies::Natural { kinetic, potential } => {
                 Some([kinetic, potential])
@@ -66,6 +71,12 @@ impl Methods {
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
         let full: Vec<_> = equations.mass.concat();
+        let solved = elimination
+            .as_ref()
+            .map(|solved| [&*solved.pivots, &solved.accelerations].concat());
+        let pivots = elimination
+            .as_ref()
+            .map(|solved| [&*solved.pivots, &solved.magnitudes].concat());
         Self {
             lagrangian: method(&[&[equations.lagrangian]]),
             energy: method(&[&[equations.energy]]),
@@ -73,7 +84,11 @@ impl Methods {
             mass_matrix: method(&[&full]),
             forcing: method(&[&equations.forcing]),
             generalized_forces: method(&[&equations.generalized_forces]),
-            accelerations: method(&[&system]).with_solution(n, 1),
+            accelerations: match solved {
+                Some(solved) => method(&[&solved]),
+                None => method(&[&system]).with_solution(n, 1),
+            },
+            relative_pivots: pivots.map(|pivots| method(&[&pivots])),
             inverse_dynamics: method(&[&equations.inverse_dynamics]),
             linearize: method(&[&system, &derivatives]).with_solution(n, 2 * n + 2),
             input_jacobian: method(&[&jacobian]).with_solution(n, model.inputs as usize),

@@ -39,9 +39,9 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
-    /// For each coordinate, the pivot of the mass matrix's factorization relative to what it was
-    /// before elimination: 1 if the coordinate is free of the others, 0 if M is singular. Its inverse
-    /// is the factor by which rounding errors grow in [`accelerations`](Self::accelerations).
+    /// For each coordinate, the pivot of the mass matrix's factorization relative to what its rounding
+    /// error is proportional to: near 1 if nothing is lost, 0 or not a number if M is singular. Its
+    /// inverse is the factor by which rounding errors grow in [`accelerations`](Self::accelerations).
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state)).relative_pivots()
     }

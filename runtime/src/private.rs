@@ -29,3 +29,30 @@ impl Parameter for f32 {
 pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
     field.on()
 }
+
+/// The accelerations that were computed with these pivots if all are positive; what `otherwise` gives
+/// if not, because M is indefinite or singular there.
+#[inline]
+pub fn if_positive<S: Scalar, const N: usize>(
+    pivots: [S; N],
+    accelerations: SVector<S, N>,
+    otherwise: impl FnOnce() -> SVector<S, N>,
+) -> SVector<S, N> {
+    if pivots.into_iter().all(|pivot| pivot.smallest() > 0.0) {
+        accelerations
+    } else {
+        cold(otherwise)
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn cold<T>(compute: impl FnOnce() -> T) -> T {
+    compute()
+}
+
+/// Each pivot in relation to what its rounding error is proportional to.
+#[inline]
+pub fn ratios<S: Scalar, const N: usize>(pivots: [S; N], magnitudes: [S; N]) -> SVector<S, N> {
+    SVector::from_fn(|i, _| pivots[i].abs() / magnitudes[i])
+}

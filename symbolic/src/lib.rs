@@ -16,6 +16,7 @@ mod modular;
 mod model;
 mod equations;
 mod structure;
+mod elimination;
 mod program;
 mod plan;
 mod factoring;
@@ -34,6 +35,7 @@ mod quotient;
 mod spelling;
 
 pub use derivative::Direction;
+pub use elimination::Elimination;
 pub use equations::{Defect, Equations};
 pub use formula::Formula;
 pub use function::{Binary, Symmetry, Unary};
