@@ -199,7 +199,7 @@ impl<'a> Implementation<'a> {
         let scalar = &self.scalar;
         let methods = self.methods;
         let vector = self.vector();
-        let momenta = self.method("momenta", &[], &vector, &methods.momenta, |b| b.vector());
+        let momenta = self.method("momenta", &[], &vector, &methods.momenta, as_vector);
         let mass = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #n>);
         let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
             b.columns(n)
@@ -237,24 +237,28 @@ impl<'a> Implementation<'a> {
                 arguments,
                 &scalar,
                 &methods.lagrangian,
-                |b| b.scalar(),
+                as_scalar,
             ),
-            self.method(&name("energy"), arguments, &scalar, &methods.energy, |b| {
-                b.scalar()
-            }),
+            self.method(
+                &name("energy"),
+                arguments,
+                &scalar,
+                &methods.energy,
+                as_scalar,
+            ),
             self.method(
                 &name("forcing"),
                 arguments,
                 &vector,
                 &methods.forcing,
-                |b| b.vector(),
+                as_vector,
             ),
             self.method(
                 &name("generalized_forces"),
                 arguments,
                 &vector,
                 &methods.generalized_forces,
-                |b| b.vector(),
+                as_vector,
             ),
             self.method(
                 &name("accelerations"),
@@ -271,7 +275,7 @@ impl<'a> Implementation<'a> {
                 &with_accelerations,
                 &vector,
                 &methods.inverse_dynamics,
-                |b| b.vector(),
+                as_vector,
             ),
             self.method(
                 &name("linearize"),
@@ -344,8 +348,8 @@ impl<'a> Implementation<'a> {
         let n = self.coordinates();
         let scalar = &self.scalar;
         let output = quote!(#scalar);
-        let kinetic = self.method("kinetic_energy", &[], &output, kinetic, |b| b.scalar());
-        let potential = self.method("potential_energy", &[], &output, potential, |b| b.scalar());
+        let kinetic = self.method("kinetic_energy", &[], &output, kinetic, as_scalar);
+        let potential = self.method("potential_energy", &[], &output, potential, as_scalar);
         self.implement(
             &quote!(::lagrangian::Energies<#n, #scalar>),
             &quote!(#kinetic #potential),
@@ -460,17 +464,6 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn phase(&mut self, index: usize) -> (TokenStream, Vec<TokenStream>) {
         self.body.phase(&self.program.phases[index])
-    }
-
-    fn scalar(&mut self) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        quote!(#statements #(#outputs)*)
-    }
-
-    fn vector(&mut self) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        let vector = vector(&outputs);
-        quote!(#statements #vector)
     }
 
     fn columns(&mut self, rows: usize) -> TokenStream {
@@ -593,12 +586,24 @@ pub(crate) fn results(
             ::core::marker::Copy,
             ::core::fmt::Debug,
             ::core::cmp::PartialEq,
+            ::core::cmp::Eq,
         )]
         #visibility struct #results<#scalar> {
             #(#fields),*
         }
     };
     (results, definition)
+}
+
+fn as_scalar(writer: &mut Writer<'_>) -> TokenStream {
+    let (statements, outputs) = writer.phase(0);
+    quote!(#statements #(#outputs)*)
+}
+
+fn as_vector(writer: &mut Writer<'_>) -> TokenStream {
+    let (statements, outputs) = writer.phase(0);
+    let vector = vector(&outputs);
+    quote!(#statements #vector)
 }
 
 /// A name where `at` stands, with the hygiene of the macro: what the user's lints would say of it does

@@ -23,6 +23,8 @@
     unused_results,
     variant_size_differences
 )]
+// It asks for the opposite of `unreachable_pub`.
+#![allow(clippy::redundant_pub_crate)]
 
 use lagrangian::prelude::*;
 
