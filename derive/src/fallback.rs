@@ -115,7 +115,6 @@ impl<'a> Fallback<'a> {
             quote!(#visibility const #constant: usize = #i;)
         });
         quote! {
-            #[automatically_derived]
             impl #generics #name #arguments #conditions {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #visibility const EQUATIONS: &'static str = "";

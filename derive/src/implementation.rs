@@ -150,7 +150,6 @@ impl<'a> Implementation<'a> {
             });
         quote! {
             #[doc = #documentation]
-            #[automatically_derived]
             impl #generics #name #arguments #conditions {
                 /// The names of the coordinates, in order.
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];

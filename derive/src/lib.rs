@@ -15,6 +15,8 @@ mod implementation;
 mod documentation;
 mod fallback;
 #[cfg(test)]
+mod golden;
+#[cfg(test)]
 mod timing;
 
 use proc_macro::TokenStream;
