@@ -17,6 +17,8 @@ mod fallback;
 #[cfg(test)]
 mod golden;
 #[cfg(test)]
+mod robustness;
+#[cfg(test)]
 mod timing;
 
 use proc_macro::TokenStream;
