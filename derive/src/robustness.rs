@@ -7,7 +7,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use crate::expand::expand;
 
-const DECLARATION: &str = r#"
+const DECLARATION: &str = r"
     #[lagrangian(
         coordinates(x, theta, r#type),
         define(height = l * cos(theta), speed = dot(height)),
@@ -20,7 +20,7 @@ const DECLARATION: &str = r#"
     struct Model { m: f64, g: f64, l: f32, friction: f64,
         #[lagrangian(input)] push: f64,
         #[lagrangian(skip)] label: &'static str }
-"#;
+";
 
 const COUNT: usize = 400;
 

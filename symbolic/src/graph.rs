@@ -8,7 +8,8 @@
 //!   a power x^k is a product of one factor;
 //! - children precede parents, so that every pass is a loop over indices and never a recursion.
 //!
-//! Equal terms are therefore equal handles. Nothing is ever multiplied out.
+//! Equal terms are therefore equal handles. Nothing is ever multiplied out. Sums, products and numbers
+//! that have grown long stay whole within others, so that no chain of them grows with its square.
 
 use core::hash::BuildHasherDefault;
 use std::hash::DefaultHasher;

@@ -7,6 +7,13 @@
 use crate::sum::{Split, combine};
 use crate::{Expression, Graph, Node, Rational, Unary};
 
+/// A product of more factors than this stays one factor of the product that contains it, as long sums
+/// do. It is more than a formula written by hand has, so that quotients of those cancel.
+const LONGEST_MERGED: usize = 16;
+
+/// c·Π xᵢ^kᵢ.
+type Opened = (Rational, Vec<(Expression, Rational)>);
+
 impl Graph {
     /// Π xᵢ^kᵢ of pairs (xᵢ, kᵢ).
     pub fn product(
@@ -14,113 +21,77 @@ impl Graph {
         factors: impl IntoIterator<Item = (Expression, Rational)>,
     ) -> Expression {
         let mut coefficient = Rational::ONE;
-        let mut merged = Vec::new();
-        for (base, exponent) in factors {
-            self.merge_factor(&mut coefficient, &mut merged, base, &exponent);
+        let mut pending: Vec<_> = factors.into_iter().collect();
+        let mut settled = Vec::new();
+        while !pending.is_empty() {
+            while let Some((base, exponent)) = pending.pop() {
+                if let Some((number, parts)) = self.open(base, &exponent) {
+                    coefficient = &coefficient * &number;
+                    pending.extend(parts);
+                } else {
+                    settled.push((base, exponent));
+                }
+            }
+            let count = settled.len();
+            combine(&mut settled);
+            if settled.len() < count {
+                // Where equal bases met, an exponent may have become one that opens: |x|·|x| = x².
+                pending.append(&mut settled);
+            }
         }
-        combine(&mut merged);
-        self.settle(&mut coefficient, &mut merged);
-        if coefficient.is_zero() {
-            return self.zero();
+        if let Some((zero, _)) = settled.iter().find(|(base, _)| self.is_zero(*base)) {
+            // What divides by zero has no value, 0/0 no more than 1/0, which stands for them all.
+            return self.intern_product(vec![(*zero, Rational::MINUS_ONE)]);
         }
-        let product = self.intern_product(merged);
+        let product = self.intern_product(settled);
         self.scale(product, &coefficient)
     }
 
-    /// Multiplies by base^exponent: numbers into the coefficient, the rest into the factors.
-    fn merge_factor(
-        &mut self,
-        coefficient: &mut Rational,
-        factors: &mut Vec<(Expression, Rational)>,
-        base: Expression,
-        exponent: &Rational,
-    ) {
+    /// base^exponent in terms of what the base is made of, unless it is in normal form already.
+    fn open(&mut self, base: Expression, exponent: &Rational) -> Option<Opened> {
         if exponent.is_zero() {
-            return;
+            return Some((Rational::ONE, Vec::new()));
         }
-        if !exponent.is_integer() {
-            return self.merge_root(coefficient, factors, base, exponent);
-        }
-        // For an integer k: (c·x)^k = c^k·x^k, and (Π x^j)^k = Π x^(jk).
-        let Split {
-            number,
-            common,
-            rest,
-        } = self.split(base);
-        if let Some(power) = exponent.to_integer().and_then(|k| number.power(k)) {
-            *coefficient = &*coefficient * &power;
-        } else {
-            let number = self.constant(&number);
-            factors.push((number, exponent.clone()));
-        }
-        factors.extend(common.into_iter().map(|(x, j)| (x, &j * exponent)));
-        match self.node(rest) {
-            Node::Product(inner) => factors.extend(inner.iter().map(|(x, j)| (*x, j * exponent))),
-            _ if rest == self.one() => {}
-            _ => factors.push((rest, exponent.clone())),
-        }
-    }
-
-    /// Multiplies by base^exponent for an exponent that is no integer.
-    fn merge_root(
-        &mut self,
-        coefficient: &mut Rational,
-        factors: &mut Vec<(Expression, Rational)>,
-        base: Expression,
-        exponent: &Rational,
-    ) {
-        if let Some(power) = self
-            .as_constant(base)
-            .and_then(|value| exact_power(value, exponent))
-        {
-            *coefficient = &*coefficient * &power;
-            return;
-        }
-        if let Node::Product(inner) = self.node(base)
-            && let [(x, j)] = &**inner
-        {
-            let (x, product) = (*x, j * exponent);
-            if j.is_even() {
-                // x² is never negative: (x^j)^k = |x|^(jk).
-                let magnitude = self.unary(Unary::Abs, x);
-                return self.merge_factor(coefficient, factors, magnitude, &product);
-            }
-            if !j.is_integer() {
-                // Where x^j has a value, neither it nor x is negative.
-                return self.merge_factor(coefficient, factors, x, &product);
-            }
-        }
-        factors.push((base, exponent.clone()));
-    }
-
-    /// Resolves what merging equal bases has made exact: |x|² = x², 2^½·2^½ = 2.
-    fn settle(&mut self, coefficient: &mut Rational, factors: &mut Vec<(Expression, Rational)>) {
-        let unsettled =
-            |graph: &Self, (base, exponent): &(Expression, Rational)| match graph.node(*base) {
-                Node::Unary(Unary::Abs, _) => exponent.is_even(),
-                Node::Constant(value) => exact_power(value, exponent).is_some(),
-                Node::Sum(_) | Node::Product(_) => {
-                    exponent.is_integer() && {
-                        // A root that has become a whole power opens up: (√(2x+2))² = 2(x+1).
-                        matches!(graph.node(*base), Node::Product(_)) || graph.is_multiple(*base)
-                    }
+        match self.node(base) {
+            Node::Constant(value) => Some((exact_power(value, exponent)?, Vec::new())),
+            Node::Product(inner) if exponent.is_integer() => {
+                if inner.len() > LONGEST_MERGED {
+                    return None;
                 }
-                _ => false,
-            };
-        while factors.iter().any(|factor| unsettled(self, factor)) {
-            for (base, exponent) in core::mem::take(factors) {
-                match *self.node(base) {
-                    Node::Unary(Unary::Abs, x) if exponent.is_even() => {
-                        self.merge_factor(coefficient, factors, x, &exponent);
-                    }
-                    Node::Constant(ref value) => match exact_power(value, &exponent) {
-                        Some(power) => *coefficient = &*coefficient * &power,
-                        None => factors.push((base, exponent)),
-                    },
-                    _ => self.merge_factor(coefficient, factors, base, &exponent),
-                }
+                // (Π x^j)^k = Π x^(jk).
+                let parts = inner.iter().map(|(x, j)| Some((*x, short(j * exponent)?)));
+                Some((Rational::ONE, parts.collect::<Option<_>>()?))
             }
-            combine(factors);
+            Node::Product(inner) => {
+                // Where x^j has a value with a real power, it is not negative, and so is x unless j
+                // is even: (x^j)^k = |x|^(jk) or x^(jk).
+                let [(x, j)] = &**inner else { return None };
+                let (x, even, exponent) = (*x, j.is_even(), short(j * exponent)?);
+                let base = if even { self.unary(Unary::Abs, x) } else { x };
+                Some((Rational::ONE, vec![(base, exponent)]))
+            }
+            Node::Sum(_) if exponent.is_integer() && self.is_multiple(base) => {
+                let Split {
+                    number,
+                    common,
+                    rest,
+                } = self.split(base);
+                if number.is_long() {
+                    return None;
+                }
+                // (c·Π x^j·y)^k = c^k·Π x^(jk)·y^k.
+                let power = number.power(exponent.to_integer()?)?;
+                let common = common
+                    .into_iter()
+                    .map(|(x, j)| Some((x, short(&j * exponent)?)));
+                let mut parts = common.collect::<Option<Vec<_>>>()?;
+                parts.push((rest, exponent.clone()));
+                Some((power, parts))
+            }
+            Node::Unary(Unary::Abs, x) if exponent.is_even() => {
+                Some((Rational::ONE, vec![(*x, exponent.clone())]))
+            }
+            _ => None,
         }
     }
 
@@ -135,6 +106,12 @@ impl Graph {
 
 /// value^exponent, if it is rational: an integer power, or an exact root of a positive number.
 fn exact_power(value: &Rational, exponent: &Rational) -> Option<Rational> {
+    if value.is_one() {
+        return Some(Rational::ONE);
+    }
+    if value.is_long() {
+        return None;
+    }
     let (numerator, denominator) = exponent.to_fraction()?;
     if denominator == 1 {
         return value.power(numerator);
@@ -143,4 +120,9 @@ fn exact_power(value: &Rational, exponent: &Rational) -> Option<Rational> {
         return (numerator > 0).then_some(Rational::ZERO);
     }
     value.root(denominator)?.power(numerator)
+}
+
+/// An exponent, unless it has grown beyond machine integers.
+fn short(exponent: Rational) -> Option<Rational> {
+    exponent.to_fraction().is_some().then_some(exponent)
 }

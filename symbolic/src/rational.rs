@@ -5,6 +5,7 @@
 
 use core::cmp::Ordering;
 use core::fmt;
+use core::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -15,14 +16,37 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 pub struct Rational(Fraction);
 
 /// Invariant: lowest terms, positive denominator, and `Small` whenever both parts fit.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(Clone)]
 enum Fraction {
     Small(i64, i64),
     Large(Box<BigRational>),
 }
 
-/// Powers of constants are computed only while they stay below this many bits.
-const MAXIMUM_POWER_BITS: u64 = 4096;
+// In lowest terms equal numbers have equal parts. The comparisons and hashes of `num-rational` go
+// through continued fractions instead, by a recursion as deep as those are long.
+impl PartialEq for Fraction {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(a, b), Self::Small(c, d)) => (a, b) == (c, d),
+            (Self::Large(x), Self::Large(y)) => (x.numer(), x.denom()) == (y.numer(), y.denom()),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Fraction {}
+
+impl Hash for Fraction {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Self::Small(numerator, denominator) => (numerator, denominator).hash(state),
+            Self::Large(value) => (value.numer(), value.denom()).hash(state),
+        }
+    }
+}
+
+/// Constants are folded only while they stay below this many bits.
+const MAXIMUM_BITS: u64 = 4096;
 
 impl Rational {
     /// Zero.
@@ -63,10 +87,11 @@ impl Rational {
             None => (text.as_str(), 0),
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        if whole.is_empty() && fraction.is_empty() {
+        let digits = format!("{whole}{fraction}");
+        if digits.is_empty() || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
             return None;
         }
-        let digits: BigInt = format!("{whole}{fraction}").parse().ok()?;
+        let digits: BigInt = digits.parse().ok()?;
         let scale = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
         // Beyond any binary64 by far, and a defence against `1e999999999`.
         if scale.unsigned_abs() > 20_000 {
@@ -115,12 +140,12 @@ impl Rational {
     /// The nearest binary64; infinite beyond its range.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        const EXACT: i64 = 1 << 53;
+        const EXACT: u64 = 1 << 53;
         match &self.0 {
             #[allow(clippy::cast_precision_loss)]
             // Both are exact, so the quotient is rounded once.
             Fraction::Small(numerator, denominator)
-                if numerator.abs() <= EXACT && *denominator <= EXACT =>
+                if numerator.unsigned_abs() <= EXACT && denominator.unsigned_abs() <= EXACT =>
             {
                 *numerator as f64 / *denominator as f64
             }
@@ -176,6 +201,14 @@ impl Rational {
         }
     }
 
+    /// Whether the number is too long to be worth computing with exactly.
+    pub(crate) fn is_long(&self) -> bool {
+        match &self.0 {
+            Fraction::Small(..) => false,
+            Fraction::Large(value) => value.numer().bits().max(value.denom().bits()) > MAXIMUM_BITS,
+        }
+    }
+
     /// The absolute value.
     #[must_use]
     pub fn abs(&self) -> Self {
@@ -213,7 +246,7 @@ impl Rational {
         let bits = value.numer().bits().max(value.denom().bits());
         let trivial =
             value.numer().magnitude().is_one() && value.denom().is_one() || self.is_zero();
-        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > MAXIMUM_POWER_BITS {
+        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > MAXIMUM_BITS {
             return None;
         }
         let exponent = if trivial { 2 - exponent % 2 } else { exponent };
@@ -340,12 +373,11 @@ impl PartialOrd for Rational {
 
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
-        match (&self.0, &other.0) {
-            (Fraction::Small(a, b), Fraction::Small(c, d)) => {
-                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
-            }
-            _ => self.to_big().cmp(&other.to_big()),
+        if let (Fraction::Small(a, b), Fraction::Small(c, d)) = (&self.0, &other.0) {
+            return (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)));
         }
+        let (a, b) = (self.to_big(), other.to_big());
+        (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
     }
 }
 

@@ -3,7 +3,8 @@
 use crate::{Expression, Graph, Node, Rational};
 
 /// A sum of more terms than this stays one term of the sum that contains it. Prefix sums, such as the
-/// positions along a chain, would otherwise grow with the square of its length.
+/// positions along a chain, would otherwise grow with the square of its length. Numbers that are too
+/// long are kept apart for the same reason.
 const LONGEST_MERGED: usize = 8;
 
 /// A sum as number · Π common · rest.
@@ -36,8 +37,10 @@ impl Graph {
             return;
         }
         match self.node(expression) {
-            Node::Constant(value) => terms.push((self.one(), &coefficient * value)),
-            Node::Sum(inner) if inner.len() <= LONGEST_MERGED => {
+            Node::Constant(value) if !(value.is_long() || coefficient.is_long()) => {
+                terms.push((self.one(), &coefficient * value));
+            }
+            Node::Sum(inner) if merges(inner) && !coefficient.is_long() => {
                 terms.extend(inner.iter().map(|(x, c)| (*x, &coefficient * c)));
             }
             _ => terms.push((expression, coefficient)),
@@ -193,10 +196,16 @@ impl Graph {
     pub fn has_minus(&self, expression: Expression) -> bool {
         match self.node(expression) {
             Node::Constant(value) => value.is_negative(),
-            Node::Sum(terms) => self.leading(terms).is_negative(),
+            // A sum that is not merged is no opposite: both signs of it would have a minus in front.
+            Node::Sum(terms) => merges(terms) && self.leading(terms).is_negative(),
             _ => false,
         }
     }
+}
+
+/// Whether a sum is merged into one that contains it.
+fn merges(terms: &[(Expression, Rational)]) -> bool {
+    terms.len() <= LONGEST_MERGED && !terms.iter().any(|(_, c)| c.is_long())
 }
 
 /// Sorts pairs (xᵢ, nᵢ), adds the numbers of equal x, and drops those that vanish.

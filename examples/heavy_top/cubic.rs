@@ -1,0 +1,66 @@
+//! The two roots of a cubic between which a motion goes to and fro.
+
+/// The roots of a cubic on both sides of 0, where it is not negative, within `bounds`, where it is not
+/// positive.
+pub(crate) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f64; 2] {
+    let [constant, slope, bend, leading] = coefficients;
+    let cubic = |x: f64| constant + x * (slope + x * (bend + x * leading));
+    let deflated = |x: f64| slope + x * (bend + x * leading);
+    if constant > 0.0 {
+        bounds.map(|bound| bisect(cubic, bound))
+    } else if slope > 0.0 {
+        [0.0, bisect(deflated, bounds[1])]
+    } else if slope < 0.0 {
+        [bisect(|x| -deflated(x), bounds[0]), 0.0]
+    } else {
+        [0.0, 0.0]
+    }
+}
+
+/// The sign change of a function that is positive at 0 and not at `outside`, to the last digit.
+fn bisect(function: impl Fn(f64) -> f64, mut outside: f64) -> f64 {
+    let mut inside = 0.0;
+    loop {
+        let middle = 0.5 * (inside + outside);
+        if middle - inside == 0.0 || outside - middle == 0.0 {
+            return inside;
+        }
+        if function(middle) > 0.0 {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::roots_around_zero;
+    use crate::close;
+
+    #[test]
+    fn roots_on_both_sides() {
+        // (x + 1/4) (1/2 − x) (2 − x)
+        let [below, above] = roots_around_zero([0.25, 0.375, -2.25, 1.0], [-1.0, 1.0]);
+        close(below, -0.25, 1e-16);
+        close(above, 0.5, 1e-16);
+    }
+
+    #[test]
+    fn a_root_at_zero_is_exact() {
+        // x (1/2 − x) (2 − x), and its mirror image
+        let [below, above] = roots_around_zero([0.0, 1.0, -2.5, 1.0], [-1.0, 1.0]);
+        close(below, 0.0, 0.0);
+        close(above, 0.5, 1e-16);
+        let [below, above] = roots_around_zero([0.0, -1.0, -2.5, -1.0], [-1.0, 1.0]);
+        close(below, -0.5, 1e-16);
+        close(above, 0.0, 0.0);
+    }
+
+    #[test]
+    fn a_double_root_at_zero_is_exact() {
+        let [below, above] = roots_around_zero([0.0, 0.0, -1.0, 1.0], [-1.0, 0.5]);
+        close(below, 0.0, 0.0);
+        close(above, 0.0, 0.0);
+    }
+}

@@ -1,0 +1,196 @@
+//! The constructors: laws that hold as equality of handles, and values that they keep.
+
+mod support;
+
+use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Symmetry, Unary};
+use proptest::prelude::*;
+use support::bounded::Bounded;
+use support::evaluate;
+use support::tree::{at, points, trees};
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2_000) })]
+
+    #[test]
+    fn normal_forms_keep_values(tree in trees(), point in points()) {
+        let value = |symbol| Bounded::exact(at(&point, symbol));
+        let written = tree.evaluate(&value);
+        let mut graph = Graph::new();
+        let root = tree.build(&mut graph);
+        let normal = evaluate(&graph, root, value);
+        if written.is_reliable() {
+            prop_assert!(!normal.value.is_nan(), "{written:?} was lost: {:?}", graph.node(root));
+            // Out of reach only if the bounds say so.
+            prop_assert!(
+                written.agrees(normal),
+                "{written:?} became {normal:?}: {:?}", graph.node(root)
+            );
+        }
+    }
+
+    #[test]
+    fn arithmetic_obeys_its_laws(trees in [trees(), trees(), trees()]) {
+        let mut graph = Graph::new();
+        let [x, y, z] = trees.map(|tree| tree.build(&mut graph));
+        let (xy, yx) = (graph.add(x, y), graph.add(y, x));
+        prop_assert_eq!(xy, yx);
+        let (xy, yx) = (graph.multiply(x, y), graph.multiply(y, x));
+        prop_assert_eq!(xy, yx);
+        let difference = graph.subtract(x, x);
+        prop_assert_eq!(difference, graph.zero());
+        let yz = graph.multiply(y, z);
+        // Long products stay whole.
+        prop_assume!([xy, yz].iter().all(|product| operands(&graph, *product) <= 16));
+        let (left, right) = (graph.multiply(xy, z), graph.multiply(x, yz));
+        let names = lagrangian_symbolic::Names::default();
+        prop_assert!(left == right, "{} and {}", graph.display(left, &names), graph.display(right, &names));
+    }
+}
+
+/// How many operands an expression has, a multiple being what it is a multiple of.
+fn operands(graph: &Graph, expression: Expression) -> usize {
+    match graph.node(expression) {
+        Node::Sum(terms) if terms.len() == 1 => operands(graph, terms[0].0),
+        Node::Sum(parts) | Node::Product(parts) => parts.len(),
+        _ => 1,
+    }
+}
+
+/// A graph with x and y, and exact numbers by their literals.
+fn start() -> (Graph, Expression, Expression) {
+    let mut graph = Graph::new();
+    let x = graph.symbol(Symbol::Coordinate(0));
+    let y = graph.symbol(Symbol::Coordinate(1));
+    (graph, x, y)
+}
+
+fn ratio(numerator: i64, denominator: i64) -> Rational {
+    Rational::new(numerator, denominator).unwrap()
+}
+
+#[test]
+fn sums_collect_and_products_too() {
+    let (mut graph, x, y) = start();
+    let two = Rational::integer(2);
+    let sum = graph.add(x, y);
+    let scaled = graph.scale(sum, &two);
+    assert_eq!(scaled, graph.sum([(x, two.clone()), (y, two.clone())]));
+    let square = graph.square(scaled);
+    let other = graph.square(sum);
+    assert_eq!(square, graph.scale(other, &Rational::integer(4)));
+    let quotient = graph.divide(scaled, sum);
+    assert_eq!(quotient, graph.constant(&two));
+    let (difference, opposite) = (graph.subtract(x, y), graph.subtract(y, x));
+    assert_eq!(graph.negate(difference), opposite);
+    let ratio = graph.divide(difference, opposite);
+    assert_eq!(ratio, graph.constant(&Rational::MINUS_ONE));
+}
+
+#[test]
+fn roots_keep_their_domain() {
+    let (mut graph, x, y) = start();
+    let root = graph.square_root(x);
+    assert_eq!(graph.square(root), x);
+    let square = graph.square(x);
+    let size = graph.unary(Unary::Abs, x);
+    assert_eq!(graph.square_root(square), size);
+    assert_eq!(graph.square(size), square);
+    // (x⁴)^¼ = |x|, (x⁶)^½ = |x|³, (√x)^⅓ = x^⅙.
+    let fourth = graph.power(x, &Rational::integer(4));
+    assert_eq!(graph.power(fourth, &ratio(1, 4)), size);
+    let sixth = graph.power(x, &Rational::integer(6));
+    let cube = graph.power(size, &Rational::integer(3));
+    assert_eq!(graph.square_root(sixth), cube);
+    let third = graph.power(root, &ratio(1, 3));
+    assert_eq!(third, graph.power(x, &ratio(1, 6)));
+    // (xy)^½ is not √x √y: both may be negative.
+    let product = graph.multiply(x, y);
+    let together = graph.square_root(product);
+    let other = graph.square_root(y);
+    assert_ne!(together, graph.multiply(root, other));
+    assert_eq!(graph.square(together), product);
+}
+
+#[test]
+fn constants_fold_where_they_are_exact() {
+    let (mut graph, x, _) = start();
+    let two = graph.integer(2);
+    let root = graph.square_root(two);
+    assert!(graph.as_constant(root).is_none());
+    assert_eq!(graph.multiply(root, root), two);
+    let nine_quarters = graph.constant(&ratio(9, 4));
+    let root = graph.square_root(nine_quarters);
+    assert_eq!(graph.as_constant(root), Some(&ratio(3, 2)));
+    let minus_eight = graph.integer(-8);
+    let no_value = graph.power(minus_eight, &ratio(1, 3));
+    assert!(graph.evaluate(&[no_value], |_| 0.0)[0].is_nan());
+    assert_eq!(graph.power(x, &Rational::ZERO), graph.one());
+    assert_eq!(graph.power(x, &Rational::ONE), x);
+}
+
+#[test]
+fn what_divides_by_zero_keeps_no_value() {
+    let (mut graph, x, _) = start();
+    let (zero, one) = (graph.zero(), graph.one());
+    let minus_half = -&Rational::HALF;
+    for without in [
+        graph.divide(one, zero),
+        graph.divide(x, zero),
+        graph.divide(zero, zero),
+        graph.power(zero, &minus_half),
+        graph.power(zero, &Rational::integer(-3)),
+    ] {
+        let product = graph.multiply(zero, without);
+        let sum = graph.add(x, without);
+        let values = graph.evaluate(&[without, product, sum], |_| 0.5);
+        assert!(!values.iter().any(|value| value.is_finite()), "{values:?}");
+        let _ = graph.derivative(sum, Symbol::Coordinate(0));
+    }
+}
+
+#[test]
+fn signs_come_out_of_functions() {
+    let (mut graph, x, y) = start();
+    let minus_x = graph.negate(x);
+    let (difference, opposite) = (graph.subtract(x, y), graph.subtract(y, x));
+    for function in Unary::ALL {
+        for (positive, negative) in [(x, minus_x), (difference, opposite), (opposite, difference)] {
+            let f = graph.unary(function, positive);
+            let g = graph.unary(function, negative);
+            match function.symmetry() {
+                Symmetry::Even => assert_eq!(g, f),
+                Symmetry::Odd => assert_eq!(g, graph.negate(f)),
+                Symmetry::None => assert_ne!(g, f),
+            }
+        }
+    }
+    let zero = graph.zero();
+    assert_eq!(graph.unary(Unary::Signum, zero), zero);
+    let scaled = graph.scale(x, &Rational::integer(-3));
+    let size = graph.unary(Unary::Abs, x);
+    assert_eq!(
+        graph.unary(Unary::Abs, scaled),
+        graph.scale(size, &Rational::integer(3))
+    );
+    let sign = graph.unary(Unary::Signum, x);
+    assert_eq!(graph.unary(Unary::Signum, scaled), graph.negate(sign));
+}
+
+#[test]
+fn inverse_functions_undo_one_another() {
+    let (mut graph, x, y) = start();
+    let ln = graph.unary(Unary::Ln, x);
+    assert_eq!(graph.unary(Unary::Exp, ln), x);
+    let exp = graph.unary(Unary::Exp, x);
+    assert_eq!(graph.unary(Unary::Ln, exp), x);
+    for function in [Binary::Min, Binary::Max] {
+        assert_eq!(graph.binary(function, x, x), x);
+        assert_eq!(graph.binary(function, x, y), graph.binary(function, y, x));
+        let (two, three) = (graph.integer(2), graph.integer(3));
+        let expected = if function == Binary::Min { two } else { three };
+        assert_eq!(graph.binary(function, two, three), expected);
+        assert_eq!(graph.binary(function, three, two), expected);
+    }
+    let half = graph.constant(&Rational::HALF);
+    assert_eq!(graph.binary(Binary::Power, x, half), graph.square_root(x));
+}

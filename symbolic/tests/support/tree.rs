@@ -1,0 +1,146 @@
+//! Expressions as a user writes them: trees that nothing has been done to.
+
+use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Symbol, Unary};
+use proptest::prelude::*;
+
+use super::Number;
+
+/// A tree of operations.
+#[derive(Clone, Debug)]
+pub(crate) enum Tree {
+    Number(i64, i64),
+    Pi,
+    Symbol(Symbol),
+    Add(Box<Tree>, Box<Tree>),
+    Subtract(Box<Tree>, Box<Tree>),
+    Negate(Box<Tree>),
+    Multiply(Box<Tree>, Box<Tree>),
+    Divide(Box<Tree>, Box<Tree>),
+    Power(Box<Tree>, i64, i64),
+    Unary(Unary, Box<Tree>),
+    Binary(Binary, Box<Tree>, Box<Tree>),
+}
+
+/// The symbols in random trees.
+pub(crate) const SYMBOLS: [Symbol; 6] = [
+    Symbol::Coordinate(0),
+    Symbol::Coordinate(1),
+    Symbol::Velocity(0),
+    Symbol::Acceleration(1),
+    Symbol::Parameter(0),
+    Symbol::Parameter(1),
+];
+
+/// Trees of a few dozen operations at most, rich in coincidences: few symbols and small numbers.
+pub(crate) fn trees() -> impl Strategy<Value = Tree> {
+    let number = prop_oneof![
+        4 => (-4_i64..=4).prop_map(|n| Tree::Number(n, 1)),
+        1 => (-9_i64..=9, 1_i64..=9).prop_map(|(n, d)| Tree::Number(n, d)),
+        1 => (0_i64..2000).prop_map(|n| Tree::Number(n, 1000)),
+    ];
+    let leaf = prop_oneof![
+        6 => prop::sample::select(&SYMBOLS).prop_map(Tree::Symbol),
+        3 => number,
+        1 => Just(Tree::Pi),
+    ];
+    leaf.prop_recursive(6, 40, 2, |inner| {
+        let pair = || {
+            (
+                inner.clone().prop_map(Box::new),
+                inner.clone().prop_map(Box::new),
+            )
+        };
+        let one = || inner.clone().prop_map(Box::new);
+        prop_oneof![
+            3 => pair().prop_map(|(x, y)| Tree::Add(x, y)),
+            2 => pair().prop_map(|(x, y)| Tree::Subtract(x, y)),
+            1 => one().prop_map(Tree::Negate),
+            4 => pair().prop_map(|(x, y)| Tree::Multiply(x, y)),
+            2 => pair().prop_map(|(x, y)| Tree::Divide(x, y)),
+            2 => (one(), -3_i64..=4).prop_map(|(x, n)| Tree::Power(x, n, 1)),
+            2 => (one(), -3_i64..=4, 2_i64..=3).prop_map(|(x, n, d)| Tree::Power(x, n, d)),
+            4 => (prop::sample::select(&Unary::ALL), one()).prop_map(|(f, x)| Tree::Unary(f, x)),
+            1 => (prop::sample::select(&Binary::ALL), pair())
+                .prop_map(|(f, (x, y))| Tree::Binary(f, x, y)),
+        ]
+    })
+}
+
+/// A value for each of the symbols.
+pub(crate) fn points() -> impl Strategy<Value = [f64; SYMBOLS.len()]> {
+    let coordinate = prop_oneof![4 => -2.0..2.0_f64, 1 => 0.1..0.9_f64];
+    prop::array::uniform6(coordinate)
+}
+
+/// The value of `symbol` at a point.
+pub(crate) fn at(point: &[f64; SYMBOLS.len()], symbol: Symbol) -> f64 {
+    let index = SYMBOLS.iter().position(|known| *known == symbol).unwrap();
+    point[index]
+}
+
+fn fraction(numerator: i64, denominator: i64) -> Rational {
+    Rational::new(numerator, denominator).unwrap()
+}
+
+impl Tree {
+    /// The tree in normal form.
+    pub(crate) fn build(&self, graph: &mut Graph) -> Expression {
+        let mut pair = |x: &Self, y: &Self| (x.build(graph), y.build(graph));
+        match self {
+            Self::Number(n, d) => graph.constant(&fraction(*n, *d)),
+            Self::Pi => graph.pi(),
+            Self::Symbol(symbol) => graph.symbol(*symbol),
+            Self::Add(x, y) => {
+                let (x, y) = pair(x, y);
+                graph.add(x, y)
+            }
+            Self::Subtract(x, y) => {
+                let (x, y) = pair(x, y);
+                graph.subtract(x, y)
+            }
+            Self::Negate(x) => {
+                let x = x.build(graph);
+                graph.negate(x)
+            }
+            Self::Multiply(x, y) => {
+                let (x, y) = pair(x, y);
+                graph.multiply(x, y)
+            }
+            Self::Divide(x, y) => {
+                let (x, y) = pair(x, y);
+                graph.divide(x, y)
+            }
+            Self::Power(x, n, d) => {
+                let x = x.build(graph);
+                graph.power(x, &fraction(*n, *d))
+            }
+            Self::Unary(function, x) => {
+                let x = x.build(graph);
+                graph.unary(*function, x)
+            }
+            Self::Binary(function, x, y) => {
+                let (x, y) = pair(x, y);
+                graph.binary(*function, x, y)
+            }
+        }
+    }
+
+    /// The value of the tree as it stands.
+    pub(crate) fn evaluate<N: Number>(&self, symbol: &impl Fn(Symbol) -> N) -> N {
+        let of = |x: &Self| x.evaluate(symbol);
+        let minus = N::rational(&Rational::MINUS_ONE);
+        match self {
+            Self::Number(n, d) => N::rational(&fraction(*n, *d)),
+            Self::Pi => N::pi(),
+            Self::Symbol(name) => symbol(*name),
+            Self::Add(x, y) => of(x).add(of(y)),
+            Self::Subtract(x, y) => of(x).add(minus.multiply(of(y))),
+            Self::Negate(x) => minus.multiply(of(x)),
+            Self::Multiply(x, y) => of(x).multiply(of(y)),
+            Self::Divide(x, y) => of(x).multiply(of(y).power(&Rational::MINUS_ONE)),
+            Self::Power(x, n, d) => of(x).power(&fraction(*n, *d)),
+            Self::Unary(function, x) => of(x).unary(*function),
+            Self::Binary(function, x, y) => of(x).binary(*function, of(y)),
+        }
+    }
+}
