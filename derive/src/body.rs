@@ -258,7 +258,7 @@ fn literal(value: f64) -> TokenStream {
     match written.parse::<Literal>() {
         Ok(literal) => literal.into_token_stream(),
         // Not a number, or infinite: there is no literal.
-        Err(_) if value.is_nan() => quote!(f64::NAN),
-        Err(_) => quote!(f64::INFINITY),
+        Err(_) if value.is_nan() => quote!(::core::primitive::f64::NAN),
+        Err(_) => quote!(::core::primitive::f64::INFINITY),
     }
 }

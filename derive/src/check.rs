@@ -2,14 +2,14 @@
 //!
 //! Each check says why it is there by what it reports.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Ident;
-use quote::ToTokens;
 use syn::Type;
 
 use crate::declaration::{Clause, Declaration, Role};
 use crate::diagnostics::{Diagnostics, similar};
+use crate::names::{constant, plain};
 use crate::scope::RESERVED;
 
 /// Checks names, types of fields and the set of clauses.
@@ -19,8 +19,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_constants(declaration, diagnostics);
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
-    // Where something could not be read, what is missing may stand there.
-    if diagnostics.is_empty() {
+    if !declaration.clauses.unreadable {
         check_clauses(declaration, diagnostics);
     }
 }
@@ -32,13 +31,10 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         .filter(|field| field.role != Role::Skipped)
     {
         if !is_float(&field.ty) {
-            let written = field.ty.to_token_stream().to_string().replace(' ', "");
             diagnostics.error(
                 &field.ty,
-                format!(
-                    "parameters are of type `f64` or `f32`, not `{written}`: change the type, or mark the \
-                     field `#[lagrangian(skip)]` if the equations do not need it"
-                ),
+                "parameters are of type `f64` or `f32`: change the type, or mark the field \
+                 `#[lagrangian(skip)]` if the equations do not need it",
             );
         }
     }
@@ -63,24 +59,21 @@ fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         if field.role != Role::Skipped {
             refuse_reserved(&field.name, diagnostics);
         }
-        taken.insert(field.name.to_string(), "a field");
+        taken.insert(plain(&field.name), "field");
     }
     let clauses = &declaration.clauses;
-    let coordinates = clauses
-        .coordinates
-        .iter()
-        .map(|name| (name, "a coordinate"));
+    let coordinates = clauses.coordinates.iter().map(|name| (name, "coordinate"));
     let definitions = clauses
         .definitions
         .iter()
-        .map(|named| (&named.name, "a definition"));
+        .map(|named| (&named.name, "definition"));
     for (name, kind) in coordinates.chain(definitions) {
         refuse_reserved(name, diagnostics);
-        if let Some(holder) = taken.insert(name.to_string(), kind) {
+        if let Some(holder) = taken.insert(plain(name), kind) {
             let message = if holder == kind {
                 format!("`{name}` is declared twice: give one of them another name")
             } else {
-                format!("`{name}` is {holder} already: give {kind} another name")
+                format!("`{name}` is a {holder} already: give this {kind} another name")
             };
             diagnostics.error(name, message);
         }
@@ -98,44 +91,50 @@ fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// The constants that every model has.
+pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
+
 /// Each coordinate becomes a constant of the type, beside those that are always there.
 fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let mut taken: BTreeMap<String, String> = ["COORDINATES", "OPERATIONS", "EQUATIONS"]
+    let mut taken: BTreeMap<String, String> = CONSTANTS
         .into_iter()
         .map(|name| (name.to_owned(), "a constant of every model".to_owned()))
         .collect();
     for name in &declaration.clauses.coordinates {
-        let constant = crate::names::constant(name);
-        if let Some(holder) = taken.insert(constant.clone(), format!("the index of `{name}`"))
-            && holder != format!("the index of `{name}`")
+        let constant = constant(name);
+        let kind = format!("the index of `{name}`");
+        // The same coordinate twice is reported as such.
+        if let Some(holder) = taken.insert(constant.clone(), kind.clone())
+            && holder != kind
         {
-            let message =
-                format!("the constant `{constant}` is {holder} already: rename this coordinate");
+            let message = format!(
+                "this coordinate's index is the constant `{constant}`, which is {holder}: rename the coordinate"
+            );
             diagnostics.error(name, message);
         }
     }
 }
 
 fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let coordinates: Vec<String> = declaration
-        .clauses
-        .coordinates
-        .iter()
-        .map(Ident::to_string)
-        .collect();
-    let mut seen = BTreeMap::new();
-    for force in &declaration.clauses.forces {
-        let written = force.name.to_string();
+    let clauses = &declaration.clauses;
+    if clauses.names_unreadable || clauses.coordinates.is_empty() {
+        return;
+    }
+    let coordinates: BTreeSet<String> = clauses.coordinates.iter().map(plain).collect();
+    let mut seen = BTreeSet::new();
+    for force in &clauses.forces {
+        let written = plain(&force.name);
         if !coordinates.contains(&written) {
-            let hint = match similar(&written, coordinates.iter().map(String::as_str)) {
+            let names: Vec<&str> = coordinates.iter().map(String::as_str).collect();
+            let hint = match similar(&written, names.iter().copied()) {
                 Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("write one of `{}`", coordinates.join("`, `")),
+                None => format!("write one of `{}`", names.join("`, `")),
             };
             let message = format!(
                 "a generalized force acts on a coordinate, and `{written}` is none: {hint}"
             );
             diagnostics.error(&force.name, message);
-        } else if seen.insert(written, ()).is_some() {
+        } else if !seen.insert(written) {
             diagnostics.error(
                 &force.name,
                 "this coordinate has a force already: add them up in one expression",
@@ -145,9 +144,9 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let mut seen = BTreeMap::new();
+    let mut seen = BTreeSet::new();
     for output in &declaration.clauses.outputs {
-        if seen.insert(output.name.to_string(), ()).is_some() {
+        if !seen.insert(plain(&output.name)) {
             let message = format!(
                 "the output `{}` is declared twice: give one of them another name",
                 output.name

@@ -3,10 +3,15 @@
 //! Comes in: the tokens of a struct. Goes out: a [`Declaration`] that is grammatical, every part with
 //! its span. What the words mean is not looked at here.
 
-use proc_macro2::{Ident, Span};
-use syn::parse::{Parse, ParseStream};
+use proc_macro2::{Ident, Span, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::parse::discouraged::Speculative;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Data, DeriveInput, Expr, Fields, Generics, Token, Type, Visibility, token};
+use syn::{
+    Attribute, Data, DeriveInput, Expr, Fields, Generics, MacroDelimiter, Meta, Token, Type,
+    Visibility, token,
+};
 
 use crate::diagnostics::{Diagnostics, similar};
 
@@ -16,6 +21,8 @@ pub(crate) struct Declaration {
     pub(crate) visibility: Visibility,
     pub(crate) generics: Generics,
     pub(crate) fields: Vec<Field>,
+    /// Whether it is a struct whose fields have names, so that an unknown name may be meant for one.
+    pub(crate) names_fields: bool,
     pub(crate) clauses: Clauses,
 }
 
@@ -48,6 +55,10 @@ pub(crate) struct Clauses {
     pub(crate) dissipation: Vec<Clause>,
     pub(crate) forces: Vec<Named>,
     pub(crate) outputs: Vec<Named>,
+    /// Whether something could not be read, so that what seems to be missing may stand there.
+    pub(crate) unreadable: bool,
+    /// Whether coordinates or definitions could not be read, so that an unknown name may stand there.
+    pub(crate) names_unreadable: bool,
 }
 
 /// `keyword = expression`.
@@ -76,44 +87,23 @@ const KEYWORDS: [&str; 8] = [
 impl Declaration {
     /// Reads a declaration. What can be read is kept even where errors are found.
     pub(crate) fn parse(input: DeriveInput, diagnostics: &mut Diagnostics) -> Self {
-        let fields = match input.data {
-            Data::Struct(data) => match data.fields {
-                Fields::Named(fields) => fields.named.into_iter().collect(),
-                Fields::Unit => Vec::new(),
-                Fields::Unnamed(fields) => {
-                    diagnostics.error(
-                        fields,
-                        "`Lagrangian` needs named fields, for the declaration to speak of: \
-                         write `struct Pendulum { m: f64, l: f64 }`",
-                    );
-                    Vec::new()
-                }
-            },
-            Data::Enum(data) => {
-                diagnostics.error(data.enum_token, NOT_A_STRUCT);
-                Vec::new()
-            }
-            Data::Union(data) => {
-                diagnostics.error(data.union_token, NOT_A_STRUCT);
-                Vec::new()
-            }
-        };
+        let fields = named_fields(input.data, diagnostics);
+        let names_fields = fields.is_some();
         let fields = fields
             .into_iter()
+            .flatten()
             .filter_map(|field| Field::read(field, diagnostics))
             .collect();
         let mut clauses = Clauses::default();
         for attribute in own(&input.attrs) {
-            let read = attribute.parse_args_with(|input: ParseStream<'_>| clauses.read(input));
-            if let Err(error) = read {
-                diagnostics.add(error);
-            }
+            clauses.read(attribute, diagnostics);
         }
         Self {
             name: input.ident,
             visibility: input.vis,
             generics: input.generics,
             fields,
+            names_fields,
             clauses,
         }
     }
@@ -124,8 +114,28 @@ impl Declaration {
     }
 }
 
-const NOT_A_STRUCT: &str = "`Lagrangian` is derived for a struct whose fields are the parameters of the system: \
-     write `struct Pendulum { m: f64, l: f64 }`";
+/// The fields of a struct; `None`, with an error, for anything whose fields have no names.
+fn named_fields(
+    data: Data,
+    diagnostics: &mut Diagnostics,
+) -> Option<Punctuated<syn::Field, Token![,]>> {
+    let not_a_struct = "`Lagrangian` is derived for a struct whose fields are the parameters of the system: \
+                        write `struct Pendulum { m: f64, l: f64 }`";
+    match data {
+        Data::Struct(data) => match data.fields {
+            Fields::Named(fields) => return Some(fields.named),
+            Fields::Unit => return Some(Punctuated::new()),
+            Fields::Unnamed(fields) => diagnostics.error(
+                fields,
+                "`Lagrangian` needs named fields, for the declaration to speak of: \
+                 write `struct Pendulum { m: f64, l: f64 }`",
+            ),
+        },
+        Data::Enum(data) => diagnostics.error(data.enum_token, not_a_struct),
+        Data::Union(data) => diagnostics.error(data.union_token, not_a_struct),
+    }
+    None
+}
 
 fn own(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
     attributes
@@ -137,21 +147,15 @@ impl Field {
     fn read(field: syn::Field, diagnostics: &mut Diagnostics) -> Option<Self> {
         let mut role = Role::Parameter;
         for attribute in own(&field.attrs) {
-            match attribute.parse_args::<Ident>() {
-                Ok(word) if word == "input" && role != Role::Skipped => role = Role::Input,
-                Ok(word) if word == "skip" && role != Role::Input => role = Role::Skipped,
-                Ok(word) if word == "input" || word == "skip" => diagnostics.error(
-                    word,
-                    "a field is an input or it is skipped: keep one of `input` and `skip`",
-                ),
-                Ok(word) => diagnostics.error(
-                    &word,
-                    format!("unknown field attribute `{word}`: write `input` or `skip`"),
-                ),
-                Err(error) => diagnostics.error_at(
-                    error.span(),
-                    "write `#[lagrangian(input)]` or `#[lagrangian(skip)]` on a field",
-                ),
+            let words = Punctuated::<Ident, Token![,]>::parse_terminated;
+            match attribute.parse_args_with(words) {
+                Ok(words) if !words.is_empty() => {
+                    for word in &words {
+                        role.mark(word, diagnostics);
+                    }
+                }
+                Ok(_) => diagnostics.error(&attribute.meta, HOW_TO_MARK),
+                Err(error) => diagnostics.error_at(error.span(), HOW_TO_MARK),
             }
         }
         Some(Self {
@@ -162,39 +166,84 @@ impl Field {
     }
 }
 
-impl Clauses {
-    fn read(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
-        while !input.is_empty() {
-            let keyword: Ident = input.parse()?;
-            self.read_clause(keyword, input)?;
-            if !input.is_empty() {
-                input.parse::<Token![,]>()?;
+impl Role {
+    /// Gives a field the role that `word` says.
+    fn mark(&mut self, word: &Ident, diagnostics: &mut Diagnostics) {
+        let role = match word.to_string().as_str() {
+            "input" => Self::Input,
+            "skip" => Self::Skipped,
+            written => {
+                let message =
+                    format!("unknown field attribute `{written}`: write `input` or `skip`");
+                return diagnostics.error(word, message);
             }
+        };
+        if *self == Self::Parameter || *self == role {
+            *self = role;
+        } else {
+            let message = "a field is an input or it is skipped: keep one of `input` and `skip`";
+            diagnostics.error(word, message);
         }
-        Ok(())
+    }
+}
+
+const HOW_TO_MARK: &str = "write `#[lagrangian(input)]` or `#[lagrangian(skip)]` on a field";
+
+impl Clauses {
+    fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {
+        let clauses = |input: ParseStream<'_>| {
+            separated(input, "a comma between clauses, or an operator,", |input| {
+                let keyword = word(input, &no_clause())?;
+                self.read_clause(keyword, input)
+            })
+        };
+        let read = match &attribute.meta {
+            Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => {
+                attribute.parse_args_with(clauses)
+            }
+            meta => Err(syn::Error::new_spanned(
+                meta,
+                "write `#[lagrangian(coordinates(theta), kinetic = …)]`",
+            )),
+        };
+        if let Err(error) = read {
+            self.unreadable = true;
+            diagnostics.add(error);
+        }
     }
 
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         match keyword.to_string().as_str() {
-            "coordinates" => self
-                .coordinates
-                .extend(list::<Coordinate>(&keyword, input)?.map(|c| c.0)),
-            "define" => self.definitions.extend(list::<Named>(&keyword, input)?),
-            "force" => self.forces.extend(list::<Named>(&keyword, input)?),
-            "output" => self.outputs.extend(list::<Named>(&keyword, input)?),
+            "coordinates" => {
+                let read = coordinates(&keyword, input, &mut self.coordinates);
+                self.names_unreadable |= read.is_err();
+                read?;
+            }
+            "define" => {
+                let read = named(&keyword, input, &mut self.definitions);
+                self.names_unreadable |= read.is_err();
+                read?;
+            }
+            "force" => named(&keyword, input, &mut self.forces)?,
+            "output" => named(&keyword, input, &mut self.outputs)?,
             "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),
             "potential" => self.potential.push(Clause::read(keyword, input)?),
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),
             "dissipation" => self.dissipation.push(Clause::read(keyword, input)?),
             written => {
-                let hint = match similar(written, KEYWORDS) {
+                let meant = similar(written, KEYWORDS);
+                let hint = match meant {
                     Some(meant) => format!("did you mean `{meant}`?"),
-                    None => format!("write one of `{}`", KEYWORDS.join("`, `")),
+                    None => no_clause(),
                 };
-                return Err(syn::Error::new(
-                    keyword.span(),
-                    format!("unknown clause `{written}`: {hint}"),
-                ));
+                let message = format!("unknown clause `{written}`: {hint}");
+                let mut error = syn::Error::new(keyword.span(), message);
+                if let Some(meant) = meant {
+                    // Read as what was meant, it leaves nothing missing.
+                    let read = self.read_clause(Ident::new(meant, keyword.span()), input);
+                    read.unwrap_or_else(|more| error.combine(more));
+                }
+                return Err(error);
             }
         }
         Ok(())
@@ -203,12 +252,7 @@ impl Clauses {
 
 impl Clause {
     fn read(keyword: Ident, input: ParseStream<'_>) -> syn::Result<Self> {
-        if !input.peek(Token![=]) {
-            let message = format!("write `{keyword} = expression`");
-            return Err(syn::Error::new(position(&keyword, input), message));
-        }
-        input.parse::<Token![=]>()?;
-        let expression = input.parse()?;
+        let expression = equated(&keyword, input)?;
         Ok(Self {
             keyword,
             expression,
@@ -216,43 +260,74 @@ impl Clause {
     }
 }
 
-impl Parse for Named {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let name: Ident = input.parse()?;
-        if !input.peek(Token![=]) {
-            let message = format!("write `{name} = expression`");
-            return Err(syn::Error::new(position(&name, input), message));
-        }
-        input.parse::<Token![=]>()?;
-        let expression = input.parse()?;
-        Ok(Self { name, expression })
+/// `= expression` after a word.
+fn equated(word: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
+    let message = format!("write `{word} = expression`");
+    if !input.peek(Token![=]) {
+        return Err(syn::Error::new(position(word, input), message));
     }
+    let equals = input.parse::<Token![=]>()?;
+    if input.is_empty() || input.peek(Token![,]) {
+        return Err(syn::Error::new_spanned(equals, message));
+    }
+    input.parse()
 }
 
-struct Coordinate(Ident);
-
-impl Parse for Coordinate {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let name: Ident = input.parse()?;
-        if input.peek(token::Bracket) {
-            let message = format!("write the coordinates one by one: `{name}1, {name}2, …`");
-            return Err(input.error(message));
-        }
-        Ok(Self(name))
-    }
+/// `(name, name, …)` after the keyword.
+fn coordinates(keyword: &Ident, input: ParseStream<'_>, names: &mut Vec<Ident>) -> syn::Result<()> {
+    list(keyword, input, "a comma between coordinates", |input| {
+        names.push(coordinate(input)?);
+        Ok(())
+    })
 }
 
-/// Where an error about what follows `word` is shown: there, or at the word if nothing follows.
-fn position(word: &Ident, input: ParseStream<'_>) -> Span {
-    if input.is_empty() {
-        word.span()
-    } else {
-        input.span()
+fn coordinate(input: ParseStream<'_>) -> syn::Result<Ident> {
+    let name = word(
+        input,
+        "coordinates are names: write `coordinates(theta, phi)`",
+    )?;
+    if input.peek(token::Bracket) {
+        let message = format!("write the coordinates one by one: `{name}1, {name}2, …`");
+        return Err(input.error(message));
     }
+    if input.peek(Token![:]) {
+        return Err(input.error("coordinates have no types: write the name alone"));
+    }
+    Ok(name)
+}
+
+/// A name, or an error that says what the name is for.
+fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
+    if input.peek(syn::Ident) || !input.peek(syn::Ident::peek_any) {
+        return input
+            .parse()
+            .map_err(|error| syn::Error::new(error.span(), message));
+    }
+    let keyword = input.call(Ident::parse_any)?;
+    let message = match keyword.to_string().as_str() {
+        "self" | "Self" | "super" | "crate" | "_" => message.to_owned(),
+        word => format!("`{word}` is a keyword of Rust: write `r#{word}`, or choose another name"),
+    };
+    Err(syn::Error::new(keyword.span(), message))
+}
+
+/// `(name = expression, …)` after a keyword.
+fn named(keyword: &Ident, input: ParseStream<'_>, items: &mut Vec<Named>) -> syn::Result<()> {
+    list(keyword, input, "a comma, or an operator,", |input| {
+        let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
+        let expression = equated(&name, input)?;
+        items.push(Named { name, expression });
+        Ok(())
+    })
 }
 
 /// `(item, item, …)` after a keyword.
-fn list<T: Parse>(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<impl Iterator<Item = T>> {
+fn list(
+    keyword: &Ident,
+    input: ParseStream<'_>,
+    separator: &str,
+    read: impl FnMut(ParseStream<'_>) -> syn::Result<()>,
+) -> syn::Result<()> {
     if !input.peek(token::Paren) {
         let message = match keyword.to_string().as_str() {
             "coordinates" => "write `coordinates(theta, phi)`".to_owned(),
@@ -262,6 +337,49 @@ fn list<T: Parse>(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<impl I
     }
     let content;
     syn::parenthesized!(content in input);
-    let items = Punctuated::<T, Token![,]>::parse_terminated(&content)?;
-    Ok(items.into_iter())
+    separated(&content, separator, read)
+}
+
+/// Reads what commas separate, up to the end. Where an item cannot be read, reading goes on behind the
+/// next comma, so that one look shows all errors; they are returned together.
+fn separated(
+    input: ParseStream<'_>,
+    separator: &str,
+    mut read: impl FnMut(ParseStream<'_>) -> syn::Result<()>,
+) -> syn::Result<()> {
+    let mut errors: Option<syn::Error> = None;
+    while !input.is_empty() {
+        // What is read halfway is read again as mere tokens, which cannot fail.
+        let item = input.fork();
+        let result = read(&item).and_then(|()| {
+            if item.is_empty() || item.peek(Token![,]) {
+                Ok(())
+            } else {
+                Err(item.error(format!("write {separator} before this")))
+            }
+        });
+        match (result, &mut errors) {
+            (Ok(()), _) => input.advance_to(&item),
+            (Err(error), Some(errors)) => errors.combine(error),
+            (Err(error), None) => errors = Some(error),
+        }
+        while !input.is_empty() && !input.peek(Token![,]) {
+            input.parse::<TokenTree>()?;
+        }
+        input.parse::<Option<Token![,]>>()?;
+    }
+    errors.map_or(Ok(()), Err)
+}
+
+/// Where an error about what follows `word` is shown: there, or at the word if nothing follows.
+fn position(word: &Ident, input: ParseStream<'_>) -> Span {
+    if input.is_empty() || input.peek(Token![,]) {
+        word.span()
+    } else {
+        input.span()
+    }
+}
+
+fn no_clause() -> String {
+    format!("write a clause: one of `{}`", KEYWORDS.join("`, `"))
 }

@@ -6,12 +6,13 @@ use quote::quote;
 use syn::DeriveInput;
 
 use crate::check::check;
-use crate::declaration::{Clause, Declaration};
+use crate::declaration::{Clause, Declaration, Role};
 use crate::diagnostics::Diagnostics;
 use crate::fallback;
 use crate::implementation::Implementation;
 use crate::lower::lower;
 use crate::methods::Methods;
+use crate::scope::Scope;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
@@ -26,13 +27,13 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let derived = model.and_then(|mut model| match Equations::derive(&mut model) {
         Ok(equations) => Some((model, equations)),
         Err(defect) => {
-            report(&defect, &declaration, &mut diagnostics);
+            report(&defect, &declaration, &scope, &mut diagnostics);
             None
         }
     });
     let Some((mut model, equations)) = derived else {
         let errors = diagnostics.to_compile_errors();
-        let items = fallback::items(&declaration, Some(&scope));
+        let items = fallback::items(&declaration, &scope);
         return quote!(#errors #items);
     };
     let methods = Methods::schedule(&mut model, &equations);
@@ -40,7 +41,12 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
 }
 
 /// Says why there are no equations of motion, where the declaration can be mended.
-fn report(defect: &Defect, declaration: &Declaration, diagnostics: &mut Diagnostics) {
+fn report(
+    defect: &Defect,
+    declaration: &Declaration,
+    scope: &Scope,
+    diagnostics: &mut Diagnostics,
+) {
     let clauses = &declaration.clauses;
     let energy = clauses.kinetic.first().or(clauses.lagrangian.first());
     let names = |indices: &[u32]| {
@@ -72,19 +78,17 @@ fn report(defect: &Defect, declaration: &Declaration, diagnostics: &mut Diagnost
             report_at(energy, &message, diagnostics);
         }
         Defect::MomentumOfInput(inputs) => {
-            let fields: Vec<_> = declaration
-                .fields_with(crate::declaration::Role::Input)
-                .collect();
-            let names: Vec<String> = inputs
-                .iter()
-                .map(|i| format!("`{}`", fields[*i as usize].name))
-                .collect();
-            let message = format!(
-                "the momenta ∂L/∂q̇ contain the input {}, whose rate of change is unknown: make it a \
-                 coordinate or a function of `t`",
-                names.join(", ")
-            );
-            report_at(energy, &message, diagnostics);
+            let fields: Vec<_> = declaration.fields_with(Role::Input).collect();
+            for i in inputs {
+                let name = &fields[*i as usize].name;
+                diagnostics.error(
+                    scope.first_use(name).unwrap_or(name),
+                    format!(
+                        "the momenta ∂L/∂q̇ contain the input `{name}`, whose rate of change is unknown: \
+                         make it a coordinate or a function of `t`, or write what it does under `force`"
+                    ),
+                );
+            }
         }
     }
 }

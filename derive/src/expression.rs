@@ -4,14 +4,14 @@
 //! tokens that are not understood. Long sums and products are loops; only nesting recurses, which the
 //! compiler's own parser bounds.
 
-use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Symbol, Unary};
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::{
-    BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, Lit, Member, UnOp,
-};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, Lit, UnOp};
 
-use crate::diagnostics::{Diagnostics, similar};
+use crate::diagnostics::Diagnostics;
+use crate::hints;
+use crate::names::{plain, spelled};
 use crate::scope::{Meaning, Scope};
 
 /// Where an expression stands, which decides what it may contain.
@@ -45,19 +45,15 @@ impl Translator<'_> {
             Expr::Group(inner) => self.translate(&inner.expr, place),
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => match path.path.get_ident() {
-                Some(name) if path.qself.is_none() => self.name(name, place),
-                _ => self.reject(path, path_hint(path)),
+                Some(name) if path.qself.is_none() && name != "self" => self.name(name, place),
+                _ => self.reject(path, hints::path(path)),
             },
             Expr::Unary(unary) => self.negation(unary, place),
             Expr::Binary(binary) => self.chain(binary, place),
             Expr::Call(call) => self.call(call, place),
             Expr::MethodCall(call) => self.method(call, place),
-            Expr::Field(field) => self.reject(field, field_hint(field)),
-            other => self.reject(
-                other,
-                "this is not part of the declaration language: write an expression of numbers, names, \
-                 `+ - * /`, and functions such as `sin(x)` or `x.powi(2)`",
-            ),
+            Expr::Field(field) => self.reject(field, hints::field(field)),
+            other => self.reject(other, hints::syntax(other)),
         }
     }
 
@@ -77,7 +73,11 @@ impl Translator<'_> {
         }
         match Rational::from_decimal(digits) {
             Some(value) if in_range(&value) => Some(self.graph.constant(&value)),
-            _ => self.reject(literal, "this number is outside of the range of `f64`"),
+            _ => self.reject(
+                literal,
+                "this number is outside of the range of `f64`, 5e-324 to 1.8e308: choose units in which \
+                 it is not",
+            ),
         }
     }
 
@@ -98,10 +98,23 @@ impl Translator<'_> {
                 Some(expression)
             }
             Some(Meaning::Broken) => None,
-            Some(Meaning::Skipped) => self.reject(
+            Some(Meaning::Later) => self.reject(
                 name,
-                format!("the field `{name}` is marked `skip`: remove the mark to use it here"),
+                format!("`{name}` is not defined yet: a definition may use only those before it"),
             ),
+            Some(Meaning::Output) => self.reject(
+                name,
+                format!(
+                    "`{name}` is an output: write it under `define` to use it in other expressions"
+                ),
+            ),
+            Some(Meaning::Skipped) => {
+                self.scope.silence(name);
+                self.reject(
+                    name,
+                    format!("the field `{name}` is marked `skip`: remove the mark to use it here"),
+                )
+            }
             None => self.unknown(name),
         }
     }
@@ -109,29 +122,36 @@ impl Translator<'_> {
     /// A name that stands for nothing. What looks like a misspelt coordinate, definition or function is
     /// ours to report; anything else may have been a field, and the compiler says so best.
     fn unknown(&mut self, name: &Ident) -> Option<Expression> {
+        if !self.scope.complete {
+            return None;
+        }
+        let written = plain(name);
+        if let Some(coordinate) = self.differentiated(&written) {
+            let message =
+                format!("unknown name `{name}`: the velocity is written `dot({coordinate})`");
+            return self.reject(name, message);
+        }
         if let Some(meant) = self.scope.suggest(name) {
             let message = format!("unknown name `{name}`: did you mean `{meant}`?");
             return self.reject(name, message);
         }
-        let written = name.to_string();
-        for suffix in ["_dot", "dot"] {
-            let stem = written.strip_suffix(suffix).unwrap_or_default();
-            if !stem.is_empty()
-                && self
-                    .scope
-                    .coordinate(&Ident::new(stem, name.span()))
-                    .is_some()
-            {
-                let message =
-                    format!("unknown name `{name}`: the velocity is written `dot({stem})`");
-                return self.reject(name, message);
-            }
-        }
-        if is_function(&written) {
+        if hints::is_function(&written) {
             return self.reject(name, format!("`{name}` is a function: write `{name}(x)`"));
         }
         self.scope.note_unknown(name);
         None
+    }
+
+    /// The coordinate of which `theta_dot`, `thetadot`, `d_theta` or `dtheta` is written as a velocity.
+    fn differentiated(&self, name: &str) -> Option<String> {
+        let before = ["_dot", "dot"].map(|suffix| name.strip_suffix(suffix));
+        let behind = ["d_", "d"].map(|prefix| name.strip_prefix(prefix));
+        before
+            .into_iter()
+            .chain(behind)
+            .flatten()
+            .find(|stem| self.scope.coordinate(stem).is_some())
+            .map(spelled)
     }
 
     fn negation(&mut self, unary: &ExprUnary, place: Place) -> Option<Expression> {
@@ -169,16 +189,7 @@ impl Translator<'_> {
 
     /// The operand on the right of an operator that is understood.
     fn operand(&mut self, operator: &BinOp, operand: &Expr, place: Place) -> Option<Expression> {
-        let hint = match operator {
-            BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) => None,
-            BinOp::BitXor(_) => Some(
-                "`^` is no power in Rust, where `a * b ^ 2` means `(a * b) ^ 2`: \
-                 write `x.powi(2)`, or `x.powf(1.5)`",
-            ),
-            BinOp::Rem(_) => Some("there is no remainder here: angles need no reduction"),
-            _ => Some("only `+`, `-`, `*` and `/` join expressions here"),
-        };
-        if let Some(hint) = hint {
+        if let Some(hint) = hints::operator(operator) {
             return self.reject(operator, hint);
         }
         let value = self.translate(operand, place)?;
@@ -230,10 +241,7 @@ impl Translator<'_> {
             _ => None,
         };
         let Some(name) = name else {
-            return self.reject(
-                &call.func,
-                "write the function by its name alone, such as `sin(x)`",
-            );
+            return self.reject(&call.func, hints::callee(&call.func));
         };
         let arguments: Vec<&Expr> = call.args.iter().collect();
         if name == "dot" {
@@ -245,8 +253,12 @@ impl Translator<'_> {
     fn method(&mut self, call: &ExprMethodCall, place: Place) -> Option<Expression> {
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
-        if let Some(turbofish) = &call.turbofish {
-            return self.reject(turbofish, "functions here take no type arguments");
+        let name = plain(&call.method);
+        if let (Some(turbofish), true) = (&call.turbofish, hints::is_function(&name)) {
+            return self.reject(
+                turbofish,
+                format!("functions here take no type arguments: write `.{name}(…)`"),
+            );
         }
         self.apply(&call.method, &arguments, call, place)
     }
@@ -271,7 +283,12 @@ impl Translator<'_> {
             "powi" => 2,
             _ if unary.is_some() => 1,
             _ if binary.is_some() => 2,
-            _ => return self.reject(name, function_hint(&written)),
+            _ if self.scope.resolve(name).is_some() => {
+                let message =
+                    format!("`{name}` is no function: write `{name} * (…)` for a product");
+                return self.reject(name, message);
+            }
+            _ => return self.reject(name, hints::function(&written)),
         };
         if arguments.len() != expected {
             let message = format!(
@@ -281,7 +298,7 @@ impl Translator<'_> {
                 } else {
                     "two arguments"
                 },
-                example(&written, expected),
+                hints::example(&written, expected),
             );
             return self.reject(call, message);
         }
@@ -341,9 +358,7 @@ impl Translator<'_> {
             return self.reject(call, "`dot` takes one argument: write `dot(theta)`");
         };
         let value = self.translate(argument, Place::Observation)?;
-        if let Node::Symbol(Symbol::Parameter(_)) | Node::Constant(_) = self.graph.node(value)
-            && !matches!(argument, Expr::Path(path) if self.is_defined(path))
-        {
+        if !self.graph.contains(&[value], varies) && !self.is_defined(argument) {
             return self.reject(
                 argument,
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
@@ -377,9 +392,17 @@ impl Translator<'_> {
         Some(derivative)
     }
 
-    fn is_defined(&mut self, path: &syn::ExprPath) -> bool {
-        let name = path.path.get_ident();
-        name.is_some_and(|name| matches!(self.scope.resolve(name), Some(Meaning::Defined(_))))
+    /// Whether this is the name of a definition: one that happens to be constant is no mistake.
+    fn is_defined(&mut self, expression: &Expr) -> bool {
+        match expression {
+            Expr::Paren(inner) => self.is_defined(&inner.expr),
+            Expr::Group(inner) => self.is_defined(&inner.expr),
+            Expr::Path(path) => path
+                .path
+                .get_ident()
+                .is_some_and(|name| matches!(self.scope.resolve(name), Some(Meaning::Defined(_)))),
+            _ => false,
+        }
     }
 
     fn has_acceleration(&self, expression: Expression) -> bool {
@@ -389,70 +412,13 @@ impl Translator<'_> {
     }
 }
 
+/// Whether a symbol's value may change in time.
+fn varies(symbol: Symbol) -> bool {
+    !matches!(symbol, Symbol::Parameter(_))
+}
+
 /// Whether a literal is neither beyond the largest nor lost below the smallest `f64`.
 fn in_range(value: &Rational) -> bool {
     let rounded = value.to_f64();
     rounded.is_finite() && (rounded != 0.0 || value.is_zero())
-}
-
-fn is_function(name: &str) -> bool {
-    function_names().any(|function| function == name)
-}
-
-fn function_names() -> impl Iterator<Item = &'static str> {
-    let unary = Unary::ALL.into_iter().map(Unary::name);
-    let binary = Binary::ALL.into_iter().map(Binary::name);
-    unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
-}
-
-fn example(name: &str, arguments: usize) -> String {
-    match (name, arguments) {
-        ("powi", _) => "x.powi(2)".to_owned(),
-        ("powf", _) => "x.powf(1.5)".to_owned(),
-        ("atan2", _) => "atan2(y, x)".to_owned(),
-        (_, 1) => format!("{name}(x)"),
-        _ => format!("{name}(x, y)"),
-    }
-}
-
-fn function_hint(name: &str) -> String {
-    let hint = match name {
-        "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
-        "log" => "the natural logarithm is `ln(x)`",
-        "arcsin" => "write `asin(x)`",
-        "arccos" => "write `acos(x)`",
-        "arctan" => "write `atan(x)`",
-        "sign" | "sgn" => "write `signum(x)`",
-        "cbrt" => "write `x.powf(1.0 / 3.0)`",
-        "square" | "sq" => "write `x.powi(2)`",
-        "sec" | "csc" | "cosec" | "cot" => "write it through `sin`, `cos` and `tan`",
-        "ddt" | "diff" | "derivative" => "the time derivative is `dot(x)`",
-        _ => {
-            return match similar(name, function_names()) {
-                Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
-                None => format!(
-                    "unknown function `{name}`: there are `{}`",
-                    function_names().collect::<Vec<_>>().join("`, `")
-                ),
-            };
-        }
-    };
-    format!("unknown function `{name}`: {hint}")
-}
-
-fn path_hint(path: &syn::ExprPath) -> String {
-    match path.path.segments.last() {
-        Some(last) if last.ident == "PI" => "write `PI`".to_owned(),
-        _ => "paths are not part of the declaration language: make this a field of the struct, or write its value"
-            .to_owned(),
-    }
-}
-
-fn field_hint(field: &syn::ExprField) -> String {
-    match (&*field.base, &field.member) {
-        (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
-            format!("fields are written without `self`: `{member}`")
-        }
-        _ => "fields of fields cannot be used here: make this a field of the struct".to_owned(),
-    }
 }

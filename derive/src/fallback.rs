@@ -7,75 +7,160 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, format_ident, quote};
 
+use crate::check::CONSTANTS;
 use crate::declaration::{Declaration, Role};
+use crate::implementation::{placed, results};
 use crate::names::{constant, plain};
 use crate::scope::Scope;
 
 /// Impls with the declared names and without equations.
-pub(crate) fn items(declaration: &Declaration, scope: Option<&Scope>) -> TokenStream {
-    let name = &declaration.name;
-    let mut seen = BTreeSet::new();
-    let coordinates: Vec<&Ident> = declaration
-        .clauses
-        .coordinates
-        .iter()
-        .filter(|coordinate| seen.insert(constant(coordinate)))
-        .collect();
-    let n = coordinates.len();
-    let names = coordinates.iter().map(|coordinate| plain(coordinate));
-    let indices = coordinates.iter().enumerate().map(|(i, coordinate)| {
-        let constant = Ident::new(
-            &constant(coordinate),
-            Span::mixed_site().located_at(coordinate.span()),
-        );
-        quote!(pub const #constant: usize = #i;)
-    });
-    let fields: Vec<&Ident> = scope.into_iter().flat_map(Scope::unknown).collect();
-    let (generics, arguments, conditions) = declaration.generics.split_for_impl();
-    let lagrangian = lagrangian(declaration, n, &fields);
-    quote! {
-        #[automatically_derived]
-        #[allow(missing_docs, dead_code)]
-        impl #generics #name #arguments #conditions {
-            pub const COORDINATES: [&'static str; #n] = [#(#names),*];
-            pub const EQUATIONS: &'static str = "";
-            pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations::NONE;
-            #(#indices)*
-        }
-
-        #[automatically_derived]
-        impl #generics ::lagrangian::System<#n> for #name #arguments #conditions {
-            const COORDINATES: [&'static str; #n] = Self::COORDINATES;
-        }
-
-        #lagrangian
-    }
+pub(crate) fn items(declaration: &Declaration, scope: &Scope) -> TokenStream {
+    let fallback = Fallback::new(declaration, scope);
+    [
+        fallback.constants(),
+        fallback.system(),
+        fallback.lagrangian(),
+        fallback.energies(),
+        fallback.inputs(),
+        fallback.outputs(),
+    ]
+    .into_iter()
+    .collect()
 }
 
-fn lagrangian(declaration: &Declaration, n: usize, fields: &[&Ident]) -> TokenStream {
-    let name = &declaration.name;
-    let mut generics = declaration.generics.clone();
-    generics
-        .params
-        .push(syn::parse_quote!(__S: ::lagrangian::Scalar));
-    let (generics, _, _) = generics.split_for_impl();
-    let (_, arguments, conditions) = declaration.generics.split_for_impl();
-    let state = quote!(&::lagrangian::State<__S, #n>);
-    let vector = quote!(::lagrangian::__private::SVector<__S, #n>);
-    let u = declaration.fields_with(Role::Input).count();
-    let driven = |suffix: &str, inputs: TokenStream, fields: &[&Ident]| {
-        let method = |name: &str, output: TokenStream| {
-            let name = quote::format_ident!("{name}{suffix}");
+struct Fallback<'a> {
+    declaration: &'a Declaration,
+    /// Those with constants of their own.
+    coordinates: Vec<&'a Ident>,
+    /// How many coordinates there are. Where the declaration does not say it, a parameter of the impls:
+    /// then states of any dimension fit.
+    dimension: TokenStream,
+    dimension_parameter: Option<TokenStream>,
+    /// Names that stand for nothing, to be looked for among the fields.
+    unknown: Vec<&'a Ident>,
+    scalar: Ident,
+    vector: TokenStream,
+    state: TokenStream,
+}
+
+impl<'a> Fallback<'a> {
+    fn new(declaration: &'a Declaration, scope: &'a Scope) -> Self {
+        let declared = &declaration.clauses.coordinates;
+        let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
+        let coordinates: Vec<&Ident> = declared
+            .iter()
+            .filter(|coordinate| taken.insert(constant(coordinate)))
+            .collect();
+        let certain = scope.complete && coordinates.len() == declared.len();
+        let (dimension, dimension_parameter) = if certain {
+            (declared.len().to_token_stream(), None)
+        } else {
+            let parameter = Ident::new("__N", Span::mixed_site());
+            (quote!(#parameter), Some(quote!(const #parameter: usize)))
+        };
+        let unknown = if declaration.names_fields {
+            scope.unknown().collect()
+        } else {
+            Vec::new()
+        };
+        let scalar = Ident::new("__S", Span::mixed_site());
+        Self {
+            declaration,
+            coordinates,
+            vector: quote!(::lagrangian::__private::SVector<#scalar, #dimension>),
+            state: quote!(&::lagrangian::State<#scalar, #dimension>),
+            dimension,
+            dimension_parameter,
+            unknown,
+            scalar,
+        }
+    }
+
+    /// `impl<…> trait<…> for Model` with the parameters that the trait has.
+    fn implement(
+        &self,
+        interface: &TokenStream,
+        scalar: Option<&Ident>,
+        items: &TokenStream,
+    ) -> TokenStream {
+        let name = &self.declaration.name;
+        let mut generics = self.declaration.generics.clone();
+        if let Some(dimension) = &self.dimension_parameter {
+            generics.params.push(syn::parse_quote!(#dimension));
+        }
+        if let Some(scalar) = scalar {
+            let scalar = syn::parse_quote!(#scalar: ::lagrangian::Scalar);
+            generics.params.push(scalar);
+        }
+        let (generics, _, _) = generics.split_for_impl();
+        let (_, arguments, conditions) = self.declaration.generics.split_for_impl();
+        quote! {
+            #[automatically_derived]
+            impl #generics #interface for #name #arguments #conditions {
+                #items
+            }
+        }
+    }
+
+    fn constants(&self) -> TokenStream {
+        let name = &self.declaration.name;
+        let visibility = &self.declaration.visibility;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let n = self.coordinates.len();
+        let names = self.coordinates.iter().map(|coordinate| plain(coordinate));
+        let indices = self.coordinates.iter().enumerate().map(|(i, coordinate)| {
+            let constant = placed(&constant(coordinate), coordinate);
+            quote!(#visibility const #constant: usize = #i;)
+        });
+        quote! {
+            impl #generics #name #arguments #conditions {
+                #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
+                #visibility const EQUATIONS: &'static str = "";
+                #visibility const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations::NONE;
+                #(#indices)*
+            }
+        }
+    }
+
+    fn system(&self) -> TokenStream {
+        let n = &self.dimension;
+        let names = quote!(const COORDINATES: [&'static str; #n] = [""; #n];);
+        self.implement(&quote!(::lagrangian::System<#n>), None, &names)
+    }
+
+    fn lagrangian(&self) -> TokenStream {
+        let (n, scalar) = (&self.dimension, &self.scalar);
+        let (state, vector) = (&self.state, &self.vector);
+        let driven = self.driven("", &TokenStream::new(), &self.unknown);
+        let items = quote! {
+            #driven
+            fn momenta(&self, _: #state) -> #vector { ::core::unreachable!() }
+            fn mass_matrix(&self, _: #state) -> ::lagrangian::__private::SMatrix<#scalar, #n, #n> {
+                ::core::unreachable!()
+            }
+        };
+        let interface = quote!(::lagrangian::Lagrangian<#n, #scalar>);
+        self.implement(&interface, Some(scalar), &items)
+    }
+
+    /// The methods that inputs act on; one of them looks for `fields`.
+    fn driven(&self, suffix: &str, inputs: &TokenStream, fields: &[&Ident]) -> TokenStream {
+        let (n, scalar) = (&self.dimension, &self.scalar);
+        let (state, vector) = (&self.state, &self.vector);
+        let method = |name: &str, output: &TokenStream| {
+            let name = format_ident!("{name}{suffix}");
             quote!(fn #name(&self, _: #state, #inputs) -> #output { ::core::unreachable!() })
         };
-        let scalars = ["lagrangian", "energy"].map(|name| method(name, quote!(__S)));
-        let vectors =
-            ["generalized_forces", "accelerations"].map(|name| method(name, vector.clone()));
-        let forcing = quote::format_ident!("forcing{suffix}");
-        let inverse = quote::format_ident!("inverse_dynamics{suffix}");
-        let linearize = method("linearize", quote!(::lagrangian::Linearization<__S, #n>));
+        let scalars = ["lagrangian", "energy"].map(|name| method(name, &quote!(#scalar)));
+        let vectors = ["generalized_forces", "accelerations"].map(|name| method(name, vector));
+        let linearize = method(
+            "linearize",
+            &quote!(::lagrangian::Linearization<#scalar, #n>),
+        );
+        let forcing = format_ident!("forcing{suffix}");
+        let inverse = format_ident!("inverse_dynamics{suffix}");
         quote! {
             #(#scalars)* #(#vectors)* #linearize
             fn #forcing(&self, _: #state, #inputs) -> #vector {
@@ -84,38 +169,56 @@ fn lagrangian(declaration: &Declaration, n: usize, fields: &[&Ident]) -> TokenSt
             }
             fn #inverse(&self, _: #state, #inputs _: &#vector) -> #vector { ::core::unreachable!() }
         }
-    };
-    let plain = driven("", TokenStream::new(), fields);
-    let with_inputs = (u > 0).then(|| {
-        let inputs = quote!(::lagrangian::__private::SVector<__S, #u>);
-        let driven = driven("_with", quote!(_: &#inputs,), &[]);
-        quote! {
-            #[automatically_derived]
-            impl #generics ::lagrangian::Inputs<#n, #u, __S> for #name #arguments #conditions {
-                const INPUTS: [&'static str; #u] = [""; #u];
-                fn inputs(&self) -> #inputs { ::core::unreachable!() }
-                #driven
-                fn input_jacobian_with(&self, _: #state, _: &#inputs)
-                    -> ::lagrangian::__private::SMatrix<__S, #n, #u> { ::core::unreachable!() }
-            }
-        }
-    });
-    quote! {
-        #[automatically_derived]
-        impl #generics ::lagrangian::Lagrangian<#n, __S> for #name #arguments #conditions {
-            #plain
-            fn momenta(&self, _: #state) -> #vector { ::core::unreachable!() }
-            fn mass_matrix(&self, _: #state) -> ::lagrangian::__private::SMatrix<__S, #n, #n> {
-                ::core::unreachable!()
-            }
-        }
+    }
 
-        #[automatically_derived]
-        impl #generics ::lagrangian::Energies<#n, __S> for #name #arguments #conditions {
-            fn kinetic_energy(&self, _: #state) -> __S { ::core::unreachable!() }
-            fn potential_energy(&self, _: #state) -> __S { ::core::unreachable!() }
-        }
+    /// The energies, also beside a `lagrangian`: what is meant is not known.
+    fn energies(&self) -> TokenStream {
+        let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
+        let items = quote! {
+            fn kinetic_energy(&self, _: #state) -> #scalar { ::core::unreachable!() }
+            fn potential_energy(&self, _: #state) -> #scalar { ::core::unreachable!() }
+        };
+        let interface = quote!(::lagrangian::Energies<#n, #scalar>);
+        self.implement(&interface, Some(scalar), &items)
+    }
 
-        #with_inputs
+    fn inputs(&self) -> TokenStream {
+        let u = self.declaration.fields_with(Role::Input).count();
+        if u == 0 {
+            return TokenStream::new();
+        }
+        let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
+        let inputs = quote!(::lagrangian::__private::SVector<#scalar, #u>);
+        let driven = self.driven("_with", &quote!(_: &#inputs,), &[]);
+        let items = quote! {
+            const INPUTS: [&'static str; #u] = [""; #u];
+            fn inputs(&self) -> #inputs { ::core::unreachable!() }
+            #driven
+            fn input_jacobian_with(&self, _: #state, _: &#inputs)
+                -> ::lagrangian::__private::SMatrix<#scalar, #n, #u> { ::core::unreachable!() }
+        };
+        let interface = quote!(::lagrangian::Inputs<#n, #u, #scalar>);
+        self.implement(&interface, Some(scalar), &items)
+    }
+
+    fn outputs(&self) -> TokenStream {
+        let mut seen = BTreeSet::new();
+        let declared = self.declaration.clauses.outputs.iter();
+        let names: Vec<&Ident> = declared
+            .map(|output| &output.name)
+            .filter(|name| seen.insert(plain(name)))
+            .collect();
+        if names.is_empty() {
+            return TokenStream::new();
+        }
+        let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
+        let (results, definition) = results(self.declaration, scalar, &names);
+        let items = quote! {
+            type Outputs = #results<#scalar>;
+            fn outputs(&self, _: #state) -> Self::Outputs { ::core::unreachable!() }
+        };
+        let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
+        let implementation = self.implement(&interface, Some(scalar), &items);
+        quote!(#definition #implementation)
     }
 }

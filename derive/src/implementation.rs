@@ -44,17 +44,17 @@ impl Source for Reader<'_> {
         let names = &self.implementation.symbols;
         match symbol {
             Symbol::Time => quote!(state.t),
-            Symbol::Coordinate(i) => element(quote!(state.q), i),
-            Symbol::Velocity(i) => element(quote!(state.v), i),
-            Symbol::Acceleration(i) => element(quote!(accelerations), i),
+            Symbol::Coordinate(i) => element(&quote!(state.q), i),
+            Symbol::Velocity(i) => element(&quote!(state.v), i),
+            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
             Symbol::Parameter(i) => field(&names.parameters, i),
-            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(quote!(inputs), i),
+            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&names.inputs, i),
         }
     }
 }
 
-fn element(vector: TokenStream, index: u32) -> TokenStream {
+fn element(vector: &TokenStream, index: u32) -> TokenStream {
     let index = proc_macro2::Literal::u32_unsuffixed(index);
     quote!(#vector[#index])
 }
@@ -150,7 +150,6 @@ impl<'a> Implementation<'a> {
             });
         quote! {
             #[doc = #documentation]
-            #[automatically_derived]
             impl #generics #name #arguments #conditions {
                 /// The names of the coordinates, in order.
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
@@ -199,7 +198,7 @@ impl<'a> Implementation<'a> {
         let scalar = &self.scalar;
         let methods = self.methods;
         let vector = self.vector();
-        let momenta = self.method("momenta", &[], &vector, &methods.momenta, |b| b.vector());
+        let momenta = self.method("momenta", &[], &vector, &methods.momenta, as_vector);
         let mass = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #n>);
         let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
             b.columns(n)
@@ -237,24 +236,28 @@ impl<'a> Implementation<'a> {
                 arguments,
                 &scalar,
                 &methods.lagrangian,
-                |b| b.scalar(),
+                as_scalar,
             ),
-            self.method(&name("energy"), arguments, &scalar, &methods.energy, |b| {
-                b.scalar()
-            }),
+            self.method(
+                &name("energy"),
+                arguments,
+                &scalar,
+                &methods.energy,
+                as_scalar,
+            ),
             self.method(
                 &name("forcing"),
                 arguments,
                 &vector,
                 &methods.forcing,
-                |b| b.vector(),
+                as_vector,
             ),
             self.method(
                 &name("generalized_forces"),
                 arguments,
                 &vector,
                 &methods.generalized_forces,
-                |b| b.vector(),
+                as_vector,
             ),
             self.method(
                 &name("accelerations"),
@@ -271,7 +274,7 @@ impl<'a> Implementation<'a> {
                 &with_accelerations,
                 &vector,
                 &methods.inverse_dynamics,
-                |b| b.vector(),
+                as_vector,
             ),
             self.method(
                 &name("linearize"),
@@ -344,8 +347,8 @@ impl<'a> Implementation<'a> {
         let n = self.coordinates();
         let scalar = &self.scalar;
         let output = quote!(#scalar);
-        let kinetic = self.method("kinetic_energy", &[], &output, kinetic, |b| b.scalar());
-        let potential = self.method("potential_energy", &[], &output, potential, |b| b.scalar());
+        let kinetic = self.method("kinetic_energy", &[], &output, kinetic, as_scalar);
+        let potential = self.method("potential_energy", &[], &output, potential, as_scalar);
         self.implement(
             &quote!(::lagrangian::Energies<#n, #scalar>),
             &quote!(#kinetic #potential),
@@ -393,16 +396,8 @@ impl<'a> Implementation<'a> {
         }
         let n = self.coordinates();
         let scalar = &self.scalar;
-        let name = &self.declaration.name;
-        let visibility = &self.declaration.visibility;
-        let results = placed(&format!("{}Outputs", plain(name)), name);
-        let documentation = format!("The outputs of [`{name}`].");
-        let fields = outputs.iter().map(|output| {
-            let name = placed(&output.name.to_string(), &output.name);
-            let text = format!("The output `{}`.", plain(&output.name));
-            quote!(#[doc = #text] #visibility #name: #scalar)
-        });
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
+        let (results, definition) = results(self.declaration, scalar, &names);
         let output = quote!(Self::Outputs);
         let method = self.method("outputs", &[], &output, &self.methods.outputs, |b| {
             b.outputs(&results, &names)
@@ -411,14 +406,7 @@ impl<'a> Implementation<'a> {
             &quote!(::lagrangian::Outputs<#n, #scalar>),
             &quote!(type Outputs = #results<#scalar>; #method),
         );
-        quote! {
-            #[doc = #documentation]
-            #[derive(Clone, Copy, Debug, PartialEq)]
-            #visibility struct #results<#scalar> {
-                #(#fields),*
-            }
-            #implementation
-        }
+        quote!(#definition #implementation)
     }
 
     fn vector(&self) -> TokenStream {
@@ -475,17 +463,6 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn phase(&mut self, index: usize) -> (TokenStream, Vec<TokenStream>) {
         self.body.phase(&self.program.phases[index])
-    }
-
-    fn scalar(&mut self) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        quote!(#statements #(#outputs)*)
-    }
-
-    fn vector(&mut self) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        let vector = vector(&outputs);
-        quote!(#statements #vector)
     }
 
     fn columns(&mut self, rows: usize) -> TokenStream {
@@ -585,10 +562,57 @@ impl Writer<'_> {
     }
 }
 
+/// The struct that holds a model's outputs: its name, and its definition.
+pub(crate) fn results(
+    declaration: &Declaration,
+    scalar: &Ident,
+    outputs: &[&Ident],
+) -> (Ident, TokenStream) {
+    let name = &declaration.name;
+    let visibility = &declaration.visibility;
+    let results = placed(&format!("{}Outputs", plain(name)), name);
+    let documentation = format!("The outputs of [`{name}`].");
+    let fields = outputs.iter().map(|output| {
+        let mut name = (*output).clone();
+        name.set_span(hygienic(output));
+        let text = format!("The output `{}`.", plain(output));
+        quote!(#[doc = #text] #visibility #name: #scalar)
+    });
+    let definition = quote! {
+        #[doc = #documentation]
+        #[derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+            ::core::cmp::Eq,
+        )]
+        #visibility struct #results<#scalar> {
+            #(#fields),*
+        }
+    };
+    (results, definition)
+}
+
+fn as_scalar(writer: &mut Writer<'_>) -> TokenStream {
+    let (statements, outputs) = writer.phase(0);
+    quote!(#statements #(#outputs)*)
+}
+
+fn as_vector(writer: &mut Writer<'_>) -> TokenStream {
+    let (statements, outputs) = writer.phase(0);
+    let vector = vector(&outputs);
+    quote!(#statements #vector)
+}
+
 /// A name where `at` stands, with the hygiene of the macro: what the user's lints would say of it does
 /// not concern the user.
-fn placed(name: &str, at: &Ident) -> Ident {
-    Ident::new(name, Span::mixed_site().located_at(at.span()))
+pub(crate) fn placed(name: &str, at: &Ident) -> Ident {
+    Ident::new(name, hygienic(at))
+}
+
+fn hygienic(at: &Ident) -> Span {
+    Span::mixed_site().located_at(at.span())
 }
 
 /// The parameters of a method, with an underscore before those that its body does not use.

@@ -6,6 +6,7 @@ mod declaration;
 mod check;
 mod scope;
 mod expression;
+mod hints;
 mod lower;
 mod methods;
 mod names;
@@ -13,6 +14,10 @@ mod body;
 mod implementation;
 mod documentation;
 mod fallback;
+#[cfg(test)]
+mod golden;
+#[cfg(test)]
+mod robustness;
 #[cfg(test)]
 mod timing;
 

@@ -5,6 +5,7 @@ use lagrangian_symbolic::{Energies, Expression, Graph, Model, Symbol};
 use crate::declaration::{Clause, Declaration, Role};
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
+use crate::names::plain;
 use crate::scope::{Meaning, Scope};
 
 /// Resolves a declaration. The model is there unless errors were reported or names are unknown.
@@ -93,7 +94,7 @@ impl Translator<'_> {
         let mut forces = vec![Some(self.graph.zero()); declaration.clauses.coordinates.len()];
         for force in &declaration.clauses.forces {
             let value = self.translate(&force.expression, Place::Energy);
-            if let Some(coordinate) = self.scope.coordinate(&force.name) {
+            if let Some(coordinate) = self.scope.coordinate(&plain(&force.name)) {
                 forces[coordinate] = value;
             }
         }
@@ -101,6 +102,9 @@ impl Translator<'_> {
     }
 
     fn check_velocities(&mut self, clauses: &[Clause], energy: Expression) {
+        if self.coordinates == 0 {
+            return;
+        }
         let moving = self
             .graph
             .contains(&[energy], |symbol| matches!(symbol, Symbol::Velocity(_)));

@@ -7,15 +7,29 @@ use proc_macro2::{Ident, Span};
 
 use crate::scope::Scope;
 
-/// The constant that holds a coordinate's index.
+/// The constant that holds a coordinate's index: its name in capitals. Names outside of ASCII stay as
+/// they are, since θ and Θ together are what the compiler warns of as confusable.
 pub(crate) fn constant(coordinate: &Ident) -> String {
-    plain(coordinate).to_uppercase()
+    let name = plain(coordinate);
+    if name.is_ascii() {
+        name.to_ascii_uppercase()
+    } else {
+        name
+    }
 }
 
 /// The name without `r#`.
 pub(crate) fn plain(name: &Ident) -> String {
     let written = name.to_string();
     written.strip_prefix("r#").unwrap_or(&written).to_owned()
+}
+
+/// The name as the declaration has to write it: with `r#` if it is a keyword.
+pub(crate) fn spelled(plain: &str) -> String {
+    match syn::parse_str::<Ident>(plain) {
+        Ok(_) => plain.to_owned(),
+        Err(_) => format!("r#{plain}"),
+    }
 }
 
 /// The names of a model's symbols.
@@ -125,9 +139,15 @@ impl<'a> Locals<'a> {
         self.unique(name)
     }
 
-    /// `name`, or the next free one after it. A local variable never meets a name of the user's: its
-    /// span has the hygiene of the macro.
-    fn unique(&mut self, mut name: String) -> Ident {
+    /// `name`, or the next free one after it. A local variable never meets a variable of the user's: its
+    /// span has the hygiene of the macro. A constant or a unit struct of the same name would make a
+    /// pattern of it, and those are written in capitals.
+    fn unique(&mut self, name: String) -> Ident {
+        let mut name = if name.is_ascii() {
+            name.to_ascii_lowercase()
+        } else {
+            name
+        };
         while self.taken.contains(&name) || syn::parse_str::<Ident>(&name).is_err() {
             name.push('_');
         }

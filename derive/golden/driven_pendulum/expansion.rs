@@ -1,0 +1,458 @@
+/**# The equations of motion
+
+M q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with
+
+```text
+q = (θ)
+x = l sin θ
+y = −l cos θ
+T = ½ m l² θ̇²
+V = −m g l cos θ
+p[θ] = m l² θ̇
+M[θ, θ] = m l²
+Q[θ] = torque − friction·θ̇
+f[θ] = torque − friction·θ̇ − m g l sin θ
+```
+
+# Operations
+
+| method | + − | × | ÷ | √ | sin, cos | others |
+|---|---|---|---|---|---|---|
+| `lagrangian` | 1 | 6 | 0 | 0 | 1 | 0 |
+| `energy` | 1 | 6 | 0 | 0 | 1 | 0 |
+| `momenta` | 0 | 3 | 0 | 0 | 0 | 0 |
+| `mass_matrix` | 0 | 2 | 0 | 0 | 0 | 0 |
+| `forcing` | 2 | 4 | 0 | 0 | 1 | 0 |
+| `generalized_forces` | 1 | 1 | 0 | 0 | 0 | 0 |
+| `accelerations` | 2 | 7 | 1 | 0 | 1 | 0 |
+| `inverse_dynamics` | 3 | 5 | 0 | 0 | 1 | 0 |
+| `linearize` | 2 | 10 | 1 | 0 | 1 | 0 |
+*/
+impl DrivenPendulum {
+    /// The names of the coordinates, in order.
+    pub const COORDINATES: [&'static str; 1usize] = ["theta"];
+    ///The index of the coordinate `theta`.
+    pub const THETA: usize = 0usize;
+    /// The equations of motion as they were derived.
+    pub const EQUATIONS: &'static str = "q = (θ)\nx = l sin θ\ny = −l cos θ\nT = ½ m l² θ\u{307}²\nV = −m g l cos θ\np[θ] = m l² θ\u{307}\nM[θ, θ] = m l²\nQ[θ] = torque − friction·θ\u{307}\nf[θ] = torque − friction·θ\u{307} − m g l sin θ\n";
+    /// The operation counts of the methods.
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
+        lagrangian: ::lagrangian::OperationCount {
+            additions: 1usize,
+            multiplications: 6usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 1usize,
+            functions: 0usize,
+        },
+        energy: ::lagrangian::OperationCount {
+            additions: 1usize,
+            multiplications: 6usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 1usize,
+            functions: 0usize,
+        },
+        momenta: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 3usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        mass_matrix: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 2usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        forcing: ::lagrangian::OperationCount {
+            additions: 2usize,
+            multiplications: 4usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 1usize,
+            functions: 0usize,
+        },
+        generalized_forces: ::lagrangian::OperationCount {
+            additions: 1usize,
+            multiplications: 1usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        accelerations: ::lagrangian::OperationCount {
+            additions: 2usize,
+            multiplications: 7usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 1usize,
+            functions: 0usize,
+        },
+        inverse_dynamics: ::lagrangian::OperationCount {
+            additions: 3usize,
+            multiplications: 5usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 1usize,
+            functions: 0usize,
+        },
+        linearize: ::lagrangian::OperationCount {
+            additions: 2usize,
+            multiplications: 10usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 1usize,
+            functions: 0usize,
+        },
+    };
+}
+#[automatically_derived]
+impl ::lagrangian::System<1usize> for DrivenPendulum {
+    const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
+    const ANGLES: [bool; 1usize] = [true];
+    const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
+for DrivenPendulum {
+    fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::lagrangian_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::energy_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn forcing(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::forcing_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn generalized_forces(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::generalized_forces_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn accelerations(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::accelerations_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn linearize(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::linearize_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn inverse_dynamics(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::inverse_dynamics_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+            accelerations,
+        )
+    }
+    fn momenta(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        ::lagrangian::__private::SVector::from([l * l * m * theta_dot])
+    }
+    fn mass_matrix(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        ::lagrangian::__private::SMatrix::from([[l * l * m]])
+    }
+    fn relative_pivots(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = l * l * m;
+        ::lagrangian::__private::ratios([x0], [x0.abs()])
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for DrivenPendulum {
+    fn kinetic_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        __S::from_f64(0.5) * (l * l * m * (theta_dot * theta_dot))
+    }
+    fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        let theta: __S = state.q[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        -(l * theta.cos() * m * g)
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Inputs<1usize, 1usize, __S>
+for DrivenPendulum {
+    const INPUTS: [&'static str; 1usize] = ["torque"];
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        <::lagrangian::__private::SVector<
+            __S,
+            1usize,
+        > as ::core::convert::From<
+            [__S; 1usize],
+        >>::from([::lagrangian::__private::parameter(self.torque)])
+    }
+    fn lagrangian_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> __S {
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = l
+            * (m
+                * (__S::from_f64(0.5) * (l * (theta_dot * theta_dot))
+                    + theta.cos() * g));
+        x0
+    }
+    fn energy_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> __S {
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = l
+            * (m
+                * (__S::from_f64(0.5) * (l * (theta_dot * theta_dot))
+                    - theta.cos() * g));
+        x0
+    }
+    fn forcing_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let torque: __S = inputs[0];
+        ::lagrangian::__private::SVector::from([
+            torque - theta_dot * friction - l * theta.sin() * m * g,
+        ])
+    }
+    fn generalized_forces_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let theta_dot: __S = state.v[0];
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let torque: __S = inputs[0];
+        ::lagrangian::__private::SVector::from([torque - theta_dot * friction])
+    }
+    fn accelerations_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let torque: __S = inputs[0];
+        let x0 = l * m;
+        ::lagrangian::__private::if_positive(
+            [l * x0],
+            ::lagrangian::__private::SVector::from([
+                (torque - theta_dot * friction - theta.sin() * g * x0) / (l * l * m),
+            ]),
+            || {
+                let mass = ::lagrangian::Lagrangian::<
+                    1usize,
+                    __S,
+                >::mass_matrix(self, state);
+                ::lagrangian::Factorization::new(mass)
+                    .solve(
+                        &::lagrangian::Inputs::<
+                            1usize,
+                            1usize,
+                            __S,
+                        >::forcing_with(self, state, inputs),
+                    )
+            },
+        )
+    }
+    fn inverse_dynamics_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let theta_ddot: __S = accelerations[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let torque: __S = inputs[0];
+        let x0 = theta_dot * friction + l * (m * (theta.sin() * g + l * theta_ddot));
+        ::lagrangian::__private::SVector::from([x0 - torque])
+    }
+    fn linearize_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let torque: __S = inputs[0];
+        let x0 = l * m;
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        let x1 = g * x0;
+        let factors = ::lagrangian::Factorization::new(
+            ::lagrangian::__private::SMatrix::from([[l * x0]]),
+        );
+        let accelerations = factors
+            .solve(
+                &::lagrangian::__private::SVector::from([
+                    torque - theta_dot * friction - sin_theta * x1,
+                ]),
+            );
+        ::lagrangian::Linearization {
+            position: -factors
+                .solve(&::lagrangian::__private::SMatrix::from([[cos_theta * x1]])),
+            velocity: -factors
+                .solve(&::lagrangian::__private::SMatrix::from([[friction]])),
+            time: -factors
+                .solve(&::lagrangian::__private::SVector::from([__S::from_f64(0.0)])),
+        }
+    }
+    fn input_jacobian_with(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let factors = ::lagrangian::Factorization::new(
+            ::lagrangian::__private::SMatrix::from([[l * l * m]]),
+        );
+        -factors.solve(&::lagrangian::__private::SMatrix::from([[__S::from_f64(-1.0)]]))
+    }
+}
+///The outputs of [`DrivenPendulum`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq,
+    ::core::cmp::Eq,
+)]
+pub struct DrivenPendulumOutputs<__S> {
+    ///The output `height`.
+    pub height: __S,
+    ///The output `acceleration`.
+    pub acceleration: __S,
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Outputs<1usize, __S> for DrivenPendulum {
+    type Outputs = DrivenPendulumOutputs<__S>;
+    fn outputs(&self, state: &::lagrangian::State<__S, 1usize>) -> Self::Outputs {
+        let accelerations = ::lagrangian::Lagrangian::accelerations(self, state);
+        let theta: __S = state.q[0];
+        let theta_dot: __S = state.v[0];
+        let theta_ddot: __S = accelerations[0];
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        let y = -(l * cos_theta);
+        DrivenPendulumOutputs {
+            height: y,
+            acceleration: l
+                * (cos_theta * theta_ddot - sin_theta * (theta_dot * theta_dot)),
+        }
+    }
+}

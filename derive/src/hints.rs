@@ -1,0 +1,143 @@
+//! What to write instead of what is not understood.
+
+use lagrangian_symbolic::{Binary, Unary};
+use syn::{BinOp, Expr, ExprField, ExprPath, Member};
+
+use crate::diagnostics::similar;
+
+/// For expressions that no part of the declaration language looks like.
+pub(crate) fn syntax(expression: &Expr) -> &'static str {
+    match expression {
+        Expr::If(_) | Expr::Match(_) => {
+            "there are no cases here: write one formula, with `abs`, `signum`, `min` and `max` where it \
+             has corners"
+        }
+        Expr::Block(_) | Expr::Let(_) | Expr::Assign(_) | Expr::Unsafe(_) | Expr::Const(_) => {
+            "there are no statements here: name intermediate quantities under `define(name = expression)`"
+        }
+        Expr::Closure(_) => {
+            "there are no functions of one's own here: write the expression out, or name its parts under \
+             `define(name = expression)`"
+        }
+        Expr::Macro(_) => {
+            "macros are not expanded here: write the expression out, or let a macro write the whole struct"
+        }
+        Expr::Cast(_) => "all numbers here are real: leave out the conversion",
+        Expr::Reference(_) => "there are no references here: leave out the `&`",
+        Expr::Array(_) | Expr::Repeat(_) | Expr::Tuple(_) | Expr::Index(_) => {
+            "all quantities here are scalars: write each component by a name of its own"
+        }
+        Expr::Infer(_) => "write the expression that is meant in place of `_`",
+        _ => {
+            "this is not part of the declaration language: write an expression of numbers, names, \
+             `+ - * /`, and functions such as `sin(x)` or `x.powi(2)`"
+        }
+    }
+}
+
+/// For operators other than `+`, `-`, `*` and `/`.
+pub(crate) fn operator(operator: &BinOp) -> Option<&'static str> {
+    match operator {
+        BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) => None,
+        BinOp::BitXor(_) => Some(
+            "`^` is no power in Rust, where `a * b ^ 2` means `(a * b) ^ 2`: \
+             write `x.powi(2)`, or `x.powf(1.5)`",
+        ),
+        BinOp::Rem(_) => Some("there is no remainder here: angles need no reduction"),
+        BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_) => {
+            Some(
+                "there are no conditions here: write one formula, with `abs`, `signum`, `min` and `max` where \
+             it has corners",
+            )
+        }
+        _ => Some("only `+`, `-`, `*` and `/` join expressions here"),
+    }
+}
+
+/// For what is called without being a name.
+pub(crate) fn callee(function: &Expr) -> &'static str {
+    match function {
+        Expr::Paren(inner) => callee(&inner.expr),
+        Expr::Closure(_) => syntax(function),
+        Expr::Path(_) => "write the function by its name alone, such as `sin(x)`",
+        _ => "parentheses behind an expression are a call: write `*` for a product",
+    }
+}
+
+pub(crate) fn path(path: &ExprPath) -> &'static str {
+    match path.path.segments.last() {
+        Some(last) if last.ident == "PI" => "write `PI`",
+        Some(_) if path.path.is_ident("self") => "write the names of fields, without `self`",
+        _ => {
+            "paths are not part of the declaration language: make this a field of the struct, or write its value"
+        }
+    }
+}
+
+pub(crate) fn field(field: &ExprField) -> String {
+    match (&*field.base, &field.member) {
+        (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
+            format!("fields are written without `self`: write `{member}`")
+        }
+        _ => "fields of fields cannot be used here: make this a field of the struct".to_owned(),
+    }
+}
+
+pub(crate) fn is_function(name: &str) -> bool {
+    functions().any(|function| function == name)
+}
+
+fn functions() -> impl Iterator<Item = &'static str> {
+    let unary = Unary::ALL.into_iter().map(Unary::name);
+    let binary = Binary::ALL.into_iter().map(Binary::name);
+    unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
+}
+
+/// How a function is written.
+pub(crate) fn example(name: &str, arguments: usize) -> String {
+    match (name, arguments) {
+        ("powi", _) => "x.powi(2)".to_owned(),
+        ("powf", _) => "x.powf(1.5)".to_owned(),
+        ("atan2", _) => "atan2(y, x)".to_owned(),
+        (_, 1) => format!("{name}(x)"),
+        _ => format!("{name}(x, y)"),
+    }
+}
+
+/// For a function that there is not.
+pub(crate) fn function(name: &str) -> String {
+    let hint = match name {
+        "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
+        "log" => "the natural logarithm is `ln(x)`",
+        "log2" | "log10" => "write it through the natural logarithm, `ln(x) / ln(10.0)`",
+        "exp2" | "exp_m1" | "ln_1p" => "write it through `exp(x)` and `ln(x)`",
+        "arcsin" => "write `asin(x)`",
+        "arccos" => "write `acos(x)`",
+        "arctan" => "write `atan(x)`",
+        "sign" | "sgn" => "write `signum(x)`",
+        "cbrt" => "write `x.powf(1.0 / 3.0)`",
+        "hypot" => "write `(x.powi(2) + y.powi(2)).sqrt()`",
+        "square" | "sq" => "write `x.powi(2)`",
+        "sin_cos" => "write `sin(x)` and `cos(x)`; they are computed together",
+        "mul_add" => "write `a * b + c`",
+        "clamp" => "write `x.max(lowest).min(highest)`",
+        "to_radians" => "write `x * PI / 180.0`",
+        "to_degrees" => "write `x * 180.0 / PI`",
+        "sec" | "csc" | "cosec" | "cot" | "cosine" | "sine" => {
+            "write it through `sin`, `cos` and `tan`"
+        }
+        "ddt" | "diff" | "derivative" => "the time derivative is `dot(x)`",
+        "map" | "sum" | "product" | "fold" => "write the terms one by one, `a + b + c`",
+        "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
+        _ => {
+            return match similar(name, functions()) {
+                Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
+                None => format!(
+                    "unknown function `{name}`: write one of `{}`",
+                    functions().collect::<Vec<_>>().join("`, `")
+                ),
+            };
+        }
+    };
+    format!("unknown function `{name}`: {hint}")
+}

@@ -1,0 +1,117 @@
+//! No declaration makes the macro panic: declarations with tokens removed, doubled, exchanged and
+//! replaced end in items, which are errors or impls.
+
+use std::str::FromStr as _;
+
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+use crate::expand::expand;
+
+const DECLARATION: &str = r"
+    #[lagrangian(
+        coordinates(x, theta, r#type),
+        define(height = l * cos(theta), speed = dot(height)),
+        kinetic = 0.5 * m * (dot(x).powi(2) + speed.powi(2)) + dot(theta) * dot(r#type),
+        potential = -m * g * height + atan2(x, 2.0).powf(1.5),
+        dissipation = 0.5 * friction * dot(x).powi(2) / PI,
+        force(x = push - sin(t), theta = r#type),
+        output(height = height, sensed = dot(dot(height))),
+    )]
+    struct Model { m: f64, g: f64, l: f32, friction: f64,
+        #[lagrangian(input)] push: f64,
+        #[lagrangian(skip)] label: &'static str }
+";
+
+const COUNT: usize = 400;
+
+/// What tokens are replaced with.
+const WORDS: &str = "x theta m push label dot self t PI _ r#loop r#type_dot 0 1e400 -1 2u8 \"text\" 'c' true [] () {} {x} (x) \
+                     coordinates kinetic lagrangian define output skip input f64 , = + ^ . :: & ; ! # |";
+
+/// A sequence that is the same on each run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        let bound = u64::try_from(bound).unwrap_or(u64::MAX);
+        usize::try_from((self.0 >> 33) % bound).unwrap_or(0)
+    }
+}
+
+/// How many tokens there are, in groups and outside.
+fn count(tokens: &TokenStream) -> usize {
+    let inner = |token: TokenTree| match token {
+        TokenTree::Group(group) => 1 + count(&group.stream()),
+        _ => 1,
+    };
+    tokens.clone().into_iter().map(inner).sum()
+}
+
+/// The same tokens but for the one at `index`, which is altered.
+fn altered(
+    tokens: TokenStream,
+    index: &mut usize,
+    alter: &mut impl FnMut(TokenTree) -> Vec<TokenTree>,
+) -> TokenStream {
+    let mut result = Vec::new();
+    for token in tokens {
+        let here = *index == 0;
+        *index = index.wrapping_sub(1);
+        match token {
+            token if here => result.extend(alter(token)),
+            TokenTree::Group(group) => {
+                let stream = altered(group.stream(), index, alter);
+                result.push(Group::new(group.delimiter(), stream).into());
+            }
+            token => result.push(token),
+        }
+    }
+    result.into_iter().collect()
+}
+
+fn alter_one(tokens: TokenStream, numbers: &mut Numbers, words: &[TokenTree]) -> TokenStream {
+    let mut index = numbers.below(count(&tokens));
+    let kind = numbers.below(5);
+    let word = words[numbers.below(words.len())].clone();
+    altered(tokens, &mut index, &mut |token| match (kind, token) {
+        (0, _) => Vec::new(),
+        (1, token) => vec![token.clone(), token],
+        (2, token) => vec![token, word.clone()],
+        (3, TokenTree::Group(group)) => {
+            vec![Group::new(Delimiter::None, group.stream()).into()]
+        }
+        _ => vec![word.clone()],
+    })
+}
+
+#[test]
+fn altered_declarations_end_in_items() {
+    let words: Vec<TokenTree> = TokenStream::from_str(WORDS)
+        .expect("words are tokens")
+        .into_iter()
+        .collect();
+    let declaration = TokenStream::from_str(DECLARATION).expect("the declaration is of tokens");
+    let mut numbers = Numbers(1);
+    let mut derived = 0;
+    for _ in 0..COUNT {
+        let mut tokens = declaration.clone();
+        for _ in 0..=numbers.below(3) {
+            tokens = alter_one(tokens, &mut numbers, &words);
+        }
+        let written = tokens.to_string();
+        let items = std::panic::catch_unwind(|| expand(tokens).to_string())
+            .unwrap_or_else(|_| panic!("a panic on {written}"));
+        let parsed = syn::parse_str::<syn::File>(&items);
+        assert!(parsed.is_ok(), "no items from {written}:\n{items}");
+        derived += usize::from(!items.contains("compile_error"));
+    }
+    // Some alterations leave a declaration that is correct, and most do not.
+    assert!(
+        (COUNT / 50..COUNT / 2).contains(&derived),
+        "{derived} of {COUNT}"
+    );
+}

@@ -1,0 +1,167 @@
+//! The committed expansions of the derive, compiled as they stand: they give the same numbers, to the
+//! bit, as what the derive emits today.
+
+// The expansions are as public as the structs that they are of, and as long as they are.
+#![allow(
+    unreachable_pub,
+    clippy::let_and_return,
+    clippy::redundant_static_lifetimes,
+    clippy::too_many_lines
+)]
+
+use lagrangian::prelude::*;
+
+/// The declarations, expanded by the derive.
+mod derived {
+    use lagrangian::Lagrangian;
+
+    include!("../../derive/golden/heavy_top/declaration.rs");
+    include!("../../derive/golden/driven_pendulum/declaration.rs");
+}
+
+/// The same structs without the derive, and the committed expansions.
+mod committed {
+    pub struct HeavyTop {
+        pub i1: f64,
+        pub i2: f64,
+        pub i3: f64,
+        pub m: f64,
+        pub g: f64,
+        pub l: f64,
+    }
+
+    pub struct DrivenPendulum {
+        pub m: f64,
+        pub g: f64,
+        pub l: f64,
+        pub friction: f64,
+        pub torque: f64,
+    }
+
+    include!("../../derive/golden/heavy_top/expansion.rs");
+    include!("../../derive/golden/driven_pendulum/expansion.rs");
+}
+
+/// All that a model computes at a state.
+fn numbers<const N: usize>(model: &impl Energies<N>, state: &State<f64, N>) -> Vec<f64> {
+    let accelerations = model.accelerations(state);
+    let linearization = model.linearize(state);
+    let mut numbers = vec![
+        model.lagrangian(state),
+        model.energy(state),
+        model.kinetic_energy(state),
+        model.potential_energy(state),
+    ];
+    numbers.extend(model.momenta(state).iter());
+    numbers.extend(model.mass_matrix(state).iter());
+    numbers.extend(model.forcing(state).iter());
+    numbers.extend(model.generalized_forces(state).iter());
+    numbers.extend(accelerations.iter());
+    numbers.extend(
+        model
+            .inverse_dynamics(state, &accelerations.add_scalar(1.0))
+            .iter(),
+    );
+    numbers.extend(model.relative_pivots(state).iter());
+    numbers.extend(linearization.position.iter());
+    numbers.extend(linearization.velocity.iter());
+    numbers.extend(linearization.time.iter());
+    numbers
+}
+
+/// Panics unless both computed the same finite numbers.
+#[track_caller]
+fn assert_same(derived: &[f64], committed: &[f64]) {
+    assert!(
+        derived.iter().all(|number| number.is_finite()),
+        "{derived:?}"
+    );
+    let bits = |numbers: &[f64]| -> Vec<u64> { numbers.iter().map(|x| x.to_bits()).collect() };
+    assert_eq!(
+        bits(derived),
+        bits(committed),
+        "{derived:?} is not {committed:?}"
+    );
+}
+
+#[test]
+fn the_committed_heavy_top_computes_what_the_derived_one_does() {
+    macro_rules! top {
+        ($module:ident) => {
+            $module::HeavyTop {
+                i1: 1.0,
+                i2: 1.5,
+                i3: 2.0,
+                m: 0.7,
+                g: 9.81,
+                l: 0.1,
+            }
+        };
+    }
+    let state = State::new(0.0, [0.1, 0.5, 0.2], [0.3, -0.4, 20.0]);
+    assert_same(
+        &numbers(&top!(derived), &state),
+        &numbers(&top!(committed), &state),
+    );
+    assert_eq!(derived::HeavyTop::EQUATIONS, committed::HeavyTop::EQUATIONS);
+    assert_eq!(
+        derived::HeavyTop::OPERATIONS,
+        committed::HeavyTop::OPERATIONS
+    );
+    assert_eq!(
+        [
+            derived::HeavyTop::PHI,
+            derived::HeavyTop::THETA,
+            derived::HeavyTop::PSI
+        ],
+        [
+            committed::HeavyTop::PHI,
+            committed::HeavyTop::THETA,
+            committed::HeavyTop::PSI
+        ],
+    );
+}
+
+#[test]
+fn the_committed_pendulum_computes_what_the_derived_one_does() {
+    macro_rules! pendulum {
+        ($module:ident) => {
+            $module::DrivenPendulum {
+                m: 0.7,
+                g: 9.81,
+                l: 0.3,
+                friction: 0.05,
+                torque: 0.2,
+            }
+        };
+    }
+    let (derived, committed) = (pendulum!(derived), pendulum!(committed));
+    let state = State::new(0.0, [0.5], [-0.4]);
+    assert_same(&numbers(&derived, &state), &numbers(&committed, &state));
+    macro_rules! driven {
+        ($model:expr) => {{
+            let (model, inputs) = (&$model, [0.7].into());
+            let outputs = model.outputs(&state);
+            [
+                outputs.height,
+                outputs.acceleration,
+                model.accelerations_with(&state, &inputs)[0],
+                model.input_jacobian(&state)[0],
+                model.linearize_with(&state, &inputs).position[0],
+            ]
+        }};
+    }
+    assert_same(&driven!(derived), &driven!(committed));
+    assert_eq!(
+        derived::DrivenPendulum::EQUATIONS,
+        committed::DrivenPendulum::EQUATIONS
+    );
+    assert_eq!(
+        derived::DrivenPendulum::THETA,
+        committed::DrivenPendulum::THETA
+    );
+    assert_eq!(
+        derived::DrivenPendulum::OPERATIONS,
+        committed::DrivenPendulum::OPERATIONS
+    );
+}

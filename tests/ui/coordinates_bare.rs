@@ -1,0 +1,13 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}

@@ -1,0 +1,15 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta),
+    kinetic = 0.5 * m * dot(theta).powi(2)
+    potential = -m * g * l * cos(theta),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}

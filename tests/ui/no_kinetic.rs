@@ -1,0 +1,14 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta),
+    potential = -m * g * l * cos(theta),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}
