@@ -14,24 +14,24 @@ use nalgebra::SVector;
         + i_s * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
     potential = m * g * l * cos(theta),
 )]
-pub struct SymmetricTop {
+pub(crate) struct SymmetricTop {
     /// The inertia about the axes across.
-    pub i: f64,
+    pub(crate) i: f64,
     /// The inertia about the axis of symmetry.
-    pub i_s: f64,
+    pub(crate) i_s: f64,
     /// The mass.
-    pub m: f64,
+    pub(crate) m: f64,
     /// The acceleration of gravity.
-    pub g: f64,
+    pub(crate) g: f64,
     /// The distance of the centre of mass from the pivot.
-    pub l: f64,
+    pub(crate) l: f64,
 }
 
 impl SymmetricTop {
     /// The accelerations by hand.
     #[inline]
     #[must_use]
-    pub fn by_hand(&self, state: &State<f64, 3>) -> SVector<f64, 3> {
+    pub(crate) fn by_hand(&self, state: &State<f64, 3>) -> SVector<f64, 3> {
         let (sin, cos) = state.q[1].sin_cos();
         let [phi, theta, psi] = [state.v[0], state.v[1], state.v[2]];
         let spin = self.i_s * (phi * cos + psi);
@@ -54,26 +54,26 @@ impl SymmetricTop {
     kinetic = 0.5 * (i1 * w1.powi(2) + i2 * w2.powi(2) + i3 * w3.powi(2)),
     potential = m * g * l * cos(theta),
 )]
-pub struct GeneralTop {
+pub(crate) struct GeneralTop {
     /// The inertia about the first axis.
-    pub i1: f64,
+    pub(crate) i1: f64,
     /// The inertia about the second axis.
-    pub i2: f64,
+    pub(crate) i2: f64,
     /// The inertia about the third axis.
-    pub i3: f64,
+    pub(crate) i3: f64,
     /// The mass.
-    pub m: f64,
+    pub(crate) m: f64,
     /// The acceleration of gravity.
-    pub g: f64,
+    pub(crate) g: f64,
     /// The distance of the centre of mass from the pivot.
-    pub l: f64,
+    pub(crate) l: f64,
 }
 
 impl GeneralTop {
     /// The accelerations by hand.
     #[inline]
     #[must_use]
-    pub fn by_hand(&self, state: &State<f64, 3>) -> SVector<f64, 3> {
+    pub(crate) fn by_hand(&self, state: &State<f64, 3>) -> SVector<f64, 3> {
         let (st, ct) = state.q[1].sin_cos();
         let (sp, cp) = state.q[2].sin_cos();
         let [phi, theta, psi] = [state.v[0], state.v[1], state.v[2]];
@@ -103,20 +103,20 @@ impl GeneralTop {
     kinetic = 0.5 * m * (dot(x1).powi(2) + dot(y1).powi(2) + dot(x2).powi(2) + dot(y2).powi(2)),
     potential = m * g * (y1 + y2),
 )]
-pub struct DoublePendulum {
+pub(crate) struct DoublePendulum {
     /// Each mass.
-    pub m: f64,
+    pub(crate) m: f64,
     /// The acceleration of gravity.
-    pub g: f64,
+    pub(crate) g: f64,
     /// The length of each rod.
-    pub l: f64,
+    pub(crate) l: f64,
 }
 
 impl DoublePendulum {
     /// The accelerations by hand.
     #[inline]
     #[must_use]
-    pub fn by_hand(&self, state: &State<f64, 2>) -> SVector<f64, 2> {
+    pub(crate) fn by_hand(&self, state: &State<f64, 2>) -> SVector<f64, 2> {
         let [a, b] = [state.q[0], state.q[1]];
         let (sin, cos) = (a - b).sin_cos();
         let pull = self.g / self.l;

@@ -496,8 +496,8 @@ impl Writer<'_> {
 
     fn relative_pivots(&mut self, n: usize) -> TokenStream {
         let (statements, outputs) = self.phase(0);
-        let (pivots, magnitudes) = outputs.split_at(n);
-        quote!(#statements ::lagrangian::__private::ratios([#(#pivots),*], [#(#magnitudes),*]))
+        let lists = outputs.chunks(n.max(1)).map(|list| quote!([#(#list),*]));
+        quote!(#statements ::lagrangian::__private::relative_pivots(#(#lists),*))
     }
 
     /// Solves M q̈ = f, then M ∂q̈/∂x = −∂(M q̈ − f)/∂x.

@@ -20,7 +20,7 @@ pub(crate) struct Methods {
     pub(crate) generalized_forces: Method,
     /// Either the pivots and then q̈, or the lower triangle of M and then f.
     pub(crate) accelerations: Method,
-    /// The pivots and their magnitudes, where M is eliminated before any number is known.
+    /// The pivots, their magnitudes and the diagonal of M, where M is eliminated before any number is known.
     pub(crate) relative_pivots: Option<Method>,
     pub(crate) inverse_dynamics: Method,
     /// The lower triangle of M, then f; and in a second phase, with the accelerations known, the columns
@@ -74,9 +74,10 @@ impl Methods {
         let solved = elimination
             .as_ref()
             .map(|solved| [&*solved.pivots, &solved.accelerations].concat());
+        let diagonal: Vec<_> = (0..n).map(|i| equations.mass[i][i]).collect();
         let pivots = elimination
             .as_ref()
-            .map(|solved| [&*solved.pivots, &solved.magnitudes].concat());
+            .map(|solved| [&*solved.pivots, &solved.magnitudes, &diagonal].concat());
         Self {
             lagrangian: method(&[&[equations.lagrangian]]),
             energy: method(&[&[equations.energy]]),

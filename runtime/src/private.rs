@@ -3,6 +3,7 @@
 pub use nalgebra::{SMatrix, SVector};
 
 use crate::Scalar;
+use crate::singularity::machine_epsilon;
 
 /// A field's type, as far as scalars can be made from it.
 pub trait Parameter {
@@ -51,8 +52,20 @@ fn cold<T>(compute: impl FnOnce() -> T) -> T {
     compute()
 }
 
-/// Each pivot in relation to what its rounding error is proportional to.
+/// Each pivot in relation to what its rounding error is proportional to, and 0 where M is singular to
+/// working precision: where elimination has left less than the machine epsilon of a diagonal entry.
 #[inline]
-pub fn ratios<S: Scalar, const N: usize>(pivots: [S; N], magnitudes: [S; N]) -> SVector<S, N> {
-    SVector::from_fn(|i, _| pivots[i].abs() / magnitudes[i])
+pub fn relative_pivots<S: Scalar, const N: usize>(
+    pivots: [S; N],
+    magnitudes: [S; N],
+    diagonal: [S; N],
+) -> SVector<S, N> {
+    SVector::from_fn(|i, _| {
+        let left = (pivots[i] / diagonal[i]).abs().smallest();
+        if left < machine_epsilon::<S>() {
+            S::zero()
+        } else {
+            pivots[i].abs() / magnitudes[i]
+        }
+    })
 }

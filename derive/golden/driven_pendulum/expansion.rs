@@ -238,7 +238,7 @@ for DrivenPendulum {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = l * l * m;
-        ::lagrangian::__private::ratios([x0], [x0.abs()])
+        ::lagrangian::__private::relative_pivots([x0], [x0.abs()], [x0])
     }
 }
 #[automatically_derived]

@@ -576,33 +576,35 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let (sin_theta, cos_theta) = theta.sin_cos();
         let x0 = sin_theta * sin_theta;
         let (sin_psi, cos_psi) = psi.sin_cos();
-        let x1 = cos_psi * cos_psi;
-        let x2 = i2 * x1;
-        let x3 = x2 * x0;
-        let x4 = sin_psi * sin_psi;
-        let x5 = x0 * x4;
-        let x6 = i1 * x5;
-        let x7 = i1 - i2;
-        let x8 = x7 * x1;
-        let x9 = i2 * x4;
-        let x10 = i1 * x1;
-        let x11 = x9 + x10;
-        let x12 = __S::from_f64(1.0) / x11;
-        let x13 = x8 * (x7 * x12);
-        let x14 = x13 * x5;
-        let x15 = (theta * sin_theta * cos_theta
-            * (x2 + sin_psi * (sin_psi * (i1 - x13))))
+        let x1 = sin_psi * sin_psi;
+        let x2 = x0 * x1;
+        let x3 = i1 - i2;
+        let x4 = cos_psi * cos_psi;
+        let x5 = x3 * x4;
+        let x6 = i2 * x1;
+        let x7 = i1 * x4;
+        let x8 = x6 + x7;
+        let x9 = __S::from_f64(1.0) / x8;
+        let x10 = x5 * (x3 * x9);
+        let x11 = x10 * x2;
+        let x12 = i2 * x4;
+        let x13 = x12 * x0;
+        let x14 = i1 * x2;
+        let x15 = x13 + x14;
+        let x16 = (theta * sin_theta * cos_theta
+            * (x12 + sin_psi * (sin_psi * (i1 - x10))))
             .abs();
-        let x16 = sin_psi * (sin_psi * (x12 - x8 / (x11 * x11))) - x12 * x1;
-        let x17 = cos_psi * (psi * sin_psi);
-        let x18 = ((x7 * (x7 * x16) + x7) * x0 * x17).abs();
-        ::lagrangian::__private::ratios(
-            [x3 + x6 - x14, x11, i3],
+        let x17 = sin_psi * (sin_psi * (x9 - x5 / (x8 * x8))) - x9 * x4;
+        let x18 = cos_psi * (psi * sin_psi);
+        let x19 = ((x3 * (x3 * x17) + x3) * x0 * x18).abs();
+        ::lagrangian::__private::relative_pivots(
+            [x15 - x11, x8, i3],
             [
-                x3.abs() + x6.abs() + x14.abs() + __S::from_f64(2.0) * (x15 + x18),
-                x9.abs() + x10.abs() + __S::from_f64(2.0) * (x7 * x17).abs(),
+                x13.abs() + x14.abs() + x11.abs() + __S::from_f64(2.0) * (x16 + x19),
+                x6.abs() + x7.abs() + __S::from_f64(2.0) * (x3 * x18).abs(),
                 i3.abs(),
             ],
+            [cos_theta * cos_theta * i3 + x15, x8, i3],
         )
     }
 }
