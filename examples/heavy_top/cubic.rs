@@ -17,6 +17,17 @@ pub(crate) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f6
     }
 }
 
+/// The root of a cubic near `x`, to the last digit also where it is small, by Newton's method.
+pub(crate) fn polished_root(coefficients: [f64; 4], mut x: f64) -> f64 {
+    let [constant, slope, bend, leading] = coefficients;
+    // From the first digit on six steps are more than enough, and from none for a small root, too.
+    for _ in 0..6 {
+        let value = constant + x * (slope + x * (bend + x * leading));
+        x -= value / (slope + x * (2.0 * bend + 3.0 * x * leading));
+    }
+    x
+}
+
 /// The sign change of a function that is positive at 0 and not at `outside`, to the last digit.
 fn bisect(function: impl Fn(f64) -> f64, mut outside: f64) -> f64 {
     let mut inside = 0.0;
@@ -35,7 +46,7 @@ fn bisect(function: impl Fn(f64) -> f64, mut outside: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::roots_around_zero;
+    use super::{polished_root, roots_around_zero};
     use crate::close;
 
     #[test]
@@ -62,5 +73,12 @@ mod tests {
         let [below, above] = roots_around_zero([0.0, 0.0, -1.0, 1.0], [-1.0, 0.5]);
         close(below, 0.0, 0.0);
         close(above, 0.0, 0.0);
+    }
+
+    #[test]
+    fn a_small_root_has_all_its_digits() {
+        // (x − 10⁻²⁰) (x − 1)² by its leading digits; 1 is a rounding error away from nothing.
+        let root = polished_root([-1e-20, 1.0, -2.0, 1.0], 1e-16);
+        close(root / 1e-20, 1.0, 1e-15);
     }
 }

@@ -50,15 +50,19 @@ pub(crate) fn integrate(top: &HeavyTop, options: &Options) -> Motion {
     }
 }
 
-/// The state at the time `t`, from an earlier one.
-pub(crate) fn advance(
+/// The first state after `from` in which the tilt turns, θ̇ = 0, if that is before the time `end`.
+pub(crate) fn turn(
     top: &HeavyTop,
     from: &State<f64, 3>,
-    t: f64,
+    end: f64,
     tolerance: f64,
 ) -> Option<State<f64, 3>> {
-    let end = method(tolerance).integrate_to(&top.dynamics(), from, t);
-    end.ok().map(|sample| sample.state())
+    let driver = method(tolerance).driver();
+    let ending = driver
+        .stop_at_zero(|_, phase: &Phase<f64, 3>| phase.v[HeavyTop::THETA])
+        .integrate_to(&top.dynamics(), from, end)
+        .ok()?;
+    (ending.reason == Reason::Condition).then(|| ending.last.state())
 }
 
 /// The method of integration.
