@@ -1,1 +1,33 @@
-//! Nothing here yet.
+//! What the tests share: reference values, the models they were computed for, and one way to
+//! compare.
+
+mod closeness;
+mod figures;
+mod reference;
+mod model;
+
+pub use closeness::{assert_close, relative_error};
+pub use figures::Figures;
+pub use model::{Law, Observed, Parametrized, rows};
+pub use reference::{array, list, number, numbers, public_cases, references, text};
+
+/// The models of the random Lagrangians, written by the build script; `public_cases!` lists them.
+#[rustfmt::skip]
+pub mod public_case {
+    use lagrangian::Lagrangian;
+
+    use crate::Parametrized;
+
+    include!(concat!(env!("OUT_DIR"), "/public_case.rs"));
+}
+
+/// The models whose trajectories are listed, written by the build script; `trajectories!` lists
+/// them.
+#[rustfmt::skip]
+pub mod trajectory {
+    use lagrangian::{Lagrangian, Outputs as _, State};
+
+    use crate::{Law, Observed, Parametrized};
+
+    include!(concat!(env!("OUT_DIR"), "/trajectory.rs"));
+}

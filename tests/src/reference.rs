@@ -1,0 +1,139 @@
+//! The reference values in `data/`.
+
+use std::{fs, path::Path};
+
+use serde_json::Value;
+
+/// The random Lagrangians, in the order of `public_cases!`.
+///
+/// # Panics
+///
+/// If the file cannot be read.
+#[must_use]
+pub fn public_cases() -> Vec<Value> {
+    list(&document("public_cases.json")["cases"]).to_vec()
+}
+
+/// The document with `references` (trajectories) and `closed_forms`.
+///
+/// # Panics
+///
+/// If the file cannot be read.
+#[must_use]
+pub fn references() -> Value {
+    document("references_public.json")
+}
+
+fn document(name: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("data")
+        .join(name);
+    let text =
+        fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A list of the data.
+///
+/// # Panics
+///
+/// If it is none.
+#[must_use]
+pub fn list(value: &Value) -> &[Value] {
+    value
+        .as_array()
+        .unwrap_or_else(|| panic!("expected a list, found {value}"))
+}
+
+/// A string of the data.
+///
+/// # Panics
+///
+/// If it is none.
+#[must_use]
+pub fn text(value: &Value) -> &str {
+    value
+        .as_str()
+        .unwrap_or_else(|| panic!("expected a string, found {value}"))
+}
+
+/// A number of the data: a decimal string, read as the nearest binary64.
+///
+/// # Panics
+///
+/// If it is none.
+#[must_use]
+pub fn number(value: &Value) -> f64 {
+    let decimal = value.as_str().and_then(|text| text.parse().ok());
+    decimal.unwrap_or_else(|| panic!("expected a decimal string, found {value}"))
+}
+
+/// The numbers of a scalar, of a vector, or of a matrix row by row; of an object in the order of
+/// its keys.
+///
+/// # Panics
+///
+/// If something else stands among them.
+#[must_use]
+pub fn numbers(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Array(entries) => entries.iter().flat_map(numbers).collect(),
+        Value::Object(entries) => entries.values().flat_map(numbers).collect(),
+        scalar => vec![number(scalar)],
+    }
+}
+
+/// The `N` numbers of a vector.
+///
+/// # Panics
+///
+/// If there are more or fewer.
+#[must_use]
+pub fn array<const N: usize>(value: &Value) -> [f64; N] {
+    numbers(value)
+        .try_into()
+        .unwrap_or_else(|_| panic!("expected {N} numbers, found {value}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+    use crate::assert_close;
+
+    #[test]
+    fn decimals_are_read_to_the_nearest_number() {
+        // 30 digits of the binary64 number nearest to a tenth.
+        let tenth = number(&json!("1.00000000000000005551115123126e-01"));
+        assert_eq!(tenth.to_bits(), 0.1_f64.to_bits());
+        assert_eq!(number(&json!("28e-3")).to_bits(), 0.028_f64.to_bits());
+    }
+
+    #[test]
+    fn matrices_are_read_row_by_row() {
+        let matrix = json!([["1", "2"], ["3", "4"]]);
+        assert_close("a matrix", &numbers(&matrix), &[1.0, 2.0, 3.0, 4.0], 0.0);
+        let named = json!({ "b": "2", "a": "1" });
+        assert_close("numbers by name", &array::<2>(&named), &[1.0, 2.0], 0.0);
+    }
+
+    #[test]
+    #[should_panic(expected = "expected a decimal string, found null")]
+    fn what_is_missing_fails() {
+        let _ = numbers(&json!({ "p": ["1"] })["q"]);
+    }
+
+    #[test]
+    #[should_panic(expected = "expected 3 numbers")]
+    fn a_wrong_length_fails() {
+        let _ = array::<3>(&json!(["1", "2"]));
+    }
+
+    #[test]
+    fn all_cases_and_references_are_there() {
+        assert_eq!(public_cases().len(), 200);
+        assert_eq!(list(&references()["references"]).len(), 63);
+        assert_eq!(list(&references()["closed_forms"]).len(), 22);
+    }
+}

@@ -1,0 +1,144 @@
+//! Dual numbers as a scalar of derived models: the scalar that users would write for a type of
+//! theirs.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use lagrangian::Scalar;
+use num_dual::{Dual64, DualNum};
+use num_traits::{One, Zero};
+
+/// A value and its derivative in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Dual(Dual64);
+
+impl Dual {
+    /// The value `value`, moving at the rate `derivative`.
+    pub(crate) fn new(value: f64, derivative: f64) -> Self {
+        Self(Dual64::new(value, derivative))
+    }
+
+    /// A value that does not move.
+    pub(crate) fn constant(value: f64) -> Self {
+        Self::new(value, 0.0)
+    }
+
+    /// The value.
+    pub(crate) fn value(self) -> f64 {
+        self.0.re
+    }
+
+    /// The rate at which the value moves.
+    pub(crate) fn derivative(self) -> f64 {
+        self.0.eps
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident $function:ident, $assigning:ident $assign:ident;)*) => {$(
+        impl $operator for Dual {
+            type Output = Self;
+
+            fn $function(self, other: Self) -> Self {
+                Self($operator::$function(self.0, other.0))
+            }
+        }
+
+        impl $assigning for Dual {
+            fn $assign(&mut self, other: Self) {
+                *self = $operator::$function(*self, other);
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add add, AddAssign add_assign;
+    Sub sub, SubAssign sub_assign;
+    Mul mul, MulAssign mul_assign;
+    Div div, DivAssign div_assign;
+}
+
+impl Neg for Dual {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Zero for Dual {
+    fn zero() -> Self {
+        Self::constant(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+}
+
+impl One for Dual {
+    fn one() -> Self {
+        Self::constant(1.0)
+    }
+}
+
+macro_rules! forwarded {
+    ($($function:ident)*) => {$(
+        fn $function(self) -> Self {
+            Self(DualNum::$function(&self.0))
+        }
+    )*};
+}
+
+impl Scalar for Dual {
+    forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt }
+
+    fn from_f64(value: f64) -> Self {
+        Self::constant(value)
+    }
+
+    fn smallest(self) -> f64 {
+        self.value()
+    }
+
+    fn largest(self) -> f64 {
+        self.value()
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        Self(DualNum::atan2(&self.0, x.0))
+    }
+
+    // A constant exponent is the case with a value for every base that real numbers allow.
+    fn powf(self, exponent: Self) -> Self {
+        if exponent.derivative() == 0.0 {
+            Self(DualNum::powf(&self.0, exponent.value()))
+        } else {
+            Self(DualNum::powd(&self.0, exponent.0))
+        }
+    }
+
+    fn abs(self) -> Self {
+        self * self.signum()
+    }
+
+    fn signum(self) -> Self {
+        Self::constant(Scalar::signum(self.value()))
+    }
+
+    fn min(self, other: Self) -> Self {
+        if other.value() < self.value() {
+            other
+        } else {
+            self
+        }
+    }
+
+    fn max(self, other: Self) -> Self {
+        if other.value() > self.value() {
+            other
+        } else {
+            self
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! Motions of the systems without constraints, against integrations with 30 digits.
+
+use lagrangian::prelude::*;
+use lagrangian_tests::{
+    Figures, Law, Observed, Parametrized, array, list, number, numbers, references, relative_error,
+    rows, text,
+};
+use nalgebra::SVector;
+use serde_json::Value;
+
+/// Relative to the greatest entry of a vector, or to 1 if that is greater.
+const TOLERANCE: f64 = 1e-9;
+/// The same for a motion in which errors grow exponentially.
+const CHAOTIC_TOLERANCE: f64 = 1e-8;
+
+/// The one that passes 7e-7 rad from the pole of its angles.
+const THROUGH_THE_POLE: &str = "heavy_top_benchmark_zxz";
+
+/// What was found and what was expected of a quantity at a sample.
+type Comparison = (&'static str, Vec<f64>, Vec<f64>);
+
+/// A motion: the comparisons at each sample up to the end or up to an error.
+struct Motion {
+    samples: Vec<Vec<Comparison>>,
+    error: Option<IntegrationError>,
+}
+
+/// A system: its identifier, and its motion in one scenario.
+type Row = (&'static str, fn(&Value) -> Motion);
+
+const SYSTEMS: &[Row] = &lagrangian_tests::trajectories!(free, driven);
+
+#[test]
+fn motions_follow_the_references() {
+    let mut figures = Figures::new();
+    let document = references();
+    for system in list(&document["references"]) {
+        let name = format!("{}, scenario {}", text(&system["id"]), system["scenario"]);
+        for (_, integrate) in SYSTEMS.iter().filter(|(id, _)| system["id"] == *id) {
+            let motion = integrate(system);
+            check_end(system, &motion);
+            record(&mut figures, system, &name, &motion);
+        }
+    }
+    figures.finish();
+}
+
+#[test]
+fn no_system_without_constraints_is_left_out() {
+    let document = references();
+    let is_constrained = |system: &Value| {
+        ["holonomic", "nonholonomic"]
+            .iter()
+            .any(|kind| !list(&system[kind]).is_empty())
+    };
+    for system in list(&document["references"])
+        .iter()
+        .filter(|system| !is_constrained(system))
+    {
+        assert!(
+            SYSTEMS.iter().any(|(id, _)| system["id"] == *id),
+            "{}",
+            system["id"]
+        );
+    }
+}
+
+/// Every motion reaches its end but the one that cannot, and that says which coordinate is the
+/// reason.
+fn check_end(system: &Value, motion: &Motion) {
+    let samples = list(&system["samples"]).len();
+    if system["id"] == THROUGH_THE_POLE {
+        let Some(IntegrationError::SingularConfiguration { singularity, .. }) = motion.error else {
+            panic!(
+                "expected the error of the pole, found {:?} after {} samples",
+                motion.error,
+                motion.samples.len()
+            );
+        };
+        assert!(singularity.to_string().contains("theta"), "{singularity}");
+        assert!((1..samples).contains(&motion.samples.len()));
+    } else {
+        assert_eq!(motion.error, None, "{}", system["id"]);
+        assert_eq!(motion.samples.len(), samples, "{}", system["id"]);
+    }
+}
+
+fn record(figures: &mut Figures, system: &Value, name: &str, motion: &Motion) {
+    let is_chaotic = list(&system["tags"]).iter().any(|tag| tag == "chaotic");
+    let tolerance = if is_chaotic {
+        CHAOTIC_TOLERANCE
+    } else {
+        TOLERANCE
+    };
+    for (comparisons, sample) in motion.samples.iter().zip(list(&system["samples"])) {
+        let at = format!("{name}, t = {}", text(&sample["t"]));
+        for (quantity, found, expected) in comparisons {
+            figures.record(
+                quantity,
+                &at,
+                relative_error(found, expected, 1.0),
+                tolerance,
+            );
+        }
+    }
+}
+
+fn free<M, const N: usize>(system: &Value) -> Motion
+where
+    M: Parametrized + Energies<N> + Observed<N>,
+{
+    let model = M::with(&|name| number(&system["params"][name]));
+    integrate(&model.dynamics(), system, |state, sample| {
+        let mut comparisons = compare(&model, state, sample);
+        comparisons.extend(compare_forces(&model, sample));
+        comparisons
+    })
+}
+
+/// The inputs of the fields are no numbers, and everything that depends on inputs uses the law.
+fn driven<M, const N: usize, const U: usize>(system: &Value) -> Motion
+where
+    M: Parametrized + Energies<N> + Observed<N> + Inputs<N, U> + Law<U>,
+{
+    let model = M::with(&|name| system["params"].get(name).map_or(f64::NAN, number));
+    let law = |state: &State<f64, N>| SVector::from(model.inputs_at(state.t));
+    integrate(&model.controlled_by(law), system, |state, sample| {
+        let mut comparisons = compare(&model, state, sample);
+        comparisons.extend(compare_forces(
+            &model.with_inputs(law(&reference_state(sample))),
+            sample,
+        ));
+        comparisons
+    })
+}
+
+/// The integrator is compiled for each number of coordinates, not for each model.
+fn integrate<const N: usize>(
+    dynamics: &dyn Dynamics<State = Phase<f64, N>>,
+    system: &Value,
+    compare: impl Fn(&State<f64, N>, &Value) -> Vec<Comparison>,
+) -> Motion {
+    let samples = list(&system["samples"]);
+    let times: Vec<f64> = samples.iter().map(|sample| number(&sample["t"])).collect();
+    let initial: State<f64, N> = State::new(
+        times[0],
+        array(&system["init"]["q"]),
+        array(&system["init"]["qd"]),
+    );
+    let method = Dop853::new()
+        .relative_tolerance(1e-13)
+        .absolute_tolerance(1e-13)
+        .driver()
+        .maximal_steps(1_000_000);
+    let (trajectory, error) = match method.sample(dynamics, initial, &times) {
+        Ok(trajectory) => (trajectory, None),
+        Err(interrupted) => (interrupted.trajectory().clone(), Some(interrupted.error())),
+    };
+    Motion {
+        samples: trajectory
+            .states()
+            .zip(samples)
+            .map(|(state, sample)| compare(&state, sample))
+            .collect(),
+        error,
+    }
+}
+
+/// The state, and the energies and momenta there.
+fn compare<M, const N: usize>(model: &M, state: &State<f64, N>, sample: &Value) -> Vec<Comparison>
+where
+    M: Energies<N> + Observed<N>,
+{
+    let mut comparisons = vec![
+        ("q", rows(&state.q), numbers(&sample["q"])),
+        ("qd", rows(&state.v), numbers(&sample["qd"])),
+        (
+            "T",
+            vec![model.kinetic_energy(state)],
+            numbers(&sample["T"]),
+        ),
+        (
+            "V",
+            vec![model.potential_energy(state)],
+            numbers(&sample["V"]),
+        ),
+        ("h", vec![model.energy(state)], numbers(&sample["jacobi"])),
+        ("p", rows(&model.momenta(state)), numbers(&sample["p"])),
+    ];
+    comparisons.extend(model.observed(state).into_iter().map(|(name, value)| {
+        let expected = sample["invariants"]
+            .get(name)
+            .unwrap_or_else(|| &sample["observables"][name]);
+        ("invariants", vec![value], numbers(expected))
+    }));
+    comparisons
+}
+
+/// What depends on inputs, at the state of the reference: the damping of the governor is so strong
+/// that a velocity off by 1e-14 changes the forces by 1e-9.
+fn compare_forces<M, const N: usize>(model: &M, sample: &Value) -> [Comparison; 2]
+where
+    M: Lagrangian<N>,
+{
+    let state = reference_state(sample);
+    [
+        (
+            "qdd",
+            rows(&model.accelerations(&state)),
+            numbers(&sample["qdd"]),
+        ),
+        (
+            "Q",
+            rows(&model.generalized_forces(&state)),
+            numbers(&sample["Q"]),
+        ),
+    ]
+}
+
+fn reference_state<const N: usize>(sample: &Value) -> State<f64, N> {
+    State::new(
+        number(&sample["t"]),
+        array(&sample["q"]),
+        array(&sample["qd"]),
+    )
+}
