@@ -1,50 +1,26 @@
-//! Exact algebra and analytical mechanics.
+//! Exact algebra and analytical mechanics: expressions on a shared graph, Lagrange's equations, and
+//! straight-line programs that evaluate them.
+//!
+//! This is what `lagrangian`'s derive macro is made of, as a library: it knows neither tokens nor time
+//! steps.
 
-mod rational;
-mod symbol;
-mod graph;
-mod sum;
-mod pythagoras;
-mod product;
-mod call;
-mod function;
-mod derivative;
-mod substitution;
-mod evaluation;
-mod residue;
-mod modular;
-mod model;
-mod equations;
-mod structure;
-mod elimination;
+mod algebra;
+mod decision;
+mod mechanics;
 mod program;
-mod plan;
-mod factoring;
-mod sharing;
-mod schedule;
-mod interpretation;
-mod verify;
-mod application;
-mod formula;
-mod layout;
-mod names;
-mod notation;
-mod numeral;
-mod order;
-mod quotient;
-mod spelling;
+mod print;
 
-pub use derivative::Direction;
-pub use elimination::Elimination;
-pub use equations::{Defect, Equations};
-pub use formula::Formula;
-pub use function::{Binary, Symmetry, Unary};
-pub use graph::{Expression, Graph, Node};
-pub use model::{Energies, Model};
-pub use modular::Point;
-pub use names::Names;
-pub use program::{Instruction, Operand, Operation, OperationCount, Phase, Program};
-pub use rational::Rational;
-pub use structure::Structure;
-pub use symbol::Symbol;
-pub use verify::Fault;
+pub use algebra::derivative::Direction;
+pub use algebra::function::{Binary, Symmetry, Unary};
+pub use algebra::graph::{Expression, Graph, Node};
+pub use algebra::rational::Rational;
+pub use algebra::symbol::Symbol;
+pub use decision::point::Point;
+pub use mechanics::elimination::Elimination;
+pub use mechanics::equations::{Defect, Equations};
+pub use mechanics::model::{Energies, Model};
+pub use mechanics::structure::Structure;
+pub use print::formula::Formula;
+pub use print::names::Names;
+pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
+pub use program::verify::Fault;

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::notation::Notation;
-use crate::spelling::Spelling;
+use crate::print::notation::Notation;
+use crate::print::spelling::Spelling;
 use crate::{Expression, Symbol};
 
 /// The names under which a formula is printed.

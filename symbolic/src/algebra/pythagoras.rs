@@ -9,7 +9,7 @@
 //! The last two make a product of a difference, which is exact where the difference cancels. No rule
 //! goes the other way: sin²x never becomes 1 − cos²x.
 
-use crate::sum::combine;
+use crate::algebra::sum::combine;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 type Terms = Vec<(Expression, Rational)>;

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use crate::modular::Point;
-use crate::program::{Operand, Operation, Program};
+use crate::decision::point::Point;
+use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Expression, Graph};
 
 /// What is wrong with a program.

@@ -4,7 +4,7 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²) = |x|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::sum::Split;
+use crate::algebra::sum::Split;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 /// A product of more factors than this stays one factor of the product that contains it, as long sums

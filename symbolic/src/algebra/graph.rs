@@ -17,7 +17,7 @@ use std::hash::DefaultHasher;
 
 use indexmap::IndexSet;
 
-use crate::sum::Split;
+use crate::algebra::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].

@@ -1,9 +1,9 @@
 //! Products and quotients laid out.
 
-use crate::layout::{Factor, Layout, Piece};
-use crate::notation::Notation;
-use crate::numeral::Numeral;
-use crate::order::{NAMED, factor_rank};
+use crate::print::layout::{Factor, Layout, Piece};
+use crate::print::notation::Notation;
+use crate::print::numeral::Numeral;
+use crate::print::order::{NAMED, factor_rank};
 use crate::{Expression, Node, Rational};
 
 impl<'a> Layout<'a> {

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::Rational;
-use crate::plan::{Plan, Recipe, Value};
+use crate::program::plan::{Plan, Recipe, Value};
 
 impl Plan {
     /// Regroups all sums. `uses` says how often each value is used.

@@ -7,8 +7,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use crate::plan::{Plan, Recipe, Value};
-use crate::program::{Instruction, Operand, Operation, Phase, Program};
+use crate::program::plan::{Plan, Recipe, Value};
+use crate::program::straight_line::{Instruction, Operand, Operation, Phase, Program};
 use crate::{Expression, Graph, Rational, Unary};
 
 /// The state of a scheduling run.

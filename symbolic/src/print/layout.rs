@@ -6,10 +6,10 @@
 
 use std::borrow::Cow;
 
-use crate::names::Letters;
-use crate::notation::Notation;
-use crate::numeral::Numeral;
-use crate::order::Contents;
+use crate::print::names::Letters;
+use crate::print::notation::Notation;
+use crate::print::numeral::Numeral;
+use crate::print::order::Contents;
 use crate::{Binary, Expression, Graph, Names, Node, Rational, Unary};
 
 /// A part of a formula.

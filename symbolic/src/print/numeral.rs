@@ -7,7 +7,7 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use crate::Rational;
-use crate::notation::Notation;
+use crate::print::notation::Notation;
 
 /// The digits of a number that is not negative.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -1,6 +1,6 @@
 //! The normal form of function calls.
 
-use crate::function::Symmetry;
+use crate::algebra::function::Symmetry;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 impl Graph {

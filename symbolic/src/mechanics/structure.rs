@@ -3,9 +3,9 @@
 //!
 //! All decisions are exact, taken at random points in modular arithmetic.
 
-use crate::equations::Defect;
-use crate::modular::Point;
-use crate::residue::{self, P};
+use crate::decision::point::Point;
+use crate::decision::residue::{self, P};
+use crate::mechanics::equations::Defect;
 use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 
 /// Facts about a system that the runtime uses.

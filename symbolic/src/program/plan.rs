@@ -1,8 +1,8 @@
 //! How the values of a program are made from each other, while that can still be changed.
 //!
 //! Comes in: roots of the graph. Goes out: one [`Recipe`] for each value. Where the graph has sums and
-//! products in normal form, a plan has lists that passes may regroup: [`factoring`](crate::factoring)
-//! takes common factors out of sums, [`sharing`](crate::sharing) makes one value of what several lists
+//! products in normal form, a plan has lists that passes may regroup: [`factoring`](crate::program::factoring)
+//! takes common factors out of sums, [`sharing`](crate::program::sharing) makes one value of what several lists
 //! have in common. What a value is does not change, only how it is computed.
 
 use std::collections::{BTreeMap, HashMap};

@@ -3,9 +3,9 @@
 //! The same instructions are read as arithmetic in binary64, modulo a prime, or on expressions, so that
 //! what is emitted can be checked against what it was made from.
 
-use crate::modular::{self, Point};
-use crate::program::{Operand, Operation, Program};
-use crate::residue::{self, P};
+use crate::decision::point::{self, Point};
+use crate::decision::residue::{self, P};
+use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
 
 /// What numbers a program can be run on. `None` is a value that does not exist.
@@ -203,7 +203,7 @@ impl Arithmetic for Point {
     type Number = u64;
 
     fn constant(&mut self, value: &Rational) -> Option<u64> {
-        modular::constant(value)
+        point::constant(value)
     }
 
     fn pi(&mut self) -> Option<u64> {

@@ -1,8 +1,8 @@
 //! Powers, roots and functions laid out.
 
-use crate::layout::{Factor, Layout, Piece, Shape};
-use crate::notation::Notation;
-use crate::numeral::Numeral;
+use crate::print::layout::{Factor, Layout, Piece, Shape};
+use crate::print::notation::Notation;
+use crate::print::numeral::Numeral;
 use crate::{Binary, Expression, Node, Rational, Unary};
 
 impl<'a> Layout<'a> {

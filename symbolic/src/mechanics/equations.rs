@@ -4,8 +4,8 @@
 //! so that f = ∂L/∂q − (∂p/∂q) q̇ − ∂p/∂t + Q. The term in ∂p/∂t is what time-dependent models need.
 //! M is differentiated, never inverted: from M q̈ = f follows M ∂q̈/∂x = −∂(M q̈ − f)/∂x at fixed q̈.
 
-use crate::model::Energies;
-use crate::structure::{self, Structure};
+use crate::mechanics::model::Energies;
+use crate::mechanics::structure::{self, Structure};
 use crate::{Expression, Graph, Model, Rational, Symbol};
 
 /// The equations of motion of a model, as expressions of its graph.

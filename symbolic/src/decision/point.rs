@@ -6,7 +6,7 @@
 //! sin² + cos² = 1 and all addition theorems hold; square roots and absolute values square to what
 //! they should. Every other function is an arbitrary function of the value of its argument.
 
-use crate::residue::{self, GENERATOR, I, P, Q};
+use crate::decision::residue::{self, GENERATOR, I, P, Q};
 use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.

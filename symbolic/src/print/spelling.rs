@@ -1,6 +1,6 @@
 //! The letters in which a name is printed.
 
-use crate::notation::{Notation, subscript};
+use crate::print::notation::{Notation, subscript};
 
 /// A name taken apart: a letter or word, and what is written below the line behind it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -8,7 +8,7 @@ use core::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
 use crate::Rational;
-use crate::plan::{Plan, Recipe, Value};
+use crate::program::plan::{Plan, Recipe, Value};
 
 /// Lists longer than this are left alone: their pairs grow with the square of the length.
 const LONGEST: usize = 24;

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use crate::layout::{Layout, Piece};
-use crate::notation::Notation;
+use crate::print::layout::{Layout, Piece};
+use crate::print::notation::Notation;
 use crate::{Expression, Graph, Names};
 
 /// An expression with the names of its symbols, ready to be printed.

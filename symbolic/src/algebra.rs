@@ -1,0 +1,13 @@
+//! Exact algebra on a shared graph: numbers, normal forms, functions, derivatives.
+
+pub(crate) mod rational;
+pub(crate) mod symbol;
+pub(crate) mod graph;
+pub(crate) mod sum;
+pub(crate) mod pythagoras;
+pub(crate) mod product;
+pub(crate) mod call;
+pub(crate) mod function;
+pub(crate) mod derivative;
+pub(crate) mod substitution;
+pub(crate) mod evaluation;

@@ -1,0 +1,11 @@
+//! Formulas as a book prints them, in Unicode and in LaTeX.
+
+pub(crate) mod names;
+pub(crate) mod spelling;
+pub(crate) mod notation;
+pub(crate) mod numeral;
+pub(crate) mod order;
+pub(crate) mod quotient;
+pub(crate) mod application;
+pub(crate) mod layout;
+pub(crate) mod formula;

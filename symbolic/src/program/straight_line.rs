@@ -1,0 +1,170 @@
+//! Straight-line programs: what is emitted.
+//!
+//! A [`Program`] computes the values of several groups of roots, one group after the other, each value
+//! once. Invariants, checked by [`Program::verify`]: an operand is computed before it is used; no two
+//! instructions do the same; each output has the value of its root. The order of instructions depends
+//! on the graph alone.
+
+use crate::program::schedule::Scheduler;
+use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
+
+/// Where an instruction finds a number.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Operand {
+    /// What an earlier instruction computed.
+    Value(usize),
+    /// An exact number.
+    Constant(Rational),
+    /// The number π.
+    Pi,
+    /// A coordinate, velocity, parameter …
+    Symbol(Symbol),
+}
+
+/// One operation.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Operation {
+    /// x + y.
+    Add(Operand, Operand),
+    /// x − y.
+    Subtract(Operand, Operand),
+    /// x · y.
+    Multiply(Operand, Operand),
+    /// x / y.
+    Divide(Operand, Operand),
+    /// −x.
+    Negate(Operand),
+    /// √x.
+    SquareRoot(Operand),
+    /// sin x, and cos x as the value after it.
+    SineAndCosine(Operand),
+    /// A function of one argument.
+    Unary(Unary, Operand),
+    /// A function of two arguments.
+    Binary(Binary, Operand, Operand),
+}
+
+impl Operation {
+    /// The operands, in order.
+    pub fn operands(&self) -> impl Iterator<Item = &Operand> {
+        let (x, y) = match self {
+            Self::Add(x, y)
+            | Self::Subtract(x, y)
+            | Self::Multiply(x, y)
+            | Self::Divide(x, y)
+            | Self::Binary(_, x, y) => (x, Some(y)),
+            Self::Negate(x) | Self::SquareRoot(x) | Self::SineAndCosine(x) | Self::Unary(_, x) => {
+                (x, None)
+            }
+        };
+        core::iter::once(x).chain(y)
+    }
+
+    /// How many values the operation computes.
+    #[must_use]
+    pub const fn results(&self) -> usize {
+        match self {
+            Self::SineAndCosine(_) => 2,
+            _ => 1,
+        }
+    }
+}
+
+/// An operation and the number of its first result.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Instruction {
+    /// What is computed.
+    pub operation: Operation,
+    /// The number of the value; a second result has the next one.
+    pub value: usize,
+    /// The expression whose value a result is, if it is that of one.
+    pub expression: Option<Expression>,
+}
+
+/// A group of outputs, and the instructions that the groups before it have not run already.
+#[derive(Clone, Debug, Default)]
+pub struct Phase {
+    /// In the order in which they run.
+    pub instructions: Vec<Instruction>,
+    /// Where the values of the roots are, in the order of the roots.
+    pub outputs: Vec<Operand>,
+}
+
+/// A straight-line program.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// The groups, in order. Symbols may get their values between two of them.
+    pub phases: Vec<Phase>,
+}
+
+/// How often each kind of operation occurs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions, subtractions and changes of sign.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Square roots.
+    pub square_roots: usize,
+    /// Sines and cosines; the pair of one angle counts once.
+    pub sines_and_cosines: usize,
+    /// All other functions.
+    pub functions: usize,
+}
+
+impl Program {
+    /// The program that computes the groups of roots, one after the other.
+    #[must_use]
+    pub fn schedule(graph: &Graph, groups: &[&[Expression]]) -> Self {
+        let program = Scheduler::new(graph, groups).run(groups);
+        debug_assert_eq!(program.verify(graph, groups), Ok(()));
+        program
+    }
+
+    /// All instructions, in the order in which they run.
+    pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
+        self.phases.iter().flat_map(|phase| &phase.instructions)
+    }
+
+    /// The symbols that the program reads, in order.
+    #[must_use]
+    pub fn symbols(&self) -> Vec<Symbol> {
+        let outputs = self.phases.iter().flat_map(|phase| &phase.outputs);
+        let operands = self
+            .instructions()
+            .flat_map(|instruction| instruction.operation.operands());
+        let mut symbols: Vec<Symbol> = operands
+            .chain(outputs)
+            .filter_map(|operand| match operand {
+                Operand::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect();
+        symbols.sort_unstable();
+        symbols.dedup();
+        symbols
+    }
+
+    /// How often each kind of operation occurs.
+    #[must_use]
+    pub fn count(&self) -> OperationCount {
+        let mut count = OperationCount::default();
+        for instruction in self.instructions() {
+            *match instruction.operation {
+                Operation::Add(..) | Operation::Subtract(..) | Operation::Negate(_) => {
+                    &mut count.additions
+                }
+                Operation::Multiply(..) => &mut count.multiplications,
+                Operation::Divide(..) => &mut count.divisions,
+                Operation::SquareRoot(_) => &mut count.square_roots,
+                Operation::SineAndCosine(_) | Operation::Unary(Unary::Sin | Unary::Cos, _) => {
+                    &mut count.sines_and_cosines
+                }
+                Operation::Unary(..) | Operation::Binary(..) => &mut count.functions,
+            } += 1;
+        }
+        count
+    }
+}
