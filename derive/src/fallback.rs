@@ -11,7 +11,8 @@ use quote::{ToTokens, format_ident, quote};
 
 use crate::check::CONSTANTS;
 use crate::declaration::{Declaration, Role};
-use crate::implementation::{placed, results};
+use crate::implementation::results;
+use crate::names::placed;
 use crate::names::{constant, plain};
 use crate::scope::Scope;
 

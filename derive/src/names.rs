@@ -18,6 +18,17 @@ pub(crate) fn constant(coordinate: &Ident) -> String {
     }
 }
 
+/// A name where `at` stands, with the hygiene of the macro: what the user's lints would say of it does
+/// not concern the user.
+pub(crate) fn placed(name: &str, at: &Ident) -> Ident {
+    Ident::new(name, hygienic(at))
+}
+
+/// The place of a name, with the hygiene of the macro.
+pub(crate) fn hygienic(at: &Ident) -> Span {
+    Span::mixed_site().located_at(at.span())
+}
+
 /// The name without `r#`.
 pub(crate) fn plain(name: &Ident) -> String {
     let written = name.to_string();

@@ -1,0 +1,95 @@
+//! What is known of a model before any number is, as constants of its type.
+
+use lagrangian_symbolic::OperationCount;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Implementation;
+use crate::documentation;
+use crate::names::{constant, placed, plain};
+
+impl Implementation<'_> {
+    /// What is known of the model before any number is, as constants of its type.
+    pub(super) fn constants(&self) -> TokenStream {
+        let name = &self.declaration.name;
+        let visibility = &self.declaration.visibility;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let n = self.coordinates();
+        let equations = documentation::equations(self);
+        let documentation = documentation::of(self, &equations);
+        let names = self.symbols.coordinates.iter().map(plain);
+        let operations = self.operations();
+        let indices = self
+            .symbols
+            .coordinates
+            .iter()
+            .enumerate()
+            .map(|(i, coordinate)| {
+                let constant = placed(&constant(coordinate), coordinate);
+                let text = format!("The index of the coordinate `{}`.", plain(coordinate));
+                quote!(#[doc = #text] #visibility const #constant: usize = #i;)
+            });
+        quote! {
+            #[doc = #documentation]
+            impl #generics #name #arguments #conditions {
+                /// The names of the coordinates, in order.
+                #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
+                #(#indices)*
+                /// The equations of motion as they were derived.
+                #visibility const EQUATIONS: &'static str = #equations;
+                /// The operation counts of the methods.
+                #visibility const OPERATIONS: ::lagrangian::Operations = #operations;
+            }
+        }
+    }
+
+    fn operations(&self) -> TokenStream {
+        let counts = self.methods.all().map(|(name, method)| {
+            let name = format_ident!("{name}");
+            let count = operation_count(&method.count);
+            quote!(#name: #count)
+        });
+        quote!(::lagrangian::Operations { #(#counts),* })
+    }
+
+    pub(super) fn system(&self) -> TokenStream {
+        let name = &self.declaration.name;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let n = self.coordinates();
+        let structure = &self.equations.structure;
+        let angles = &structure.angles;
+        let singularities = structure.singularities.iter().map(|coordinates| {
+            let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
+            quote!(&[#(#coordinates),*])
+        });
+        quote! {
+            #[automatically_derived]
+            impl #generics ::lagrangian::System<#n> for #name #arguments #conditions {
+                const COORDINATES: [&'static str; #n] = Self::COORDINATES;
+                const ANGLES: [bool; #n] = [#(#angles),*];
+                const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
+            }
+        }
+    }
+}
+
+fn operation_count(count: &OperationCount) -> TokenStream {
+    let OperationCount {
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        sines_and_cosines,
+        functions,
+    } = *count;
+    quote! {
+        ::lagrangian::OperationCount {
+            additions: #additions,
+            multiplications: #multiplications,
+            divisions: #divisions,
+            square_roots: #square_roots,
+            sines_and_cosines: #sines_and_cosines,
+            functions: #functions,
+        }
+    }
+}

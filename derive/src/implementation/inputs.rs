@@ -1,0 +1,43 @@
+//! The impl of `Inputs`.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::Implementation;
+use crate::names::plain;
+
+impl Implementation<'_> {
+    pub(super) fn inputs(&self) -> TokenStream {
+        if !self.has_inputs() {
+            return TokenStream::new();
+        }
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let scalar = &self.scalar;
+        let vector = quote!(::lagrangian::__private::SVector<#scalar, #u>);
+        let names = self.symbols.inputs.iter().map(plain);
+        let fields = &self.symbols.inputs;
+        let arguments = [quote!(inputs: &#vector)];
+        let driven = self.driven(&arguments, "_with");
+        let matrix = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #u>);
+        let jacobian = self.method(
+            "input_jacobian_with",
+            &arguments,
+            &matrix,
+            &self.methods.input_jacobian,
+            |b| b.input_jacobian(n),
+        );
+        let items = quote! {
+            const INPUTS: [&'static str; #u] = [#(#names),*];
+
+            fn inputs(&self) -> #vector {
+                <#vector as ::core::convert::From<[#scalar; #u]>>::from([
+                    #(::lagrangian::__private::parameter(self.#fields)),*
+                ])
+            }
+
+            #driven
+            #jacobian
+        };
+        self.implement(&quote!(::lagrangian::Inputs<#n, #u, #scalar>), &items)
+    }
+}

@@ -1,0 +1,171 @@
+//! The impls of `Lagrangian` and `Energies`.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::Implementation;
+use super::writer::{as_scalar, as_vector};
+
+impl Implementation<'_> {
+    pub(super) fn lagrangian(&self) -> TokenStream {
+        let n = self.coordinates();
+        let scalar = &self.scalar;
+        let methods = self.methods;
+        let vector = self.vector();
+        let momenta = self.method("momenta", &[], &vector, &methods.momenta, as_vector);
+        let mass = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #n>);
+        let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
+            b.columns(n)
+        });
+        let pivots = methods.relative_pivots.as_ref().map(|method| {
+            self.method("relative_pivots", &[], &vector, method, |b| {
+                b.relative_pivots(n)
+            })
+        });
+        let driven = if self.has_inputs() {
+            self.delegations()
+        } else {
+            self.driven(&[], "")
+        };
+        self.implement(
+            &quote!(::lagrangian::Lagrangian<#n, #scalar>),
+            &quote!(#driven #momenta #mass #pivots),
+        )
+    }
+
+    /// The methods that inputs act on, with the arguments and the suffix that they then have.
+    pub(super) fn driven(&self, arguments: &[TokenStream], suffix: &str) -> TokenStream {
+        let scalar = &self.scalar;
+        let n = self.coordinates();
+        let vector = self.vector();
+        let methods = self.methods;
+        let name = |name: &str| format!("{name}{suffix}");
+        let mut with_accelerations = arguments.to_vec();
+        with_accelerations.push(quote!(accelerations: &#vector));
+        let scalar = quote!(#scalar);
+        let linearization = quote!(::lagrangian::Linearization<#scalar, #n>);
+        [
+            self.method(
+                &name("lagrangian"),
+                arguments,
+                &scalar,
+                &methods.lagrangian,
+                as_scalar,
+            ),
+            self.method(
+                &name("energy"),
+                arguments,
+                &scalar,
+                &methods.energy,
+                as_scalar,
+            ),
+            self.method(
+                &name("forcing"),
+                arguments,
+                &vector,
+                &methods.forcing,
+                as_vector,
+            ),
+            self.method(
+                &name("generalized_forces"),
+                arguments,
+                &vector,
+                &methods.generalized_forces,
+                as_vector,
+            ),
+            self.method(
+                &name("accelerations"),
+                arguments,
+                &vector,
+                &methods.accelerations,
+                |b| match methods.relative_pivots {
+                    Some(_) => b.eliminated(n, &self.forcing(suffix)),
+                    None => b.accelerations(n),
+                },
+            ),
+            self.method(
+                &name("inverse_dynamics"),
+                &with_accelerations,
+                &vector,
+                &methods.inverse_dynamics,
+                as_vector,
+            ),
+            self.method(
+                &name("linearize"),
+                arguments,
+                &linearization,
+                &methods.linearize,
+                |b| b.linearize(n),
+            ),
+        ]
+        .into_iter()
+        .collect()
+    }
+
+    /// The forcing, as the method with a suffix computes it.
+    fn forcing(&self, suffix: &str) -> TokenStream {
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let scalar = &self.scalar;
+        if suffix.is_empty() {
+            quote!(::lagrangian::Lagrangian::<#n, #scalar>::forcing(self, state))
+        } else {
+            quote!(::lagrangian::Inputs::<#n, #u, #scalar>::forcing_with(self, state, inputs))
+        }
+    }
+
+    /// The methods of `Lagrangian` for a model with inputs: those of `Inputs`, at the fields' values.
+    fn delegations(&self) -> TokenStream {
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let scalar = &self.scalar;
+        let vector = self.vector();
+        let inputs = quote!(&::lagrangian::Inputs::<#n, #u, #scalar>::inputs(self));
+        let delegation = |name: &str, output: TokenStream| {
+            let (name, with) = (format_ident!("{name}"), format_ident!("{name}_with"));
+            quote! {
+                fn #name(&self, state: &::lagrangian::State<#scalar, #n>) -> #output {
+                    ::lagrangian::Inputs::<#n, #u, #scalar>::#with(self, state, #inputs)
+                }
+            }
+        };
+        let mut delegations: TokenStream = [
+            delegation("lagrangian", quote!(#scalar)),
+            delegation("energy", quote!(#scalar)),
+            delegation("forcing", vector.clone()),
+            delegation("generalized_forces", vector.clone()),
+            delegation("accelerations", vector.clone()),
+            delegation(
+                "linearize",
+                quote!(::lagrangian::Linearization<#scalar, #n>),
+            ),
+        ]
+        .into_iter()
+        .collect();
+        delegations.extend(quote! {
+            fn inverse_dynamics(
+                &self,
+                state: &::lagrangian::State<#scalar, #n>,
+                accelerations: &#vector,
+            ) -> #vector {
+                ::lagrangian::Inputs::<#n, #u, #scalar>::inverse_dynamics_with(
+                    self, state, #inputs, accelerations,
+                )
+            }
+        });
+        delegations
+    }
+
+    pub(super) fn energies(&self) -> TokenStream {
+        let Some([kinetic, potential]) = &self.methods.energies else {
+            return TokenStream::new();
+        };
+        let n = self.coordinates();
+        let scalar = &self.scalar;
+        let output = quote!(#scalar);
+        let kinetic = self.method("kinetic_energy", &[], &output, kinetic, as_scalar);
+        let potential = self.method("potential_energy", &[], &output, potential, as_scalar);
+        self.implement(
+            &quote!(::lagrangian::Energies<#n, #scalar>),
+            &quote!(#kinetic #potential),
+        )
+    }
+}

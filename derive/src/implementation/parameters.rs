@@ -1,0 +1,34 @@
+//! The parameters of emitted methods.
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::format_ident;
+
+/// The parameters of a method, with an underscore before those that its body does not use.
+pub(super) fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> TokenStream {
+    let mut tokens = Vec::new();
+    for token in parameters {
+        match token {
+            TokenTree::Ident(name) if PARAMETERS.iter().any(|known| name == known) => {
+                let unused = !mentions(body, &name);
+                tokens.push(if unused {
+                    format_ident!("_{name}").into()
+                } else {
+                    TokenTree::Ident(name)
+                });
+            }
+            token => tokens.push(token),
+        }
+    }
+    tokens.into_iter().collect()
+}
+
+/// The names of parameters of emitted methods.
+const PARAMETERS: [&str; 3] = ["state", "inputs", "accelerations"];
+
+fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
+    tokens.clone().into_iter().any(|token| match token {
+        TokenTree::Ident(ident) => ident == *name,
+        TokenTree::Group(group) => mentions(&group.stream(), name),
+        _ => false,
+    })
+}

@@ -1,0 +1,46 @@
+//! Where the emitted code finds the values of symbols.
+
+use lagrangian_symbolic::Symbol;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::Implementation;
+use crate::body::Source;
+
+/// Where the values of inputs come from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum InputsFrom {
+    Fields,
+    Argument,
+}
+
+/// Reads the symbols of a model.
+pub(super) struct Reader<'a> {
+    pub(super) implementation: &'a Implementation<'a>,
+    pub(super) inputs: InputsFrom,
+}
+
+impl Source for Reader<'_> {
+    fn read(&self, symbol: Symbol) -> TokenStream {
+        let field = |names: &[Ident], i: u32| {
+            let name = &names[i as usize];
+            let name = self.implementation.scope.first_use(name).unwrap_or(name);
+            quote!(::lagrangian::__private::parameter(self.#name))
+        };
+        let names = &self.implementation.symbols;
+        match symbol {
+            Symbol::Time => quote!(state.t),
+            Symbol::Coordinate(i) => element(&quote!(state.q), i),
+            Symbol::Velocity(i) => element(&quote!(state.v), i),
+            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
+            Symbol::Parameter(i) => field(&names.parameters, i),
+            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
+            Symbol::Input(i) => field(&names.inputs, i),
+        }
+    }
+}
+
+fn element(vector: &TokenStream, index: u32) -> TokenStream {
+    let index = Literal::u32_unsuffixed(index);
+    quote!(#vector[#index])
+}
