@@ -1,6 +1,6 @@
 //! The whole macro: parse, check, lower, derive the equations, schedule, emit.
 
-use lagrangian_symbolic::{Defect, Equations};
+use lagrangian_symbolic::{Defect, Equations, Model};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
@@ -24,20 +24,38 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let declaration = Declaration::parse(input, &mut diagnostics);
     check(&declaration, &mut diagnostics);
     let (model, scope) = lower(&declaration, &mut diagnostics);
-    let derived = model.and_then(|mut model| match Equations::derive(&mut model) {
-        Ok(equations) => Some((model, equations)),
-        Err(defect) => {
-            report(&defect, &declaration, &scope, &mut diagnostics);
-            None
-        }
-    });
-    let Some((mut model, equations)) = derived else {
+    let items = model.and_then(|model| implement(&declaration, &scope, model, &mut diagnostics));
+    items.unwrap_or_else(|| {
         let errors = diagnostics.to_compile_errors();
         let items = fallback::items(&declaration, &scope);
-        return quote!(#errors #items);
-    };
+        quote!(#errors #items)
+    })
+}
+
+/// Derives the equations of motion and writes the impls, unless there is an error.
+fn implement(
+    declaration: &Declaration,
+    scope: &Scope,
+    mut model: Model,
+    diagnostics: &mut Diagnostics,
+) -> Option<TokenStream> {
+    let equations = Equations::derive(&mut model)
+        .map_err(|defect| report(&defect, declaration, scope, diagnostics))
+        .ok()?;
     let methods = Methods::schedule(&mut model, &equations);
-    Implementation::new(&declaration, &scope, &model, &equations, &methods).items()
+    if methods.unrepresentable().is_some() {
+        let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
+                       written here are not: choose units in which numbers are nearer to 1";
+        report_at(energy(declaration), message, diagnostics);
+        return None;
+    }
+    Some(Implementation::new(declaration, scope, &model, &equations, &methods).items())
+}
+
+/// The clause in which the equations of motion begin.
+fn energy(declaration: &Declaration) -> Option<&Clause> {
+    let clauses = &declaration.clauses;
+    clauses.kinetic.first().or(clauses.lagrangian.first())
 }
 
 /// Says why there are no equations of motion, where the declaration can be mended.
@@ -48,7 +66,7 @@ fn report(
     diagnostics: &mut Diagnostics,
 ) {
     let clauses = &declaration.clauses;
-    let energy = clauses.kinetic.first().or(clauses.lagrangian.first());
+    let energy = energy(declaration);
     let names = |indices: &[u32]| {
         let names: Vec<String> = indices
             .iter()

@@ -11,6 +11,7 @@ use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary,
 
 use crate::diagnostics::Diagnostics;
 use crate::hints;
+use crate::methods::in_range;
 use crate::names::{plain, spelled};
 use crate::scope::{Meaning, Scope};
 
@@ -415,10 +416,4 @@ impl Translator<'_> {
 /// Whether a symbol's value may change in time.
 fn varies(symbol: Symbol) -> bool {
     !matches!(symbol, Symbol::Parameter(_))
-}
-
-/// Whether a literal is neither beyond the largest nor lost below the smallest `f64`.
-fn in_range(value: &Rational) -> bool {
-    let rounded = value.to_f64();
-    rounded.is_finite() && (rounded != 0.0 || value.is_zero())
 }

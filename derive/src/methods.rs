@@ -1,7 +1,7 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Elimination, Equations, Expression, Model, OperationCount, Program, Symbol,
+    Elimination, Equations, Expression, Model, OperationCount, Program, Rational, Symbol,
 };
 
 /// A method whose body is one program.
@@ -97,6 +97,26 @@ impl Methods {
             outputs: method(&[&model.outputs]),
         }
     }
+}
+
+impl Methods {
+    /// A constant that `f64` cannot hold, if there is one: beyond its range, or lost below it.
+    pub(crate) fn unrepresentable(&self) -> Option<&Rational> {
+        let energies = self.energies.iter().flatten();
+        let counted = self.all().map(|(_, method)| method);
+        let others = [&self.input_jacobian, &self.outputs];
+        let methods = counted.into_iter().chain(others).chain(energies);
+        methods
+            .chain(&self.relative_pivots)
+            .flat_map(|method| method.program.constants())
+            .find(|number| !in_range(number))
+    }
+}
+
+/// Whether a number is neither beyond the largest nor lost below the smallest `f64`.
+pub(crate) fn in_range(number: &Rational) -> bool {
+    let rounded = number.to_f64();
+    rounded.is_finite() && (rounded != 0.0 || number.is_zero())
 }
 
 impl Method {

@@ -11,7 +11,6 @@ use crate::{
     condition::{AtZero, When},
     integrator::checked_state,
     run::{Run, check_singularity},
-    singularity::machine_epsilon,
 };
 
 /// No condition to stop on.
@@ -265,7 +264,7 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator,
     {
-        let epsilon = machine_epsilon::<S>();
+        let epsilon = S::machine_epsilon();
         let allowed = self
             .allowed_loss
             .unwrap_or_else(|| self.integrator.allowed_loss().max(4096.0 * epsilon));

@@ -3,7 +3,6 @@
 pub use nalgebra::{SMatrix, SVector};
 
 use crate::Scalar;
-use crate::singularity::machine_epsilon;
 
 /// A field's type, as far as scalars can be made from it.
 pub trait Parameter {
@@ -62,7 +61,7 @@ pub fn relative_pivots<S: Scalar, const N: usize>(
 ) -> SVector<S, N> {
     SVector::from_fn(|i, _| {
         let left = (pivots[i] / diagonal[i]).abs().smallest();
-        if left < machine_epsilon::<S>() {
+        if left < S::machine_epsilon() {
             S::zero()
         } else {
             pivots[i].abs() / magnitudes[i]

@@ -4,7 +4,7 @@ use core::{marker::PhantomData, ops::ControlFlow};
 
 use crate::{
     Condition, Dynamics, Ending, IntegrationError, Observer, Occasion, Progress, Reason, Sample,
-    Scalar, Stepper, singularity::machine_epsilon,
+    Scalar, Stepper,
 };
 
 /// An integration under way.
@@ -173,7 +173,7 @@ pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
         None => Ok(()),
         Some(singularity) => Err(IntegrationError::SingularConfiguration {
             time: t,
-            estimated_loss: machine_epsilon::<S>() / singularity.relative_pivot(),
+            estimated_loss: S::machine_epsilon() / singularity.relative_pivot(),
             singularity,
         }),
     }

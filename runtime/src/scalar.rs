@@ -36,6 +36,17 @@ pub trait Scalar:
     /// The value of a plain number; the largest over the lanes of several, NaN if one of them is.
     fn largest(self) -> f64;
 
+    /// The distance from 1 to the next larger number, by which rounding errors are estimated.
+    #[must_use]
+    fn machine_epsilon() -> f64 {
+        // A double-double resolves about 2⁻¹⁰⁴; the bound ends the loop for exact arithmetic.
+        let halvings = (0..110).take_while(|&n| {
+            let half = Self::from_f64(libm::ldexp(0.5, -n));
+            ((Self::one() + half) - Self::one()).largest() > 0.0
+        });
+        halvings.fold(1.0, |epsilon, _| epsilon / 2.0)
+    }
+
     /// Whether the value is finite in every lane.
     #[inline]
     fn is_finite(self) -> bool {
@@ -152,6 +163,11 @@ macro_rules! float_scalar {
                 f64::from(self)
             }
 
+            #[inline]
+            fn machine_epsilon() -> f64 {
+                $float::EPSILON.into()
+            }
+
             // Without the instruction a fused multiplication is a call into the mathematics
             // library, many times slower than the two operations.
             #[cfg(target_feature = "fma")]
@@ -230,4 +246,30 @@ float_scalar! { f32, nearest_f32, sincosf, sine_and_cosine_f32, fmaf,
     sinh sinhf(); cosh coshf(); tanh tanhf();
     asinh asinhf(); acosh acoshf(); atanh atanhf();
     exp expf(); ln logf(); sqrt sqrtf(); powf powf(exponent);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Scalar;
+
+    /// A number that leaves the machine epsilon to the trait.
+    fn measured<S: Scalar>() -> f64 {
+        let halvings = (0..110).take_while(|&n| {
+            let half = S::from_f64(libm::ldexp(0.5, -n));
+            ((S::one() + half) - S::one()).largest() > 0.0
+        });
+        halvings.fold(1.0, |epsilon, _| epsilon / 2.0)
+    }
+
+    #[test]
+    fn machine_epsilon_is_what_addition_shows() {
+        assert_eq!(
+            f64::machine_epsilon().to_bits(),
+            measured::<f64>().to_bits()
+        );
+        assert_eq!(
+            f32::machine_epsilon().to_bits(),
+            measured::<f32>().to_bits()
+        );
+    }
 }

@@ -2,8 +2,6 @@
 
 use core::fmt;
 
-use crate::Scalar;
-
 /// How many values of coordinates a report carries.
 const REPORTED: usize = 6;
 
@@ -79,7 +77,7 @@ impl fmt::Display for Singularity {
         )?;
         for (i, (name, value)) in self.coordinates().enumerate() {
             let separator = if i == 0 { " where" } else { "," };
-            write!(f, "{separator} {name} = {value}")?;
+            write!(f, "{separator} {name} = {}", Written(value))?;
         }
         let left_out = self.dependencies.len().saturating_sub(REPORTED);
         if left_out > 0 {
@@ -99,27 +97,30 @@ impl fmt::Display for Singularity {
     }
 }
 
-/// The distance from 1 to the next larger number of the scalar type, in powers of two.
-pub(crate) fn machine_epsilon<S: Scalar>() -> f64 {
-    // A double-double resolves about 2⁻¹⁰⁴; the bound ends the loop for exact arithmetic.
-    let halvings = (0..110).take_while(|&n| {
-        let half = S::from_f64(libm::ldexp(0.5, -n));
-        ((S::one() + half) - S::one()).largest() > 0.0
-    });
-    halvings.fold(1.0, |epsilon, _| epsilon / 2.0)
+/// A number in a sentence: without exponent where that is easily read.
+pub(crate) struct Written(pub(crate) f64);
+
+impl fmt::Display for Written {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = self;
+        let size = value.abs();
+        if size == 0.0 || (1e-4..1e7).contains(&size) || !size.is_finite() {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Singularity, machine_epsilon};
+    use super::{Singularity, Written};
 
     #[test]
-    fn machine_epsilon_is_that_of_the_format() {
-        assert_eq!(machine_epsilon::<f64>().to_bits(), f64::EPSILON.to_bits());
-        assert_eq!(
-            machine_epsilon::<f32>().to_bits(),
-            f64::from(f32::EPSILON).to_bits()
-        );
+    fn numbers_are_written_as_they_are_read() {
+        let written = [0.0, 0.5, 123_456.0, 1.75e-9, -2e10, f64::INFINITY]
+            .map(|value| std::format!("{}", Written(value)));
+        assert_eq!(written, ["0", "0.5", "123456", "1.75e-9", "-2e10", "inf"]);
     }
 
     #[test]

@@ -147,6 +147,18 @@ impl Program {
         symbols
     }
 
+    /// The exact numbers that the program contains.
+    pub fn constants(&self) -> impl Iterator<Item = &Rational> {
+        let outputs = self.phases.iter().flat_map(|phase| &phase.outputs);
+        let operands = self
+            .instructions()
+            .flat_map(|instruction| instruction.operation.operands());
+        operands.chain(outputs).filter_map(|operand| match operand {
+            Operand::Constant(number) => Some(number),
+            _ => None,
+        })
+    }
+
     /// How often each kind of operation occurs.
     #[must_use]
     pub fn count(&self) -> OperationCount {
