@@ -220,6 +220,17 @@ impl<'a> Fallback<'a> {
         };
         let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
         let implementation = self.implement(&interface, Some(scalar), &items);
-        quote!(#definition #implementation)
+        let u = self.declaration.fields_with(Role::Input).count();
+        let with_inputs = (u > 0).then(|| {
+            let inputs = quote!(::lagrangian::__private::SVector<#scalar, #u>);
+            let items = quote! {
+                fn outputs_with(&self, _: #state, _: &#inputs) -> Self::Outputs {
+                    ::core::unreachable!()
+                }
+            };
+            let interface = quote!(::lagrangian::OutputsWith<#n, #u, #scalar>);
+            self.implement(&interface, Some(scalar), &items)
+        });
+        quote!(#definition #implementation #with_inputs)
     }
 }

@@ -109,13 +109,17 @@ pub(crate) fn function(name: &str) -> String {
     let hint = match name {
         "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
         "log" => "the natural logarithm is `ln(x)`",
-        "log2" | "log10" => "write it through the natural logarithm, `ln(x) / ln(10.0)`",
+        "log2" => "write it through the natural logarithm, `ln(x) / ln(2.0)`",
+        "log10" => "write it through the natural logarithm, `ln(x) / ln(10.0)`",
         "exp2" | "exp_m1" | "ln_1p" => "write it through `exp(x)` and `ln(x)`",
         "arcsin" => "write `asin(x)`",
         "arccos" => "write `acos(x)`",
         "arctan" => "write `atan(x)`",
         "sign" | "sgn" => "write `signum(x)`",
-        "cbrt" => "write `x.powf(1.0 / 3.0)`",
+        "cbrt" => {
+            "write `x.powf(1.0 / 3.0)` where x is positive, and `signum(x) * abs(x).powf(1.0 / 3.0)` elsewhere"
+        }
+        "sinc" => "write `sin(x) / x`, which has no value at 0",
         "hypot" => "write `(x.powi(2) + y.powi(2)).sqrt()`",
         "square" | "sq" => "write `x.powi(2)`",
         "sin_cos" => "write `sin(x)` and `cos(x)`; they are computed together",
@@ -126,7 +130,12 @@ pub(crate) fn function(name: &str) -> String {
         "sec" | "csc" | "cosec" | "cot" | "cosine" | "sine" => {
             "write it through `sin`, `cos` and `tan`"
         }
-        "ddt" | "diff" | "derivative" => "the time derivative is `dot(x)`",
+        "ddt" | "diff" | "der" | "derivative" | "velocity" | "d" | "D" => {
+            "the time derivative is `dot(x)`"
+        }
+        "ddot" | "acceleration" => {
+            "the second time derivative is `dot(dot(x))`, under `output` only"
+        }
         "map" | "sum" | "product" | "fold" => "write the terms one by one, `a + b + c`",
         "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
         _ => {

@@ -28,6 +28,10 @@ use crate::{Scalar, Singularity, VectorSpace};
 /// assert!((end.x[0] - (-1.0_f64).exp()).abs() < 1e-9);
 /// # Ok::<(), lagrangian::IntegrationError>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not something that an integrator steps",
+    note = "a model enters as `&model.dynamics()`, or as `&model.controlled_by(…)` under a control law"
+)]
 pub trait Dynamics<S: Scalar = f64> {
     /// The state x.
     type State: VectorSpace<S>;

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::singularity::Written;
 use crate::{Component, Singularity};
 
 /// Why an integration could not begin or could not go on.
@@ -93,16 +94,20 @@ impl fmt::Display for IntegrationError {
                 time,
                 component,
                 value,
-            } => write!(f, "{component} is {value} at t = {time}"),
+            } => write!(f, "{component} is {value} at t = {}", Written(time)),
             Self::NonFiniteDerivative {
                 time,
                 component,
                 value,
-            } => write!(f, "the derivative of {component} is {value} at t = {time}"),
+            } => write!(
+                f,
+                "the derivative of {component} is {value} at t = {}",
+                Written(time)
+            ),
             Self::NonFiniteTime { time } => {
                 write!(
                     f,
-                    "a time to integrate from or to must be finite and one, not {time}"
+                    "a time to integrate from or to must be finite, and the same in all lanes, not {time}"
                 )
             }
             Self::SingularConfiguration {
@@ -111,23 +116,36 @@ impl fmt::Display for IntegrationError {
                 singularity,
             } => write!(
                 f,
-                "at t = {time} {singularity}; the estimated relative error of the accelerations \
-                 is {estimated_loss:.1e}"
+                "at t = {} {singularity}; the estimated relative error of the accelerations is \
+                 {estimated_loss:.1e}",
+                Written(time)
             ),
             Self::StepTooSmall { time, step } => write!(
                 f,
-                "the step {step:e} is too small at t = {time}: the tolerance cannot be met there"
+                "the step {step:e} is too small at t = {}: the tolerance cannot be met there",
+                Written(time)
             ),
             Self::TooManySteps { time, limit } => {
-                write!(f, "the limit of {limit} steps is reached at t = {time}")
+                write!(
+                    f,
+                    "the limit of {limit} steps is reached at t = {}: raise it, or look for forces that \
+                     jump, such as dry friction, which want fixed steps or a smooth form",
+                    Written(time)
+                )
             }
             Self::InvalidStep { step } => {
-                write!(f, "a step size must be positive and finite, not {step}")
+                write!(
+                    f,
+                    "a step size must be positive and finite, not {}",
+                    Written(step)
+                )
             }
             Self::InvalidTolerance { relative, absolute } => write!(
                 f,
-                "tolerances must be finite, not negative and not both zero, not {relative} \
-                 (relative) and {absolute} (absolute)"
+                "tolerances must be finite, not negative and not both zero, not {} (relative) and {} \
+                 (absolute)",
+                Written(relative),
+                Written(absolute)
             ),
             Self::InvalidLoss { loss } => {
                 write!(

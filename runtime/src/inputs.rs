@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{Lagrangian, Linearization, Scalar, State, System};
+use crate::{Lagrangian, Linearization, Outputs, OutputsWith, Scalar, State, System};
 
 /// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
 ///
@@ -147,5 +147,17 @@ where
 
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model.relative_pivots(state)
+    }
+}
+
+impl<M, S, const N: usize, const U: usize> Outputs<N, S> for WithInputs<'_, M, S, U>
+where
+    M: OutputsWith<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    type Outputs = M::Outputs;
+
+    fn outputs(&self, state: &State<S, N>) -> Self::Outputs {
+        self.model.outputs_with(state, &self.inputs)
     }
 }

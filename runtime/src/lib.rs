@@ -83,9 +83,10 @@ pub use lagrangian::{Energies, Lagrangian};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
 pub use linearization::Linearization;
+pub use nalgebra;
 pub use observer::{Observer, Occasion, Progress};
 pub use operations::{OperationCount, Operations};
-pub use outputs::Outputs;
+pub use outputs::{Outputs, OutputsWith};
 pub use phase::Phase;
 pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
 pub use sample::Sample;

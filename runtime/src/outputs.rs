@@ -1,6 +1,8 @@
 //! Quantities that a declaration names for observers.
 
-use crate::{Lagrangian, Scalar, State};
+use nalgebra::SVector;
+
+use crate::{Inputs, Lagrangian, Scalar, State};
 
 /// A system whose declaration has `output(name = expression, …)`.
 pub trait Outputs<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
@@ -10,4 +12,14 @@ pub trait Outputs<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// All the outputs at a state. Where one contains accelerations, they are those of
     /// [`accelerations`](Lagrangian::accelerations).
     fn outputs(&self, state: &State<S, N>) -> Self::Outputs;
+}
+
+/// A system with outputs and inputs: the outputs under inputs that vary in time.
+///
+/// [`WithInputs`](crate::WithInputs) has the outputs under inputs that are held.
+pub trait OutputsWith<const N: usize, const U: usize, S: Scalar = f64>:
+    Inputs<N, U, S> + Outputs<N, S>
+{
+    /// All the outputs at a state under these inputs.
+    fn outputs_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Self::Outputs;
 }

@@ -1,11 +1,14 @@
 //! What a program that uses the crate names: `use lagrangian::prelude::*;`.
 //!
-//! It brings the derive macro, the traits of models, and the methods of integration.
+//! It brings the derive macro, the traits of models, the methods of integration, and the vectors and
+//! matrices in which they speak.
 
 pub use crate::{
     ControlledBy, Dop853, Driver, Dynamics, Ending, Energies, Inputs, IntegrationError, Integrator,
-    Lagrangian, Linearization, Observer, Occasion, Outputs, Phase, Progress, Reason, RungeKutta,
-    Sample, Scalar, State, Statistics, Stepper, System, VectorSpace, WithInputs,
+    Lagrangian, Linearization, Observer, Occasion, Outputs, OutputsWith, Phase, Progress, Reason,
+    RungeKutta, Sample, Scalar, State, Statistics, Stepper, System, VectorSpace, WithInputs,
 };
+pub use nalgebra::{SMatrix, SVector};
+
 #[cfg(feature = "alloc")]
 pub use crate::{Interrupted, Trajectory};

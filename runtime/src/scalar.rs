@@ -1,7 +1,7 @@
 //! The numbers a model can be evaluated on.
 //!
-//! What the derive emits is generic over [`Scalar`] and branch-free: it never compares. Control flow
-//! (a pivot that vanishes, a step that is too long) looks at a scalar only through
+//! What the derive emits is generic over [`Scalar`] and straight-line. Control flow (a pivot that
+//! vanishes, a step that is too long) is in this crate, and looks at a scalar only through
 //! [`Scalar::smallest`] and [`Scalar::largest`], so that SIMD lanes and dual numbers fit.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -12,6 +12,10 @@ use num_traits::{One, Zero};
 ///
 /// Implement it for a type of your own to evaluate every derived model on it. The elementary
 /// functions are those of the declaration language; angles are in radians.
+#[diagnostic::on_unimplemented(
+    message = "models are not evaluated on `{Self}`",
+    note = "write real numbers with a point, such as `0.0`; for a type of your own, implement `Scalar`"
+)]
 pub trait Scalar:
     nalgebra::Scalar
     + Copy

@@ -86,7 +86,7 @@ impl fmt::Display for Singularity {
         if self.dependencies.is_empty() {
             f.write_str(
                 "; it is so whatever the coordinates are: look for a parameter such as a mass or \
-                 an inertia that is zero",
+                 an inertia that is zero or not a number",
             )
         } else {
             f.write_str(

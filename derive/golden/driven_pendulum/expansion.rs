@@ -442,7 +442,30 @@ pub struct DrivenPendulumOutputs<__S> {
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Outputs<1usize, __S> for DrivenPendulum {
     type Outputs = DrivenPendulumOutputs<__S>;
     fn outputs(&self, state: &::lagrangian::State<__S, 1usize>) -> Self::Outputs {
-        let accelerations = ::lagrangian::Lagrangian::accelerations(self, state);
+        ::lagrangian::OutputsWith::<
+            1usize,
+            1usize,
+            __S,
+        >::outputs_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::OutputsWith<1usize, 1usize, __S>
+for DrivenPendulum {
+    fn outputs_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> Self::Outputs {
+        let accelerations = ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::accelerations_with(self, state, inputs);
         let theta: __S = state.q[0];
         let theta_dot: __S = state.v[0];
         let theta_ddot: __S = accelerations[0];

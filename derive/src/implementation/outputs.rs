@@ -17,14 +17,40 @@ impl Implementation<'_> {
         let scalar = &self.scalar;
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
         let (results, definition) = results(self.declaration, scalar, &names);
-        let output = quote!(Self::Outputs);
-        let method = self.method("outputs", &[], &output, &self.methods.outputs, |b| {
-            b.outputs(&results, &names)
-        });
-        let implementation = self.implement(
-            &quote!(::lagrangian::Outputs<#n, #scalar>),
-            &quote!(type Outputs = #results<#scalar>; #method),
-        );
+        let outputs = &self.methods.outputs;
+        let write = |name: &str, arguments: &[TokenStream], accelerations: &TokenStream| {
+            self.method(name, arguments, &quote!(Self::Outputs), outputs, |b| {
+                b.outputs(&results, &names, accelerations)
+            })
+        };
+        let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
+        if !self.has_inputs() {
+            let accelerations = quote!(::lagrangian::Lagrangian::accelerations(self, state));
+            let method = write("outputs", &[], &accelerations);
+            let items = quote!(type Outputs = #results<#scalar>; #method);
+            let implementation = self.implement(&interface, &items);
+            return quote!(#definition #implementation);
+        }
+        let u = self.model.inputs as usize;
+        let driven = quote!(::lagrangian::Inputs::<#n, #u, #scalar>);
+        let arguments = [quote!(inputs: &::lagrangian::__private::SVector<#scalar, #u>)];
+        let accelerations = quote!(#driven::accelerations_with(self, state, inputs));
+        let method = write("outputs_with", &arguments, &accelerations);
+        let interface_with = quote!(::lagrangian::OutputsWith<#n, #u, #scalar>);
+        let delegation = quote! {
+            type Outputs = #results<#scalar>;
+
+            fn outputs(&self, state: &::lagrangian::State<#scalar, #n>) -> Self::Outputs {
+                ::lagrangian::OutputsWith::<#n, #u, #scalar>::outputs_with(
+                    self, state, &#driven::inputs(self),
+                )
+            }
+        };
+        let implementation = [
+            self.implement(&interface, &delegation),
+            self.implement(&interface_with, &method),
+        ];
+        let implementation: TokenStream = implementation.into_iter().collect();
         quote!(#definition #implementation)
     }
 }

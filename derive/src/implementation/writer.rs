@@ -101,15 +101,18 @@ impl Writer<'_> {
         quote!(let factors = ::lagrangian::Factorization::new(#mass);)
     }
 
-    pub(super) fn outputs(&mut self, results: &Ident, names: &[&Ident]) -> TokenStream {
+    pub(super) fn outputs(
+        &mut self,
+        results: &Ident,
+        names: &[&Ident],
+        accelerations: &TokenStream,
+    ) -> TokenStream {
         let accelerates = self
             .program
             .symbols()
             .iter()
             .any(|symbol| matches!(symbol, Symbol::Acceleration(_)));
-        let accelerations = accelerates.then(
-            || quote!(let accelerations = ::lagrangian::Lagrangian::accelerations(self, state);),
-        );
+        let accelerations = accelerates.then(|| quote!(let accelerations = #accelerations;));
         let (statements, outputs) = self.phase(0);
         quote!(#accelerations #statements #results { #(#names: #outputs),* })
     }
