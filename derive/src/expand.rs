@@ -43,6 +43,12 @@ fn implement(
         .map_err(|defect| report(&defect, declaration, scope, diagnostics))
         .ok()?;
     let methods = Methods::schedule(&mut model, &equations);
+    if !methods.verified() {
+        let message = "the code for this model would not compute what was derived; this is a defect of \
+                       `lagrangian`: please report the declaration";
+        diagnostics.error(&declaration.name, message);
+        return None;
+    }
     if methods.unrepresentable().is_some() {
         let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
                        written here are not: choose units in which numbers are nearer to 1";

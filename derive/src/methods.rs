@@ -1,13 +1,15 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Elimination, Equations, Expression, Model, OperationCount, Program, Rational, Symbol,
+    Elimination, Equations, Expression, Fault, Model, OperationCount, Program, Rational, Symbol,
 };
 
 /// A method whose body is one program.
 pub(crate) struct Method {
     pub(crate) program: Program,
     pub(crate) count: OperationCount,
+    /// Whether the program computes what it was made from, so far as debug builds look.
+    pub(crate) verified: bool,
 }
 
 /// The programs of everything that is emitted for a model.
@@ -57,12 +59,19 @@ impl Methods {
             .chain(equations.forcing.iter().copied())
             .collect();
         let derivatives = columns(model, equations, &state_symbols(model));
+        // The momenta are free of inputs, so that no input acts on M q̈, however the terms are spelt.
         let by_inputs = columns(model, equations, &model.input_symbols());
+        let by_inputs = without_accelerations(model, &by_inputs);
         let jacobian: Vec<_> = equations
             .mass_lower()
             .chain(by_inputs.iter().copied())
             .collect();
-        let elimination = Elimination::solve(&mut model.graph, &equations.mass, &equations.forcing);
+        let elimination = Elimination::solve(
+            &mut model.graph,
+            &equations.mass,
+            &equations.forcing,
+            &equations.structure.angles,
+        );
         let energies = match model.energies {
             lagrangian_symbolic::Energies::Natural { kinetic, potential } => {
                 Some([kinetic, potential])
@@ -102,14 +111,22 @@ impl Methods {
 impl Methods {
     /// A constant that `f64` cannot hold, if there is one: beyond its range, or lost below it.
     pub(crate) fn unrepresentable(&self) -> Option<&Rational> {
+        self.every()
+            .flat_map(|method| method.program.constants())
+            .find(|number| !in_range(number))
+    }
+
+    /// Whether every program computes what it was made from.
+    pub(crate) fn verified(&self) -> bool {
+        self.every().all(|method| method.verified)
+    }
+
+    fn every(&self) -> impl Iterator<Item = &Method> {
         let energies = self.energies.iter().flatten();
         let counted = self.all().map(|(_, method)| method);
         let others = [&self.input_jacobian, &self.outputs];
         let methods = counted.into_iter().chain(others).chain(energies);
-        methods
-            .chain(&self.relative_pivots)
-            .flat_map(|method| method.program.constants())
-            .find(|number| !in_range(number))
+        methods.chain(&self.relative_pivots)
     }
 }
 
@@ -123,7 +140,16 @@ impl Method {
     fn schedule(model: &Model, groups: &[&[Expression]]) -> Self {
         let program = Program::schedule(&model.graph, groups);
         let count = program.count();
-        Self { program, count }
+        let verified = !cfg!(debug_assertions)
+            || matches!(
+                program.verify(&model.graph, groups),
+                Ok(()) | Err(Fault::Undecided)
+            );
+        Self {
+            program,
+            count,
+            verified,
+        }
     }
 
     /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.
@@ -136,6 +162,13 @@ impl Method {
         self.count.divisions += n;
         self
     }
+}
+
+/// Expressions with the accelerations 0.
+fn without_accelerations(model: &mut Model, roots: &[Expression]) -> Vec<Expression> {
+    let zero = model.graph.zero();
+    let rest = (0..model.coordinates).map(|i| (Symbol::Acceleration(i), zero));
+    model.graph.substitute(roots, &rest.collect())
 }
 
 /// q, q̇ and t.

@@ -98,7 +98,8 @@ where
     }
 }
 
-/// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle: it is the same after a whole turn.
+/// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle, which is the same after a whole turn; and for
+/// one that is ignorable what it moves in a unit of time, if that is more than 1, wherever it is.
 #[inline]
 fn magnitude<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
 where
@@ -109,9 +110,11 @@ where
         q: x.q.map(Scalar::abs),
         v: x.v.map(Scalar::abs),
     };
-    for (size, is_angle) in sizes.q.iter_mut().zip(M::ANGLES) {
-        if is_angle {
+    for (i, size) in sizes.q.iter_mut().enumerate() {
+        if M::ANGLES[i] {
             *size = S::one();
+        } else if M::IGNORABLE[i] {
+            *size = sizes.v[i].max(S::one());
         }
     }
     sizes

@@ -83,6 +83,11 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             let pivot = factors[(j, j)];
             reciprocals[j] = S::one() / pivot;
             relative_pivots[rows[j]] = (pivot / scale[rows[j]]).abs();
+            // Nothing can be eliminated with nothing: the other rows keep what they have.
+            if pivot.abs().smallest() == 0.0 || pivot.smallest().is_nan() {
+                relative_pivots[rows[j]] = S::zero();
+                continue;
+            }
             for i in j + 1..N {
                 let multiplier = factors[(i, j)] * reciprocals[j];
                 factors[(i, j)] = multiplier;

@@ -96,6 +96,7 @@ where
 {
     const COORDINATES: [&'static str; N] = M::COORDINATES;
     const ANGLES: [bool; N] = M::ANGLES;
+    const IGNORABLE: [bool; N] = M::IGNORABLE;
     const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
 }
 

@@ -37,6 +37,10 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
     -> SVector<S, N>;
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
+    ///
+    /// They are solved for with a factorization of M in numbers. Near a singularity of M they lose more
+    /// than [`accelerations`](Self::accelerations) do: as much as [`Factorization`]'s relative pivots
+    /// say, which is half of all digits at 10⁻⁴ from the pole of Euler angles.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
     /// For each coordinate, the pivot of the mass matrix's factorization relative to what its rounding

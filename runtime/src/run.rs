@@ -43,6 +43,7 @@ where
         }
         while reason.is_none() && self.stepper.time() - self.end != 0.0 {
             self.step()?;
+            self.check_regular()?;
             let before = value;
             value = self
                 .condition
@@ -54,7 +55,7 @@ where
         Ok(())
     }
 
-    /// Takes one step and looks where it has led.
+    /// Takes one step.
     fn step(&mut self) -> Result<(), IntegrationError> {
         let statistics = self.stepper.statistics();
         if statistics.steps.saturating_add(statistics.rejected) >= self.maximal_steps {
@@ -67,9 +68,24 @@ where
         let target = next.copied().unwrap_or(self.end);
         let result = self.stepper.step(self.dynamics, target);
         self.ending.statistics = self.stepper.statistics();
-        result?;
+        result
+    }
+
+    /// An error if the state that was reached is too near to a singularity. The samples before it are
+    /// visited.
+    fn check_regular(&mut self) -> Result<(), IntegrationError> {
         let (t, x) = (self.stepper.time(), self.stepper.state());
-        check_singularity(self.dynamics, t, x, self.least_pivot)
+        let result = check_singularity(self.dynamics, t, x, self.least_pivot);
+        if result.is_err() {
+            let before = if self.end >= self.start {
+                t.next_down()
+            } else {
+                t.next_up()
+            };
+            // The error says more than why the observer may have wanted to stop.
+            let _ = self.samples_until(before);
+        }
+        result
     }
 
     /// Samples, condition and observer for the step just taken; the reason to end, if there is one.

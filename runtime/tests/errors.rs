@@ -392,3 +392,15 @@ fn a_zero_inertia_is_an_error_at_the_start() {
         "{error}"
     );
 }
+
+/// The motion in a plane has nothing to do with the axis across, whatever the tolerance for 0 is.
+#[test]
+fn what_stays_exactly_zero_needs_no_tolerance() {
+    let turning = equation(|_, x: &SVector<f64, 3>| SVector::from([x[1], -x[0], 0.0]));
+    let method = Dop853::new()
+        .relative_tolerance(1e-10)
+        .absolute_tolerance(0.0);
+    let start = (0.0, SVector::from([1.0, 1.0, 0.0]));
+    let end = method.integrate_to(&turning, start, 0.5).unwrap();
+    assert_close(end.x[0], 0.5_f64.cos() + 0.5_f64.sin(), 1e-9);
+}

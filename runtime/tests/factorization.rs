@@ -128,3 +128,15 @@ fn a_singular_matrix_has_a_pivot_that_is_zero_or_no_number() {
         assert!(x.iter().any(|component| !component.is_finite()), "{x}");
     }
 }
+
+#[test]
+fn a_zero_row_is_the_only_one_to_blame() {
+    let mut matrix = SMatrix::<f64, 6, 6>::identity() * 2.0;
+    matrix[(1, 0)] = 0.5;
+    matrix[(3, 3)] = 0.0;
+    let pivots = Factorization::new(matrix).relative_pivots();
+    for (i, pivot) in pivots.iter().enumerate() {
+        assert!(pivot.is_finite(), "{pivots}");
+        assert_eq!(*pivot == 0.0, i == 3, "{pivots}");
+    }
+}

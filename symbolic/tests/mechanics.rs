@@ -1,7 +1,8 @@
 //! Lagrange's equations against closed forms, and the facts that are derived about their structure.
 
 use lagrangian_symbolic::{
-    Defect, Energies, Equations, Expression, Graph, Model, Point, Program, Rational, Symbol, Unary,
+    Binary, Defect, Energies, Equations, Expression, Fault, Graph, Model, Point, Program, Rational,
+    Symbol, Unary,
 };
 
 /// A model under construction: the graph, and shorthands that read as formulas.
@@ -195,7 +196,9 @@ fn euler_angles_are_singular_where_theta_says_so() {
     let equations = Equations::derive(&mut model).unwrap();
     // det M = I₁ I₂ I₃ sin²θ: neither φ nor ψ matters, though M contains ψ.
     assert_eq!(equations.structure.singularities, vec![vec![1]; 3]);
-    assert_eq!(equations.structure.angles, vec![true; 3]);
+    // φ occurs nowhere.
+    assert_eq!(equations.structure.angles, vec![false, true, true]);
+    assert_eq!(equations.structure.ignorable, vec![true, false, false]);
 }
 
 #[test]
@@ -211,8 +214,9 @@ fn blocks_of_the_mass_matrix_have_their_own_singularities() {
     let mut model = draft.natural(kinetic, potential);
     let structure = Equations::derive(&mut model).unwrap().structure;
     assert_eq!(structure.singularities, vec![vec![], vec![0], vec![]]);
-    // φ occurs nowhere, so its size means nothing; r and x are lengths.
-    assert_eq!(structure.angles, vec![false, true, false]);
+    // φ occurs nowhere; r and x are lengths.
+    assert_eq!(structure.angles, vec![false; 3]);
+    assert_eq!(structure.ignorable, vec![false, true, false]);
 }
 
 #[test]
@@ -416,4 +420,85 @@ fn a_wrong_program_is_found_out() {
     let first = repeated.phases[0].instructions[0].clone();
     repeated.phases[0].instructions.insert(1, first);
     assert!(repeated.verify(&model.graph, &groups).is_err());
+}
+
+/// ½ m (ẋ + √c ẏ)², which is singular for every c.
+fn leaning(c: i64) -> Model {
+    let mut draft = Draft::new(2);
+    let (m, vx, vy) = (draft.parameter(0), draft.v(0), draft.v(1));
+    let number = draft.graph.integer(c);
+    let root = draft.graph.square_root(number);
+    let slanted = draft.times(&[root, vy]);
+    let along = draft.plus(&[vx, slanted]);
+    let square = draft.square(along);
+    let twice = draft.times(&[m, square]);
+    let kinetic = draft.half(twice);
+    let zero = draft.graph.zero();
+    draft.natural(kinetic, zero)
+}
+
+#[test]
+fn roots_of_small_numbers_are_no_obstacle() {
+    for c in [2, 3, 5, 6, 7, 10, 11, 13, 17, 19, 23] {
+        let defect = Equations::derive(&mut leaning(c)).unwrap_err();
+        assert_eq!(defect, Defect::SingularMass(vec![0, 1]), "root of {c}");
+    }
+}
+
+#[test]
+fn corners_are_not_taken_for_zero() {
+    // A falling chain, T = ½ m max(x, 0) ẋ²: M vanishes for half of all x, and not identically.
+    let mut draft = Draft::new(1);
+    let (m, x, v) = (draft.parameter(0), draft.q(0), draft.v(0));
+    let zero = draft.graph.zero();
+    let length = draft.graph.binary(Binary::Max, x, zero);
+    let square = draft.square(v);
+    let twice = draft.times(&[m, length, square]);
+    let kinetic = draft.half(twice);
+    assert!(Equations::derive(&mut draft.natural(kinetic, zero)).is_ok());
+
+    // T = ½ v² − min(v, 0)³: the energy function is not T.
+    let mut draft = Draft::new(1);
+    let v = draft.v(0);
+    let zero = draft.graph.zero();
+    let negative = draft.graph.binary(Binary::Min, v, zero);
+    let cube = draft.graph.power(negative, &Rational::integer(3));
+    let square = draft.square(v);
+    let half = draft.half(square);
+    let kinetic = draft.graph.subtract(half, cube);
+    let mut model = draft.natural(kinetic, zero);
+    let equations = Equations::derive(&mut model).unwrap();
+    let back = |symbol: Symbol| {
+        if symbol == Symbol::Velocity(0) {
+            -2.0
+        } else {
+            value(symbol)
+        }
+    };
+    // p = v − 3 min(v, 0)², h = p v − T.
+    let expected = (-2.0 - 12.0) * -2.0 - (2.0 + 8.0);
+    assert_close(model.graph.evaluate(&[equations.energy], back)[0], expected);
+}
+
+#[test]
+fn programs_with_roots_are_verified_too() {
+    let mut graph = Graph::new();
+    let roots: Vec<_> = (0..12)
+        .map(|i| {
+            let x = graph.symbol(Symbol::Parameter(i));
+            let exponent = Rational::new(2 * i64::from(i) + 1, 2).unwrap();
+            graph.power(x, &exponent)
+        })
+        .collect();
+    let program = Program::schedule(&graph, &[&roots]);
+    assert_eq!(program.verify(&graph, &[&roots]), Ok(()));
+    let mut wrong = program;
+    wrong.phases[0].outputs.swap(3, 4);
+    assert!(matches!(
+        wrong.verify(&graph, &[&roots]),
+        Err(Fault::WrongOutput {
+            group: 0,
+            output: 3
+        })
+    ));
 }

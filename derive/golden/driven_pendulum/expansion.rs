@@ -115,6 +115,7 @@ impl DrivenPendulum {
 impl ::lagrangian::System<1usize> for DrivenPendulum {
     const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
     const ANGLES: [bool; 1usize] = [true];
+    const IGNORABLE: [bool; 1usize] = [false];
     const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
 }
 #[automatically_derived]

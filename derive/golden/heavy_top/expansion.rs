@@ -126,7 +126,8 @@ impl HeavyTop {
 #[automatically_derived]
 impl ::lagrangian::System<3usize> for HeavyTop {
     const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
-    const ANGLES: [bool; 3usize] = [true, true, true];
+    const ANGLES: [bool; 3usize] = [false, true, true];
+    const IGNORABLE: [bool; 3usize] = [true, false, false];
     const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
 }
 #[automatically_derived]
@@ -591,17 +592,22 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x13 = x12 * x0;
         let x14 = i1 * x2;
         let x15 = x13 + x14;
-        let x16 = (theta * sin_theta * cos_theta
-            * (x12 + sin_psi * (sin_psi * (i1 - x10))))
-            .abs();
-        let x17 = sin_psi * (sin_psi * (x9 - x5 / (x8 * x8))) - x9 * x4;
-        let x18 = cos_psi * (psi * sin_psi);
-        let x19 = ((x3 * (x3 * x17) + x3) * x0 * x18).abs();
+        let x16 = cos_theta
+            * (sin_psi * (sin_psi * (__S::from_f64(2.0) * (i1 - x10)))
+                + __S::from_f64(2.0) * x12);
+        let x17 = sin_psi * (sin_psi * (__S::from_f64(2.0) * (x5 / (x8 * x8) - x9)));
+        let x18 = __S::from_f64(2.0) * x3;
+        let x19 = x3 * (x3 * (x17 + __S::from_f64(2.0) * (x9 * x4))) - x18;
+        let x20 = __S::from_f64(1.0).min(psi.abs());
+        let x21 = (sin_theta * (sin_theta * (sin_psi * (cos_psi * x19)))).abs() * x20;
+        let x22 = x6.abs() + x7.abs() + x20 * (sin_psi * (cos_psi * -x18)).abs();
         ::lagrangian::__private::relative_pivots(
             [x15 - x11, x8, i3],
             [
-                x13.abs() + x14.abs() + x11.abs() + __S::from_f64(2.0) * (x16 + x19),
-                x6.abs() + x7.abs() + __S::from_f64(2.0) * (x3 * x18).abs(),
+                x13.abs() + x14.abs() + x11.abs()
+                    + (sin_theta * x16).abs() * __S::from_f64(1.0).min(theta.abs())
+                    + x21,
+                x22,
                 i3.abs(),
             ],
             [cos_theta * cos_theta * i3 + x15, x8, i3],

@@ -57,7 +57,7 @@ impl Implementation<'_> {
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.coordinates();
         let structure = &self.equations.structure;
-        let angles = &structure.angles;
+        let (angles, ignorable) = (&structure.angles, &structure.ignorable);
         let singularities = structure.singularities.iter().map(|coordinates| {
             let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
             quote!(&[#(#coordinates),*])
@@ -67,6 +67,7 @@ impl Implementation<'_> {
             impl #generics ::lagrangian::System<#n> for #name #arguments #conditions {
                 const COORDINATES: [&'static str; #n] = Self::COORDINATES;
                 const ANGLES: [bool; #n] = [#(#angles),*];
+                const IGNORABLE: [bool; #n] = [#(#ignorable),*];
                 const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
             }
         }

@@ -45,9 +45,12 @@ impl Tolerance {
         let absolute = S::from_f64(self.absolute);
         let larger = before.components().zip(after.components());
         let scaled = vector.components().zip(larger).map(|(component, (a, b))| {
-            (component / (absolute + relative * a.max(b)))
-                .abs()
-                .largest()
+            let size = component.abs();
+            // What is exactly 0 has no error, also where the tolerance for it is 0.
+            if size.largest() == 0.0 {
+                return 0.0;
+            }
+            (size / (absolute + relative * a.max(b))).largest()
         });
         scaled.fold((0.0, 0.0), |(sum, count), ratio| {
             (sum + ratio * ratio, count + 1.0)

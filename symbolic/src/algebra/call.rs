@@ -26,11 +26,12 @@ impl Graph {
             (Unary::Exp, Node::Unary(Unary::Ln, y)) | (Unary::Ln, Node::Unary(Unary::Exp, y)) => *y,
             (Unary::Abs, Node::Unary(Unary::Abs, _)) => x,
             (Unary::Abs | Unary::Signum, Node::Sum(terms)) if terms.len() == 1 => {
-                // A positive multiple: |c·x| = c·|x|, and signum(c·x) = signum(x).
+                // |c·x| = |c|·|x|, and signum(c·x) = signum(c)·signum(x).
                 let (y, factor) = terms[0].clone();
                 let value = self.unary(function, y);
                 match function {
                     Unary::Abs => self.scale(value, &factor.abs()),
+                    _ if factor.is_negative() => self.negate(value),
                     _ => value,
                 }
             }
@@ -67,5 +68,24 @@ impl Graph {
             return self.power(x, &exponent);
         }
         self.intern(Node::Binary(Binary::Power, x, y))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Symbol;
+
+    #[test]
+    fn the_sign_of_a_long_factor_is_kept() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Coordinate(0));
+        let long = Rational::from_decimal(&format!("0.{}1", "3".repeat(2000))).unwrap();
+        let scaled = graph.scale(x, &-&long);
+        let sign = graph.unary(Unary::Signum, scaled);
+        let size = graph.unary(Unary::Abs, scaled);
+        let values = graph.evaluate(&[sign, size], |_| 2.0);
+        assert!((values[0] + 1.0).abs() < 1e-15, "{values:?}");
+        assert!((values[1] - 2.0 / 3.0).abs() < 1e-15, "{values:?}");
     }
 }

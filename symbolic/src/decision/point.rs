@@ -6,7 +6,7 @@
 //! sin² + cos² = 1 and all addition theorems hold; square roots and absolute values square to what
 //! they should. Every other function is an arbitrary function of the value of its argument.
 
-use crate::decision::residue::{self, GENERATOR, I, P, Q};
+use crate::decision::residue::{self, Field};
 use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.
@@ -18,6 +18,8 @@ pub struct Point {
     pub moved: Option<Symbol>,
     /// Whether addition theorems hold, and not only relations between functions of equal arguments.
     addition_theorems: bool,
+    /// Whether numbers without a square root are given one, which then does not square back.
+    invented_roots: bool,
 }
 
 /// The image of a number: modulo p, and its logarithm modulo q as far as phases go.
@@ -36,6 +38,7 @@ impl Point {
             seed,
             moved: None,
             addition_theorems: true,
+            invented_roots: false,
         }
     }
 
@@ -54,6 +57,27 @@ impl Point {
             addition_theorems: false,
             ..self
         }
+    }
+
+    /// The same point, where every number has a square root, if only as a function of it.
+    pub(crate) const fn with_invented_roots(self) -> Self {
+        Self {
+            invented_roots: true,
+            ..self
+        }
+    }
+
+    fn field(self) -> Field {
+        Field::of(self.seed)
+    }
+
+    /// The prime modulus of values.
+    pub(crate) fn p(self) -> u64 {
+        self.field().p
+    }
+
+    fn q(self) -> u64 {
+        self.field().q
     }
 
     /// The values of the roots modulo p, or `None` where one has no value at this point.
@@ -77,16 +101,20 @@ impl Point {
         let of = |operand: Expression| images[operand.index()];
         let value = match node {
             Node::Sum(terms) => {
-                let sum = linear_combination(terms, of)?;
+                let sum = self.linear_combination(terms, of)?;
                 if self.addition_theorems {
                     return Some(sum);
                 }
                 sum.value
             }
             Node::Constant(number) => {
-                let value = constant(number)?;
+                let value = self.constant(number)?;
                 if self.addition_theorems {
-                    let phase = residue::multiply(reduce(number, Q)?, self.draw(2, 0) % Q, Q);
+                    let phase = residue::multiply(
+                        reduce(number, self.q())?,
+                        self.draw(2, 0) % self.q(),
+                        self.q(),
+                    );
                     return Some(Image { value, phase });
                 }
                 value
@@ -96,7 +124,7 @@ impl Point {
             Node::Product(factors) => {
                 let mut product = 1;
                 for (x, k) in factors {
-                    product = residue::multiply(product, self.power(of(*x).value, k)?, P);
+                    product = residue::multiply(product, self.power(of(*x).value, k)?, self.p());
                 }
                 product
             }
@@ -108,12 +136,12 @@ impl Point {
 
     /// What is not linear has a phase of its own, the same for equal values.
     pub(crate) fn atom(self, value: u64) -> Image {
-        let phase = self.draw(3, value) % Q;
+        let phase = self.draw(3, value) % self.q();
         Image { value, phase }
     }
 
     pub(crate) fn pi(self) -> u64 {
-        self.draw(1, 0) % P
+        self.draw(1, 0) % self.p()
     }
 
     fn draw(self, kind: u64, value: u64) -> u64 {
@@ -130,98 +158,111 @@ impl Point {
             Symbol::Input(index) => (5, index),
         };
         let moved = u64::from(self.moved == Some(symbol));
-        self.draw(16 + kind + 8 * moved, index.into()) % P
+        self.draw(16 + kind + 8 * moved, index.into()) % self.p()
     }
 
     pub(crate) fn power(self, base: u64, exponent: &Rational) -> Option<u64> {
-        if let Some(k) = exponent.to_integer() {
-            return integer_power(base, k);
-        }
-        let (numerator, denominator) = exponent.to_fraction()?;
-        if denominator == 2 {
-            return integer_power(residue::square_root(base)?, numerator);
-        }
-        let power = self.binary(Binary::Power, base, reduce(&exponent.abs(), P)?);
+        let p = self.p();
+        let power = match exponent.abs().to_fraction()? {
+            (k, 1) => residue::power(base, k.unsigned_abs(), p),
+            (k, 2) => {
+                let whole = residue::power(base, k.unsigned_abs() / 2, p);
+                residue::multiply(whole, self.root(base)?, p)
+            }
+            _ => self.binary(Binary::Power, base, reduce(&exponent.abs(), p)?),
+        };
         if exponent.is_negative() {
-            residue::reciprocal(power, P)
+            residue::reciprocal(power, p)
         } else {
             Some(power)
         }
     }
 
+    fn root(self, base: u64) -> Option<u64> {
+        let invented = || self.invented_roots.then(|| self.draw(65, base) % self.p());
+        self.field().square_root(base).or_else(invented)
+    }
+
     pub(crate) fn unary(self, function: Unary, x: Image) -> Option<u64> {
         // Real exponentials and phases are unrelated homomorphisms.
         let rate = match function {
-            Unary::Exp | Unary::Sinh | Unary::Cosh | Unary::Tanh => self.draw(4, 0) % Q,
+            Unary::Exp | Unary::Sinh | Unary::Cosh | Unary::Tanh => self.draw(4, 0) % self.q(),
             _ => 1,
         };
-        let phase = residue::power(GENERATOR, residue::multiply(x.phase, rate, Q), P);
-        let inverse = residue::reciprocal(phase, P)?;
-        let even = residue::add(phase, inverse, P);
-        let odd = residue::add(phase, residue::negate(inverse, P), P);
+        let phase = residue::power(
+            self.field().generator(),
+            residue::multiply(x.phase, rate, self.q()),
+            self.p(),
+        );
+        let inverse = residue::reciprocal(phase, self.p())?;
+        let even = residue::add(phase, inverse, self.p());
+        let odd = residue::add(phase, residue::negate(inverse, self.p()), self.p());
         let quotient = |numerator: u64, denominator: u64| {
             Some(residue::multiply(
                 numerator,
-                residue::reciprocal(denominator, P)?,
-                P,
+                residue::reciprocal(denominator, self.p())?,
+                self.p(),
             ))
         };
-        let half = P.div_ceil(2);
+        let half = self.p().div_ceil(2);
+        let unit = self.field().imaginary_unit();
         Some(match function {
-            Unary::Sin => quotient(odd, residue::add(I, I, P))?,
-            Unary::Cos | Unary::Cosh => residue::multiply(even, half, P),
-            Unary::Sinh => residue::multiply(odd, half, P),
-            Unary::Tan => quotient(odd, residue::multiply(I, even, P))?,
+            Unary::Sin => quotient(odd, residue::add(unit, unit, self.p()))?,
+            Unary::Cos | Unary::Cosh => residue::multiply(even, half, self.p()),
+            Unary::Sinh => residue::multiply(odd, half, self.p()),
+            Unary::Tan => quotient(odd, residue::multiply(unit, even, self.p()))?,
             Unary::Tanh => quotient(odd, even)?,
             Unary::Exp => phase,
-            Unary::Abs => residue::multiply(x.value, residue::legendre(x.value), P),
-            Unary::Signum => residue::legendre(x.value),
+            Unary::Abs => residue::multiply(x.value, self.field().legendre(x.value), self.p()),
+            Unary::Signum => self.field().legendre(x.value),
             Unary::Asin
             | Unary::Acos
             | Unary::Atan
             | Unary::Asinh
             | Unary::Acosh
             | Unary::Atanh
-            | Unary::Ln => self.draw(128 + function as u64, x.value) % P,
+            | Unary::Ln => self.draw(128 + function as u64, x.value) % self.p(),
         })
     }
 
+    /// Σ cᵢ·xᵢ, in value and in phase.
+    fn linear_combination(
+        self,
+        terms: &[(Expression, Rational)],
+        of: impl Fn(Expression) -> Image,
+    ) -> Option<Image> {
+        let (p, q) = (self.p(), self.q());
+        let mut sum = Image { value: 0, phase: 0 };
+        for (x, c) in terms {
+            let value = residue::multiply(reduce(c, p)?, of(*x).value, p);
+            let phase = residue::multiply(reduce(c, q)?, of(*x).phase, q);
+            sum.value = residue::add(sum.value, value, p);
+            sum.phase = residue::add(sum.phase, phase, q);
+        }
+        Some(sum)
+    }
+
+    /// The image of a rational modulo p.
+    pub(crate) fn constant(self, number: &Rational) -> Option<u64> {
+        reduce(number, self.p())
+    }
+
     pub(crate) fn binary(self, function: Binary, x: u64, y: u64) -> u64 {
-        let difference = residue::add(x, residue::negate(y, P), P);
-        let distance = residue::multiply(difference, residue::legendre(difference), P);
-        let sum = residue::add(x, y, P);
-        let half = P.div_ceil(2);
+        let difference = residue::add(x, residue::negate(y, self.p()), self.p());
+        let distance = residue::multiply(difference, self.field().legendre(difference), self.p());
+        let sum = residue::add(x, y, self.p());
+        let half = self.p().div_ceil(2);
         match function {
-            Binary::Max => residue::multiply(half, residue::add(sum, distance, P), P),
+            Binary::Max => residue::multiply(half, residue::add(sum, distance, self.p()), self.p()),
             Binary::Min => {
-                let twice = residue::add(sum, residue::negate(distance, P), P);
-                residue::multiply(half, twice, P)
+                let twice = residue::add(sum, residue::negate(distance, self.p()), self.p());
+                residue::multiply(half, twice, self.p())
             }
             Binary::Atan2 | Binary::Power => {
-                self.draw(192 + function as u64, residue::mix(x, y)) % P
+                self.draw(192 + function as u64, residue::mix(x, y)) % self.p()
             }
         }
     }
-}
-
-/// Σ cᵢ·xᵢ, in value and in phase.
-fn linear_combination(
-    terms: &[(Expression, Rational)],
-    of: impl Fn(Expression) -> Image,
-) -> Option<Image> {
-    let mut sum = Image { value: 0, phase: 0 };
-    for (x, c) in terms {
-        let value = residue::multiply(reduce(c, P)?, of(*x).value, P);
-        let phase = residue::multiply(reduce(c, Q)?, of(*x).phase, Q);
-        sum.value = residue::add(sum.value, value, P);
-        sum.phase = residue::add(sum.phase, phase, Q);
-    }
-    Some(sum)
-}
-
-/// The image of a rational modulo p.
-pub(crate) fn constant(number: &Rational) -> Option<u64> {
-    reduce(number, P)
 }
 
 /// The image of a rational modulo a prime, unless the prime divides its denominator.
@@ -251,13 +292,4 @@ fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
         residue::reciprocal(denominator, modulus)?,
         modulus,
     ))
-}
-
-fn integer_power(base: u64, exponent: i64) -> Option<u64> {
-    let power = residue::power(base, exponent.unsigned_abs(), P);
-    if exponent < 0 {
-        residue::reciprocal(power, P)
-    } else {
-        Some(power)
-    }
 }

@@ -1,17 +1,91 @@
-//! Arithmetic modulo two primes, for exact decisions at random points.
+//! Arithmetic modulo primes, for exact decisions at random points.
 //!
-//! p = 4q + 1 with both p and q prime. Modulo p there is a square root of −1, so that sine and cosine
-//! of a phase z are (z − 1/z)/2i and (z + 1/z)/2. The fourth powers form a group of the prime order q,
-//! so that phases can be divided by any integer.
+//! p = 840 q + 1 with both p and q prime. Modulo p there is a square root of −1, so that sine and cosine
+//! of a phase z are (z − 1/z)/2i and (z + 1/z)/2; and 2, 3, 5 and 7 have square roots, by quadratic
+//! reciprocity. The 840th powers form a group of the prime order q, so that phases can be divided by any
+//! integer. Other numbers have a square root modulo half of the primes, which is why there are several.
 
-/// The prime p = 4q + 1, below 2⁶¹.
-pub(crate) const P: u64 = 2_305_843_009_213_691_357;
-/// The prime q.
-pub(crate) const Q: u64 = (P - 1) / 4;
-/// A square root of −1 modulo p.
-pub(crate) const I: u64 = 1_018_197_504_712_963_086;
-/// A generator of the group of order q modulo p.
-pub(crate) const GENERATOR: u64 = 16;
+/// A prime p = 840 q + 1 below 2⁶¹.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Field {
+    /// The prime modulus of values.
+    pub(crate) p: u64,
+    /// The prime modulus of phases.
+    pub(crate) q: u64,
+    /// A primitive eighth root of one modulo p.
+    zeta: u64,
+}
+
+/// Twenty-four of them.
+const FIELDS: [Field; 24] = [
+    Field::new(2_251_799_813_684_857, 1_218_444_822_762_680_921),
+    Field::new(2_251_799_813_684_789, 628_785_502_487_796_663),
+    Field::new(2_251_799_813_684_783, 1_019_711_334_828_627_971),
+    Field::new(2_251_799_813_684_621, 1_619_437_570_929_357_403),
+    Field::new(2_251_799_813_684_467, 382_700_285_611_481_840),
+    Field::new(2_251_799_813_684_459, 76_014_114_327_245_253),
+    Field::new(2_251_799_813_684_321, 1_566_323_202_489_326_802),
+    Field::new(2_251_799_813_683_951, 1_251_718_289_793_097_149),
+    Field::new(2_251_799_813_683_907, 674_800_777_656_714_128),
+    Field::new(2_251_799_813_682_623, 1_626_181_972_185_066_505),
+    Field::new(2_251_799_813_682_247, 1_714_709_333_805_026_201),
+    Field::new(2_251_799_813_682_103, 1_279_534_212_677_837_161),
+    Field::new(2_251_799_813_681_573, 891_446_529_066_106_026),
+    Field::new(2_251_799_813_681_321, 573_133_010_220_775_652),
+    Field::new(2_251_799_813_681_137, 859_805_933_225_519_326),
+    Field::new(2_251_799_813_680_639, 1_594_997_582_422_495_292),
+    Field::new(2_251_799_813_680_621, 153_487_284_330_725_508),
+    Field::new(2_251_799_813_680_427, 1_321_469_370_800_465_063),
+    Field::new(2_251_799_813_680_171, 461_476_127_452_966_736),
+    Field::new(2_251_799_813_680_103, 369_033_927_015_021_783),
+    Field::new(2_251_799_813_680_013, 1_093_091_684_397_532_366),
+    Field::new(2_251_799_813_679_751, 1_220_416_329_317_789_740),
+    Field::new(2_251_799_813_679_337, 1_886_320_371_417_321_426),
+    Field::new(2_251_799_813_678_957, 25_479_258_706_751_108),
+];
+
+impl Field {
+    const fn new(q: u64, zeta: u64) -> Self {
+        Self {
+            p: 840 * q + 1,
+            q,
+            zeta,
+        }
+    }
+
+    /// One of the fields.
+    pub(crate) const fn of(seed: u64) -> Self {
+        FIELDS[(seed % FIELDS.len() as u64) as usize]
+    }
+
+    /// A square root of −1.
+    pub(crate) const fn imaginary_unit(self) -> u64 {
+        multiply(self.zeta, self.zeta, self.p)
+    }
+
+    /// A generator of the group of order q.
+    pub(crate) const fn generator(self) -> u64 {
+        power(11, 840, self.p)
+    }
+
+    /// The Legendre symbol of x: 0, 1 for a square, p − 1 for any other.
+    pub(crate) const fn legendre(self, x: u64) -> u64 {
+        power(x, self.p / 2, self.p)
+    }
+
+    /// A square root of x, if there is one.
+    pub(crate) fn square_root(self, x: u64) -> Option<u64> {
+        // p − 1 = 8m with m odd: x^((m+1)/2) is a root but for an eighth root of one.
+        let mut root = power(x, (self.p / 8).div_ceil(2), self.p);
+        for _ in 0..8 {
+            if multiply(root, root, self.p) == x {
+                return Some(root);
+            }
+            root = multiply(root, self.zeta, self.p);
+        }
+        None
+    }
+}
 
 /// x + y modulo `modulus`.
 pub(crate) const fn add(x: u64, y: u64, modulus: u64) -> u64 {
@@ -47,24 +121,6 @@ pub(crate) fn reciprocal(x: u64, modulus: u64) -> Option<u64> {
     (x != 0).then(|| power(x, modulus - 2, modulus))
 }
 
-/// The Legendre symbol of x modulo p: 0, 1 for a square, p − 1 for any other.
-pub(crate) const fn legendre(x: u64) -> u64 {
-    power(x, P / 2, P)
-}
-
-/// A square root of x modulo p, if there is one.
-pub(crate) fn square_root(x: u64) -> Option<u64> {
-    if legendre(x) == P - 1 {
-        return None;
-    }
-    // p − 1 = 4q with q odd: x^((q+1)/2) is a root but for a fourth root of one.
-    let root = power(x, Q.div_ceil(2), P);
-    [1, I]
-        .into_iter()
-        .map(|unit| multiply(root, unit, P))
-        .find(|root| multiply(*root, *root, P) == x)
-}
-
 /// A number that looks random, from two others.
 pub(crate) const fn mix(seed: u64, value: u64) -> u64 {
     let mut z = seed ^ value.wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -79,39 +135,57 @@ mod tests {
 
     #[test]
     fn constants_have_their_orders() {
-        assert_eq!(multiply(I, I, P), P - 1);
-        assert_ne!(GENERATOR, 1);
-        assert_eq!(power(GENERATOR, Q, P), 1);
-        // Fermat's test to several bases.
-        for base in [2, 3, 5, 7, 11, 13] {
-            assert_eq!(power(base, P - 1, P), 1);
-            assert_eq!(power(base, Q - 1, Q), 1);
+        for field in FIELDS {
+            let Field { p, q, zeta } = field;
+            assert_eq!(power(zeta, 4, p), p - 1);
+            assert_eq!(power(field.imaginary_unit(), 2, p), p - 1);
+            assert_ne!(field.generator(), 1);
+            assert_eq!(power(field.generator(), q, p), 1);
+            // Fermat's test to several bases.
+            for base in [2, 3, 5, 7, 11, 13] {
+                assert_eq!(power(base, p - 1, p), 1);
+                assert_eq!(power(base, q - 1, q), 1);
+            }
         }
     }
 
     #[test]
     fn square_roots_square_back() {
-        let mut roots = 0;
-        for x in (0..200).map(|k| mix(1, k) % P) {
-            match square_root(x) {
-                Some(root) => {
-                    assert_eq!(multiply(root, root, P), x);
-                    roots += 1;
+        for field in FIELDS {
+            let mut roots = 0;
+            for x in (0..100).map(|k| mix(1, k) % field.p) {
+                match field.square_root(x) {
+                    Some(root) => {
+                        assert_eq!(multiply(root, root, field.p), x);
+                        roots += 1;
+                    }
+                    None => assert_eq!(field.legendre(x), field.p - 1),
                 }
-                None => assert_eq!(legendre(x), P - 1),
             }
+            assert!(
+                (25..75).contains(&roots),
+                "half of all numbers are squares: {roots} of 100"
+            );
         }
-        assert!(
-            (60..140).contains(&roots),
-            "half of all numbers are squares: {roots} of 200"
-        );
+    }
+
+    #[test]
+    fn small_numbers_have_roots_in_some_fields() {
+        for number in 2..40 {
+            let roots = FIELDS
+                .iter()
+                .filter(|field| field.square_root(number).is_some())
+                .count();
+            assert!(roots >= 4, "{number} has a root in {roots} fields");
+        }
     }
 
     #[test]
     fn reciprocals_invert() {
-        assert_eq!(reciprocal(0, P), None);
+        let Field { p, q, .. } = Field::of(0);
+        assert_eq!(reciprocal(0, p), None);
         for x in 1..50 {
-            assert_eq!(reciprocal(x, Q).map(|y| multiply(x, y, Q)), Some(1));
+            assert_eq!(reciprocal(x, q).map(|y| multiply(x, y, q)), Some(1));
         }
     }
 }

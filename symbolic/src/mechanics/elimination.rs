@@ -5,7 +5,7 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with nothing lost near θ = 0. M is not
 //! inverted; the solution is straight-line code with one division for each pivot.
 
-use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
 /// The solution of M q̈ = f by elimination, as expressions.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub struct Elimination {
     /// the solution is stable.
     pub pivots: Vec<Expression>,
     /// For each pivot Dᵢ, the sum of the magnitudes of its terms and of qⱼ ∂Dᵢ/∂qⱼ: what its rounding
-    /// error is proportional to.
+    /// error is proportional to. An angle counts as 1 radian at most, since whole turns mean nothing.
     pub magnitudes: Vec<Expression>,
     /// The accelerations q̈.
     pub accelerations: Vec<Expression>,
@@ -24,11 +24,13 @@ pub struct Elimination {
 const MOST_COORDINATES: usize = 4;
 
 impl Elimination {
-    /// Solves M q̈ = f, unless there are many coordinates or no pivot to begin with.
+    /// Solves M q̈ = f, unless there are many coordinates or no pivot to begin with. `angles` says which
+    /// coordinates are angles.
     pub fn solve(
         graph: &mut Graph,
         mass: &[Vec<Expression>],
         forcing: &[Expression],
+        angles: &[bool],
     ) -> Option<Self> {
         if mass.len() > MOST_COORDINATES {
             return None;
@@ -50,7 +52,7 @@ impl Elimination {
         let pivots: Vec<_> = (0..mass.len()).map(|i| system.matrix[i][i]).collect();
         let magnitudes = pivots
             .iter()
-            .map(|pivot| magnitude(graph, *pivot, mass.len()))
+            .map(|pivot| magnitude(graph, *pivot, angles))
             .collect();
         Some(Self {
             pivots,
@@ -129,7 +131,7 @@ impl System<'_> {
 }
 
 /// Σ |terms of D| + Σⱼ |qⱼ ∂D/∂qⱼ|.
-fn magnitude(graph: &mut Graph, pivot: Expression, coordinates: usize) -> Expression {
+fn magnitude(graph: &mut Graph, pivot: Expression, angles: &[bool]) -> Expression {
     let terms = match graph.node(pivot) {
         Node::Sum(terms) => terms.to_vec(),
         _ => vec![(pivot, Rational::ONE)],
@@ -138,11 +140,15 @@ fn magnitude(graph: &mut Graph, pivot: Expression, coordinates: usize) -> Expres
         .into_iter()
         .map(|(x, c)| (graph.unary(Unary::Abs, x), c.abs()))
         .collect();
-    for symbol in (0..).map(Symbol::Coordinate).take(coordinates) {
+    for (symbol, is_angle) in (0..).map(Symbol::Coordinate).zip(angles) {
         let slope = graph.derivative(pivot, symbol);
         let coordinate = graph.symbol(symbol);
-        let change = graph.multiply(coordinate, slope);
-        magnitudes.push((graph.unary(Unary::Abs, change), Rational::ONE));
+        let [slope, mut size] = [slope, coordinate].map(|x| graph.unary(Unary::Abs, x));
+        if *is_angle {
+            let one = graph.one();
+            size = graph.binary(Binary::Min, size, one);
+        }
+        magnitudes.push((graph.multiply(size, slope), Rational::ONE));
     }
     graph.sum(magnitudes)
 }

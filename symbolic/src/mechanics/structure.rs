@@ -4,24 +4,27 @@
 //! All decisions are exact, taken at random points in modular arithmetic.
 
 use crate::decision::point::Point;
-use crate::decision::residue::{self, P};
+use crate::decision::residue;
 use crate::mechanics::equations::Defect;
-use crate::{Expression, Graph, Model, Node, Symbol, Unary};
+use crate::{Binary, Expression, Graph, Model, Node, Symbol, Unary};
 
 /// Facts about a system that the runtime uses.
 #[derive(Clone, Debug)]
 pub struct Structure {
-    /// Which coordinates are angles: they occur only in sums under sine, cosine and tangent, or not at
-    /// all, so that their size means nothing.
+    /// Which coordinates are angles: they occur, and only in sums under sine, cosine and tangent.
     pub angles: Vec<bool>,
+    /// Which coordinates are ignorable: they occur neither in the Lagrangian nor in a force.
+    pub ignorable: Vec<bool>,
     /// For each coordinate, the coordinates on which the determinant of its block of M depends.
     pub singularities: Vec<Vec<u32>>,
 }
 
 /// Points to try until enough of them are in the domain: each square root halves their number.
-const ATTEMPTS: u64 = 256;
-/// Points at which an expression must vanish to be taken for zero.
+const ATTEMPTS: u64 = 512;
+/// Points at which a claim must hold to be taken for true. Where it is false, it is false at a random
+/// point nearly always, but for corners: `min` and `max` are one of their arguments half of the time.
 const AGREEMENTS: usize = 3;
+const AGREEMENTS_WITH_CORNERS: usize = 64;
 
 pub(crate) fn analyze(
     model: &Model,
@@ -34,13 +37,13 @@ pub(crate) fn analyze(
     let mut singular = Vec::new();
     for block in blocks(graph, mass) {
         let determinant = |point: Point| block_determinant(graph, mass, &block, point);
-        if usable(determinant).all(|(_, value)| value == 0) && usable(determinant).next().is_some()
-        {
+        let trial = Trial::of(graph, &mass.concat());
+        if trial.holds(|point| Some(determinant(point)? == 0)) {
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;
         }
         let depends: Vec<u32> = (0..model.coordinates)
-            .filter(|i| moves(determinant, Symbol::Coordinate(*i)))
+            .filter(|i| !trial.is_fixed(determinant, Symbol::Coordinate(*i)))
             .collect();
         for i in block {
             singularities[i].clone_from(&depends);
@@ -51,41 +54,102 @@ pub(crate) fn analyze(
     }
     let mut roots = vec![lagrangian];
     roots.extend(generalized_forces);
+    let ignorable: Vec<bool> = model
+        .coordinate_symbols()
+        .into_iter()
+        .map(|coordinate| !graph.contains(&roots, |symbol| symbol == coordinate))
+        .collect();
+    let mut angles = angles(graph, &roots, model.coordinates);
+    for (is_angle, is_ignorable) in angles.iter_mut().zip(&ignorable) {
+        *is_angle &= !is_ignorable;
+    }
     Ok(Structure {
-        angles: angles(graph, &roots, model.coordinates),
+        angles,
+        ignorable,
         singularities,
     })
 }
 
 /// Whether `expression` vanishes identically, as far as random points tell.
 pub(crate) fn vanishes(graph: &Graph, expression: Expression) -> bool {
-    let value = |point: Point| Some(point.evaluate(graph, &[expression])?[0]);
-    usable(value).next().is_some() && usable(value).all(|(_, value)| value == 0)
+    let roots = [expression];
+    Trial::of(graph, &roots).holds(|point| Some(point.evaluate(graph, &roots)?[0] == 0))
 }
 
 /// Whether one of `roots` depends on `symbol`, and not only in its spelling.
 pub(crate) fn depends(graph: &Graph, roots: &[Expression], symbol: Symbol) -> bool {
     graph.contains(roots, |occurring| occurring == symbol)
-        && roots
-            .iter()
-            .any(|root| moves(|point| Some(point.evaluate(graph, &[*root])?[0]), symbol))
+        && roots.iter().any(|root| {
+            let value = |point: Point| Some(point.evaluate(graph, &[*root])?[0]);
+            !Trial::of(graph, &[*root]).is_fixed(value, symbol)
+        })
 }
 
-/// The first few points in the domain of `value`, with the values there.
-fn usable(value: impl Fn(Point) -> Option<u64>) -> impl Iterator<Item = (Point, u64)> {
-    (0..ATTEMPTS)
-        .map(Point::new)
-        .filter_map(move |point| value(point).map(|value| (point, value)))
-        .take(AGREEMENTS)
+/// How often a claim about expressions is tried.
+#[derive(Clone, Copy)]
+struct Trial {
+    agreements: usize,
 }
 
-/// Whether `value` changes when one symbol does.
-fn moves(value: impl Fn(Point) -> Option<u64> + Copy, symbol: Symbol) -> bool {
-    (0..ATTEMPTS)
-        .map(Point::new)
-        .filter_map(|point| Some(value(point)? != value(point.moving(symbol))?))
-        .take(AGREEMENTS)
-        .any(|moved| moved)
+impl Trial {
+    fn of(graph: &Graph, roots: &[Expression]) -> Self {
+        let corner = |node: &Node| {
+            matches!(
+                node,
+                Node::Unary(Unary::Abs | Unary::Signum, _)
+                    | Node::Binary(Binary::Min | Binary::Max, ..)
+            )
+        };
+        let corners = graph
+            .descendants(roots)
+            .into_iter()
+            .any(|expression| corner(graph.node(expression)));
+        Self {
+            agreements: if corners {
+                AGREEMENTS_WITH_CORNERS
+            } else {
+                AGREEMENTS
+            },
+        }
+    }
+
+    /// Whether a claim holds wherever it makes sense. Where too many square roots leave no point, they
+    /// are taken for arbitrary functions; where nothing can be said, the answer is no.
+    fn holds(self, claim: impl Fn(Point) -> Option<bool>) -> bool {
+        let seeds = 0..ATTEMPTS;
+        let decided = self.decide(seeds.clone().map(Point::new), &claim);
+        decided
+            .or_else(|| {
+                self.decide(
+                    seeds.map(|seed| Point::new(seed).with_invented_roots()),
+                    &claim,
+                )
+            })
+            .unwrap_or(false)
+    }
+
+    fn decide(
+        self,
+        points: impl Iterator<Item = Point>,
+        claim: impl Fn(Point) -> Option<bool>,
+    ) -> Option<bool> {
+        let mut agreements = 0;
+        for holds in points.filter_map(claim) {
+            if !holds {
+                return Some(false);
+            }
+            agreements += 1;
+            if agreements == self.agreements {
+                return Some(true);
+            }
+        }
+        None
+    }
+
+    /// Whether a value stays the same when one symbol changes.
+    fn is_fixed(self, value: impl Fn(Point) -> Option<u64>, symbol: Symbol) -> bool {
+        self.holds(|point| Some(value(point)? == value(point.moving(symbol))?))
+    }
 }
 
 /// The index sets of the diagonal blocks of M, each in ascending order.
@@ -125,11 +189,12 @@ fn block_determinant(
         .flat_map(|i| block.iter().map(|j| mass[*i][*j]))
         .collect();
     let values = point.evaluate(graph, &entries)?;
-    determinant(values.chunks(block.len()).map(<[u64]>::to_vec).collect())
+    let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
+    determinant(rows.collect(), point.p())
 }
 
-/// The determinant modulo p, by elimination with exchange of rows.
-fn determinant(mut rows: Vec<Vec<u64>>) -> Option<u64> {
+/// The determinant modulo the prime p, by elimination with exchange of rows.
+fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> Option<u64> {
     let mut determinant = 1;
     for k in 0..rows.len() {
         let Some(pivot) = (k..rows.len()).find(|i| rows[*i][k] != 0) else {
@@ -137,15 +202,15 @@ fn determinant(mut rows: Vec<Vec<u64>>) -> Option<u64> {
         };
         if pivot != k {
             rows.swap(pivot, k);
-            determinant = residue::negate(determinant, P);
+            determinant = residue::negate(determinant, p);
         }
-        determinant = residue::multiply(determinant, rows[k][k], P);
-        let inverse = residue::reciprocal(rows[k][k], P)?;
+        determinant = residue::multiply(determinant, rows[k][k], p);
+        let inverse = residue::reciprocal(rows[k][k], p)?;
         let (upper, lower) = rows.split_at_mut(k + 1);
         for row in lower {
-            let factor = residue::negate(residue::multiply(row[k], inverse, P), P);
+            let factor = residue::negate(residue::multiply(row[k], inverse, p), p);
             for (entry, above) in row.iter_mut().zip(&upper[k]).skip(k) {
-                *entry = residue::add(*entry, residue::multiply(factor, *above, P), P);
+                *entry = residue::add(*entry, residue::multiply(factor, *above, p), p);
             }
         }
     }

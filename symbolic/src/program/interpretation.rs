@@ -3,8 +3,8 @@
 //! The same instructions are read as arithmetic in binary64, modulo a prime, or on expressions, so that
 //! what is emitted can be checked against what it was made from.
 
-use crate::decision::point::{self, Point};
-use crate::decision::residue::{self, P};
+use crate::decision::point::Point;
+use crate::decision::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
 
@@ -203,7 +203,7 @@ impl Arithmetic for Point {
     type Number = u64;
 
     fn constant(&mut self, value: &Rational) -> Option<u64> {
-        point::constant(value)
+        Point::constant(*self, value)
     }
 
     fn pi(&mut self) -> Option<u64> {
@@ -215,19 +215,23 @@ impl Arithmetic for Point {
     }
 
     fn add(&mut self, x: u64, y: u64) -> Option<u64> {
-        Some(residue::add(x, y, P))
+        Some(residue::add(x, y, self.p()))
     }
 
     fn negate(&mut self, x: u64) -> Option<u64> {
-        Some(residue::negate(x, P))
+        Some(residue::negate(x, self.p()))
     }
 
     fn multiply(&mut self, x: u64, y: u64) -> Option<u64> {
-        Some(residue::multiply(x, y, P))
+        Some(residue::multiply(x, y, self.p()))
     }
 
     fn divide(&mut self, x: u64, y: u64) -> Option<u64> {
-        Some(residue::multiply(x, residue::reciprocal(y, P)?, P))
+        Some(residue::multiply(
+            x,
+            residue::reciprocal(y, self.p())?,
+            self.p(),
+        ))
     }
 
     fn square_root(&mut self, x: u64) -> Option<u64> {

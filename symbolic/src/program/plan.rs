@@ -144,8 +144,8 @@ impl Plan {
                 let power = self.push(Recipe::Power(x, k), None);
                 factors.push(power);
             }
-            (k, 2) if k / 2 <= LARGEST_REPEATED => {
-                factors.extend((0..k / 2).map(|_| x));
+            (_, 2) => {
+                self.push_power(factors, x, &Rational::integer(numerator / 2));
                 let root = self.square_root(x);
                 factors.push(root);
             }

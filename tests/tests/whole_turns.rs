@@ -1,0 +1,59 @@
+//! The size of an angle means nothing, and neither does the place of an ignorable coordinate.
+
+use lagrangian::prelude::*;
+
+/// Two angles of which det M ≥ 1 wherever they are.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(a, b),
+    kinetic = 0.5 * m * (dot(a).powi(2) + dot(b).powi(2) + (dot(a) + dot(b) * cos(a - b)).powi(2)),
+    potential = k * (sin(a) + sin(b)),
+)]
+struct Linked {
+    m: f64,
+    k: f64,
+}
+
+/// A free particle beside a pendulum.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, theta),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(theta).powi(2)),
+    potential = -m * cos(theta),
+)]
+struct Particle {
+    m: f64,
+}
+
+fn steps<M: Lagrangian<2>>(model: &M, q: [f64; 2], v: [f64; 2]) -> u64 {
+    let method = Dop853::new().relative_tolerance(1e-12);
+    let start = State::new(0.0, q, v);
+    let trajectory = method.sample(&model.dynamics(), start, &[10.0]);
+    let trajectory = trajectory.map_err(|interrupted| interrupted.error());
+    trajectory.expect("a regular motion").statistics().steps
+}
+
+#[test]
+fn whole_turns_end_no_motion() {
+    assert_eq!(<Linked as System<2>>::ANGLES, [true, true]);
+    let model = Linked { m: 1.0, k: 0.3 };
+    let turns = 5000.0 * 2.0 * std::f64::consts::PI;
+    let near = steps(&model, [0.4, 1.0], [0.5, -0.2]);
+    let far = steps(&model, [0.4 + turns, 1.0 + turns], [0.5, -0.2]);
+    assert!(near.abs_diff(far) <= near / 5, "{near} and {far} steps");
+}
+
+#[test]
+fn where_and_how_fast_a_free_particle_is_costs_nothing() {
+    assert_eq!(<Particle as System<2>>::ANGLES, [false, true]);
+    assert_eq!(<Particle as System<2>>::IGNORABLE, [true, false]);
+    let model = Particle { m: 2.0 };
+    let at_rest = steps(&model, [0.0, 1.0], [0.0, 0.0]);
+    for (x, v) in [(1e6, 0.0), (0.0, 1e6), (-1e8, 7e3)] {
+        let moving = steps(&model, [x, 1.0], [v, 0.0]);
+        assert!(
+            at_rest.abs_diff(moving) <= at_rest / 5,
+            "{at_rest} and {moving} steps"
+        );
+    }
+}
