@@ -54,6 +54,7 @@ impl Field {
     }
 
     /// One of the fields.
+    #[allow(clippy::cast_possible_truncation)] // The remainder is below 24.
     pub(crate) const fn of(seed: u64) -> Self {
         FIELDS[(seed % FIELDS.len() as u64) as usize]
     }
