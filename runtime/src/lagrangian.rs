@@ -45,7 +45,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
 
     /// For each coordinate, the pivot of the mass matrix's factorization relative to what its rounding
     /// error is proportional to: near 1 if nothing is lost, 0 or not a number if M is singular. Its
-    /// inverse is the factor by which rounding errors grow in [`accelerations`](Self::accelerations).
+    /// inverse estimates the factor by which the rounding errors of M grow in
+    /// [`accelerations`](Self::accelerations); those of the forcing are not part of it.
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state)).relative_pivots()
     }

@@ -404,3 +404,17 @@ fn what_stays_exactly_zero_needs_no_tolerance() {
     let end = method.integrate_to(&turning, start, 0.5).unwrap();
     assert_close(end.x[0], 0.5_f64.cos() + 0.5_f64.sin(), 1e-9);
 }
+
+/// Samples within the step that comes too near to the pole are before it, and kept.
+#[test]
+fn the_samples_within_the_last_step_are_kept() {
+    let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);
+    let times: Vec<f64> = (0..30_000).map(|i| f64::from(i) * 1e-5).collect();
+    let method = Dop853::new().maximal_step(1e-3);
+    let interrupted = method.sample(&TOP.dynamics(), state, &times).unwrap_err();
+    let IntegrationError::SingularConfiguration { time, .. } = interrupted.error() else {
+        panic!("{interrupted}")
+    };
+    let before = times.iter().filter(|t| **t < time).count();
+    assert_eq!(interrupted.trajectory().len(), before);
+}

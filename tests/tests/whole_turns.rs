@@ -57,3 +57,36 @@ fn where_and_how_fast_a_free_particle_is_costs_nothing() {
         );
     }
 }
+
+/// The symmetric top (4.7), of which neither φ nor ψ occurs anywhere.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    kinetic = 0.5 * (i * (dot(phi).powi(2) * sin(theta).powi(2) + dot(theta).powi(2))
+        + i_s * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
+    potential = weight * cos(theta),
+)]
+struct Top {
+    i: f64,
+    i_s: f64,
+    weight: f64,
+}
+
+#[test]
+fn where_an_ignorable_angle_is_changes_no_step() {
+    let top = Top {
+        i: 1.2,
+        i_s: 0.5,
+        weight: 5.1,
+    };
+    let steps = |psi: f64| {
+        let start = State::new(0.0, [0.0, 0.5, psi], [0.3, 0.0, 20.0]);
+        let trajectory =
+            Dop853::new()
+                .relative_tolerance(1e-9)
+                .sample(&top.dynamics(), start, &[20.0]);
+        trajectory.expect("a regular motion").statistics().steps
+    };
+    let (near, far) = (steps(0.0), steps(1e6));
+    assert!(near.abs_diff(far) <= 1, "{near} and {far} steps");
+}

@@ -205,7 +205,7 @@ impl Unary {
         }
     }
 
-    /// The cost in multiplications, measured on x86-64 with the platform's library.
+    /// The cost in multiplications: an estimate for x86-64 with the platform's library.
     #[must_use]
     pub const fn cost(self) -> usize {
         match self {
@@ -277,7 +277,7 @@ impl Binary {
         }
     }
 
-    /// The cost in multiplications, measured on x86-64 with the platform's library.
+    /// The cost in multiplications: an estimate for x86-64 with the platform's library.
     #[must_use]
     pub const fn cost(self) -> usize {
         match self {
