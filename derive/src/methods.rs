@@ -1,7 +1,8 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Elimination, Equations, Expression, Fault, Model, OperationCount, Program, Rational, Symbol,
+    Elimination, Equations, Expression, Fault, Model, OperationCount, Program, Rational, Solution,
+    Symbol,
 };
 
 /// A method whose body is one program.
@@ -20,8 +21,12 @@ pub(crate) struct Methods {
     pub(crate) mass_matrix: Method,
     pub(crate) forcing: Method,
     pub(crate) generalized_forces: Method,
-    /// Either the pivots and then q̈, or the lower triangle of M and then f.
+    /// Either q̈ after the pivots on which it depends, or the lower triangle of M and then f.
     pub(crate) accelerations: Method,
+    /// The number of pivots before q̈, where q̈ is solved for before any number is known.
+    pub(crate) solved: Option<usize>,
+    /// Whether q̈ was found to solve M q̈ = f, so far as debug builds look.
+    pub(crate) solves: bool,
     /// The pivots, their magnitudes and the diagonal of M, where M is eliminated before any number is known.
     pub(crate) relative_pivots: Option<Method>,
     pub(crate) inverse_dynamics: Method,
@@ -72,6 +77,11 @@ impl Methods {
             &equations.forcing,
             &equations.structure.angles,
         );
+        let solution = Solution::cheapest(model, equations, elimination.as_ref());
+        let solves = !cfg!(debug_assertions)
+            || solution
+                .as_ref()
+                .is_none_or(|found| found.holds(&model.graph, equations));
         let energies = match model.energies {
             lagrangian_symbolic::Energies::Natural { kinetic, potential } => {
                 Some([kinetic, potential])
@@ -80,9 +90,6 @@ impl Methods {
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
         let full: Vec<_> = equations.mass.concat();
-        let solved = elimination
-            .as_ref()
-            .map(|solved| [&*solved.pivots, &solved.accelerations].concat());
         let diagonal: Vec<_> = (0..n).map(|i| equations.mass[i][i]).collect();
         let pivots = elimination
             .as_ref()
@@ -94,8 +101,10 @@ impl Methods {
             mass_matrix: method(&[&full]),
             forcing: method(&[&equations.forcing]),
             generalized_forces: method(&[&equations.generalized_forces]),
-            accelerations: match solved {
-                Some(solved) => method(&[&solved]),
+            solves,
+            solved: solution.as_ref().map(|solution| solution.pivots.len()),
+            accelerations: match &solution {
+                Some(solution) => method(&[&[&*solution.pivots, &solution.accelerations].concat()]),
                 None => method(&[&system]).with_solution(n, 1),
             },
             relative_pivots: pivots.map(|pivots| method(&[&pivots])),
@@ -118,7 +127,7 @@ impl Methods {
 
     /// Whether every program computes what it was made from.
     pub(crate) fn verified(&self) -> bool {
-        self.every().all(|method| method.verified)
+        self.solves && self.every().all(|method| method.verified)
     }
 
     fn every(&self) -> impl Iterator<Item = &Method> {

@@ -6,6 +6,7 @@ pub(crate) mod graph;
 pub(crate) mod sum;
 pub(crate) mod pythagoras;
 pub(crate) mod product;
+pub(crate) mod expansion;
 pub(crate) mod call;
 pub(crate) mod function;
 pub(crate) mod derivative;

@@ -1,6 +1,7 @@
 //! From the graph to straight-line code: planned, regrouped, scheduled, verified.
 
 pub(crate) mod straight_line;
+pub(crate) mod cost;
 pub(crate) mod plan;
 pub(crate) mod factoring;
 pub(crate) mod sharing;

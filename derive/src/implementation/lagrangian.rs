@@ -78,8 +78,9 @@ impl Implementation<'_> {
                 arguments,
                 &vector,
                 &methods.accelerations,
-                |b| match methods.relative_pivots {
-                    Some(_) => b.eliminated(n, &self.forcing(suffix)),
+                |b| match methods.solved {
+                    Some(0) => as_vector(b),
+                    Some(pivots) => b.eliminated(n, pivots, &self.forcing(suffix)),
                     None => b.accelerations(n),
                 },
             ),

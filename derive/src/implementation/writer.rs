@@ -33,9 +33,14 @@ impl Writer<'_> {
     }
 
     /// The accelerations of an elimination whose pivots are positive; else M is factored in numbers.
-    pub(super) fn eliminated(&mut self, n: usize, forcing: &TokenStream) -> TokenStream {
+    pub(super) fn eliminated(
+        &mut self,
+        n: usize,
+        pivots: usize,
+        forcing: &TokenStream,
+    ) -> TokenStream {
         let (statements, outputs) = self.phase(0);
-        let (pivots, accelerations) = outputs.split_at(n);
+        let (pivots, accelerations) = outputs.split_at(pivots);
         let accelerations = vector(accelerations);
         let scalar = self.scalar;
         quote! {

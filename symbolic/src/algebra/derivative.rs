@@ -63,6 +63,7 @@ impl Graph {
                 let slope = function.derivative(self, x);
                 self.multiply(slope, of(x))
             }
+            Node::Whole(x) => of(x),
             Node::Binary(function, x, y) => {
                 let [over_x, over_y] = function.derivatives(self, x, y);
                 let along_x = self.multiply(over_x, of(x));

@@ -19,6 +19,7 @@ impl Graph {
                 Node::Product(factors) => factors.iter().map(|(x, k)| power(of(*x), k)).product(),
                 Node::Unary(function, x) => function.value(of(*x)),
                 Node::Binary(function, x, y) => function.value(of(*x), of(*y)),
+                Node::Whole(x) => of(*x),
             };
         }
         roots.iter().map(|root| values[root.index()]).collect()

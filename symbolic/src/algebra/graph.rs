@@ -49,6 +49,8 @@ pub enum Node {
     Unary(Unary, Expression),
     /// A function of two arguments.
     Binary(Binary, Expression, Expression),
+    /// An expression that is kept whole: the sums and products that contain it do not take it apart.
+    Whole(Expression),
 }
 
 impl Node {
@@ -61,7 +63,7 @@ impl Node {
                     visit(*operand);
                 }
             }
-            Self::Unary(_, x) => visit(*x),
+            Self::Unary(_, x) | Self::Whole(x) => visit(*x),
             Self::Binary(_, x, y) => {
                 visit(*x);
                 visit(*y);
@@ -217,6 +219,15 @@ impl Graph {
     /// A symbol.
     pub fn symbol(&mut self, symbol: Symbol) -> Expression {
         self.intern(Node::Symbol(symbol))
+    }
+
+    /// `expression`, kept whole: a value of its own in whatever is made of it, so that what is made step
+    /// by step, as in an elimination, grows with the number of steps and not with their depth.
+    pub fn whole(&mut self, expression: Expression) -> Expression {
+        match self.node(expression) {
+            Node::Sum(_) | Node::Product(_) => self.intern(Node::Whole(expression)),
+            _ => expression,
+        }
     }
 
     /// x + y.

@@ -40,6 +40,7 @@ impl Graph {
             }
             Node::Unary(function, x) => self.unary(function, of(x)),
             Node::Binary(function, x, y) => self.binary(function, of(x), of(y)),
+            Node::Whole(x) => self.whole(of(x)),
         }
     }
 }

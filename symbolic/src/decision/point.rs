@@ -107,6 +107,7 @@ impl Point {
                 }
                 sum.value
             }
+            Node::Whole(x) => return Some(of(*x)),
             Node::Constant(number) => {
                 let value = self.constant(number)?;
                 if self.addition_theorems {

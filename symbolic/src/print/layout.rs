@@ -135,6 +135,7 @@ impl<'a> Layout<'a> {
             Node::Product(factors) => self.product(line, &Rational::ONE, factors),
             Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
             Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
+            Node::Whole(x) => self.enclosed(line, true, *x),
         }
     }
 
@@ -212,6 +213,7 @@ impl<'a> Layout<'a> {
             Node::Constant(_) => Shape::Product,
             Node::Pi
             | Node::Symbol(_)
+            | Node::Whole(_)
             | Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _)
             | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max, ..) => Shape::Atom,
             Node::Sum(terms) => match &**terms {

@@ -94,6 +94,6 @@ pub(crate) fn factor_rank(
         }
         Node::Binary(crate::Binary::Power, ..) => class(11),
         Node::Binary(..) => class(9),
-        Node::Sum(_) | Node::Product(_) => class(10),
+        Node::Sum(_) | Node::Product(_) | Node::Whole(_) => class(10),
     }
 }

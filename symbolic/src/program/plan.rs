@@ -56,8 +56,13 @@ impl Plan {
         let descendants = graph.descendants(roots);
         let shared = shared_divisors(graph, &descendants);
         for expression in descendants {
-            let recipe = plan.recipe(graph.node(expression), &shared);
-            let value = plan.push(recipe, Some(expression));
+            let value = match graph.node(expression) {
+                Node::Whole(inner) => plan.value(*inner),
+                node => {
+                    let recipe = plan.recipe(node, &shared);
+                    plan.push(recipe, Some(expression))
+                }
+            };
             plan.values.insert(expression, value);
         }
         plan
@@ -103,6 +108,7 @@ impl Plan {
             Node::Binary(function, x, y) => {
                 Recipe::Binary(*function, self.value(*x), self.value(*y))
             }
+            Node::Whole(x) => self.recipes[self.value(*x)].clone(),
         }
     }
 

@@ -43,6 +43,7 @@ pub(crate) fn evaluate<N: Number>(
                 .fold(one, |product, (x, k)| product.multiply(of(*x).power(k))),
             Node::Unary(function, x) => of(*x).unary(*function),
             Node::Binary(function, x, y) => of(*x).binary(*function, of(*y)),
+            Node::Whole(x) => of(*x),
         };
     }
     values[root.index()]

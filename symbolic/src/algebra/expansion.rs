@@ -1,0 +1,127 @@
+//! Multiplying out, where that makes an expression cheaper.
+//!
+//! The normal form never multiplies out, so that it never swells. What cancels only in expanded form,
+//! such as sin²ψ·c + cos²ψ·c across two products, is found here: a small expression is expanded over
+//! what is neither a sum nor a product, the rules of sums are applied, and the result is taken only if
+//! it costs less. Limits are counts.
+
+use std::collections::BTreeMap;
+
+use crate::{Expression, Graph, Node, Rational};
+
+/// More terms than this are not looked at.
+const MOST_TERMS: usize = 128;
+
+/// Σ cᵢ·mᵢ with products of powers mᵢ.
+type Polynomial = BTreeMap<Expression, Rational>;
+
+impl Graph {
+    /// The cheapest of `expression`, the same with common factors taken out, and both multiplied out.
+    #[must_use]
+    pub fn simplest(&mut self, expression: Expression) -> Expression {
+        let mut candidates = vec![expression, self.factored(expression)];
+        if let Some(expanded) = self.expanded(expression) {
+            candidates.extend([expanded, self.factored(expanded)]);
+        }
+        candidates
+            .into_iter()
+            .min_by_key(|candidate| self.cost(&[*candidate]))
+            .unwrap_or(expression)
+    }
+
+    /// A sum as the product of what its terms have in common and the rest.
+    #[must_use]
+    pub fn factored(&mut self, expression: Expression) -> Expression {
+        self.product([(expression, Rational::ONE)])
+    }
+
+    /// The sum of products that `expression` is, unless it has too many terms.
+    fn expanded(&mut self, expression: Expression) -> Option<Expression> {
+        let mut polynomials: BTreeMap<Expression, Polynomial> = BTreeMap::new();
+        for part in self.descendants(&[expression]) {
+            let polynomial = match self.node(part).clone() {
+                Node::Constant(value) => Polynomial::from([(self.one(), value)]),
+                Node::Sum(terms) => {
+                    let mut total = Polynomial::new();
+                    for (x, c) in terms {
+                        add_multiple(&mut total, polynomials.get(&x)?, &c);
+                    }
+                    total
+                }
+                Node::Product(factors) => {
+                    let mut total = Polynomial::from([(self.one(), Rational::ONE)]);
+                    for (x, k) in factors {
+                        total = self.multiply_out(&total, x, &k, polynomials.get(&x)?)?;
+                    }
+                    total
+                }
+                Node::Pi
+                | Node::Symbol(_)
+                | Node::Unary(..)
+                | Node::Binary(..)
+                | Node::Whole(_) => Polynomial::from([(part, Rational::ONE)]),
+            };
+            if polynomial.len() > MOST_TERMS {
+                return None;
+            }
+            polynomials.insert(part, polynomial);
+        }
+        let terms = polynomials.remove(&expression)?;
+        Some(self.sum(terms))
+    }
+
+    /// A polynomial times x^k, where x is known as a polynomial.
+    fn multiply_out(
+        &mut self,
+        total: &Polynomial,
+        x: Expression,
+        exponent: &Rational,
+        inner: &Polynomial,
+    ) -> Option<Polynomial> {
+        let repeats = exponent.to_integer().filter(|k| (1..=4).contains(k));
+        let (Some(repeats), true) = (repeats, inner.len() > 1) else {
+            let power = self.power(x, exponent);
+            let single = Polynomial::from([(power, Rational::ONE)]);
+            return Some(self.multiply_polynomials(total, &single));
+        };
+        let mut product = total.clone();
+        for _ in 0..repeats {
+            if product.len() * inner.len() > 4 * MOST_TERMS {
+                return None;
+            }
+            product = self.multiply_polynomials(&product, inner);
+        }
+        Some(product)
+    }
+
+    fn multiply_polynomials(&mut self, left: &Polynomial, right: &Polynomial) -> Polynomial {
+        let mut product = Polynomial::new();
+        for (x, c) in left {
+            for (y, d) in right {
+                let monomial = self.multiply(*x, *y);
+                let terms = match self.node(monomial) {
+                    // A number that a power left in front.
+                    Node::Sum(terms) if terms.len() == 1 => terms[0].clone(),
+                    _ => (monomial, Rational::ONE),
+                };
+                add_multiple(
+                    &mut product,
+                    &Polynomial::from([(terms.0, terms.1)]),
+                    &(c * d),
+                );
+            }
+        }
+        product
+    }
+}
+
+/// total += factor · other.
+fn add_multiple(total: &mut Polynomial, other: &Polynomial, factor: &Rational) {
+    for (x, c) in other {
+        let sum = total.entry(*x).or_insert(Rational::ZERO);
+        *sum = &*sum + &(c * factor);
+        if sum.is_zero() {
+            total.remove(x);
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The equations of motion in quasi-velocities, after Boltzmann and Hamel.
+//!
+//! With L = ½ wᵀ W w + L₀ and w = E q̇ + b, Lagrange's equations are
+//!
+//! Eᵀ W ẇ = Q − 𝓛(L₀) − Σ (W w)ₖ 𝓛(wₖ),   ẇ = E q̈ + D w,
+//!
+//! where 𝓛ᵢ = D ∂/∂q̇ᵢ − ∂/∂qᵢ and D is the time derivative at constant velocities. Where E is square,
+//! q̈ follows through its factors, and M = Eᵀ W E is never formed: for a rigid body these are Euler's
+//! equations (3.5)–(3.7) and the kinematics of its angles, with an error that does not grow as the
+//! condition of M does.
+
+use crate::mechanics::elimination::Elimination;
+use crate::mechanics::kinematics::{Kinematics, transposed};
+use crate::mechanics::quasi_velocities::QuasiVelocities;
+use crate::mechanics::structure_constants::structure_constants;
+use crate::{Expression, Graph, Model, Rational, Symbol};
+
+/// How many quasi-velocities are solved for at most: the structure constants are a cube.
+const MOST: usize = 8;
+
+/// Accelerations through quasi-velocities.
+pub(crate) struct BoltzmannHamel {
+    quasi_velocities: QuasiVelocities,
+    kinematics: Kinematics,
+    transposed: Kinematics,
+}
+
+impl BoltzmannHamel {
+    /// The solution through `quasi_velocities`, if there are as many of them as coordinates.
+    pub(crate) fn new(
+        graph: &mut Graph,
+        quasi_velocities: QuasiVelocities,
+        coordinates: u32,
+    ) -> Option<Self> {
+        let size = quasi_velocities.forms.len();
+        if size != coordinates as usize || size > MOST {
+            return None;
+        }
+        let matrix = quasi_velocities.kinematics(graph, coordinates);
+        let transposed = Kinematics::new(graph, transposed(&matrix))?;
+        let kinematics = Kinematics::new(graph, matrix)?;
+        Some(Self {
+            quasi_velocities,
+            kinematics,
+            transposed,
+        })
+    }
+
+    /// The accelerations of `model` under the generalized forces Q.
+    pub(crate) fn accelerations(
+        &self,
+        model: &mut Model,
+        forces: &[Expression],
+    ) -> Option<Vec<Expression>> {
+        let coordinates = model.coordinates;
+        let graph = &mut model.graph;
+        let forms = &self.quasi_velocities.forms;
+        let gyroscopic = self.gyroscopic(graph, coordinates);
+        let rest = graph.lagrange_derivatives(&[self.quasi_velocities.rest], coordinates);
+        let mut right = Vec::with_capacity(forces.len());
+        for (i, force) in forces.iter().enumerate() {
+            let mut terms = vec![(*force, Rational::ONE), (rest[0][i], Rational::MINUS_ONE)];
+            if let Gyroscopic::ByCoordinate(values) = &gyroscopic {
+                terms.push((values[i], Rational::MINUS_ONE));
+            }
+            let sum = graph.sum(terms);
+            right.push(graph.factored(sum));
+        }
+        let mut torques = self.transposed.solve(graph, &right);
+        for torque in &mut torques {
+            *torque = graph.simplest(*torque);
+        }
+        if let Gyroscopic::ByForm(values) = gyroscopic {
+            for (torque, value) in torques.iter_mut().zip(values) {
+                *torque = graph.subtract(*torque, value);
+            }
+        }
+        let rates = self.divide_by_inertia(graph, &torques)?;
+        let direction = graph.at_rest_direction(coordinates);
+        let drift = graph.directional_derivatives(forms, &direction);
+        let rates: Vec<_> = rates
+            .iter()
+            .zip(drift)
+            .map(|(x, y)| graph.subtract(*x, y))
+            .collect();
+        Some(self.kinematics.solve(graph, &rates))
+    }
+
+    /// W⁻¹ x.
+    fn divide_by_inertia(
+        &self,
+        graph: &mut Graph,
+        right: &[Expression],
+    ) -> Option<Vec<Expression>> {
+        let inertia = &self.quasi_velocities.inertia;
+        let diagonal = inertia.iter().enumerate().all(|(i, row)| {
+            row.iter()
+                .enumerate()
+                .all(|(j, entry)| i == j || graph.is_zero(*entry))
+        });
+        if !diagonal {
+            let angles = vec![false; right.len()];
+            return Some(Elimination::solve(graph, inertia, right, &angles)?.accelerations);
+        }
+        let quotients = right
+            .iter()
+            .enumerate()
+            .map(|(i, x)| graph.divide(*x, inertia[i][i]));
+        Some(quotients.collect())
+    }
+
+    /// Σₖ (W w)ₖ 𝓛(wₖ): by quasi-velocity where their structure constants are constant.
+    fn gyroscopic(&self, graph: &mut Graph, coordinates: u32) -> Gyroscopic {
+        let forms = &self.quasi_velocities.forms;
+        let momenta = self.quasi_velocities.momenta(graph);
+        let homogeneous = !graph.contains(forms, |symbol| symbol == Symbol::Time)
+            && self.quasi_velocities.is_homogeneous(graph, coordinates);
+        let matrix = self.kinematics.matrix();
+        if let Some(constants) = homogeneous
+            .then(|| structure_constants(graph, matrix))
+            .flatten()
+        {
+            let values = (0..forms.len()).map(|b| {
+                let mut terms = Vec::new();
+                for (k, momentum) in momenta.iter().enumerate() {
+                    for (a, form) in forms.iter().enumerate() {
+                        let product = graph.multiply(*momentum, *form);
+                        terms.push((product, constants[k][a][b].clone()));
+                    }
+                }
+                let sum = graph.sum(terms);
+                let sum = graph.simplest(sum);
+                graph.factored(sum)
+            });
+            return Gyroscopic::ByForm(values.collect());
+        }
+        let derivatives = graph.lagrange_derivatives(forms, coordinates);
+        let values = (0..coordinates as usize).map(|i| {
+            let terms: Vec<_> = momenta
+                .iter()
+                .zip(&derivatives)
+                .map(|(momentum, row)| (graph.multiply(*momentum, row[i]), Rational::ONE))
+                .collect();
+            graph.sum(terms)
+        });
+        Gyroscopic::ByCoordinate(values.collect())
+    }
+}
+
+/// The terms quadratic in the velocities that no ẇ contains.
+enum Gyroscopic {
+    /// In the equations of the quasi-velocities.
+    ByForm(Vec<Expression>),
+    /// In the equations of the coordinates.
+    ByCoordinate(Vec<Expression>),
+}
+
+impl Graph {
+    /// 𝓛ᵢ(x) = D ∂x/∂q̇ᵢ − ∂x/∂qᵢ for each of `roots`, in row and column (root, i).
+    pub(crate) fn lagrange_derivatives(
+        &mut self,
+        roots: &[Expression],
+        coordinates: u32,
+    ) -> Vec<Vec<Expression>> {
+        let direction = self.at_rest_direction(coordinates);
+        let columns: Vec<Vec<Expression>> = (0..coordinates)
+            .map(|i| {
+                let momenta = self.derivatives(roots, Symbol::Velocity(i));
+                let rates = self.directional_derivatives(&momenta, &direction);
+                let slopes = self.derivatives(roots, Symbol::Coordinate(i));
+                rates
+                    .iter()
+                    .zip(slopes)
+                    .map(|(x, y)| self.subtract(*x, y))
+                    .collect()
+            })
+            .collect();
+        transposed(&columns)
+    }
+}

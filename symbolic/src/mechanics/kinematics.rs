@@ -1,0 +1,254 @@
+//! Solving E x = a and Eᵀ y = r for the square matrix E of quasi-velocities, before any number is known.
+//!
+//! Unknowns that stand alone are found one by one; what is left is small and is solved by cofactors.
+//! The determinants of such blocks are simplified first: for Euler angles the block is a rotation but
+//! for a factor, and its determinant is −sin θ, with nothing lost where it is small.
+
+use crate::{Expression, Graph, Rational};
+
+/// A square matrix and the order in which its unknowns are found.
+#[derive(Clone, Debug)]
+pub(crate) struct Kinematics {
+    matrix: Vec<Vec<Expression>>,
+    steps: Vec<Step>,
+}
+
+/// Unknowns that are found together, from as many equations.
+#[derive(Clone, Debug)]
+struct Step {
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    determinant: Expression,
+}
+
+/// Blocks that are larger are left to other methods.
+const LARGEST_BLOCK: usize = 3;
+
+impl Kinematics {
+    /// The order of solution for `matrix`, unless it is not square or a block is too large or singular.
+    pub(crate) fn new(graph: &mut Graph, matrix: Vec<Vec<Expression>>) -> Option<Self> {
+        let size = matrix.len();
+        if matrix.iter().any(|row| row.len() != size) {
+            return None;
+        }
+        let occupied: Vec<Vec<bool>> = matrix
+            .iter()
+            .map(|row| row.iter().map(|x| !graph.is_zero(*x)).collect())
+            .collect();
+        let blocks = Peeling::new(&occupied).blocks();
+        let mut steps = Vec::with_capacity(blocks.len());
+        for (rows, columns) in blocks {
+            if rows.len() != columns.len() || rows.len() > LARGEST_BLOCK {
+                return None;
+            }
+            let determinant = determinant(graph, &matrix, &rows, &columns);
+            let determinant = graph.simplest(determinant);
+            if graph.is_zero(determinant) {
+                return None;
+            }
+            steps.push(Step {
+                rows,
+                columns,
+                determinant,
+            });
+        }
+        Some(Self { matrix, steps })
+    }
+
+    /// The matrix E, row by row.
+    pub(crate) fn matrix(&self) -> &[Vec<Expression>] {
+        &self.matrix
+    }
+
+    /// x in E x = a.
+    pub(crate) fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let mut solution: Vec<Option<Expression>> = vec![None; right.len()];
+        for step in &self.steps {
+            let mut rest = Vec::with_capacity(step.rows.len());
+            for row in &step.rows {
+                let mut terms = vec![(right[*row], Rational::ONE)];
+                for (column, known) in solution.iter().enumerate() {
+                    if let Some(known) = known {
+                        let product = graph.multiply(self.matrix[*row][column], *known);
+                        terms.push((product, Rational::MINUS_ONE));
+                    }
+                }
+                rest.push(graph.sum(terms));
+            }
+            for (position, column) in step.columns.iter().enumerate() {
+                let numerator = self.cramer(graph, step, position, &rest);
+                solution[*column] = Some(graph.divide(numerator, step.determinant));
+            }
+        }
+        solution
+            .into_iter()
+            .map(|x| x.unwrap_or(graph.zero()))
+            .collect()
+    }
+
+    /// The determinant of a block with one column replaced, along that column.
+    fn cramer(
+        &self,
+        graph: &mut Graph,
+        step: &Step,
+        position: usize,
+        right: &[Expression],
+    ) -> Expression {
+        let columns = without(&step.columns, position);
+        let mut terms = Vec::with_capacity(right.len());
+        for (row, value) in right.iter().enumerate() {
+            let minor = determinant(graph, &self.matrix, &without(&step.rows, row), &columns);
+            let sign = if (row + position) % 2 == 0 {
+                Rational::ONE
+            } else {
+                Rational::MINUS_ONE
+            };
+            terms.push((graph.multiply(minor, *value), sign));
+        }
+        graph.sum(terms)
+    }
+}
+
+/// The transpose of a matrix.
+pub(crate) fn transposed(matrix: &[Vec<Expression>]) -> Vec<Vec<Expression>> {
+    let columns = matrix.first().map_or(0, Vec::len);
+    (0..columns)
+        .map(|j| matrix.iter().map(|row| row[j]).collect())
+        .collect()
+}
+
+/// The determinant of some rows and columns, along the first row.
+fn determinant(
+    graph: &mut Graph,
+    matrix: &[Vec<Expression>],
+    rows: &[usize],
+    columns: &[usize],
+) -> Expression {
+    let Some((first, others)) = rows.split_first() else {
+        return graph.one();
+    };
+    let mut terms = Vec::with_capacity(columns.len());
+    for (position, column) in columns.iter().enumerate() {
+        let entry = matrix[*first][*column];
+        if graph.is_zero(entry) {
+            continue;
+        }
+        // At most three levels deep: blocks are not larger.
+        let minor = determinant(graph, matrix, others, &without(columns, position));
+        let sign = if position % 2 == 0 {
+            Rational::ONE
+        } else {
+            Rational::MINUS_ONE
+        };
+        terms.push((graph.multiply(entry, minor), sign));
+    }
+    graph.sum(terms)
+}
+
+fn without(indices: &[usize], position: usize) -> Vec<usize> {
+    let mut rest = indices.to_vec();
+    rest.remove(position);
+    rest
+}
+
+/// Which equations give which unknowns, found by taking away what stands alone.
+struct Peeling<'a> {
+    occupied: &'a [Vec<bool>],
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+}
+
+type Block = (Vec<usize>, Vec<usize>);
+
+impl<'a> Peeling<'a> {
+    fn new(occupied: &'a [Vec<bool>]) -> Self {
+        let all: Vec<usize> = (0..occupied.len()).collect();
+        Self {
+            occupied,
+            rows: all.clone(),
+            columns: all,
+        }
+    }
+
+    /// The blocks in the order in which they can be solved.
+    fn blocks(mut self) -> Vec<Block> {
+        let (mut first, mut last) = (Vec::new(), Vec::new());
+        loop {
+            // An equation with one unknown gives it now; an unknown in one equation comes last.
+            if let Some((row, column)) = self.lone_in_row() {
+                self.take(row, column);
+                first.push((vec![row], vec![column]));
+            } else if let Some((row, column)) = self.lone_in_column() {
+                self.take(row, column);
+                last.push((vec![row], vec![column]));
+            } else {
+                break;
+            }
+        }
+        first.extend(self.components());
+        first.extend(last.into_iter().rev());
+        first
+    }
+
+    fn take(&mut self, row: usize, column: usize) {
+        self.rows.retain(|x| *x != row);
+        self.columns.retain(|x| *x != column);
+    }
+
+    fn lone_in_row(&self) -> Option<(usize, usize)> {
+        self.rows.iter().find_map(|row| {
+            let mut unknowns = self
+                .columns
+                .iter()
+                .filter(|column| self.occupied[*row][**column]);
+            let column = unknowns.next()?;
+            unknowns.next().is_none().then_some((*row, *column))
+        })
+    }
+
+    fn lone_in_column(&self) -> Option<(usize, usize)> {
+        self.columns.iter().find_map(|column| {
+            let mut equations = self.rows.iter().filter(|row| self.occupied[**row][*column]);
+            let row = equations.next()?;
+            equations.next().is_none().then_some((*row, *column))
+        })
+    }
+
+    /// What is left, in parts that have nothing to do with each other.
+    fn components(&self) -> Vec<Block> {
+        let mut components = Vec::new();
+        let (mut rows, mut columns) = (self.rows.clone(), self.columns.clone());
+        while let Some(row) = rows.first().copied() {
+            let (mut block_rows, mut block_columns) = (vec![row], Vec::new());
+            loop {
+                let before = (block_rows.len(), block_columns.len());
+                block_columns = columns
+                    .iter()
+                    .copied()
+                    .filter(|column| block_rows.iter().any(|row| self.occupied[*row][*column]))
+                    .collect();
+                block_rows = rows
+                    .iter()
+                    .copied()
+                    .filter(|row| {
+                        block_rows.contains(row)
+                            || block_columns
+                                .iter()
+                                .any(|column| self.occupied[*row][*column])
+                    })
+                    .collect();
+                if before == (block_rows.len(), block_columns.len()) {
+                    break;
+                }
+            }
+            rows.retain(|row| !block_rows.contains(row));
+            columns.retain(|column| !block_columns.contains(column));
+            components.push((block_rows, block_columns));
+        }
+        if !columns.is_empty() {
+            // Unknowns without an equation: not square, which the caller sees.
+            components.push((Vec::new(), columns));
+        }
+        components
+    }
+}
