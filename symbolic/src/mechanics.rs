@@ -5,6 +5,8 @@ pub(crate) mod equations;
 pub(crate) mod structure;
 pub(crate) mod elimination;
 pub(crate) mod quasi_velocities;
+pub(crate) mod squares;
+pub(crate) mod inertias;
 pub(crate) mod kinematics;
 pub(crate) mod structure_constants;
 pub(crate) mod boltzmann_hamel;

@@ -13,7 +13,7 @@ use crate::{Expression, Graph, Node, Rational};
 const MOST_TERMS: usize = 128;
 
 /// Σ cᵢ·mᵢ with products of powers mᵢ.
-type Polynomial = BTreeMap<Expression, Rational>;
+pub(crate) type Polynomial = BTreeMap<Expression, Rational>;
 
 impl Graph {
     /// The cheapest of `expression`, the same with common factors taken out, and both multiplied out.
@@ -37,6 +37,12 @@ impl Graph {
 
     /// The sum of products that `expression` is, unless it has too many terms.
     fn expanded(&mut self, expression: Expression) -> Option<Expression> {
+        let terms = self.monomials(expression)?;
+        Some(self.sum(terms))
+    }
+
+    /// `expression` as Σ cᵢ·mᵢ with products of powers mᵢ, unless there are too many.
+    pub(crate) fn monomials(&mut self, expression: Expression) -> Option<Polynomial> {
         let mut polynomials: BTreeMap<Expression, Polynomial> = BTreeMap::new();
         for part in self.descendants(&[expression]) {
             let polynomial = match self.node(part).clone() {
@@ -66,8 +72,7 @@ impl Graph {
             }
             polynomials.insert(part, polynomial);
         }
-        let terms = polynomials.remove(&expression)?;
-        Some(self.sum(terms))
+        polynomials.remove(&expression)
     }
 
     /// A polynomial times x^k, where x is known as a polynomial.

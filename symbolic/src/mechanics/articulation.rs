@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use crate::mechanics::kinematic_tree::KinematicTree;
-use crate::{Expression, Graph, Rational};
+use crate::{Expression, Graph, Node, Rational};
 
 /// An unknown: q̈ᵢ or ẇₖ.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -32,8 +32,8 @@ pub(crate) struct Articulation {
     pub(crate) accelerations: Vec<Expression>,
 }
 
-/// Expressions that cost more than this are kept whole.
-const LARGEST_MERGED: usize = 6;
+/// Sums of more terms than this are kept whole.
+const LONGEST_MERGED: usize = 2;
 
 impl Articulation {
     /// Solves Eᵀ W ẇ = r along the tree, unless a pivot vanishes or more than `limit` unknowns meet.
@@ -46,10 +46,12 @@ impl Articulation {
             let elimination = quadratic.eliminate(graph, coordinate, limit)?;
             eliminations.push(elimination);
         }
-        let pivots = eliminations
+        let mut pivots: Vec<_> = eliminations
             .iter()
             .map(|elimination| elimination.pivot)
             .collect();
+        pivots.push(tree.unit);
+        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
         let accelerations = substitute(graph, tree, &eliminations);
         Some(Self {
             pivots,
@@ -263,7 +265,7 @@ fn substitute(
         }
         let rest = graph.sum(terms);
         let acceleration = graph.divide(rest, elimination.pivot);
-        accelerations[elimination.coordinate] = Some(kept(graph, acceleration));
+        accelerations[elimination.coordinate] = Some(graph.whole(acceleration));
     }
     accelerations
         .into_iter()
@@ -310,9 +312,8 @@ fn rate(
 
 /// The expression, kept whole unless it is short.
 fn kept(graph: &mut Graph, expression: Expression) -> Expression {
-    if graph.cost(&[expression]) > LARGEST_MERGED {
-        graph.whole(expression)
-    } else {
-        expression
+    match graph.node(expression) {
+        Node::Sum(terms) if terms.len() > LONGEST_MERGED => graph.whole(expression),
+        _ => expression,
     }
 }

@@ -12,6 +12,7 @@
 use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematics::{Kinematics, transposed};
 use crate::mechanics::quasi_velocities::QuasiVelocities;
+use crate::mechanics::solution::Solution;
 use crate::mechanics::structure_constants::structure_constants;
 use crate::{Expression, Graph, Model, Rational, Symbol};
 
@@ -51,7 +52,7 @@ impl BoltzmannHamel {
         &self,
         model: &mut Model,
         forces: &[Expression],
-    ) -> Option<Vec<Expression>> {
+    ) -> Option<Solution> {
         let coordinates = model.coordinates;
         let graph = &mut model.graph;
         let forms = &self.quasi_velocities.forms;
@@ -75,7 +76,7 @@ impl BoltzmannHamel {
                 *torque = graph.subtract(*torque, value);
             }
         }
-        let rates = self.divide_by_inertia(graph, &torques)?;
+        let (rates, pivots) = self.divide_by_inertia(graph, &torques)?;
         let direction = graph.at_rest_direction(coordinates);
         let drift = graph.directional_derivatives(forms, &direction);
         let rates: Vec<_> = rates
@@ -83,30 +84,30 @@ impl BoltzmannHamel {
             .zip(drift)
             .map(|(x, y)| graph.subtract(*x, y))
             .collect();
-        Some(self.kinematics.solve(graph, &rates))
+        let accelerations = self.kinematics.solve(graph, &rates);
+        Some(Solution {
+            pivots,
+            accelerations,
+        })
     }
 
-    /// W⁻¹ x.
+    /// W⁻¹ x, and the pivots that must not vanish for it.
     fn divide_by_inertia(
         &self,
         graph: &mut Graph,
         right: &[Expression],
-    ) -> Option<Vec<Expression>> {
+    ) -> Option<(Vec<Expression>, Vec<Expression>)> {
         let inertia = &self.quasi_velocities.inertia;
-        let diagonal = inertia.iter().enumerate().all(|(i, row)| {
-            row.iter()
-                .enumerate()
-                .all(|(j, entry)| i == j || graph.is_zero(*entry))
-        });
-        if !diagonal {
+        if !self.quasi_velocities.is_diagonal(graph) {
             let angles = vec![false; right.len()];
-            return Some(Elimination::solve(graph, inertia, right, &angles)?.accelerations);
+            let elimination = Elimination::solve(graph, inertia, right, &angles)?;
+            return Some((elimination.accelerations, elimination.pivots));
         }
         let quotients = right
             .iter()
             .enumerate()
             .map(|(i, x)| graph.divide(*x, inertia[i][i]));
-        Some(quotients.collect())
+        Some((quotients.collect(), Vec::new()))
     }
 
     /// Σₖ (W w)ₖ 𝓛(wₖ): by quasi-velocity where their structure constants are constant.

@@ -29,6 +29,8 @@ pub(crate) struct KinematicTree {
     pub(crate) inertia: Vec<Vec<Expression>>,
     /// r, for each coordinate: all forces but those of drift.
     pub(crate) right: Vec<Expression>,
+    /// What W and r have been divided by.
+    pub(crate) unit: Expression,
 }
 
 impl KinematicTree {
@@ -76,9 +78,28 @@ impl KinematicTree {
             forms,
             inertia: sorted.inertia,
             right: forces.to_vec(),
+            unit: graph.one(),
         };
         tree.add_forces(graph, sorted.rest, &additions, coordinates);
         tree
+    }
+
+    /// The same equations divided by an inertia of which all others are multiples by numbers, if there is
+    /// one: a chain of equal bodies then solves for ratios.
+    pub(crate) fn without_unit(&self, graph: &mut Graph) -> Self {
+        let unit = self.inertia.first().map_or(graph.one(), |row| row[0]);
+        let mut scaled = self.clone();
+        for entry in scaled.inertia.iter_mut().flatten() {
+            *entry = graph.divide(*entry, unit);
+            if graph.as_constant(*entry).is_none() {
+                return self.clone();
+            }
+        }
+        for entry in &mut scaled.right {
+            *entry = graph.divide(*entry, unit);
+        }
+        scaled.unit = unit;
+        scaled
     }
 
     /// r = Q − 𝓛(rest) − Σₖ Pₖ 𝓛(what form k adds), where Pₖ is the momentum of the forms from k on.

@@ -26,6 +26,9 @@ pub struct Solution {
 /// Where more unknowns than this meet, elimination in numbers costs no more than straight-line code.
 const MOST_NEIGHBOURS: usize = 7;
 
+/// A mass matrix of more rows is not multiplied out.
+const MOST_COORDINATES: u32 = 4;
+
 /// Points to try until one is in the domain.
 const ATTEMPTS: u64 = 64;
 
@@ -72,34 +75,38 @@ impl Solution {
     }
 
     fn through_quasi_velocities(model: &mut Model, equations: &Equations) -> Vec<Self> {
-        let graph = &mut model.graph;
-        let Some(declared) = QuasiVelocities::find(graph, equations.lagrangian) else {
-            return Vec::new();
-        };
         let mut solutions = Vec::new();
-        let tree = KinematicTree::new(model, &declared, &equations.generalized_forces);
-        let graph = &mut model.graph;
-        let articulation = Articulation::solve(graph, &tree, MOST_NEIGHBOURS);
-        solutions.extend(articulation.map(|found| Self {
-            pivots: found.pivots,
-            accelerations: found.accelerations,
-        }));
-        let mut choices = vec![declared.clone()];
-        choices.extend(declared.regrouped(graph, model.coordinates));
+        let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
+        if let Some(declared) = &declared {
+            solutions.extend(Self::along_tree(model, equations, declared));
+        }
+        let coordinates = model.coordinates;
+        let mut choices: Vec<_> = declared.into_iter().collect();
+        if coordinates <= MOST_COORDINATES {
+            choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
+        }
+        choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);
         for choice in choices {
-            let Some(equations_of_motion) =
-                BoltzmannHamel::new(&mut model.graph, choice, model.coordinates)
-            else {
-                continue;
-            };
-            let accelerations =
-                equations_of_motion.accelerations(model, &equations.generalized_forces);
-            solutions.extend(accelerations.map(|accelerations| Self {
-                pivots: Vec::new(),
-                accelerations,
-            }));
+            let found = BoltzmannHamel::new(&mut model.graph, choice, coordinates);
+            let forces = &equations.generalized_forces;
+            solutions.extend(found.and_then(|found| found.accelerations(model, forces)));
         }
         solutions
+    }
+
+    fn along_tree(
+        model: &mut Model,
+        equations: &Equations,
+        declared: &QuasiVelocities,
+    ) -> Option<Self> {
+        let tree = KinematicTree::new(model, declared, &equations.generalized_forces);
+        let graph = &mut model.graph;
+        let tree = tree.without_unit(graph);
+        let found = Articulation::solve(graph, &tree, MOST_NEIGHBOURS)?;
+        Some(Self {
+            pivots: found.pivots,
+            accelerations: found.accelerations,
+        })
     }
 }
 

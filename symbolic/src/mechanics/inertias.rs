@@ -1,0 +1,150 @@
+//! A mass matrix as a sum over inertias: M = Σ c Aᶜ(q), each Aᶜ the squares of a few forms.
+//!
+//! However a kinetic energy was written, its mass matrix multiplied out is linear in what is constant, and
+//! what belongs to one inertia is a sum of squares of its own. Eliminating Aᶜ gives the forms where the
+//! pivots are squares themselves. The general top multiplied out gives its angular velocities back, and
+//! (4.5) with I₁ = I₂ becomes (4.7), in which ψ no longer appears.
+
+use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
+use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
+
+type Matrix = Vec<Vec<Expression>>;
+
+impl QuasiVelocities {
+    /// The quasi-velocities of a mass matrix, if each inertia belongs to a sum of squares.
+    pub(crate) fn by_inertia(graph: &mut Graph, equations: &Equations) -> Option<Self> {
+        let mass = &equations.mass;
+        let (mut forms, mut diagonal) = (Vec::new(), Vec::new());
+        for (inertia, metric) in by_constant(graph, mass)? {
+            let squares = squares(graph, metric)?;
+            diagonal.extend(squares.iter().map(|_| inertia));
+            forms.extend(squares);
+        }
+        let zero = graph.zero();
+        let entry = |i: usize, j: usize| if i == j { diagonal[i] } else { zero };
+        let indices = 0..forms.len();
+        let inertia = indices
+            .clone()
+            .map(|i| indices.clone().map(|j| entry(i, j)).collect())
+            .collect();
+        let rest = linear_part(graph, equations);
+        Some(Self {
+            forms,
+            inertia,
+            rest,
+        })
+    }
+}
+
+/// The matrices Aᶜ by c, in the order in which the constants are found.
+fn by_constant(graph: &mut Graph, mass: &Matrix) -> Option<Vec<(Expression, Matrix)>> {
+    let zero = graph.zero();
+    let mut parts: Vec<(Expression, Matrix)> = Vec::new();
+    for (i, row) in mass.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate().take(i + 1) {
+            for (monomial, number) in graph.monomials(*entry)? {
+                let (constant, varying) = parted(graph, monomial);
+                let known = parts.iter().position(|(c, _)| *c == constant);
+                let position = known.unwrap_or_else(|| {
+                    parts.push((constant, vec![vec![zero; mass.len()]; mass.len()]));
+                    parts.len() - 1
+                });
+                let matrix = &mut parts[position].1;
+                let term = graph.scale(varying, &number);
+                matrix[i][j] = graph.add(matrix[i][j], term);
+                matrix[j][i] = matrix[i][j];
+            }
+        }
+    }
+    Some(parts)
+}
+
+/// A product as what is constant in it times what varies.
+fn parted(graph: &mut Graph, monomial: Expression) -> (Expression, Expression) {
+    let factors = match graph.node(monomial) {
+        Node::Product(factors) => factors.to_vec(),
+        _ => vec![(monomial, Rational::ONE)],
+    };
+    let (constant, varying): (Vec<_>, Vec<_>) = factors
+        .into_iter()
+        .partition(|(x, _)| is_constant(graph, *x));
+    (graph.product(constant), graph.product(varying))
+}
+
+/// Forms whose squares add up to q̇ᵀ A q̇, by elimination from the shortest pivot on, if all pivots are
+/// squares.
+fn squares(graph: &mut Graph, mut metric: Matrix) -> Option<Vec<Expression>> {
+    let mut forms = Vec::new();
+    let mut waiting: Vec<usize> = (0..metric.len()).collect();
+    while let Some(pivot) = waiting
+        .iter()
+        .copied()
+        .filter(|i| !graph.is_zero(metric[*i][*i]))
+        .min_by_key(|i| (graph.cost(&[metric[*i][*i]]), *i))
+    {
+        let root = graph.exact_root(metric[pivot][pivot])?;
+        let mut terms = Vec::new();
+        for j in waiting.iter().copied() {
+            let velocity = graph.symbol(Symbol::Velocity(u32::try_from(j).ok()?));
+            let ratio = graph.divide(metric[pivot][j], root);
+            terms.push((graph.multiply(ratio, velocity), Rational::ONE));
+        }
+        forms.push(graph.sum(terms));
+        waiting.retain(|i| *i != pivot);
+        for i in waiting.iter().copied() {
+            for j in waiting.iter().copied() {
+                let product = graph.multiply(metric[i][pivot], metric[j][pivot]);
+                let change = graph.divide(product, metric[pivot][pivot]);
+                let entry = graph.subtract(metric[i][j], change);
+                metric[i][j] = graph.simplest(entry);
+            }
+        }
+    }
+    let vanishes = |i: &usize| waiting.iter().all(|j| graph.is_zero(metric[*i][*j]));
+    waiting.iter().all(vanishes).then_some(forms)
+}
+
+/// What of L is at most linear in the velocities.
+fn linear_part(graph: &mut Graph, equations: &Equations) -> Expression {
+    let zero = graph.zero();
+    let indices = 0..u32::try_from(equations.mass.len()).unwrap_or(0);
+    let still = indices
+        .clone()
+        .map(|i| (Symbol::Velocity(i), zero))
+        .collect();
+    let mut roots = vec![equations.lagrangian];
+    roots.extend(&equations.momenta);
+    let at_rest = graph.substitute(&roots, &still);
+    let mut terms = vec![(at_rest[0], Rational::ONE)];
+    for (i, momentum) in indices.zip(&at_rest[1..]) {
+        let velocity = graph.symbol(Symbol::Velocity(i));
+        terms.push((graph.multiply(*momentum, velocity), Rational::ONE));
+    }
+    graph.sum(terms)
+}
+
+impl Graph {
+    /// The expression whose square this is, up to its sign: of a number or of even powers.
+    fn exact_root(&mut self, expression: Expression) -> Option<Expression> {
+        let (number, product) = match self.node(expression) {
+            Node::Constant(value) => (value.clone(), self.one()),
+            Node::Sum(terms) if terms.len() == 1 => (terms[0].1.clone(), terms[0].0),
+            _ => (Rational::ONE, expression),
+        };
+        let number = number.root(2)?;
+        let factors = match self.node(product) {
+            Node::Product(factors) => factors.to_vec(),
+            _ if product == self.one() => Vec::new(),
+            _ => return None,
+        };
+        if !factors.iter().all(|(_, k)| k.is_even()) {
+            return None;
+        }
+        let halves: Vec<_> = factors
+            .iter()
+            .map(|(x, k)| (*x, k * &Rational::HALF))
+            .collect();
+        let root = self.product(halves);
+        Some(self.scale(root, &number))
+    }
+}

@@ -1,0 +1,240 @@
+//! The squares of which a Lagrangian was declared.
+//!
+//! Read off the expression as it stands, without multiplying out: what is squared is a form, what stands
+//! beside it is its inertia. Factors that depend on the coordinates and stand squared belong to the form:
+//! r²φ̇² is the square of rφ̇. Products of two forms, as in ½ wᵀ W w with products of inertia, are read too.
+
+use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
+use crate::{Expression, Graph, Node, Rational, Symbol};
+
+/// One term of L: coefficient · first · second, both linear in the velocities.
+struct Term {
+    coefficient: Expression,
+    factors: [Expression; 2],
+}
+
+impl QuasiVelocities {
+    /// Finds the squares in `lagrangian`, unless it is no such sum or an inertia varies.
+    pub(crate) fn declared(graph: &mut Graph, lagrangian: Expression) -> Option<Self> {
+        let degrees = Degrees::of(graph, lagrangian);
+        let mut quadratic = Vec::new();
+        let mut rest = Vec::new();
+        let mut waiting = vec![(graph.one(), lagrangian)];
+        while let Some((coefficient, expression)) = waiting.pop() {
+            if degrees.of_expression(expression)? < 2 {
+                let term = graph.multiply(coefficient, expression);
+                rest.push((term, Rational::ONE));
+                continue;
+            }
+            match graph.node(expression).clone() {
+                Node::Sum(terms) => {
+                    for (x, c) in terms {
+                        waiting.push((graph.scale(coefficient, &c), x));
+                    }
+                }
+                Node::Product(factors) => match degrees.split(graph, coefficient, &factors)? {
+                    Split::Quadratic(term) => quadratic.extend(opened(graph, term)),
+                    Split::Opens(coefficient, inner) => waiting.push((coefficient, inner)),
+                },
+                _ => return None,
+            }
+        }
+        let rest = graph.sum(rest);
+        Self::collect(graph, quadratic, rest)
+    }
+
+    /// Adds up the coefficients of equal products.
+    fn collect(graph: &mut Graph, terms: Vec<Term>, rest: Expression) -> Option<Self> {
+        let mut forms = Vec::new();
+        let mut entries = Vec::new();
+        // The terms were found from the last to the first.
+        for term in terms.into_iter().rev() {
+            let (inertia, [first, second]) = absorb_squares(graph, term)?;
+            let indices = [first, second].map(|form| {
+                forms
+                    .iter()
+                    .position(|known| *known == form)
+                    .unwrap_or_else(|| {
+                        forms.push(form);
+                        forms.len() - 1
+                    })
+            });
+            entries.push((indices, inertia));
+        }
+        let mut inertia = vec![vec![graph.zero(); forms.len()]; forms.len()];
+        for ([i, j], coefficient) in entries {
+            // c·wᵢ·wⱼ is ½ (Wᵢⱼ + Wⱼᵢ) wᵢ wⱼ.
+            let coefficient = if i == j {
+                graph.scale(coefficient, &Rational::integer(2))
+            } else {
+                coefficient
+            };
+            inertia[i][j] = graph.add(inertia[i][j], coefficient);
+            inertia[j][i] = inertia[i][j];
+        }
+        Some(Self {
+            forms,
+            inertia,
+            rest,
+        })
+    }
+}
+
+/// What a product of degree two is.
+enum Split {
+    Quadratic(Term),
+    /// A coefficient and a sum that is quadratic itself.
+    Opens(Expression, Expression),
+}
+
+/// The degrees of expressions as polynomials in the velocities; none for what is not a polynomial.
+struct Degrees(Vec<Option<u8>>);
+
+impl Degrees {
+    fn of(graph: &Graph, root: Expression) -> Self {
+        let mut degrees = Self(vec![Some(0); root.index() + 1]);
+        for expression in graph.descendants(&[root]) {
+            degrees.0[expression.index()] = degrees.degree(graph.node(expression));
+        }
+        degrees
+    }
+
+    fn of_expression(&self, expression: Expression) -> Option<u8> {
+        self.0[expression.index()]
+    }
+
+    fn degree(&self, node: &Node) -> Option<u8> {
+        match node {
+            Node::Symbol(Symbol::Velocity(_)) => Some(1),
+            Node::Constant(_) | Node::Pi | Node::Symbol(_) => Some(0),
+            Node::Sum(terms) => terms
+                .iter()
+                .try_fold(0, |most, (x, _)| Some(self.of_expression(*x)?.max(most))),
+            Node::Product(factors) => factors.iter().try_fold(0, |total: u8, (x, k)| {
+                match (self.of_expression(*x)?, k.to_integer()) {
+                    (0, _) => Some(total),
+                    (degree, Some(k)) => {
+                        total.checked_add(degree.checked_mul(u8::try_from(k).ok()?)?)
+                    }
+                    (_, None) => None,
+                }
+            }),
+            Node::Whole(x) => self.of_expression(*x),
+            Node::Unary(_, x) => (self.of_expression(*x)? == 0).then_some(0),
+            Node::Binary(_, x, y) => {
+                let still = self.of_expression(*x)? == 0 && self.of_expression(*y)? == 0;
+                still.then_some(0)
+            }
+        }
+    }
+
+    /// Parts what moves from what does not in a product of degree two.
+    fn split(
+        &self,
+        graph: &mut Graph,
+        coefficient: Expression,
+        factors: &[(Expression, Rational)],
+    ) -> Option<Split> {
+        let moves = |(x, _): &&(Expression, Rational)| self.of_expression(*x) != Some(0);
+        let moving: Vec<_> = factors.iter().filter(moves).collect();
+        let mut still: Vec<_> = factors
+            .iter()
+            .filter(|factor| !moves(factor))
+            .cloned()
+            .collect();
+        still.push((coefficient, Rational::ONE));
+        let coefficient = graph.product(still);
+        let term = |factors| {
+            Some(Split::Quadratic(Term {
+                coefficient,
+                factors,
+            }))
+        };
+        match *moving {
+            [(x, k)] if k.is_one() => Some(Split::Opens(coefficient, *x)),
+            [(x, _)] => term([*x, *x]),
+            [(x, _), (y, _)] => term([*x, *y]),
+            _ => None,
+        }
+    }
+}
+
+/// The product of a form and of a combination of forms, form by form: wₖ Σ Iₖₗ wₗ.
+fn opened(graph: &mut Graph, term: Term) -> Vec<Term> {
+    let [first, second] = term.factors;
+    if first != second {
+        for (kept, taken) in [(first, second), (second, first)] {
+            if let Some(parts) = combination(graph, taken) {
+                let parts = parts.into_iter().map(|(constant, form)| Term {
+                    coefficient: graph.multiply(term.coefficient, constant),
+                    factors: [kept, form],
+                });
+                return parts.collect();
+            }
+        }
+    }
+    vec![term]
+}
+
+/// A sum Σ c·w with constant c, if every term is one.
+fn combination(graph: &mut Graph, sum: Expression) -> Option<Vec<(Expression, Expression)>> {
+    let Node::Sum(terms) = graph.node(sum) else {
+        return None;
+    };
+    let mut parts = Vec::new();
+    for (term, number) in terms.clone() {
+        let factors = match graph.node(term) {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![(term, Rational::ONE)],
+        };
+        let (constant, moving): (Vec<_>, Vec<_>) = factors
+            .into_iter()
+            .partition(|(x, _)| is_constant(graph, *x));
+        let [(form, exponent)] = &*moving else {
+            return None;
+        };
+        if !exponent.is_one() {
+            return None;
+        }
+        let constant = graph.product(constant);
+        parts.push((graph.scale(constant, &number), *form));
+    }
+    Some(parts)
+}
+
+/// The inertia and the forms of a term, with what varies and stands squared moved into the forms.
+fn absorb_squares(graph: &mut Graph, term: Term) -> Option<(Expression, [Expression; 2])> {
+    let Term {
+        coefficient,
+        factors,
+    } = term;
+    if is_constant(graph, coefficient) {
+        return Some((coefficient, factors));
+    }
+    if factors[0] != factors[1] {
+        return None;
+    }
+    // c·Π x^k, as a product with a number in front.
+    let (number, product) = match graph.node(coefficient) {
+        Node::Sum(terms) if terms.len() == 1 => (terms[0].1.clone(), terms[0].0),
+        _ => (Rational::ONE, coefficient),
+    };
+    let parts = match graph.node(product) {
+        Node::Product(parts) => parts.to_vec(),
+        _ => return None,
+    };
+    let (mut inertia, mut form) = (Vec::new(), vec![(factors[0], Rational::ONE)]);
+    for (x, k) in parts {
+        if is_constant(graph, x) {
+            inertia.push((x, k));
+        } else if k.is_even() {
+            form.push((x, &k * &Rational::HALF));
+        } else {
+            return None;
+        }
+    }
+    let inertia = graph.product(inertia);
+    let inertia = graph.scale(inertia, &number);
+    let form = graph.product(form);
+    Some((inertia, [form, form]))
+}
