@@ -1,7 +1,7 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Elimination, Equations, Expression, Fault, Model, OperationCount, Program, Rational, Solution,
+    Dynamics, Energies, Equations, Expression, Fault, Model, OperationCount, Program, Rational,
     Symbol,
 };
 
@@ -30,10 +30,12 @@ pub(crate) struct Methods {
     /// The pivots, their magnitudes and the diagonal of M, where M is eliminated before any number is known.
     pub(crate) relative_pivots: Option<Method>,
     pub(crate) inverse_dynamics: Method,
-    /// The lower triangle of M, then f; and in a second phase, with the accelerations known, the columns
-    /// of ∂(M q̈ − f)/∂q, ∂/∂q̇ and ∂/∂t.
+    /// Whether derivatives are solved for before any number is known: then `linearize` computes the pivots
+    /// and q̈, the columns of ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂t, and those of ∂(M q̈ − f) if there are pivots.
+    /// Else it computes the lower triangle of M and f, and the columns of ∂(M q̈ − f).
+    pub(crate) directly: bool,
     pub(crate) linearize: Method,
-    /// The lower triangle of M, then the columns of ∂(M q̈ − f)/∂u.
+    /// The same for ∂q̈/∂u, without f or q̈.
     pub(crate) input_jacobian: Method,
     /// T and V, where they were declared.
     pub(crate) energies: Option<[Method; 2]>,
@@ -58,66 +60,140 @@ impl Methods {
 
     /// Differentiates what is still to be differentiated, and schedules each method.
     pub(crate) fn schedule(model: &mut Model, equations: &Equations) -> Self {
-        let n = model.coordinates as usize;
-        let system: Vec<_> = equations
-            .mass_lower()
-            .chain(equations.forcing.iter().copied())
-            .collect();
-        let derivatives = columns(model, equations, &state_symbols(model));
-        // The momenta are free of inputs, so that no input acts on M q̈, however the terms are spelt.
-        let by_inputs = columns(model, equations, &model.input_symbols());
-        let by_inputs = without_accelerations(model, &by_inputs);
-        let jacobian: Vec<_> = equations
-            .mass_lower()
-            .chain(by_inputs.iter().copied())
-            .collect();
-        let elimination = Elimination::solve(
-            &mut model.graph,
-            &equations.mass,
-            &equations.forcing,
-            &equations.structure.angles,
-        );
-        let solution = Solution::cheapest(model, equations, elimination.as_ref());
+        let dynamics = Dynamics::cheapest(model, equations);
+        let solution = dynamics.solution.as_ref();
         let solves = !cfg!(debug_assertions)
-            || solution
-                .as_ref()
-                .is_none_or(|found| found.holds(&model.graph, equations));
+            || solution.is_none_or(|found| found.holds(&model.graph, equations));
+        let linearize = Derivatives::of_state(model, equations, &dynamics);
+        let input_jacobian = Derivatives::of_inputs(model, equations, &dynamics);
+        let elimination = dynamics.elimination.as_ref();
+        let angles = &equations.structure.angles;
+        let magnitudes = elimination.map(|found| found.magnitudes(&mut model.graph, angles));
+        let diagonal: Vec<_> = (0..equations.mass.len())
+            .map(|i| equations.mass[i][i])
+            .collect();
+        let pivots = elimination.zip(magnitudes);
+        let pivots = pivots.map(|(found, sizes)| [&*found.pivots, &sizes, &diagonal].concat());
         let energies = match model.energies {
-            lagrangian_symbolic::Energies::Natural { kinetic, potential } => {
-                Some([kinetic, potential])
-            }
-            lagrangian_symbolic::Energies::General(_) => None,
+            Energies::Natural { kinetic, potential } => Some([kinetic, potential]),
+            Energies::General(_) => None,
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
-        let full: Vec<_> = equations.mass.concat();
-        let diagonal: Vec<_> = (0..n).map(|i| equations.mass[i][i]).collect();
-        let pivots = elimination
-            .as_ref()
-            .map(|solved| [&*solved.pivots, &solved.magnitudes, &diagonal].concat());
+        let n = equations.mass.len();
         Self {
             lagrangian: method(&[&[equations.lagrangian]]),
             energy: method(&[&[equations.energy]]),
             momenta: method(&[&equations.momenta]),
-            mass_matrix: method(&[&full]),
-            forcing: method(&[&equations.forcing]),
+            mass_matrix: method(&[&equations.mass.concat()]),
+            forcing: method(&[&dynamics.forcing]),
             generalized_forces: method(&[&equations.generalized_forces]),
             solves,
-            solved: solution.as_ref().map(|solution| solution.pivots.len()),
-            accelerations: match &solution {
+            solved: solution.map(|solution| solution.pivots.len()),
+            accelerations: match solution {
                 Some(solution) => method(&[&[&*solution.pivots, &solution.accelerations].concat()]),
-                None => method(&[&system]).with_solution(n, 1),
+                None => method(&[&system(equations, &dynamics.forcing)]).with_solution(n, 1),
             },
             relative_pivots: pivots.map(|pivots| method(&[&pivots])),
-            inverse_dynamics: method(&[&equations.inverse_dynamics]),
-            linearize: method(&[&system, &derivatives]).with_solution(n, 2 * n + 2),
-            input_jacobian: method(&[&jacobian]).with_solution(n, model.inputs as usize),
+            inverse_dynamics: method(&[&dynamics.inverse_dynamics]),
+            linearize: linearize.schedule(model),
+            input_jacobian: input_jacobian.schedule(model),
+            directly: linearize.directly,
             energies: energies.map(|energies| energies.map(|energy| method(&[&[energy]]))),
             outputs: method(&[&model.outputs]),
         }
     }
 }
 
+/// The lower triangle of M, then f.
+fn system(equations: &Equations, forcing: &[Expression]) -> Vec<Expression> {
+    equations
+        .mass_lower()
+        .chain(forcing.iter().copied())
+        .collect()
+}
+
+/// Derivatives of the accelerations, and what has to be computed before.
+struct Derivatives {
+    /// Whether the columns are solved for before any number is known.
+    directly: bool,
+    groups: Vec<Vec<Expression>>,
+    right_hand_sides: usize,
+}
+
+impl Derivatives {
+    /// By q, q̇ and t.
+    fn of_state(model: &mut Model, equations: &Equations, dynamics: &Dynamics) -> Self {
+        let symbols = state_symbols(model);
+        let residuals = columns(model, &dynamics.inverse_dynamics, &symbols);
+        let columns = solved(model, dynamics, &symbols);
+        let before = match (&columns, &dynamics.solution) {
+            (Some(_), Some(solution)) => [&*solution.pivots, &solution.accelerations].concat(),
+            _ => system(equations, &dynamics.forcing),
+        };
+        Self::new(dynamics, before, columns, residuals, symbols.len() + 1)
+    }
+
+    /// By the inputs: the momenta are free of them, so that no input acts on M q̈, however it is spelt.
+    fn of_inputs(model: &mut Model, equations: &Equations, dynamics: &Dynamics) -> Self {
+        let symbols = model.input_symbols();
+        let residuals = columns(model, &dynamics.inverse_dynamics, &symbols);
+        let residuals = without_accelerations(model, &residuals);
+        let columns = solved(model, dynamics, &symbols);
+        let columns = columns.map(|columns| without_accelerations(model, &columns));
+        let before = match (&columns, &dynamics.solution) {
+            (Some(_), Some(solution)) => solution.pivots.clone(),
+            _ => equations.mass_lower().collect(),
+        };
+        Self::new(dynamics, before, columns, residuals, symbols.len())
+    }
+
+    fn new(
+        dynamics: &Dynamics,
+        before: Vec<Expression>,
+        columns: Option<Vec<Expression>>,
+        residuals: Vec<Expression>,
+        right_hand_sides: usize,
+    ) -> Self {
+        // Where no pivot can fail, the residuals are not wanted.
+        let solution = dynamics.solution.as_ref();
+        let certain = solution.is_some_and(|solution| solution.pivots.is_empty());
+        let directly = columns.is_some();
+        let mut groups = vec![before];
+        groups.extend(columns);
+        groups.push(if directly && certain {
+            Vec::new()
+        } else {
+            residuals
+        });
+        Self {
+            directly,
+            groups,
+            right_hand_sides,
+        }
+    }
+
+    fn schedule(&self, model: &Model) -> Method {
+        let groups: Vec<&[Expression]> = self.groups.iter().map(Vec::as_slice).collect();
+        let method = Method::schedule(model, &groups);
+        if self.directly {
+            return method;
+        }
+        method.with_solution(model.coordinates as usize, self.right_hand_sides)
+    }
+}
+
+/// The columns of ∂q̈/∂x, where they are solved for before any number is known.
+fn solved(model: &mut Model, dynamics: &Dynamics, symbols: &[Symbol]) -> Option<Vec<Expression>> {
+    let solution = dynamics.solution.as_ref()?;
+    solution.derivatives(&mut model.graph, &dynamics.inverse_dynamics, symbols)
+}
+
 impl Methods {
+    /// The number of pivots on which derivatives depend that are solved for before any number is known.
+    pub(crate) fn pivots_of_derivatives(&self) -> Option<usize> {
+        self.solved.filter(|_| self.directly)
+    }
+
     /// A constant that `f64` cannot hold, if there is one: beyond its range, or lost below it.
     pub(crate) fn unrepresentable(&self) -> Option<&Rational> {
         self.every()
@@ -189,9 +265,9 @@ fn state_symbols(model: &Model) -> Vec<Symbol> {
 }
 
 /// The derivatives ∂(M q̈ − f)/∂x, column by column.
-fn columns(model: &mut Model, equations: &Equations, symbols: &[Symbol]) -> Vec<Expression> {
-    let rows = equations.residual_derivatives(&mut model.graph, symbols);
-    (0..symbols.len())
-        .flat_map(|j| rows.iter().map(move |row| row[j]).collect::<Vec<_>>())
+fn columns(model: &mut Model, residuals: &[Expression], symbols: &[Symbol]) -> Vec<Expression> {
+    symbols
+        .iter()
+        .flat_map(|symbol| model.graph.derivatives(residuals, *symbol))
         .collect()
 }

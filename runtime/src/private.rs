@@ -30,16 +30,16 @@ pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
     field.on()
 }
 
-/// The accelerations that were computed with these pivots if all are positive; what `otherwise` gives
-/// if not, because M is indefinite or singular there.
+/// What was computed with these pivots if all are positive; what `otherwise` gives if not, because M is
+/// indefinite or singular there.
 #[inline]
-pub fn if_positive<S: Scalar, const N: usize>(
-    pivots: [S; N],
-    accelerations: SVector<S, N>,
-    otherwise: impl FnOnce() -> SVector<S, N>,
-) -> SVector<S, N> {
+pub fn if_positive<S: Scalar, T, const K: usize>(
+    pivots: [S; K],
+    computed: T,
+    otherwise: impl FnOnce() -> T,
+) -> T {
     if pivots.into_iter().all(|pivot| pivot.smallest() > 0.0) {
-        accelerations
+        computed
     } else {
         cold(otherwise)
     }

@@ -19,7 +19,7 @@ pub use decision::point::Point;
 pub use mechanics::elimination::Elimination;
 pub use mechanics::equations::{Defect, Equations};
 pub use mechanics::model::{Energies, Model};
-pub use mechanics::solution::Solution;
+pub use mechanics::solution::{Dynamics, Solution};
 pub use mechanics::structure::Structure;
 pub use print::formula::Formula;
 pub use print::names::Names;

@@ -24,7 +24,7 @@ impl Implementation<'_> {
             &arguments,
             &matrix,
             &self.methods.input_jacobian,
-            |b| b.input_jacobian(n),
+            |b| b.input_jacobian(n, self.methods.pivots_of_derivatives()),
         );
         let items = quote! {
             const INPUTS: [&'static str; #u] = [#(#names),*];

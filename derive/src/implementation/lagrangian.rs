@@ -96,7 +96,10 @@ impl Implementation<'_> {
                 arguments,
                 &linearization,
                 &methods.linearize,
-                |b| b.linearize(n),
+                |b| match methods.pivots_of_derivatives() {
+                    Some(pivots) => b.derivatives(n, pivots, &self.forcing(suffix)),
+                    None => b.linearize(n),
+                },
             ),
         ]
         .into_iter()

@@ -32,7 +32,8 @@ impl Writer<'_> {
         quote!(#statements #factors factors.solve(&#forcing))
     }
 
-    /// The accelerations of an elimination whose pivots are positive; else M is factored in numbers.
+    /// The accelerations of a solution that holds where all pivots are positive; else M is factored in
+    /// numbers.
     pub(super) fn eliminated(
         &mut self,
         n: usize,
@@ -40,14 +41,69 @@ impl Writer<'_> {
         forcing: &TokenStream,
     ) -> TokenStream {
         let (statements, outputs) = self.phase(0);
+        let accelerations = self.solved(n, &outputs, pivots, forcing);
+        quote!(#statements #accelerations)
+    }
+
+    /// The accelerations from the outputs of their program.
+    fn solved(
+        &self,
+        n: usize,
+        outputs: &[TokenStream],
+        pivots: usize,
+        forcing: &TokenStream,
+    ) -> TokenStream {
         let (pivots, accelerations) = outputs.split_at(pivots);
         let accelerations = vector(accelerations);
+        if pivots.is_empty() {
+            return accelerations;
+        }
+        let factors = self.factors_of_mass_matrix(n);
+        quote! {
+            ::lagrangian::__private::if_positive([#(#pivots),*], #accelerations, || {
+                #factors.solve(&#forcing)
+            })
+        }
+    }
+
+    fn factors_of_mass_matrix(&self, n: usize) -> TokenStream {
         let scalar = self.scalar;
         quote! {
-            #statements
-            ::lagrangian::__private::if_positive([#(#pivots),*], #accelerations, || {
-                let mass = ::lagrangian::Lagrangian::<#n, #scalar>::mass_matrix(self, state);
-                ::lagrangian::Factorization::new(mass).solve(&#forcing)
+            ::lagrangian::Factorization::new(
+                ::lagrangian::Lagrangian::<#n, #scalar>::mass_matrix(self, state)
+            )
+        }
+    }
+
+    /// The derivatives of the accelerations, solved for before any number is known.
+    pub(super) fn derivatives(
+        &mut self,
+        n: usize,
+        pivots: usize,
+        forcing: &TokenStream,
+    ) -> TokenStream {
+        let (statements, outputs) = self.phase(0);
+        let accelerations = self.solved(n, &outputs, pivots, forcing);
+        let uses = self.program.symbols();
+        let used = uses
+            .iter()
+            .any(|symbol| matches!(symbol, Symbol::Acceleration(_)));
+        let accelerations =
+            (used || pivots > 0).then(|| quote!(let accelerations = #accelerations;));
+        let (more, columns) = self.phase(1);
+        let linearization = linearization(&columns, n, |matrix| matrix);
+        if pivots == 0 {
+            return quote!(#statements #accelerations #more #linearization);
+        }
+        let (others, residuals) = self.phase(2);
+        let otherwise = linearization_of_residuals(&residuals, n);
+        let factors = self.factors_of_mass_matrix(n);
+        let pivots = &outputs[..pivots];
+        quote! {
+            #statements #accelerations #more #others
+            ::lagrangian::__private::if_positive([#(#pivots),*], #linearization, || {
+                let factors = #factors;
+                #otherwise
             })
         }
     }
@@ -64,27 +120,39 @@ impl Writer<'_> {
         let factors = self.factors(&outputs, n);
         let forcing = vector(&outputs[outputs.len() - n..]);
         let (more, derivatives) = self.phase(1);
-        let position = matrix(&derivatives[..n * n], n);
-        let velocity = matrix(&derivatives[n * n..2 * n * n], n);
-        let time = vector(&derivatives[2 * n * n..]);
+        let linearization = linearization_of_residuals(&derivatives, n);
         quote! {
             #statements
             #factors
             let accelerations = factors.solve(&#forcing);
             #more
-            ::lagrangian::Linearization {
-                position: -factors.solve(&#position),
-                velocity: -factors.solve(&#velocity),
-                time: -factors.solve(&#time),
-            }
+            #linearization
         }
     }
 
-    pub(super) fn input_jacobian(&mut self, n: usize) -> TokenStream {
+    /// ∂q̈/∂u.
+    pub(super) fn input_jacobian(&mut self, n: usize, pivots: Option<usize>) -> TokenStream {
         let (statements, outputs) = self.phase(0);
-        let factors = self.factors(&outputs, n);
-        let derivatives = matrix(&outputs[n * (n + 1) / 2..], n);
-        quote!(#statements #factors -factors.solve(&#derivatives))
+        let (more, columns) = self.phase(1);
+        let columns = matrix(&columns, n);
+        match pivots {
+            None => {
+                let factors = self.factors(&outputs, n);
+                quote!(#statements #more #factors -factors.solve(&#columns))
+            }
+            Some(0) => quote!(#statements #more #columns),
+            Some(_) => {
+                let (others, residuals) = self.phase(2);
+                let residuals = matrix(&residuals, n);
+                let factors = self.factors_of_mass_matrix(n);
+                quote! {
+                    #statements #more #others
+                    ::lagrangian::__private::if_positive([#(#outputs),*], #columns, || {
+                        -#factors.solve(&#residuals)
+                    })
+                }
+            }
+        }
     }
 
     /// Factors M, whose lower triangle stands first among the outputs.
@@ -134,6 +202,29 @@ pub(super) fn as_vector(writer: &mut Writer<'_>) -> TokenStream {
     let (statements, outputs) = writer.phase(0);
     let vector = vector(&outputs);
     quote!(#statements #vector)
+}
+
+/// The derivatives by q, q̇ and t from their columns.
+fn linearization(
+    columns: &[TokenStream],
+    n: usize,
+    solve: impl Fn(TokenStream) -> TokenStream,
+) -> TokenStream {
+    let position = solve(matrix(&columns[..n * n], n));
+    let velocity = solve(matrix(&columns[n * n..2 * n * n], n));
+    let time = solve(vector(&columns[2 * n * n..]));
+    quote! {
+        ::lagrangian::Linearization {
+            position: #position,
+            velocity: #velocity,
+            time: #time,
+        }
+    }
+}
+
+/// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M.
+fn linearization_of_residuals(columns: &[TokenStream], n: usize) -> TokenStream {
+    linearization(columns, n, |residuals| quote!(-factors.solve(&#residuals)))
 }
 
 fn vector(elements: &[TokenStream]) -> TokenStream {

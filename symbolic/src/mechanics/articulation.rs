@@ -18,56 +18,141 @@ enum Unknown {
     Rate(usize),
 }
 
+/// One step of the factorization.
+enum Step {
+    PutIn(PutIn),
+    Eliminate(Eliminate),
+}
+
+/// ẇₖ = Σ parts in the place of ẇₖ, which stood in `own`·½ẇₖ² + ẇₖ Σ row.
+struct PutIn {
+    form: usize,
+    parts: Vec<(Unknown, Expression)>,
+    own: Expression,
+    row: Vec<(Unknown, Expression)>,
+}
+
 /// q̈ⱼ from what is found after it: D q̈ⱼ = h − Σ row·x.
-struct Elimination {
+struct Eliminate {
     coordinate: usize,
     pivot: Expression,
     row: Vec<(Unknown, Expression)>,
-    right: Expression,
 }
 
-/// The pivots, which have to be positive, and the accelerations.
+/// The factors of a tree's equations.
 pub(crate) struct Articulation {
+    tree: KinematicTree,
+    steps: Vec<Step>,
+    /// What has to be positive: the pivots, and the inertia in units of which they are.
     pub(crate) pivots: Vec<Expression>,
-    pub(crate) accelerations: Vec<Expression>,
 }
 
 /// Sums of more terms than this are kept whole.
 const LONGEST_MERGED: usize = 2;
 
 impl Articulation {
-    /// Solves Eᵀ W ẇ = r along the tree, unless a pivot vanishes or more than `limit` unknowns meet.
-    pub(crate) fn solve(graph: &mut Graph, tree: &KinematicTree, limit: usize) -> Option<Self> {
-        let mut quadratic = Quadratic::new(graph, tree);
+    /// Factors the equations Eᵀ W ẇ = r of `tree`, unless a pivot vanishes or more than `limit` unknowns
+    /// meet.
+    pub(crate) fn factor(graph: &mut Graph, tree: KinematicTree, limit: usize) -> Option<Self> {
+        let mut quadratic = Quadratic::new(graph, &tree);
         let mut waiting: Vec<usize> = (0..tree.right.len()).collect();
-        let mut eliminations = Vec::with_capacity(waiting.len());
         while let Some(coordinate) = quadratic.cheapest(&waiting) {
             waiting.retain(|i| *i != coordinate);
-            let elimination = quadratic.eliminate(graph, coordinate, limit)?;
-            eliminations.push(elimination);
+            quadratic.eliminate(graph, coordinate, limit)?;
         }
-        let mut pivots: Vec<_> = eliminations
+        let steps = quadratic.steps;
+        let mut pivots: Vec<_> = steps
             .iter()
-            .map(|elimination| elimination.pivot)
+            .filter_map(|step| match step {
+                Step::Eliminate(elimination) => Some(elimination.pivot),
+                Step::PutIn(_) => None,
+            })
             .collect();
         pivots.push(tree.unit);
         pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
-        let accelerations = substitute(graph, tree, &eliminations);
         Some(Self {
+            tree,
+            steps,
             pivots,
-            accelerations,
         })
+    }
+
+    /// The accelerations.
+    pub(crate) fn accelerations(&self, graph: &mut Graph) -> Vec<Expression> {
+        let drifts: Vec<_> = self.tree.forms.iter().map(|form| form.drift).collect();
+        self.solve(graph, &self.tree.right, &drifts)
+    }
+
+    /// x in M x = r, for M and r in the tree's unit.
+    pub(crate) fn solution(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let drifts = vec![graph.zero(); self.tree.forms.len()];
+        self.solve(graph, right, &drifts)
+    }
+
+    /// M q̈ − f in the tree's unit.
+    pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
+        self.tree.inverse_dynamics(graph)
+    }
+
+    fn solve(
+        &self,
+        graph: &mut Graph,
+        right: &[Expression],
+        drifts: &[Expression],
+    ) -> Vec<Expression> {
+        let mut loads = Loads::new(right);
+        let mut rights = vec![graph.zero(); right.len()];
+        for step in &self.steps {
+            match step {
+                Step::PutIn(step) => loads.put_in(graph, step, drifts[step.form]),
+                Step::Eliminate(step) => {
+                    rights[step.coordinate] = loads.eliminate(graph, step);
+                }
+            }
+        }
+        self.substitute(graph, &rights, drifts)
+    }
+
+    /// The accelerations, from the last elimination back to the first.
+    fn substitute(
+        &self,
+        graph: &mut Graph,
+        rights: &[Expression],
+        drifts: &[Expression],
+    ) -> Vec<Expression> {
+        let zero = graph.zero();
+        let mut known = Known {
+            tree: &self.tree,
+            drifts,
+            accelerations: vec![None; self.tree.right.len()],
+            rates: vec![None; self.tree.forms.len()],
+        };
+        for step in self.steps.iter().rev() {
+            let Step::Eliminate(step) = step else {
+                continue;
+            };
+            let mut terms = vec![(rights[step.coordinate], Rational::ONE)];
+            for (unknown, entry) in &step.row {
+                let value = known.value(graph, *unknown).unwrap_or(zero);
+                terms.push((graph.multiply(*entry, value), Rational::MINUS_ONE));
+            }
+            let rest = graph.sum(terms);
+            let acceleration = graph.divide(rest, step.pivot);
+            known.accelerations[step.coordinate] = Some(graph.whole(acceleration));
+        }
+        let accelerations = known.accelerations.into_iter();
+        accelerations.map(|value| value.unwrap_or(zero)).collect()
     }
 }
 
-/// ½ xᵀ H x − hᵀ x over the unknowns that are left.
+/// ½ xᵀ H x over the unknowns that are left.
 struct Quadratic<'a> {
     tree: &'a KinematicTree,
     /// The rows of H, both triangles, without zeros.
     rows: BTreeMap<Unknown, BTreeMap<Unknown, Expression>>,
-    right: BTreeMap<Unknown, Expression>,
     /// Which forms have been put in.
     done: Vec<bool>,
+    steps: Vec<Step>,
 }
 
 impl<'a> Quadratic<'a> {
@@ -81,14 +166,11 @@ impl<'a> Quadratic<'a> {
             let entries = entries.map(|(l, entry)| (Unknown::Rate(l), *entry));
             rows.insert(Unknown::Rate(k), entries.collect());
         }
-        let right = tree.right.iter().enumerate();
         Self {
             tree,
             rows,
-            right: right
-                .map(|(i, value)| (Unknown::Coordinate(i), *value))
-                .collect(),
             done: vec![false; tree.forms.len()],
+            steps: Vec::new(),
         }
     }
 
@@ -110,46 +192,35 @@ impl<'a> Quadratic<'a> {
             .min_by_key(|i| (self.above(*i).len(), core::cmp::Reverse(*i)))
     }
 
-    fn eliminate(
-        &mut self,
-        graph: &mut Graph,
-        coordinate: usize,
-        limit: usize,
-    ) -> Option<Elimination> {
+    /// Eliminates a coordinate, after the forms that contain it have been put in.
+    fn eliminate(&mut self, graph: &mut Graph, coordinate: usize, limit: usize) -> Option<()> {
         for k in self.above(coordinate) {
             self.put_in(graph, k);
         }
         let unknown = Unknown::Coordinate(coordinate);
         let mut row = self.rows.remove(&unknown)?;
         let pivot = row.remove(&unknown)?;
-        let zero = graph.zero();
-        let right = self.right.remove(&unknown).unwrap_or(zero);
         if row.len() > limit {
             return None;
         }
         for (u, entry) in &row {
             let factor = graph.divide(*entry, pivot);
-            for (v, other) in &row {
-                if v <= u {
-                    let change = graph.multiply(factor, *other);
-                    self.subtract(graph, *u, *v, change);
-                }
+            for (v, other) in row.range(..=u) {
+                let change = graph.multiply(factor, *other);
+                let change = graph.negate(change);
+                self.add(graph, *u, *v, change);
             }
-            let change = graph.multiply(factor, right);
-            let before = self.right.get(u).copied().unwrap_or(zero);
-            let after = graph.subtract(before, change);
-            self.right.insert(*u, kept(graph, after));
             if let Some(entries) = self.rows.get_mut(u) {
                 entries.remove(&unknown);
             }
         }
         self.keep(graph, &row);
-        Some(Elimination {
+        self.steps.push(Step::Eliminate(Eliminate {
             coordinate,
             pivot,
             row: row.into_iter().collect(),
-            right,
-        })
+        }));
+        Some(())
     }
 
     /// Keeps the entries of H among these unknowns whole.
@@ -165,12 +236,7 @@ impl<'a> Quadratic<'a> {
         }
     }
 
-    /// H(u, v) −= change, on both sides of the diagonal.
-    fn subtract(&mut self, graph: &mut Graph, u: Unknown, v: Unknown, change: Expression) {
-        let change = graph.negate(change);
-        self.add(graph, u, v, change);
-    }
-
+    /// H(u, v) += change, on both sides of the diagonal.
     fn add(&mut self, graph: &mut Graph, u: Unknown, v: Unknown, change: Expression) {
         let zero = graph.zero();
         let before = self
@@ -190,124 +256,148 @@ impl<'a> Quadratic<'a> {
         }
     }
 
-    /// Puts ẇₖ = ẇ_parent + Σ e q̈ + Dw into the quadratic form.
+    /// Puts ẇₖ = ẇ_parent + Σ e q̈ into the quadratic form.
     fn put_in(&mut self, graph: &mut Graph, k: usize) {
         self.done[k] = true;
         let form = &self.tree.forms[k];
-        let one = graph.one();
-        let mut parts: Vec<(Unknown, Expression)> = form
+        let (zero, one) = (graph.zero(), graph.one());
+        let local = form
             .local
             .iter()
-            .map(|(i, e)| (Unknown::Coordinate(*i), *e))
-            .collect();
-        parts.extend(form.parent.map(|parent| (Unknown::Rate(parent), one)));
+            .map(|(i, e)| (Unknown::Coordinate(*i), *e));
+        let parent = form.parent.map(|parent| (Unknown::Rate(parent), one));
+        let parts: Vec<_> = local.chain(parent).collect();
         let unknown = Unknown::Rate(k);
         let mut row = self.rows.remove(&unknown).unwrap_or_default();
-        let zero = graph.zero();
         let own = row.remove(&unknown).unwrap_or(zero);
-        let right = self.right.remove(&unknown).unwrap_or(zero);
-        // ½ H (Σ s x + d)² − h (Σ s x + d)
-        let drift = graph.multiply(own, form.drift);
-        let load = graph.subtract(right, drift);
         for (position, (u, s)) in parts.iter().enumerate() {
             let scaled = graph.multiply(*s, own);
             for (v, t) in &parts[..=position] {
                 let change = graph.multiply(scaled, *t);
                 self.add(graph, *u, *v, change);
             }
-            self.add_right(graph, *u, *s, load);
         }
-        // H v (Σ s x + d)
-        for (v, entry) in row {
-            if let Some(entries) = self.rows.get_mut(&v) {
+        for (v, entry) in &row {
+            if let Some(entries) = self.rows.get_mut(v) {
                 entries.remove(&unknown);
             }
             for (u, s) in &parts {
-                let mut change = graph.multiply(*s, entry);
-                if *u == v {
+                let mut change = graph.multiply(*s, *entry);
+                if u == v {
                     change = graph.scale(change, &Rational::integer(2));
                 }
-                self.add(graph, *u, v, change);
+                self.add(graph, *u, *v, change);
             }
-            let load = graph.multiply(entry, form.drift);
-            let load = graph.negate(load);
-            self.add_right(graph, v, one, load);
         }
+        self.steps.push(Step::PutIn(PutIn {
+            form: k,
+            parts,
+            own,
+            row: row.into_iter().collect(),
+        }));
+    }
+}
+
+/// The linear terms h of ½ xᵀ H x − hᵀ x.
+struct Loads(BTreeMap<Unknown, Expression>);
+
+impl Loads {
+    fn new(right: &[Expression]) -> Self {
+        let right = right.iter().enumerate();
+        Self(
+            right
+                .map(|(i, load)| (Unknown::Coordinate(i), *load))
+                .collect(),
+        )
+    }
+
+    fn of(&self, graph: &Graph, unknown: Unknown) -> Expression {
+        self.0.get(&unknown).copied().unwrap_or(graph.zero())
     }
 
     /// h(u) += s · load.
-    fn add_right(&mut self, graph: &mut Graph, u: Unknown, s: Expression, load: Expression) {
-        let zero = graph.zero();
+    fn add(&mut self, graph: &mut Graph, u: Unknown, s: Expression, load: Expression) {
         let change = graph.multiply(s, load);
-        let before = self.right.get(&u).copied().unwrap_or(zero);
-        self.right.insert(u, graph.add(before, change));
+        let before = self.of(graph, u);
+        self.0.insert(u, graph.add(before, change));
+    }
+
+    /// The same step with ẇₖ = Σ parts + drift.
+    fn put_in(&mut self, graph: &mut Graph, step: &PutIn, drift: Expression) {
+        let own = graph.multiply(step.own, drift);
+        let before = self.of(graph, Unknown::Rate(step.form));
+        let load = graph.subtract(before, own);
+        for (u, s) in &step.parts {
+            self.add(graph, *u, *s, load);
+        }
+        let opposite = graph.negate(drift);
+        for (v, entry) in &step.row {
+            self.add(graph, *v, *entry, opposite);
+        }
+    }
+
+    /// The right-hand side of the eliminated coordinate.
+    fn eliminate(&mut self, graph: &mut Graph, step: &Eliminate) -> Expression {
+        let right = self.of(graph, Unknown::Coordinate(step.coordinate));
+        for (u, entry) in &step.row {
+            let factor = graph.divide(*entry, step.pivot);
+            let change = graph.multiply(factor, right);
+            let before = self.of(graph, *u);
+            let after = graph.subtract(before, change);
+            self.0.insert(*u, kept(graph, after));
+        }
+        right
     }
 }
 
-/// The accelerations, from the last elimination back to the first.
-fn substitute(
-    graph: &mut Graph,
-    tree: &KinematicTree,
-    eliminations: &[Elimination],
-) -> Vec<Expression> {
-    let zero = graph.zero();
-    let mut accelerations: Vec<Option<Expression>> = vec![None; tree.right.len()];
-    let mut rates: Vec<Option<Expression>> = vec![None; tree.forms.len()];
-    for elimination in eliminations.iter().rev() {
-        let mut terms = vec![(elimination.right, Rational::ONE)];
-        for (unknown, entry) in &elimination.row {
-            let value = match unknown {
-                Unknown::Coordinate(i) => accelerations[*i],
-                Unknown::Rate(k) => rate(graph, tree, *k, &accelerations, &mut rates),
-            };
-            let product = graph.multiply(*entry, value.unwrap_or(zero));
-            terms.push((product, Rational::MINUS_ONE));
-        }
-        let rest = graph.sum(terms);
-        let acceleration = graph.divide(rest, elimination.pivot);
-        accelerations[elimination.coordinate] = Some(graph.whole(acceleration));
-    }
-    accelerations
-        .into_iter()
-        .map(|value| value.unwrap_or(zero))
-        .collect()
+/// What has been found so far.
+struct Known<'a> {
+    tree: &'a KinematicTree,
+    drifts: &'a [Expression],
+    accelerations: Vec<Option<Expression>>,
+    rates: Vec<Option<Expression>>,
 }
 
-/// ẇₖ, where the accelerations it is made of are known.
-fn rate(
-    graph: &mut Graph,
-    tree: &KinematicTree,
-    k: usize,
-    accelerations: &[Option<Expression>],
-    rates: &mut [Option<Expression>],
-) -> Option<Expression> {
-    // From k towards the root until a rate is known, then back.
-    let mut path = vec![k];
-    while let Some(parent) = path.last().and_then(|k| tree.forms[*k].parent) {
-        if rates[parent].is_some() {
-            break;
+impl Known<'_> {
+    fn value(&mut self, graph: &mut Graph, unknown: Unknown) -> Option<Expression> {
+        match unknown {
+            Unknown::Coordinate(i) => self.accelerations[i],
+            Unknown::Rate(k) => self.rate(graph, k),
         }
-        path.push(parent);
     }
-    for k in path.into_iter().rev() {
-        if rates[k].is_some() {
-            continue;
+
+    /// ẇₖ, where the accelerations it is made of are known.
+    fn rate(&mut self, graph: &mut Graph, k: usize) -> Option<Expression> {
+        // From k towards the root until a rate is known, then back.
+        let mut path = vec![k];
+        while let Some(parent) = path.last().and_then(|k| self.tree.forms[*k].parent) {
+            if self.rates[parent].is_some() {
+                break;
+            }
+            path.push(parent);
         }
-        let form = &tree.forms[k];
-        let mut terms = vec![(form.drift, Rational::ONE)];
-        terms.extend(
-            form.parent
-                .and_then(|parent| rates[parent])
-                .map(|rate| (rate, Rational::ONE)),
-        );
+        for k in path.into_iter().rev() {
+            if self.rates[k].is_none() {
+                self.rates[k] = self.step(graph, k);
+            }
+        }
+        self.rates[k]
+    }
+
+    /// ẇₖ from that of its parent.
+    fn step(&self, graph: &mut Graph, k: usize) -> Option<Expression> {
+        let form = &self.tree.forms[k];
+        let mut terms = vec![(self.drifts[k], Rational::ONE)];
+        if let Some(parent) = form.parent {
+            terms.push((self.rates[parent]?, Rational::ONE));
+        }
         for (i, coefficient) in &form.local {
-            let product = graph.multiply(*coefficient, accelerations[*i]?);
+            let product = graph.multiply(*coefficient, self.accelerations[*i]?);
             terms.push((product, Rational::ONE));
         }
         let sum = graph.sum(terms);
-        rates[k] = Some(graph.whole(sum));
+        Some(graph.whole(sum))
     }
-    rates[k]
 }
 
 /// The expression, kept whole unless it is short.

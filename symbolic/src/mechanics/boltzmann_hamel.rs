@@ -12,7 +12,6 @@
 use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematics::{Kinematics, transposed};
 use crate::mechanics::quasi_velocities::QuasiVelocities;
-use crate::mechanics::solution::Solution;
 use crate::mechanics::structure_constants::structure_constants;
 use crate::{Expression, Graph, Model, Rational, Symbol};
 
@@ -24,15 +23,22 @@ pub(crate) struct BoltzmannHamel {
     quasi_velocities: QuasiVelocities,
     kinematics: Kinematics,
     transposed: Kinematics,
+    /// The factors of W, where it has products of inertia.
+    inertia: Option<Elimination>,
+    /// E q̈: the rates of the quasi-velocities less their drift.
+    rates: Vec<Expression>,
 }
 
 impl BoltzmannHamel {
-    /// The solution through `quasi_velocities`, if there are as many of them as coordinates.
+    /// The solution through `quasi_velocities` under the generalized forces Q, if there are as many of
+    /// them as coordinates.
     pub(crate) fn new(
-        graph: &mut Graph,
+        model: &mut Model,
         quasi_velocities: QuasiVelocities,
-        coordinates: u32,
+        forces: &[Expression],
     ) -> Option<Self> {
+        let coordinates = model.coordinates;
+        let graph = &mut model.graph;
         let size = quasi_velocities.forms.len();
         if size != coordinates as usize || size > MOST {
             return None;
@@ -40,22 +46,76 @@ impl BoltzmannHamel {
         let matrix = quasi_velocities.kinematics(graph, coordinates);
         let transposed = Kinematics::new(graph, transposed(&matrix))?;
         let kinematics = Kinematics::new(graph, matrix)?;
-        Some(Self {
+        let inertia = if quasi_velocities.is_diagonal(graph) {
+            None
+        } else {
+            Some(Elimination::factor(graph, &quasi_velocities.inertia)?)
+        };
+        let mut found = Self {
             quasi_velocities,
             kinematics,
             transposed,
-        })
+            inertia,
+            rates: Vec::new(),
+        };
+        found.rates = found.rates(graph, coordinates, forces);
+        Some(found)
     }
 
-    /// The accelerations of `model` under the generalized forces Q.
-    pub(crate) fn accelerations(
+    /// What has to be positive for W to be solved for.
+    pub(crate) fn pivots(&self) -> Vec<Expression> {
+        self.inertia
+            .as_ref()
+            .map_or_else(Vec::new, |inertia| inertia.pivots.clone())
+    }
+
+    /// The accelerations.
+    pub(crate) fn accelerations(&self, graph: &mut Graph) -> Vec<Expression> {
+        self.kinematics.solve(graph, &self.rates)
+    }
+
+    /// ∂q̈/∂x for one symbol, with the accelerations as symbols: E ∂q̈/∂x = ∂(E q̈)/∂x − ∂E/∂x q̈.
+    pub(crate) fn derivative(&self, graph: &mut Graph, symbol: Symbol) -> Vec<Expression> {
+        let slopes = graph.derivatives(&self.rates, symbol);
+        let mut right = Vec::with_capacity(slopes.len());
+        for (slope, row) in slopes.into_iter().zip(self.kinematics.matrix()) {
+            let mut terms = vec![(slope, Rational::ONE)];
+            let changes = graph.derivatives(row, symbol);
+            for (i, change) in (0..).zip(changes) {
+                let acceleration = graph.symbol(Symbol::Acceleration(i));
+                terms.push((graph.multiply(change, acceleration), Rational::MINUS_ONE));
+            }
+            right.push(graph.sum(terms));
+        }
+        self.kinematics.solve(graph, &right)
+    }
+
+    /// W⁻¹ E⁻ᵀ (Q − 𝓛(L₀) − …) − D w.
+    fn rates(&self, graph: &mut Graph, coordinates: u32, forces: &[Expression]) -> Vec<Expression> {
+        let torques = self.torques(graph, coordinates, forces);
+        let rates = match &self.inertia {
+            Some(inertia) => inertia.solve(graph, &torques),
+            None => {
+                let inertia = &self.quasi_velocities.inertia;
+                let torques = torques.iter().enumerate();
+                torques
+                    .map(|(i, x)| graph.divide(*x, inertia[i][i]))
+                    .collect()
+            }
+        };
+        let direction = graph.at_rest_direction(coordinates);
+        let drift = graph.directional_derivatives(&self.quasi_velocities.forms, &direction);
+        let rates = rates.iter().zip(drift);
+        rates.map(|(x, y)| graph.subtract(*x, y)).collect()
+    }
+
+    /// W ẇ.
+    fn torques(
         &self,
-        model: &mut Model,
+        graph: &mut Graph,
+        coordinates: u32,
         forces: &[Expression],
-    ) -> Option<Solution> {
-        let coordinates = model.coordinates;
-        let graph = &mut model.graph;
-        let forms = &self.quasi_velocities.forms;
+    ) -> Vec<Expression> {
         let gyroscopic = self.gyroscopic(graph, coordinates);
         let rest = graph.lagrange_derivatives(&[self.quasi_velocities.rest], coordinates);
         let mut right = Vec::with_capacity(forces.len());
@@ -76,38 +136,7 @@ impl BoltzmannHamel {
                 *torque = graph.subtract(*torque, value);
             }
         }
-        let (rates, pivots) = self.divide_by_inertia(graph, &torques)?;
-        let direction = graph.at_rest_direction(coordinates);
-        let drift = graph.directional_derivatives(forms, &direction);
-        let rates: Vec<_> = rates
-            .iter()
-            .zip(drift)
-            .map(|(x, y)| graph.subtract(*x, y))
-            .collect();
-        let accelerations = self.kinematics.solve(graph, &rates);
-        Some(Solution {
-            pivots,
-            accelerations,
-        })
-    }
-
-    /// W⁻¹ x, and the pivots that must not vanish for it.
-    fn divide_by_inertia(
-        &self,
-        graph: &mut Graph,
-        right: &[Expression],
-    ) -> Option<(Vec<Expression>, Vec<Expression>)> {
-        let inertia = &self.quasi_velocities.inertia;
-        if !self.quasi_velocities.is_diagonal(graph) {
-            let angles = vec![false; right.len()];
-            let elimination = Elimination::solve(graph, inertia, right, &angles)?;
-            return Some((elimination.accelerations, elimination.pivots));
-        }
-        let quotients = right
-            .iter()
-            .enumerate()
-            .map(|(i, x)| graph.divide(*x, inertia[i][i]));
-        Some((quotients.collect(), Vec::new()))
+        torques
     }
 
     /// Σₖ (W w)ₖ 𝓛(wₖ): by quasi-velocity where their structure constants are constant.

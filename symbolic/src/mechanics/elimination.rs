@@ -7,38 +7,29 @@
 
 use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
-/// The solution of M q̈ = f by elimination, as expressions.
+/// A matrix factored before any number is known.
 #[derive(Clone, Debug)]
 pub struct Elimination {
     /// The pivots, the entries of D, by coordinate. Where all are positive, M is positive definite and
     /// the solution is stable.
     pub pivots: Vec<Expression>,
-    /// For each pivot Dᵢ, the sum of the magnitudes of its terms and of qⱼ ∂Dᵢ/∂qⱼ: what its rounding
-    /// error is proportional to. An angle counts as 1 radian at most, since whole turns mean nothing.
-    pub magnitudes: Vec<Expression>,
-    /// The accelerations q̈.
-    pub accelerations: Vec<Expression>,
+    /// Each row as it was when it was the pivot's.
+    rows: Vec<Vec<Expression>>,
+    order: Vec<usize>,
 }
 
 /// Beyond as many coordinates a factorization in numbers costs no more than straight-line code.
 const MOST_COORDINATES: usize = 4;
 
 impl Elimination {
-    /// Solves M q̈ = f, unless there are many coordinates or no pivot to begin with. `angles` says which
-    /// coordinates are angles.
-    pub fn solve(
-        graph: &mut Graph,
-        mass: &[Vec<Expression>],
-        forcing: &[Expression],
-        angles: &[bool],
-    ) -> Option<Self> {
+    /// Factors M, unless there are many coordinates or no pivot to begin with.
+    pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>]) -> Option<Self> {
         if mass.len() > MOST_COORDINATES {
             return None;
         }
         let mut system = System {
             graph,
             matrix: mass.to_vec(),
-            right: forcing.to_vec(),
         };
         let mut waiting: Vec<usize> = (0..mass.len()).collect();
         let mut order = Vec::new();
@@ -48,17 +39,46 @@ impl Elimination {
             system.eliminate(pivot, &waiting);
             order.push(pivot);
         }
-        let accelerations = system.substitute(&order);
-        let pivots: Vec<_> = (0..mass.len()).map(|i| system.matrix[i][i]).collect();
-        let magnitudes = pivots
-            .iter()
-            .map(|pivot| magnitude(graph, *pivot, angles))
-            .collect();
+        let rows = system.matrix;
         Some(Self {
-            pivots,
-            magnitudes,
-            accelerations,
+            pivots: (0..rows.len()).map(|i| rows[i][i]).collect(),
+            rows,
+            order,
         })
+    }
+
+    /// x in M x = `right`.
+    pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let mut right = right.to_vec();
+        for (position, pivot) in self.order.iter().enumerate() {
+            for i in &self.order[position + 1..] {
+                let entry = self.rows[*pivot][*i];
+                let factor = graph.divide(entry, self.rows[*pivot][*pivot]);
+                let change = graph.multiply(factor, right[*pivot]);
+                right[*i] = graph.subtract(right[*i], change);
+            }
+        }
+        let mut solution = vec![graph.zero(); right.len()];
+        for (position, pivot) in self.order.iter().enumerate().rev() {
+            let mut terms = vec![(right[*pivot], Rational::ONE)];
+            for later in &self.order[position + 1..] {
+                let product = graph.multiply(self.rows[*pivot][*later], solution[*later]);
+                terms.push((product, Rational::MINUS_ONE));
+            }
+            let rest = graph.sum(terms);
+            solution[*pivot] = graph.divide(rest, self.rows[*pivot][*pivot]);
+        }
+        solution
+    }
+
+    /// For each pivot Dᵢ, the sum of the magnitudes of its terms and of qⱼ ∂Dᵢ/∂qⱼ: what its rounding
+    /// error is proportional to. An angle counts as 1 radian at most, since whole turns mean nothing;
+    /// `angles` says which coordinates are angles.
+    pub fn magnitudes(&self, graph: &mut Graph, angles: &[bool]) -> Vec<Expression> {
+        let pivots = self.pivots.iter();
+        pivots
+            .map(|pivot| magnitude(graph, *pivot, angles))
+            .collect()
     }
 }
 
@@ -66,7 +86,6 @@ impl Elimination {
 struct System<'a> {
     graph: &'a mut Graph,
     matrix: Vec<Vec<Expression>>,
-    right: Vec<Expression>,
 }
 
 impl System<'_> {
@@ -107,26 +126,7 @@ impl System<'_> {
                 self.matrix[*i][*j] = entry;
                 self.matrix[*j][*i] = entry;
             }
-            let change = self.graph.multiply(factor, self.right[pivot]);
-            self.right[*i] = self.graph.subtract(self.right[*i], change);
         }
-    }
-
-    /// The solution, from the last pivot back to the first.
-    fn substitute(&mut self, order: &[usize]) -> Vec<Expression> {
-        let mut solution = vec![self.graph.zero(); order.len()];
-        for (position, pivot) in order.iter().enumerate().rev() {
-            let mut terms = vec![(self.right[*pivot], Rational::ONE)];
-            for later in &order[position + 1..] {
-                let product = self
-                    .graph
-                    .multiply(self.matrix[*pivot][*later], solution[*later]);
-                terms.push((product, Rational::MINUS_ONE));
-            }
-            let rest = self.graph.sum(terms);
-            solution[*pivot] = self.graph.divide(rest, self.matrix[*pivot][*pivot]);
-        }
-        solution
     }
 }
 

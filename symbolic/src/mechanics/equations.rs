@@ -71,21 +71,6 @@ impl Equations {
         })
     }
 
-    /// The derivatives ∂(M q̈ − f)ᵢ/∂xⱼ at fixed accelerations, in row i, column j.
-    pub fn residual_derivatives(
-        &self,
-        graph: &mut Graph,
-        symbols: &[Symbol],
-    ) -> Vec<Vec<Expression>> {
-        let columns: Vec<_> = symbols
-            .iter()
-            .map(|symbol| graph.derivatives(&self.inverse_dynamics, *symbol))
-            .collect();
-        (0..self.inverse_dynamics.len())
-            .map(|i| columns.iter().map(|column| column[i]).collect())
-            .collect()
-    }
-
     /// The lower triangle of the mass matrix, row by row.
     pub fn mass_lower(&self) -> impl Iterator<Item = Expression> + '_ {
         self.mass
