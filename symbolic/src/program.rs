@@ -3,6 +3,7 @@
 pub(crate) mod straight_line;
 pub(crate) mod cost;
 pub(crate) mod plan;
+pub(crate) mod collecting;
 pub(crate) mod factoring;
 pub(crate) mod sharing;
 pub(crate) mod schedule;

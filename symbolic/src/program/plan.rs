@@ -80,14 +80,15 @@ impl Plan {
         self.recipes.len() - 1
     }
 
-    /// How often each value is an operand or a root.
+    /// How often each value is an operand or a root of what the roots are made of.
     pub(crate) fn uses(&self, roots: &[Expression]) -> Vec<usize> {
         let mut uses = vec![0; self.recipes.len()];
-        for root in roots {
-            uses[self.value(*root)] += 1;
-        }
-        for recipe in &self.recipes {
-            recipe.for_each_operand(|operand| uses[operand] += 1);
+        let mut waiting: Vec<Value> = roots.iter().map(|root| self.value(*root)).collect();
+        while let Some(value) = waiting.pop() {
+            uses[value] += 1;
+            if uses[value] == 1 {
+                self.recipes[value].for_each_operand(|operand| waiting.push(operand));
+            }
         }
         uses
     }

@@ -29,6 +29,8 @@ impl Scheduler {
         let roots = groups.concat();
         let mut plan = Plan::new(graph, &roots);
         let uses = plan.uses(&roots);
+        plan.collect(&uses);
+        let uses = plan.uses(&roots);
         plan.factor(&uses);
         plan.share();
         Self {
