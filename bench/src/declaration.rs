@@ -1,0 +1,120 @@
+//! The source of a model's crate: the declaration as a user writes it, and a `main` that measures it.
+
+use std::fmt::Write as _;
+
+use crate::model::Model;
+
+/// What the struct and its attribute are written from.
+struct Declaration {
+    title: &'static str,
+    /// The clauses of the attribute.
+    clauses: String,
+    parameters: &'static [(&'static str, f64)],
+}
+
+/// The `main.rs` of a model's crate.
+pub(crate) fn source(model: Model) -> String {
+    let declaration = match model {
+        Model::SymmetricTop => symmetric_top(),
+        Model::GeneralTop => general_top(),
+        Model::Pendulum(links) => pendulum(links),
+    };
+    let Declaration { title, clauses, .. } = &declaration;
+    let (mut fields, mut values) = (String::new(), String::new());
+    for (name, value) in declaration.parameters {
+        let _ = write!(fields, "{name}: f64, ");
+        let _ = write!(values, "{name}: {value:?}, ");
+    }
+    let degrees = model.degrees();
+    format!(
+        "//! Written by lagrangian-bench.\n\
+         use lagrangian::prelude::*;\n\n\
+         /// {title}\n\
+         #[derive(Lagrangian, Clone, Debug)]\n\
+         #[lagrangian(\n{clauses})]\n\
+         struct Model {{ {fields}}}\n\n\
+         fn main() -> std::process::ExitCode {{\n\
+         \x20   let model = Model {{ {values}}};\n\
+         \x20   let operations = Model::OPERATIONS.accelerations;\n\
+         \x20   lagrangian_bench::measure::<{degrees}, Model>(&model, operations)\n\
+         }}\n"
+    )
+}
+
+fn symmetric_top() -> Declaration {
+    Declaration {
+        title: "The symmetric heavy top (4.7).",
+        clauses: "    \
+    coordinates(phi, theta, psi),
+    kinetic = 0.5 * (i * (dot(phi).powi(2) * sin(theta).powi(2) + dot(theta).powi(2))
+        + i_s * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
+    potential = m * g * l * cos(theta),
+"
+        .to_owned(),
+        parameters: &[
+            ("i", 1.2),
+            ("i_s", 0.5),
+            ("m", 1.3),
+            ("g", 9.81),
+            ("l", 0.4),
+        ],
+    }
+}
+
+fn general_top() -> Declaration {
+    Declaration {
+        title: "The general heavy top (4.5).",
+        clauses: "    \
+    coordinates(phi, theta, psi),
+    define(
+        w1 = dot(phi) * sin(theta) * sin(psi) + dot(theta) * cos(psi),
+        w2 = dot(phi) * sin(theta) * cos(psi) - dot(theta) * sin(psi),
+        w3 = dot(phi) * cos(theta) + dot(psi),
+    ),
+    kinetic = 0.5 * (i1 * w1.powi(2) + i2 * w2.powi(2) + i3 * w3.powi(2)),
+    potential = m * g
+        * (x * sin(theta) * sin(psi) + y * sin(theta) * cos(psi) + z * cos(theta)),
+"
+        .to_owned(),
+        parameters: &[
+            ("i1", 1.2),
+            ("i2", 1.5),
+            ("i3", 0.7),
+            ("m", 1.3),
+            ("g", 9.81),
+            ("x", 0.05),
+            ("y", 0.03),
+            ("z", 0.4),
+        ],
+    }
+}
+
+/// Each mass stands where the one above it does, and a rod further.
+fn pendulum(links: usize) -> Declaration {
+    let mut positions = String::new();
+    for link in 1..=links {
+        let (x, y) = match link - 1 {
+            0 => (String::new(), String::new()),
+            above => (format!("x{above} + "), format!("y{above} ")),
+        };
+        let _ = writeln!(positions, "        x{link} = {x}l * sin(q{link}),");
+        let _ = writeln!(positions, "        y{link} = {y}-l * cos(q{link}),");
+    }
+    let coordinates = join(links, ", ", |link| format!("q{link}"));
+    let kinetic = join(links, "\n        + ", |link| {
+        format!("0.5 * m * (dot(x{link}).powi(2) + dot(y{link}).powi(2))")
+    });
+    let potential = join(links, " + ", |link| format!("m * g * y{link}"));
+    Declaration {
+        title: "A chain of point masses on massless rods, at absolute angles.",
+        clauses: format!(
+            "    coordinates({coordinates}),\n    define(\n{positions}    ),\n    \
+             kinetic = {kinetic},\n    potential = {potential},\n"
+        ),
+        parameters: &[("m", 1.1), ("l", 0.7), ("g", 9.81)],
+    }
+}
+
+fn join(links: usize, separator: &str, part: impl Fn(usize) -> String) -> String {
+    (1..=links).map(part).collect::<Vec<_>>().join(separator)
+}

@@ -1,0 +1,60 @@
+//! Our side: a model of the derive.
+
+use std::hint::black_box;
+
+use lagrangian::{Lagrangian, State};
+use nalgebra::SVector;
+
+use crate::evaluation::Evaluation;
+
+/// A model and the function that is called, both hidden from the optimizer.
+pub(crate) struct Derived<'a, M, const N: usize> {
+    model: &'a M,
+    accelerations: fn(&M, &State<f64, N>, &mut SVector<f64, N>),
+}
+
+impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
+    pub(crate) fn new(model: &'a M) -> Self {
+        Self {
+            model: black_box(model),
+            accelerations: black_box(accelerations),
+        }
+    }
+}
+
+/// The method that users call, behind the boundary that the peers have too.
+#[inline(never)]
+fn accelerations<M: Lagrangian<N>, const N: usize>(
+    model: &M,
+    state: &State<f64, N>,
+    accelerations: &mut SVector<f64, N>,
+) {
+    *accelerations = model.accelerations(state);
+}
+
+impl<M, const N: usize> Evaluation<N> for Derived<'_, M, N> {
+    type State = State<f64, N>;
+
+    fn state(row: &[f64]) -> Self::State {
+        let (q, v) = row.split_at(N);
+        State::new(
+            0.0,
+            SVector::from_column_slice(q),
+            SVector::from_column_slice(v),
+        )
+    }
+
+    #[inline]
+    fn moved(state: &Self::State, by: &SVector<f64, N>) -> Self::State {
+        State {
+            t: state.t,
+            q: state.q + by,
+            v: state.v + by,
+        }
+    }
+
+    #[inline]
+    fn evaluate(&self, state: &Self::State, accelerations: &mut SVector<f64, N>) {
+        (self.accelerations)(self.model, state, accelerations);
+    }
+}

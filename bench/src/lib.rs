@@ -1,0 +1,22 @@
+//! What is measured, and how: the part of the benchmark that the written model crates call.
+//!
+//! The program of this package writes one crate for each model, as a user would: a struct with the
+//! derive, and a `main` that hands it to [`measure`]. Peers are C functions `void accelerations(const
+//! double *x, double *a)` in shared objects, x being coordinates and then velocities.
+//!
+//! What is timed is one call through a function pointer that the compiler cannot look through, ours
+//! (a reference to the model, one to the state, one to the result) as theirs (two pointers); so
+//! neither side is inlined into the loop, and nothing is hoisted out of it. Our parameters are fields,
+//! read at run time; theirs are constants that their compiler has folded. All are measured in turn in
+//! one process, round after round, and the fastest round of each counts: the machine is the same for all.
+
+mod agreement;
+mod derived;
+mod evaluation;
+mod measure;
+mod protocol;
+mod shared_object;
+mod stopwatch;
+
+pub use measure::measure;
+pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};
