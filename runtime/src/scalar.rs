@@ -8,6 +8,8 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
+use crate::sine_cosine;
+
 /// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes.
 ///
 /// Implement it for a type of your own to evaluate every derived model on it. The elementary
@@ -69,6 +71,17 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
+    }
+
+    /// Sines and cosines of several angles, each as [`sin_cos`](Self::sin_cos) gives them.
+    ///
+    /// Emitted code asks for those of the coordinates at once; a type that computes several angles
+    /// faster together than one by one does so here.
+    #[inline]
+    #[must_use]
+    fn sines_and_cosines<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        let pairs = angles.map(Self::sin_cos);
+        (pairs.map(|pair| pair.0), pairs.map(|pair| pair.1))
     }
 
     /// Sine.
@@ -150,7 +163,7 @@ macro_rules! elementary {
 }
 
 macro_rules! float_scalar {
-    ($float:ident, $from:expr, $sincos:ident, $pair:ident, $fma:ident, $($table:tt)*) => {
+    ($float:ident, $from:expr, $fma:ident, { $($own:tt)* } $($table:tt)*) => {
         impl Scalar for $float {
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -184,14 +197,6 @@ macro_rules! float_scalar {
             }
 
             #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                #[cfg(feature = "std")]
-                return $pair(self);
-                #[cfg(not(feature = "std"))]
-                return libm::$sincos(self);
-            }
-
-            #[inline]
             fn abs(self) -> Self {
                 $float::abs(self)
             }
@@ -211,6 +216,8 @@ macro_rules! float_scalar {
                 $float::max(self, other)
             }
 
+            $($own)*
+
             elementary! { $($table)* }
         }
     };
@@ -218,13 +225,6 @@ macro_rules! float_scalar {
 
 /// Sine and cosine in a function of their own: the compiler makes one call of the two only where they
 /// stand together, and inlined they drift apart.
-#[cfg(feature = "std")]
-#[inline(never)]
-fn sine_and_cosine(x: f64) -> (f64, f64) {
-    x.sin_cos()
-}
-
-/// The same in single precision.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn sine_and_cosine_f32(x: f32) -> (f32, f32) {
@@ -236,15 +236,46 @@ const fn nearest_f32(value: f64) -> f32 {
     value as f32
 }
 
-float_scalar! { f64, core::convert::identity, sincos, sine_and_cosine, fma,
-    sin sin(); cos cos(); tan tan();
+float_scalar! { f64, core::convert::identity, fma,
+    {
+        #[inline]
+        fn sin_cos(self) -> (Self, Self) {
+            sine_cosine::sine_and_cosine(self)
+        }
+
+        #[inline]
+        fn sines_and_cosines<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+            sine_cosine::sines_and_cosines(angles)
+        }
+
+        // What one of them alone does not need, the compiler leaves out.
+        #[inline]
+        fn sin(self) -> Self {
+            sine_cosine::sine_and_cosine(self).0
+        }
+
+        #[inline]
+        fn cos(self) -> Self {
+            sine_cosine::sine_and_cosine(self).1
+        }
+    }
+    tan tan();
     asin asin(); acos acos(); atan atan(); atan2 atan2(x);
     sinh sinh(); cosh cosh(); tanh tanh();
     asinh asinh(); acosh acosh(); atanh atanh();
     exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
 }
 
-float_scalar! { f32, nearest_f32, sincosf, sine_and_cosine_f32, fmaf,
+float_scalar! { f32, nearest_f32, fmaf,
+    {
+        #[inline]
+        fn sin_cos(self) -> (Self, Self) {
+            #[cfg(feature = "std")]
+            return sine_and_cosine_f32(self);
+            #[cfg(not(feature = "std"))]
+            return libm::sincosf(self);
+        }
+    }
     sin sinf(); cos cosf(); tan tanf();
     asin asinf(); acos acosf(); atan atanf(); atan2 atan2f(x);
     sinh sinhf(); cosh coshf(); tanh tanhf();
