@@ -1,6 +1,7 @@
 //! How long an expansion takes, at the optimization level that users get.
 //!
-//! `cargo test -p lagrangian-derive timing -- --nocapture` prints the times. Nothing here asserts one.
+//! `cargo test -p lagrangian-derive timing -- --nocapture` prints the times, and with `--include-ignored`
+//! also those of long chains. Nothing here asserts one.
 
 use std::time::Instant;
 
@@ -9,7 +10,7 @@ use quote::{format_ident, quote};
 
 use crate::expand::expand;
 
-fn symmetric_top() -> TokenStream {
+pub(crate) fn symmetric_top() -> TokenStream {
     quote! {
         #[lagrangian(
             coordinates(phi, theta, psi),
@@ -21,7 +22,7 @@ fn symmetric_top() -> TokenStream {
     }
 }
 
-fn general_top() -> TokenStream {
+pub(crate) fn general_top() -> TokenStream {
     quote! {
         #[lagrangian(
             coordinates(phi, theta, psi),
@@ -38,12 +39,12 @@ fn general_top() -> TokenStream {
 }
 
 /// A chain of point masses on massless rods, at absolute angles.
-fn pendulum(links: usize) -> TokenStream {
+pub(crate) fn pendulum(links: u32) -> TokenStream {
     let angles: Vec<_> = (0..links).map(|i| format_ident!("q{i}")).collect();
     let mut definitions = TokenStream::new();
     let mut kinetic = quote!(0.0);
     let mut potential = quote!(0.0);
-    for (i, angle) in angles.iter().enumerate() {
+    for (i, angle) in (0_u32..).zip(&angles) {
         let [x, y] = ["x", "y"].map(|axis| format_ident!("{axis}{i}"));
         let [above_x, above_y] = match i.checked_sub(1) {
             Some(above) => ["x", "y"].map(|axis| {
@@ -68,23 +69,42 @@ fn pendulum(links: usize) -> TokenStream {
     }
 }
 
+/// Expands a model and prints how long that took, which is returned in milliseconds.
+fn measure(name: &str, model: TokenStream) -> f64 {
+    let start = Instant::now();
+    let expansion = expand(model);
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    let expansion = expansion.to_string();
+    println!("{name}: {time:.1} ms, {} characters", expansion.len());
+    assert!(!expansion.contains("compile_error"), "{expansion}");
+    time
+}
+
+/// Expands pendulums and prints by which power of the number of links the time grows.
+fn measure_pendulums(sizes: &[u32]) {
+    let mut previous: Option<(u32, f64)> = None;
+    for links in sizes {
+        let time = measure(&format!("pendulum of {links}"), pendulum(*links));
+        if let Some((fewer, before)) = previous {
+            let ratio = f64::from(*links) / f64::from(fewer);
+            println!(
+                "    grows with the power {:.1}",
+                (time / before).ln() / ratio.ln()
+            );
+        }
+        previous = Some((*links, time));
+    }
+}
+
 #[test]
 fn models_expand() {
-    let models = [
-        ("symmetric top", symmetric_top()),
-        ("general top", general_top()),
-        ("pendulum of 2", pendulum(2)),
-        ("pendulum of 5", pendulum(5)),
-        ("pendulum of 8", pendulum(8)),
-    ];
-    for (name, model) in models {
-        let start = Instant::now();
-        let expansion = expand(model).to_string();
-        println!(
-            "{name}: {:.1} ms, {} characters",
-            start.elapsed().as_secs_f64() * 1e3,
-            expansion.len()
-        );
-        assert!(!expansion.contains("compile_error"), "{expansion}");
-    }
+    measure("symmetric top", symmetric_top());
+    measure("general top", general_top());
+    measure_pendulums(&[1, 2, 3, 5, 8, 10, 15, 20]);
+}
+
+#[test]
+#[ignore = "takes a minute; run with `--include-ignored`"]
+fn long_chains_expand() {
+    measure_pendulums(&[10, 20, 40, 60]);
 }
