@@ -1,5 +1,6 @@
 //! Exact algebra on a shared graph: numbers, normal forms, functions, derivatives.
 
+pub(crate) mod hashing;
 pub(crate) mod rational;
 pub(crate) mod symbol;
 pub(crate) mod graph;

@@ -11,12 +11,12 @@
 //! Equal terms are therefore equal handles. Nothing is ever multiplied out. Sums, products and numbers
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
-use core::hash::BuildHasherDefault;
+use core::hash::{BuildHasherDefault, Hash, Hasher};
 use std::collections::BTreeMap;
-use std::hash::DefaultHasher;
 
 use indexmap::IndexSet;
 
+use crate::algebra::hashing::{Mixer, mix};
 use crate::algebra::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
 
@@ -33,7 +33,7 @@ impl Expression {
 }
 
 /// What an expression is made of.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Node {
     /// An exact number.
     Constant(Rational),
@@ -70,12 +70,39 @@ impl Node {
     }
 }
 
+// Every construction of an expression hashes a node, so this is one loop and one call of the hasher.
+impl Hash for Node {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let code = match self {
+            Self::Constant(value) => value.code(),
+            Self::Pi => 1,
+            Self::Symbol(symbol) => return symbol.hash(state),
+            Self::Sum(parts) => code(2, parts),
+            Self::Product(parts) => code(3, parts),
+            Self::Unary(function, x) => mix(mix(4, *function as u64), u64::from(x.0)),
+            Self::Binary(function, x, y) => {
+                let operands = u64::from(x.0) << 32 | u64::from(y.0);
+                mix(mix(5, *function as u64), operands)
+            }
+        };
+        state.write_u64(code);
+    }
+}
+
+/// A word that depends on all pairs.
+fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
+    let mut code = kind;
+    for (x, number) in parts {
+        code = mix(mix(code, u64::from(x.0)), number.code());
+    }
+    code
+}
+
 /// The arena of all expressions of a model.
 #[derive(Clone, Debug)]
 pub struct Graph {
-    // The hasher has fixed keys, and the set remembers the order of insertion: nothing depends on
-    // hash order.
-    nodes: IndexSet<Node, BuildHasherDefault<DefaultHasher>>,
+    // The set remembers the order of insertion: nothing depends on hash order.
+    nodes: IndexSet<Node, BuildHasherDefault<Mixer>>,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: BTreeMap<Expression, Option<Split>>,
 }
