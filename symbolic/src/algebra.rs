@@ -9,6 +9,7 @@ pub(crate) mod pythagoras;
 pub(crate) mod product;
 pub(crate) mod call;
 pub(crate) mod function;
+pub(crate) mod dependence;
 pub(crate) mod derivative;
 pub(crate) mod substitution;
 pub(crate) mod evaluation;
