@@ -11,12 +11,11 @@
 //! Equal terms are therefore equal handles. Nothing is ever multiplied out. Sums, products and numbers
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
-use core::hash::{BuildHasherDefault, Hash, Hasher};
+use core::hash::{Hash, Hasher};
 use std::collections::BTreeMap;
 
-use indexmap::IndexSet;
-
-use crate::algebra::hashing::{Mixer, mix};
+use crate::algebra::hashing::mix;
+use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
 
@@ -101,8 +100,7 @@ fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
 /// The arena of all expressions of a model.
 #[derive(Clone, Debug)]
 pub struct Graph {
-    // The set remembers the order of insertion: nothing depends on hash order.
-    nodes: IndexSet<Node, BuildHasherDefault<Mixer>>,
+    nodes: Interner,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: BTreeMap<Expression, Option<Split>>,
 }
@@ -118,7 +116,7 @@ impl Graph {
     #[must_use]
     pub fn new() -> Self {
         let mut graph = Self {
-            nodes: IndexSet::default(),
+            nodes: Interner::default(),
             splits: BTreeMap::new(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
@@ -141,19 +139,19 @@ impl Graph {
     /// How many expressions the arena holds.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.nodes.nodes().len()
     }
 
     /// Never: 0 and 1 are always there.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.nodes.nodes().is_empty()
     }
 
     /// What `expression` is made of.
     #[must_use]
     pub fn node(&self, expression: Expression) -> &Node {
-        &self.nodes[expression.index()]
+        &self.nodes.nodes()[expression.index()]
     }
 
     /// All expressions with what they are made of, children before parents.
@@ -162,6 +160,7 @@ impl Graph {
         &self,
     ) -> impl DoubleEndedIterator<Item = (Expression, &Node)> + ExactSizeIterator {
         self.nodes
+            .nodes()
             .iter()
             .enumerate()
             .map(|(index, node)| (handle(index), node))
@@ -192,7 +191,8 @@ impl Graph {
         }
         for index in (0..length).rev() {
             if reachable[index] {
-                self.nodes[index].for_each_operand(|operand| reachable[operand.index()] = true);
+                self.node(handle(index))
+                    .for_each_operand(|operand| reachable[operand.index()] = true);
             }
         }
         reachable
@@ -218,12 +218,12 @@ impl Graph {
 
     /// Where `node` stands in the arena, if it does.
     pub(crate) fn position(&self, node: &Node) -> Option<usize> {
-        self.nodes.get_index_of(node)
+        self.nodes.position(node)
     }
 
     /// The handle of `node`, which is in normal form.
     pub(crate) fn intern(&mut self, node: Node) -> Expression {
-        handle(self.nodes.insert_full(node).0)
+        handle(self.nodes.insert(node))
     }
 
     /// An exact number.
