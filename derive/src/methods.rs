@@ -266,8 +266,5 @@ fn state_symbols(model: &Model) -> Vec<Symbol> {
 
 /// The derivatives ∂(M q̈ − f)/∂x, column by column.
 fn columns(model: &mut Model, residuals: &[Expression], symbols: &[Symbol]) -> Vec<Expression> {
-    symbols
-        .iter()
-        .flat_map(|symbol| model.graph.derivatives(residuals, *symbol))
-        .collect()
+    model.graph.jacobian(residuals, symbols).concat()
 }

@@ -1,8 +1,8 @@
 //! How long an expansion takes, at the optimization level that users get.
 //!
-//! `cargo test -p lagrangian-derive timing -- --nocapture` prints the times; the benchmark reads
-//! them, by its names: A1 and A2 are the symmetric and the general top, P5 is a pendulum of five links.
-//! Nothing here asserts a time.
+//! `cargo test -p lagrangian-derive timing -- --nocapture` prints the times, and with `--include-ignored`
+//! also those of long chains. The benchmark reads them, by its names: A1 and A2 are the symmetric and the
+//! general top, P5 is a pendulum of five links. Nothing here asserts a time.
 
 use std::time::Instant;
 
@@ -11,7 +11,7 @@ use quote::{format_ident, quote};
 
 use crate::expand::expand;
 
-fn symmetric_top() -> TokenStream {
+pub(crate) fn symmetric_top() -> TokenStream {
     quote! {
         #[lagrangian(
             coordinates(phi, theta, psi),
@@ -23,7 +23,7 @@ fn symmetric_top() -> TokenStream {
     }
 }
 
-fn general_top() -> TokenStream {
+pub(crate) fn general_top() -> TokenStream {
     quote! {
         #[lagrangian(
             coordinates(phi, theta, psi),
@@ -41,12 +41,12 @@ fn general_top() -> TokenStream {
 }
 
 /// A chain of point masses on massless rods, at absolute angles.
-fn pendulum(links: usize) -> TokenStream {
+pub(crate) fn pendulum(links: u32) -> TokenStream {
     let angles: Vec<_> = (0..links).map(|i| format_ident!("q{i}")).collect();
     let mut definitions = TokenStream::new();
     let mut kinetic = quote!(0.0);
     let mut potential = quote!(0.0);
-    for (i, angle) in angles.iter().enumerate() {
+    for (i, angle) in (0_u32..).zip(&angles) {
         let [x, y] = ["x", "y"].map(|axis| format_ident!("{axis}{i}"));
         let [above_x, above_y] = match i.checked_sub(1) {
             Some(above) => ["x", "y"].map(|axis| {
@@ -71,19 +71,42 @@ fn pendulum(links: usize) -> TokenStream {
     }
 }
 
+/// Expands a model and prints how long that took, which is returned in milliseconds.
+fn measure(name: &str, model: TokenStream) -> f64 {
+    let start = Instant::now();
+    let expansion = expand(model);
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    let expansion = expansion.to_string();
+    println!("{name}: {time:.1} ms, {} characters", expansion.len());
+    assert!(!expansion.contains("compile_error"), "{expansion}");
+    time
+}
+
+/// Expands pendulums and prints by which power of the number of links the time grows.
+fn measure_pendulums(sizes: &[u32]) {
+    let mut previous: Option<(u32, f64)> = None;
+    for links in sizes {
+        let time = measure(&format!("P{links}"), pendulum(*links));
+        if let Some((fewer, before)) = previous {
+            let ratio = f64::from(*links) / f64::from(fewer);
+            println!(
+                "    grows with the power {:.1}",
+                (time / before).ln() / ratio.ln()
+            );
+        }
+        previous = Some((*links, time));
+    }
+}
+
 #[test]
 fn models_expand() {
-    let tops = [("A1".into(), symmetric_top()), ("A2".into(), general_top())];
-    let links = [1, 2, 3, 5, 8, 10, 15, 20];
-    let pendulums = links.map(|links| (format!("P{links}"), pendulum(links)));
-    for (name, model) in tops.into_iter().chain(pendulums) {
-        let start = Instant::now();
-        let expansion = expand(model).to_string();
-        println!(
-            "{name}: {:.1} ms, {} characters",
-            start.elapsed().as_secs_f64() * 1e3,
-            expansion.len()
-        );
-        assert!(!expansion.contains("compile_error"), "{expansion}");
-    }
+    measure("A1", symmetric_top());
+    measure("A2", general_top());
+    measure_pendulums(&[1, 2, 3, 5, 8, 10, 15, 20]);
+}
+
+#[test]
+#[ignore = "takes a minute; run with `--include-ignored`"]
+fn long_chains_expand() {
+    measure_pendulums(&[10, 20, 40, 60]);
 }

@@ -1,7 +1,9 @@
 //! Exact algebra on a shared graph: numbers, normal forms, functions, derivatives.
 
+pub(crate) mod hashing;
 pub(crate) mod rational;
 pub(crate) mod symbol;
+pub(crate) mod interner;
 pub(crate) mod graph;
 pub(crate) mod sum;
 pub(crate) mod pythagoras;
@@ -9,6 +11,7 @@ pub(crate) mod product;
 pub(crate) mod expansion;
 pub(crate) mod call;
 pub(crate) mod function;
+pub(crate) mod dependence;
 pub(crate) mod derivative;
 pub(crate) mod substitution;
 pub(crate) mod evaluation;

@@ -11,12 +11,11 @@
 //! Equal terms are therefore equal handles. Nothing is ever multiplied out. Sums, products and numbers
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
-use core::hash::BuildHasherDefault;
+use core::hash::{Hash, Hasher};
 use std::collections::BTreeMap;
-use std::hash::DefaultHasher;
 
-use indexmap::IndexSet;
-
+use crate::algebra::hashing::mix;
+use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
 
@@ -33,7 +32,7 @@ impl Expression {
 }
 
 /// What an expression is made of.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Node {
     /// An exact number.
     Constant(Rational),
@@ -72,12 +71,39 @@ impl Node {
     }
 }
 
+// Every construction of an expression hashes a node, so this is one loop and one call of the hasher.
+impl Hash for Node {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let code = match self {
+            Self::Constant(value) => value.code(),
+            Self::Pi => 1,
+            Self::Symbol(symbol) => return symbol.hash(state),
+            Self::Sum(parts) => code(2, parts),
+            Self::Product(parts) => code(3, parts),
+            Self::Unary(function, x) => mix(mix(4, *function as u64), u64::from(x.0)),
+            Self::Binary(function, x, y) => {
+                let operands = u64::from(x.0) << 32 | u64::from(y.0);
+                mix(mix(5, *function as u64), operands)
+            }
+            Self::Whole(x) => mix(6, u64::from(x.0)),
+        };
+        state.write_u64(code);
+    }
+}
+
+/// A word that depends on all pairs.
+fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
+    let mut code = kind;
+    for (x, number) in parts {
+        code = mix(mix(code, u64::from(x.0)), number.code());
+    }
+    code
+}
+
 /// The arena of all expressions of a model.
 #[derive(Clone, Debug)]
 pub struct Graph {
-    // The hasher has fixed keys, and the set remembers the order of insertion: nothing depends on
-    // hash order.
-    nodes: IndexSet<Node, BuildHasherDefault<DefaultHasher>>,
+    nodes: Interner,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: BTreeMap<Expression, Option<Split>>,
 }
@@ -93,7 +119,7 @@ impl Graph {
     #[must_use]
     pub fn new() -> Self {
         let mut graph = Self {
-            nodes: IndexSet::default(),
+            nodes: Interner::default(),
             splits: BTreeMap::new(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
@@ -116,19 +142,19 @@ impl Graph {
     /// How many expressions the arena holds.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.nodes.nodes().len()
     }
 
     /// Never: 0 and 1 are always there.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.nodes.nodes().is_empty()
     }
 
     /// What `expression` is made of.
     #[must_use]
     pub fn node(&self, expression: Expression) -> &Node {
-        &self.nodes[expression.index()]
+        &self.nodes.nodes()[expression.index()]
     }
 
     /// All expressions with what they are made of, children before parents.
@@ -137,6 +163,7 @@ impl Graph {
         &self,
     ) -> impl DoubleEndedIterator<Item = (Expression, &Node)> + ExactSizeIterator {
         self.nodes
+            .nodes()
             .iter()
             .enumerate()
             .map(|(index, node)| (handle(index), node))
@@ -167,7 +194,8 @@ impl Graph {
         }
         for index in (0..length).rev() {
             if reachable[index] {
-                self.nodes[index].for_each_operand(|operand| reachable[operand.index()] = true);
+                self.node(handle(index))
+                    .for_each_operand(|operand| reachable[operand.index()] = true);
             }
         }
         reachable
@@ -193,12 +221,12 @@ impl Graph {
 
     /// Where `node` stands in the arena, if it does.
     pub(crate) fn position(&self, node: &Node) -> Option<usize> {
-        self.nodes.get_index_of(node)
+        self.nodes.position(node)
     }
 
     /// The handle of `node`, which is in normal form.
     pub(crate) fn intern(&mut self, node: Node) -> Expression {
-        handle(self.nodes.insert_full(node).0)
+        handle(self.nodes.insert(node))
     }
 
     /// An exact number.

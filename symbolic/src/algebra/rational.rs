@@ -11,6 +11,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use crate::algebra::hashing::{Mixer, mix};
+
 /// A rational number in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Fraction);
@@ -27,7 +29,7 @@ enum Fraction {
 impl PartialEq for Fraction {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Small(a, b), Self::Small(c, d)) => (a, b) == (c, d),
+            (Self::Small(a, b), Self::Small(c, d)) => a == c && b == d,
             (Self::Large(x), Self::Large(y)) => (x.numer(), x.denom()) == (y.numer(), y.denom()),
             _ => false,
         }
@@ -36,12 +38,25 @@ impl PartialEq for Fraction {
 
 impl Eq for Fraction {}
 
+impl Fraction {
+    /// A word that depends on all of the number.
+    fn code(&self) -> u64 {
+        match self {
+            Self::Small(numerator, denominator) => {
+                mix(numerator.cast_unsigned(), denominator.cast_unsigned())
+            }
+            Self::Large(value) => {
+                let mut mixer = Mixer::default();
+                (value.numer(), value.denom()).hash(&mut mixer);
+                mixer.finish()
+            }
+        }
+    }
+}
+
 impl Hash for Fraction {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        match self {
-            Self::Small(numerator, denominator) => (numerator, denominator).hash(state),
-            Self::Large(value) => (value.numer(), value.denom()).hash(state),
-        }
+        state.write_u64(self.code());
     }
 }
 
@@ -162,16 +177,21 @@ impl Rational {
         }
     }
 
+    /// A word that depends on all of the number, for hashes.
+    pub(crate) fn code(&self) -> u64 {
+        self.0.code()
+    }
+
     /// Whether this is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.0 == Fraction::Small(0, 1)
+        matches!(self.0, Fraction::Small(0, 1))
     }
 
     /// Whether this is 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
-        self.0 == Fraction::Small(1, 1)
+        matches!(self.0, Fraction::Small(1, 1))
     }
 
     /// Whether this is an integer.

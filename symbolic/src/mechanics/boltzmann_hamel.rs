@@ -192,19 +192,16 @@ impl Graph {
         roots: &[Expression],
         coordinates: u32,
     ) -> Vec<Vec<Expression>> {
+        let symbols = |symbol: fn(u32) -> Symbol| (0..coordinates).map(symbol).collect::<Vec<_>>();
+        let momenta = self.jacobian(roots, &symbols(Symbol::Velocity));
         let direction = self.at_rest_direction(coordinates);
-        let columns: Vec<Vec<Expression>> = (0..coordinates)
-            .map(|i| {
-                let momenta = self.derivatives(roots, Symbol::Velocity(i));
-                let rates = self.directional_derivatives(&momenta, &direction);
-                let slopes = self.derivatives(roots, Symbol::Coordinate(i));
-                rates
-                    .iter()
-                    .zip(slopes)
-                    .map(|(x, y)| self.subtract(*x, y))
-                    .collect()
-            })
-            .collect();
+        let rates = self.directional_derivatives(&momenta.concat(), &direction);
+        let slopes = self.jacobian(roots, &symbols(Symbol::Coordinate));
+        let mut columns = Vec::with_capacity(slopes.len());
+        for (rates, slopes) in rates.chunks(roots.len().max(1)).zip(&slopes) {
+            let pairs = rates.iter().zip(slopes);
+            columns.push(pairs.map(|(x, y)| self.subtract(*x, *y)).collect());
+        }
         transposed(&columns)
     }
 }

@@ -4,6 +4,7 @@
 //! so that f = ∂L/∂q − (∂p/∂q) q̇ − ∂p/∂t + Q. The term in ∂p/∂t is what time-dependent models need.
 //! M is differentiated, never inverted: from M q̈ = f follows M ∂q̈/∂x = −∂(M q̈ − f)/∂x at fixed q̈.
 
+use crate::algebra::derivative::Tangents;
 use crate::mechanics::model::Energies;
 use crate::mechanics::structure::{self, Structure};
 use crate::{Expression, Graph, Model, Rational, Symbol};
@@ -49,10 +50,9 @@ impl Equations {
     pub fn derive(model: &mut Model) -> Result<Self, Defect> {
         let lagrangian = model.lagrangian();
         let graph = &mut model.graph;
-        let momenta: Vec<_> = (0..model.coordinates)
-            .map(|i| graph.derivative(lagrangian, Symbol::Velocity(i)))
-            .collect();
-        let mass = mass_matrix(graph, &momenta);
+        let velocities: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
+        let momenta = graph.jacobian(&[lagrangian], &velocities).concat();
+        let mass = mass_matrix(graph, &momenta, &velocities);
         check_momenta(model, &momenta, &mass)?;
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);
@@ -91,8 +91,10 @@ impl Model {
     /// Qᵢ: the declared force less ∂D/∂q̇ᵢ.
     fn generalized_forces(&mut self) -> Vec<Expression> {
         let mut forces = Vec::with_capacity(self.forces.len());
-        for (i, force) in (0..self.coordinates).zip(&self.forces) {
-            let drag = self.graph.derivative(self.dissipation, Symbol::Velocity(i));
+        let dissipation = [self.dissipation];
+        let mut drags = Tangents::new(&self.graph, &dissipation, &self.velocity_symbols());
+        for (i, force) in self.forces.iter().enumerate() {
+            let drag = drags.column(&mut self.graph, &dissipation, i)[0];
             forces.push(self.graph.subtract(*force, drag));
         }
         forces
@@ -108,9 +110,11 @@ impl Model {
         let graph = &mut self.graph;
         let direction = graph.at_rest_direction(self.coordinates);
         let rates = graph.directional_derivatives(momenta, &direction);
+        let coordinates: Vec<_> = (0..self.coordinates).map(Symbol::Coordinate).collect();
+        let mut slopes = Tangents::new(graph, &[lagrangian], &coordinates);
         let mut forcing = Vec::with_capacity(rates.len());
-        for ((i, rate), force) in (0..).zip(rates).zip(generalized_forces) {
-            let slope = graph.derivative(lagrangian, Symbol::Coordinate(i));
+        for ((i, rate), force) in rates.into_iter().enumerate().zip(generalized_forces) {
+            let slope = slopes.column(graph, &[lagrangian], i)[0];
             forcing.push(graph.sum([
                 (slope, Rational::ONE),
                 (rate, Rational::MINUS_ONE),
@@ -140,11 +144,16 @@ impl Model {
     }
 }
 
-fn mass_matrix(graph: &mut Graph, momenta: &[Expression]) -> Vec<Vec<Expression>> {
+fn mass_matrix(
+    graph: &mut Graph,
+    momenta: &[Expression],
+    velocities: &[Symbol],
+) -> Vec<Vec<Expression>> {
     let mut mass = vec![vec![graph.zero(); momenta.len()]; momenta.len()];
-    for (j, symbol) in (0..).map(Symbol::Velocity).take(momenta.len()).enumerate() {
+    let mut tangents = Tangents::new(graph, momenta, velocities);
+    for j in 0..momenta.len() {
         // M is symmetric: below the diagonal suffices.
-        let column = graph.derivatives(&momenta[j..], symbol);
+        let column = tangents.part_of_column(graph, &momenta[j..], j);
         for (i, entry) in (j..).zip(column) {
             mass[i][j] = entry;
             mass[j][i] = entry;

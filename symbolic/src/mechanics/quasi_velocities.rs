@@ -77,9 +77,8 @@ impl QuasiVelocities {
 
     /// The matrix E = ∂w/∂q̇, row by row.
     pub(crate) fn kinematics(&self, graph: &mut Graph, coordinates: u32) -> Vec<Vec<Expression>> {
-        let columns: Vec<_> = (0..coordinates)
-            .map(|j| graph.derivatives(&self.forms, Symbol::Velocity(j)))
-            .collect();
+        let velocities: Vec<_> = (0..coordinates).map(Symbol::Velocity).collect();
+        let columns = graph.jacobian(&self.forms, &velocities);
         (0..self.forms.len())
             .map(|k| columns.iter().map(|column| column[k]).collect())
             .collect()

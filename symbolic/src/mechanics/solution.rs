@@ -136,12 +136,11 @@ impl Solution {
             _ => inverse_dynamics.to_vec(),
         };
         let mut columns = Vec::with_capacity(symbols.len() * residuals.len());
-        for symbol in symbols {
+        for (symbol, slopes) in symbols.iter().zip(graph.jacobian(&residuals, symbols)) {
             if let Way::QuasiVelocities(way) = &self.way {
                 columns.extend(way.derivative(graph, *symbol));
                 continue;
             }
-            let slopes = graph.derivatives(&residuals, *symbol);
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
             columns.extend(match &self.way {
                 Way::Tree(way) => way.solution(graph, &right),

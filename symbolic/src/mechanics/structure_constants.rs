@@ -27,9 +27,8 @@ pub(crate) fn structure_constants(
     let size = kinematics.len();
     let entries = kinematics.concat();
     let mut roots = entries.clone();
-    for j in (0..).map(Symbol::Coordinate).take(size) {
-        roots.extend(graph.derivatives(&entries, j));
-    }
+    let coordinates: Vec<_> = (0..).map(Symbol::Coordinate).take(size).collect();
+    roots.extend(graph.jacobian(&entries, &coordinates).concat());
     let mut agreed: Option<StructureConstants> = None;
     let points = (0..ATTEMPTS).map(Point::new);
     let values = points.filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));

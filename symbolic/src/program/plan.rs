@@ -5,7 +5,7 @@
 //! takes common factors out of sums, [`sharing`](crate::program::sharing) makes one value of what several lists
 //! have in common. What a value is does not change, only how it is computed.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
@@ -37,7 +37,8 @@ pub(crate) struct Plan {
     pub(crate) recipes: Vec<Recipe>,
     /// The expression that a value is, if it is one of the graph's.
     pub(crate) expressions: Vec<Option<Expression>>,
-    values: HashMap<Expression, Value>,
+    /// The value of each expression, by its index. There is none for those that are not computed.
+    values: Vec<Value>,
     /// Values that are made of others but stand for no expression, by what they are.
     roots: BTreeMap<Value, Value>,
     reciprocals: BTreeMap<Value, Value>,
@@ -49,12 +50,14 @@ impl Plan {
         let mut plan = Self {
             recipes: Vec::new(),
             expressions: Vec::new(),
-            values: HashMap::new(),
+            values: Vec::new(),
             roots: BTreeMap::new(),
             reciprocals: BTreeMap::new(),
         };
         let descendants = graph.descendants(roots);
         let shared = shared_divisors(graph, &descendants);
+        let length = descendants.last().map_or(0, |last| last.index() + 1);
+        plan.values = vec![Value::MAX; length];
         for expression in descendants {
             let value = match graph.node(expression) {
                 Node::Whole(inner) => plan.value(*inner),
@@ -63,14 +66,14 @@ impl Plan {
                     plan.push(recipe, Some(expression))
                 }
             };
-            plan.values.insert(expression, value);
+            plan.values[expression.index()] = value;
         }
         plan
     }
 
     /// The value that is `expression`.
     pub(crate) fn value(&self, expression: Expression) -> Value {
-        self.values[&expression]
+        self.values[expression.index()]
     }
 
     /// A new value.

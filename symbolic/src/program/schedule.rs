@@ -5,8 +5,9 @@
 //! with equal coefficients share one multiplication, and sine and cosine of one angle are one operation.
 //! Values are numbered, so that what two recipes have in common by accident is found as well.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
+use crate::algebra::hashing::Table;
 use crate::program::plan::{Plan, Recipe, Value};
 use crate::program::straight_line::{Instruction, Operand, Operation, Phase, Program};
 use crate::{Expression, Graph, Rational, Unary};
@@ -17,7 +18,7 @@ pub(crate) struct Scheduler {
     /// Where each value is, once it has been computed.
     operands: Vec<Option<Operand>>,
     /// The number of the first result of each operation done.
-    numbers: HashMap<Operation, usize>,
+    numbers: Table<Operation, usize>,
     /// Arguments of both a sine and a cosine.
     paired: BTreeSet<Value>,
     instructions: Vec<Instruction>,
@@ -35,7 +36,7 @@ impl Scheduler {
         plan.share();
         Self {
             operands: vec![None; plan.recipes.len()],
-            numbers: HashMap::new(),
+            numbers: Table::default(),
             paired: paired_arguments(&plan),
             plan,
             instructions: Vec::new(),

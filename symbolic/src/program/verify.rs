@@ -1,7 +1,6 @@
 //! The check that a program computes what it was made from.
 
-use std::collections::HashSet;
-
+use crate::algebra::hashing::Set;
 use crate::decision::point::Point;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Expression, Graph};
@@ -56,7 +55,7 @@ impl Program {
     /// Checks that operands precede their uses, and that no operation is done twice.
     fn verify_order(&self) -> Result<(), Fault> {
         let mut computed = 0;
-        let mut done = HashSet::new();
+        let mut done = Set::default();
         let defined = |operand: &Operand, computed: usize| match operand {
             Operand::Value(number) if *number >= computed => Err(Fault::Undefined(*number)),
             _ => Ok(()),

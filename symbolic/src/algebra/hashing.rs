@@ -1,0 +1,59 @@
+//! A quick hasher.
+//!
+//! The keys are made of small integers, and nothing depends on the order of hash tables. Macros run
+//! without optimization, where the standard hasher, made against hostile keys, costs more than what is
+//! looked up.
+
+use core::hash::{BuildHasherDefault, Hasher};
+use std::collections::{HashMap, HashSet};
+
+/// A hash table whose order must not be looked at.
+pub(crate) type Table<K, V> = HashMap<K, V, BuildHasherDefault<Mixer>>;
+
+/// A set whose order must not be looked at.
+pub(crate) type Set<K> = HashSet<K, BuildHasherDefault<Mixer>>;
+
+/// Mixes what is hashed into one word, a multiplication for each word.
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Mixer(u64);
+
+/// 2⁶⁴ over the golden ratio, odd.
+const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The word `state` with another one mixed in.
+pub(crate) const fn mix(state: u64, word: u64) -> u64 {
+    (state.rotate_left(23) ^ word).wrapping_mul(FACTOR)
+}
+
+impl Hasher for Mixer {
+    fn finish(&self) -> u64 {
+        // The low bits of a product depend on the low bits of its factors only; tables use both ends.
+        self.0 ^ (self.0 >> 32)
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = mix(self.0, u64::from(*byte));
+        }
+    }
+
+    fn write_u32(&mut self, word: u32) {
+        self.0 = mix(self.0, u64::from(word));
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        self.0 = mix(self.0, word);
+    }
+
+    fn write_i64(&mut self, word: i64) {
+        self.0 = mix(self.0, word.cast_unsigned());
+    }
+
+    fn write_usize(&mut self, word: usize) {
+        self.0 = mix(self.0, word as u64);
+    }
+
+    fn write_isize(&mut self, word: isize) {
+        self.0 = mix(self.0, word.cast_unsigned() as u64);
+    }
+}
