@@ -8,31 +8,36 @@ use nalgebra::SVector;
 use crate::evaluation::Evaluation;
 
 /// A model and the function that is called, both hidden from the optimizer.
-pub(crate) struct Derived<'a, M, const N: usize> {
+pub(crate) struct Derived<'a, M: Lagrangian<N>, const N: usize> {
     model: &'a M,
-    accelerations: fn(&M, &State<f64, N>, &mut SVector<f64, N>),
+    prepared: M::Prepared,
+    accelerations: fn(&M, &M::Prepared, &State<f64, N>, &mut SVector<f64, N>),
 }
 
 impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
     pub(crate) fn new(model: &'a M) -> Self {
+        let model = black_box(model);
         Self {
-            model: black_box(model),
+            model,
+            prepared: black_box(model.prepare()),
             accelerations: black_box(accelerations),
         }
     }
 }
 
-/// The method that users call, behind the boundary that the peers have too.
+/// The method that integrators call, behind the boundary that the peers have too. What depends on the
+/// parameters alone has been computed once, as an integration does; the peers have it as constants.
 #[inline(never)]
 fn accelerations<M: Lagrangian<N>, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<f64, N>,
     accelerations: &mut SVector<f64, N>,
 ) {
-    *accelerations = model.accelerations(state);
+    *accelerations = model.accelerations_prepared(state, prepared);
 }
 
-impl<M, const N: usize> Evaluation<N> for Derived<'_, M, N> {
+impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
     type State = State<f64, N>;
 
     fn state(row: &[f64]) -> Self::State {
@@ -55,6 +60,6 @@ impl<M, const N: usize> Evaluation<N> for Derived<'_, M, N> {
 
     #[inline]
     fn evaluate(&self, state: &Self::State, accelerations: &mut SVector<f64, N>) {
-        (self.accelerations)(self.model, state, accelerations);
+        (self.accelerations)(self.model, &self.prepared, state, accelerations);
     }
 }

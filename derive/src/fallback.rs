@@ -137,6 +137,8 @@ impl<'a> Fallback<'a> {
         let driven = self.driven("", &TokenStream::new(), &self.unknown);
         let items = quote! {
             #driven
+            type Prepared = ();
+            fn prepare(&self) {}
             fn momenta(&self, _: #state) -> #vector { ::core::unreachable!() }
             fn mass_matrix(&self, _: #state) -> ::lagrangian::__private::SMatrix<#scalar, #n, #n> {
                 ::core::unreachable!()

@@ -122,17 +122,7 @@ impl<'a> Implementation<'a> {
         } else {
             InputsFrom::Fields
         };
-        let reader = Reader {
-            implementation: self,
-            inputs,
-        };
-        let locals = Locals::new(&self.model.graph, self.scope, &self.symbols);
-        let mut writer = Writer {
-            program: &method.program,
-            body: Body::new(&method.program, locals, &self.scalar, &reader),
-            scalar: &self.scalar,
-        };
-        let body = write(&mut writer);
+        let body = self.writer(method, inputs, write);
         let (n, scalar, name) = (self.coordinates(), &self.scalar, format_ident!("{name}"));
         let [state, arguments] = [
             quote!(state: &::lagrangian::State<#scalar, #n>),
@@ -144,5 +134,25 @@ impl<'a> Implementation<'a> {
                 #body
             }
         }
+    }
+
+    /// Writes a program with variables of its own.
+    fn writer<T>(
+        &self,
+        method: &Method,
+        inputs: InputsFrom,
+        write: impl FnOnce(&mut Writer<'_>) -> T,
+    ) -> T {
+        let reader = Reader {
+            implementation: self,
+            inputs,
+        };
+        let locals = Locals::new(&self.model.graph, self.scope, &self.symbols);
+        let mut writer = Writer {
+            program: &method.program,
+            body: Body::new(&method.program, locals, &self.scalar, &reader),
+            scalar: &self.scalar,
+        };
+        write(&mut writer)
     }
 }

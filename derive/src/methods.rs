@@ -1,8 +1,8 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Dynamics, Energies, Equations, Expression, Fault, Model, OperationCount, Program, Rational,
-    Symbol,
+    Dynamics, Energies, Equations, Expression, Fault, Model, OperationCount, Prepared, Program,
+    Rational, Symbol,
 };
 
 /// A method whose body is one program.
@@ -21,6 +21,8 @@ pub(crate) struct Methods {
     pub(crate) mass_matrix: Method,
     pub(crate) forcing: Method,
     pub(crate) generalized_forces: Method,
+    /// What depends on the parameters alone in `accelerations`.
+    pub(crate) prepare: Method,
     /// Either q̈ after the pivots on which it depends, or the lower triangle of M and then f.
     pub(crate) accelerations: Method,
     /// The number of pivots before q̈, where q̈ is solved for before any number is known.
@@ -44,7 +46,7 @@ pub(crate) struct Methods {
 
 impl Methods {
     /// The methods that are counted, with their names.
-    pub(crate) const fn all(&self) -> [(&'static str, &Method); 9] {
+    pub(crate) const fn all(&self) -> [(&'static str, &Method); 10] {
         [
             ("lagrangian", &self.lagrangian),
             ("energy", &self.energy),
@@ -52,6 +54,7 @@ impl Methods {
             ("mass_matrix", &self.mass_matrix),
             ("forcing", &self.forcing),
             ("generalized_forces", &self.generalized_forces),
+            ("prepare", &self.prepare),
             ("accelerations", &self.accelerations),
             ("inverse_dynamics", &self.inverse_dynamics),
             ("linearize", &self.linearize),
@@ -80,6 +83,17 @@ impl Methods {
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
         let n = equations.mass.len();
+        let [prepare, accelerations] = match solution {
+            Some(solution) => {
+                let outputs = [&*solution.pivots, &solution.accelerations].concat();
+                Method::prepared(model, &outputs)
+            }
+            None => {
+                let outputs = system(equations, &dynamics.forcing);
+                let [prepare, accelerations] = Method::prepared(model, &outputs);
+                [prepare, accelerations.with_solution(n, 1)]
+            }
+        };
         Self {
             lagrangian: method(&[&[equations.lagrangian]]),
             energy: method(&[&[equations.energy]]),
@@ -89,10 +103,8 @@ impl Methods {
             generalized_forces: method(&[&equations.generalized_forces]),
             solves,
             solved: solution.map(|solution| solution.pivots.len()),
-            accelerations: match solution {
-                Some(solution) => method(&[&[&*solution.pivots, &solution.accelerations].concat()]),
-                None => method(&[&system(equations, &dynamics.forcing)]).with_solution(n, 1),
-            },
+            prepare,
+            accelerations,
             relative_pivots: pivots.map(|pivots| method(&[&pivots])),
             inverse_dynamics: method(&[&dynamics.inverse_dynamics]),
             linearize: linearize.schedule(model),
@@ -225,16 +237,24 @@ impl Method {
     fn schedule(model: &Model, groups: &[&[Expression]]) -> Self {
         let program = Program::schedule(&model.graph, groups);
         let count = program.count();
-        let verified = !cfg!(debug_assertions)
-            || matches!(
-                program.verify(&model.graph, groups),
-                Ok(()) | Err(Fault::Undecided)
-            );
+        let verified = verify(&program, model, groups);
         Self {
             program,
             count,
             verified,
         }
+    }
+
+    /// What depends on the parameters alone, and the rest.
+    fn prepared(model: &Model, outputs: &[Expression]) -> [Self; 2] {
+        let whole = Program::schedule_for_preparation(&model.graph, &[outputs]);
+        let verified = verify(&whole, model, &[outputs]);
+        let Prepared { before, after } = whole.prepared();
+        [before, after].map(|program| Self {
+            count: program.count(),
+            program,
+            verified,
+        })
     }
 
     /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.
@@ -247,6 +267,15 @@ impl Method {
         self.count.divisions += n;
         self
     }
+}
+
+/// Whether a program computes what it was made from, so far as debug builds look.
+fn verify(program: &Program, model: &Model, groups: &[&[Expression]]) -> bool {
+    !cfg!(debug_assertions)
+        || matches!(
+            program.verify(&model.graph, groups),
+            Ok(()) | Err(Fault::Undecided)
+        )
 }
 
 /// Expressions with the accelerations 0.

@@ -61,6 +61,7 @@ impl SymbolNames {
             Symbol::Acceleration(i) => format!("{}_ddot", of(&self.coordinates, i)),
             Symbol::Parameter(i) => of(&self.parameters, i),
             Symbol::Input(i) => of(&self.inputs, i),
+            Symbol::Prepared(i) => format!("c{i}"),
         }
     }
 }
@@ -76,7 +77,14 @@ pub(crate) struct Locals<'a> {
 
 impl<'a> Locals<'a> {
     pub(crate) fn new(graph: &'a Graph, scope: &'a Scope, symbols: &'a SymbolNames) -> Self {
-        let taken = ["self", "state", "inputs", "accelerations", "factors"];
+        let taken = [
+            "self",
+            "state",
+            "inputs",
+            "accelerations",
+            "prepared",
+            "factors",
+        ];
         Self {
             graph,
             scope,

@@ -11,28 +11,43 @@ use crate::{
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
 /// [`Lagrangian::dynamics`].
+///
+/// What depends on the parameters alone is computed when it is made.
 #[derive(Debug)]
-pub struct EquationsOfMotion<'a, M: ?Sized, S, const N: usize> {
+pub struct EquationsOfMotion<'a, M, S, const N: usize>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
     model: &'a M,
-    scalar: PhantomData<S>,
+    prepared: M::Prepared,
 }
 
-impl<'a, M: ?Sized, S, const N: usize> EquationsOfMotion<'a, M, S, N> {
+impl<'a, M, S, const N: usize> EquationsOfMotion<'a, M, S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
     pub(crate) fn new(model: &'a M) -> Self {
         Self {
             model,
-            scalar: PhantomData,
+            prepared: model.prepare(),
         }
     }
 }
 
-impl<M: ?Sized, S, const N: usize> Clone for EquationsOfMotion<'_, M, S, N> {
+impl<M, S, const N: usize> Clone for EquationsOfMotion<'_, M, S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
     fn clone(&self) -> Self {
-        *self
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+        }
     }
 }
-
-impl<M: ?Sized, S, const N: usize> Copy for EquationsOfMotion<'_, M, S, N> {}
 
 impl<M, S, const N: usize> Dynamics<S> for EquationsOfMotion<'_, M, S, N>
 where
@@ -45,7 +60,7 @@ where
     fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
         Phase {
             q: x.v,
-            v: self.model.accelerations(&x.at(t)),
+            v: self.model.accelerations_prepared(&x.at(t), &self.prepared),
         }
     }
 
@@ -79,7 +94,9 @@ where
         let inputs = (self.law)(&state);
         Phase {
             q: x.v,
-            v: self.model.accelerations_with(&state, &inputs),
+            v: self
+                .model
+                .accelerations_prepared_with(&state, &inputs, &self.prepared),
         }
     }
 

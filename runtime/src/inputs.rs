@@ -1,7 +1,5 @@
 //! Forces and torques that something outside of the model sets.
 
-use core::marker::PhantomData;
-
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Lagrangian, Linearization, Outputs, OutputsWith, Scalar, State, System};
@@ -32,6 +30,17 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
 
     /// The accelerations q̈ under these inputs.
     fn accelerations_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+
+    /// The accelerations q̈ under these inputs, from what [`prepare`](Lagrangian::prepare) gave for the
+    /// same parameters.
+    fn accelerations_prepared_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        _prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.accelerations_with(state, inputs)
+    }
 
     /// M q̈ − f under these inputs.
     fn inverse_dynamics_with(
@@ -68,8 +77,8 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
     {
         ControlledBy {
             model: self,
+            prepared: self.prepare(),
             law,
-            law_of: PhantomData,
         }
     }
 }
@@ -83,10 +92,14 @@ pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
 
 /// A model under a control law; see [`Inputs::controlled_by`].
 #[derive(Debug)]
-pub struct ControlledBy<'a, M: ?Sized, C, S: Scalar, const N: usize, const U: usize> {
+pub struct ControlledBy<'a, M, C, S, const N: usize, const U: usize>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
     pub(crate) model: &'a M,
+    pub(crate) prepared: M::Prepared,
     pub(crate) law: C,
-    law_of: PhantomData<(State<S, N>, SVector<S, U>)>,
 }
 
 impl<M, S, const N: usize, const U: usize> System<N> for WithInputs<'_, M, S, U>
@@ -105,6 +118,8 @@ where
     M: Inputs<N, U, S> + ?Sized,
     S: Scalar,
 {
+    type Prepared = M::Prepared;
+
     fn lagrangian(&self, state: &State<S, N>) -> S {
         self.model.lagrangian_with(state, &self.inputs)
     }
@@ -131,6 +146,19 @@ where
 
     fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model.accelerations_with(state, &self.inputs)
+    }
+
+    fn prepare(&self) -> Self::Prepared {
+        self.model.prepare()
+    }
+
+    fn accelerations_prepared(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.model
+            .accelerations_prepared_with(state, &self.inputs, prepared)
     }
 
     fn inverse_dynamics(

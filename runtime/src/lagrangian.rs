@@ -10,6 +10,9 @@ use crate::{EquationsOfMotion, Factorization, Linearization, Scalar, State, Syst
 /// methods are functions of the state alone, evaluate without allocating, and return what is not a
 /// number where the declaration has no value.
 pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
+    /// What depends on the parameters alone; `()` for a model written by hand that prepares nothing.
+    type Prepared: Clone + core::fmt::Debug;
+
     /// The Lagrangian function L = T − V.
     fn lagrangian(&self, state: &State<S, N>) -> S;
 
@@ -32,15 +35,28 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
     /// The accelerations q̈.
     fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
 
+    /// Computes what depends on the parameters alone, for
+    /// [`accelerations_prepared`](Self::accelerations_prepared). An integration does it once, in
+    /// [`dynamics`](Self::dynamics).
+    fn prepare(&self) -> Self::Prepared;
+
+    /// The accelerations q̈, from what [`prepare`](Self::prepare) gave for the same parameters.
+    fn accelerations_prepared(
+        &self,
+        state: &State<S, N>,
+        _prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.accelerations(state)
+    }
+
     /// The forces M q̈ − f that would have to act besides Q for the system to accelerate so.
     fn inverse_dynamics(&self, state: &State<S, N>, accelerations: &SVector<S, N>)
     -> SVector<S, N>;
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     ///
-    /// They are solved for with a factorization of M in numbers. Near a singularity of M they lose more
-    /// than [`accelerations`](Self::accelerations) do: as much as [`Factorization`]'s relative pivots
-    /// say, which is half of all digits at 10⁻⁴ from the pole of Euler angles.
+    /// For more than a few coupled coordinates they are solved for with a factorization of M in numbers.
+    /// Near a singularity of M they then lose as much as [`Factorization`]'s relative pivots say.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
     /// For each coordinate, the pivot of the mass matrix's factorization relative to what its rounding

@@ -33,7 +33,9 @@ pub struct Operations {
     pub forcing: OperationCount,
     /// Of `generalized_forces`.
     pub generalized_forces: OperationCount,
-    /// Of `accelerations`.
+    /// Of `prepare`, which computes what depends on the parameters alone.
+    pub prepare: OperationCount,
+    /// Of `accelerations_prepared`.
     pub accelerations: OperationCount,
     /// Of `inverse_dynamics`.
     pub inverse_dynamics: OperationCount,
@@ -51,6 +53,7 @@ impl Operations {
         mass_matrix: OperationCount::NONE,
         forcing: OperationCount::NONE,
         generalized_forces: OperationCount::NONE,
+        prepare: OperationCount::NONE,
         accelerations: OperationCount::NONE,
         inverse_dynamics: OperationCount::NONE,
         linearize: OperationCount::NONE,

@@ -23,5 +23,6 @@ pub use mechanics::solution::{Dynamics, Solution};
 pub use mechanics::structure::Structure;
 pub use print::formula::Formula;
 pub use print::names::Names;
+pub use program::preparation::Prepared;
 pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
 pub use program::verify::Fault;

@@ -6,6 +6,7 @@ pub(crate) mod plan;
 pub(crate) mod collecting;
 pub(crate) mod factoring;
 pub(crate) mod sharing;
+pub(crate) mod preparation;
 pub(crate) mod schedule;
 pub(crate) mod interpretation;
 pub(crate) mod verify;

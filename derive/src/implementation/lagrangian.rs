@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::Implementation;
+use super::reader::InputsFrom;
 use super::writer::{as_scalar, as_vector};
 
 impl Implementation<'_> {
@@ -22,6 +23,7 @@ impl Implementation<'_> {
                 b.relative_pivots(n)
             })
         });
+        let prepare = self.prepare();
         let driven = if self.has_inputs() {
             self.delegations()
         } else {
@@ -29,7 +31,7 @@ impl Implementation<'_> {
         };
         self.implement(
             &quote!(::lagrangian::Lagrangian<#n, #scalar>),
-            &quote!(#driven #momenta #mass #pivots),
+            &quote!(#prepare #driven #momenta #mass #pivots),
         )
     }
 
@@ -73,17 +75,7 @@ impl Implementation<'_> {
                 &methods.generalized_forces,
                 as_vector,
             ),
-            self.method(
-                &name("accelerations"),
-                arguments,
-                &vector,
-                &methods.accelerations,
-                |b| match methods.solved {
-                    Some(0) => as_vector(b),
-                    Some(pivots) => b.eliminated(n, pivots, &self.forcing(suffix)),
-                    None => b.accelerations(n),
-                },
-            ),
+            self.accelerations(arguments, suffix),
             self.method(
                 &name("inverse_dynamics"),
                 &with_accelerations,
@@ -104,6 +96,63 @@ impl Implementation<'_> {
         ]
         .into_iter()
         .collect()
+    }
+
+    /// The accelerations with and without what has been prepared.
+    fn accelerations(&self, arguments: &[TokenStream], suffix: &str) -> TokenStream {
+        let n = self.coordinates();
+        let methods = self.methods;
+        let (scalar, vector) = (&self.scalar, self.vector());
+        let kept = methods.prepare.program.phases[0].outputs.len();
+        let mut with_prepared = arguments.to_vec();
+        with_prepared.push(quote!(prepared: &[#scalar; #kept]));
+        let prepared = self.method(
+            &format!("accelerations_prepared{suffix}"),
+            &with_prepared,
+            &vector,
+            &methods.accelerations,
+            |b| match methods.solved {
+                Some(0) => as_vector(b),
+                Some(pivots) => b.eliminated(n, pivots, &self.forcing(suffix)),
+                None => b.accelerations(n),
+            },
+        );
+        let (name, interface, given) = if suffix.is_empty() {
+            let interface = quote!(::lagrangian::Lagrangian::<#n, #scalar>::accelerations_prepared);
+            (format_ident!("accelerations"), interface, quote!())
+        } else {
+            let u = self.model.inputs as usize;
+            let interface =
+                quote!(::lagrangian::Inputs::<#n, #u, #scalar>::accelerations_prepared_with);
+            (
+                format_ident!("accelerations_with"),
+                interface,
+                quote!(inputs,),
+            )
+        };
+        quote! {
+            fn #name(&self, state: &::lagrangian::State<#scalar, #n>, #(#arguments),*) -> #vector {
+                let prepared = ::lagrangian::Lagrangian::<#n, #scalar>::prepare(self);
+                #interface(self, state, #given &prepared)
+            }
+            #prepared
+        }
+    }
+
+    /// What depends on the parameters alone.
+    fn prepare(&self) -> TokenStream {
+        let scalar = &self.scalar;
+        let method = &self.methods.prepare;
+        let kept = method.program.phases[0].outputs.len();
+        let (statements, outputs) =
+            self.writer(method, InputsFrom::Fields, |writer| writer.phase(0));
+        quote! {
+            type Prepared = [#scalar; #kept];
+            fn prepare(&self) -> [#scalar; #kept] {
+                #statements
+                [#(#outputs),*]
+            }
+        }
     }
 
     /// The forcing, as the method with a suffix computes it.
@@ -144,7 +193,17 @@ impl Implementation<'_> {
         ]
         .into_iter()
         .collect();
+        let kept = self.methods.prepare.program.phases[0].outputs.len();
         delegations.extend(quote! {
+            fn accelerations_prepared(
+                &self,
+                state: &::lagrangian::State<#scalar, #n>,
+                prepared: &[#scalar; #kept],
+            ) -> #vector {
+                ::lagrangian::Inputs::<#n, #u, #scalar>::accelerations_prepared_with(
+                    self, state, #inputs, prepared,
+                )
+            }
             fn inverse_dynamics(
                 &self,
                 state: &::lagrangian::State<#scalar, #n>,

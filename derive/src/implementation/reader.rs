@@ -36,6 +36,7 @@ impl Source for Reader<'_> {
             Symbol::Parameter(i) => field(&names.parameters, i),
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&names.inputs, i),
+            Symbol::Prepared(i) => element(&quote!(prepared), i),
         }
     }
 }

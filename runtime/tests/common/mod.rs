@@ -38,6 +38,8 @@ pub trait Written<const N: usize, S: Scalar> {
 macro_rules! written_model {
     ($model:ty, $n:literal) => {
         impl<S: Scalar> Lagrangian<$n, S> for $model {
+            type Prepared = ();
+            fn prepare(&self) {}
             fn lagrangian(&self, state: &State<S, $n>) -> S {
                 // h = T + V and L = T − V.
                 $crate::common::dot(&Lagrangian::momenta(self, state), &state.v)

@@ -15,4 +15,6 @@ pub enum Symbol {
     Parameter(u32),
     /// An input: varies in time, set from outside, its rate unknown.
     Input(u32),
+    /// What was computed beforehand from parameters alone.
+    Prepared(u32),
 }

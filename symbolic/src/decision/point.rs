@@ -157,6 +157,7 @@ impl Point {
             Symbol::Acceleration(index) => (3, index),
             Symbol::Parameter(index) => (4, index),
             Symbol::Input(index) => (5, index),
+            Symbol::Prepared(index) => (6, index),
         };
         let moved = u64::from(self.moved == Some(symbol));
         self.draw(16 + kind + 8 * moved, index.into()) % self.p()

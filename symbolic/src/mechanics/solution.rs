@@ -99,7 +99,8 @@ impl Solution {
         }
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
-            Program::schedule(graph, &outputs).count().cost()
+            let parts = Program::schedule_for_preparation(graph, &outputs).prepared();
+            (parts.after.count().cost(), parts.before.count().cost())
         })
     }
 

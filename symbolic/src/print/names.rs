@@ -69,6 +69,7 @@ impl Letters {
             Symbol::Acceleration(index) => (find(&self.coordinates, "q", index), 2),
             Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
             Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
+            Symbol::Prepared(index) => (find(&[], "c", index), 0),
         }
     }
 }

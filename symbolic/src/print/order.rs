@@ -52,7 +52,7 @@ pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
     match symbol {
         Symbol::Parameter(index) => (2, index),
         Symbol::Time => (3, 0),
-        Symbol::Input(index) => (4, index),
+        Symbol::Input(index) | Symbol::Prepared(index) => (4, index),
         Symbol::Coordinate(index) => (5, index),
         Symbol::Velocity(index) => (6, index),
         Symbol::Acceleration(index) => (7, index),

@@ -12,6 +12,13 @@ use crate::program::plan::{Plan, Recipe, Value};
 use crate::program::straight_line::{Instruction, Operand, Operation, Phase, Program};
 use crate::{Expression, Graph, Rational, Unary};
 
+/// What is done with parts that depend on parameters alone.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parameters {
+    AsTheyStand,
+    Gathered,
+}
+
 /// The state of a scheduling run.
 pub(crate) struct Scheduler {
     plan: Plan,
@@ -26,13 +33,16 @@ pub(crate) struct Scheduler {
 }
 
 impl Scheduler {
-    pub(crate) fn new(graph: &Graph, groups: &[&[Expression]]) -> Self {
+    pub(crate) fn new(graph: &Graph, groups: &[&[Expression]], parameters: Parameters) -> Self {
         let roots = groups.concat();
         let mut plan = Plan::new(graph, &roots);
         let uses = plan.uses(&roots);
         plan.collect(&uses);
         let uses = plan.uses(&roots);
         plan.factor(&uses);
+        if parameters == Parameters::Gathered {
+            plan.gather_constants(&roots);
+        }
         plan.share();
         Self {
             operands: vec![None; plan.recipes.len()],

@@ -5,7 +5,7 @@
 //! instructions do the same; each output has the value of its root. The order of instructions depends
 //! on the graph alone.
 
-use crate::program::schedule::Scheduler;
+use crate::program::schedule::{Parameters, Scheduler};
 use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
 
 /// Where an instruction finds a number.
@@ -58,6 +58,23 @@ impl Operation {
             }
         };
         core::iter::once(x).chain(y)
+    }
+
+    /// Calls `visit` with each operand, in order.
+    pub(crate) fn for_each_operand(&mut self, mut visit: impl FnMut(&mut Operand)) {
+        match self {
+            Self::Add(x, y)
+            | Self::Subtract(x, y)
+            | Self::Multiply(x, y)
+            | Self::Divide(x, y)
+            | Self::Binary(_, x, y) => {
+                visit(x);
+                visit(y);
+            }
+            Self::Negate(x) | Self::SquareRoot(x) | Self::SineAndCosine(x) | Self::Unary(_, x) => {
+                visit(x);
+            }
+        }
     }
 
     /// How many values the operation computes.
@@ -118,7 +135,13 @@ impl Program {
     /// The program that computes the groups of roots, one after the other.
     #[must_use]
     pub fn schedule(graph: &Graph, groups: &[&[Expression]]) -> Self {
-        Scheduler::new(graph, groups).run(groups)
+        Scheduler::new(graph, groups, Parameters::AsTheyStand).run(groups)
+    }
+
+    /// The same, arranged so that as much as possible depends on parameters alone.
+    #[must_use]
+    pub fn schedule_for_preparation(graph: &Graph, groups: &[&[Expression]]) -> Self {
+        Scheduler::new(graph, groups, Parameters::Gathered).run(groups)
     }
 
     /// All instructions, in the order in which they run.
