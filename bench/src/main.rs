@@ -54,6 +54,6 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     for &model in &arguments.models {
         comparisons.push(workshop.compare(model)?);
     }
-    print!("{}", table::table(&comparisons));
+    print!("{}", table::table(&comparisons, workshop.empty_seconds));
     Ok(())
 }
