@@ -96,7 +96,7 @@ fn agreements(
     let compare = |(name, theirs): &(&str, Vec<Vec<f64>>)| {
         let difference = difference(ours, theirs).map_err(|error| {
             let model = &request.model;
-            format!("{name} and lagrangian disagree on {model}: {error}")
+            format!("`{name}` and `lagrangian` disagree on {model}: {error}")
         })?;
         Ok(Measurement {
             name: (*name).to_owned(),
