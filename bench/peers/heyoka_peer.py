@@ -23,8 +23,9 @@ x = hy.make_vars(*[f"x{i:02d}" for i in range(2 * n)])
 energy = lagrangian(model, x[:n], x[n:], hy.sin, hy.cos)
 accelerations = [right for _, right in hy.lagrangian(energy, x[:n], x[n:])][n:]
 derived = time.perf_counter()
-# The whole function as one piece of code compiles in minutes from five links on.
-evaluate = hy.cfunc(accelerations, x, compact_mode=n >= 5)
+# The compact form is slower up to ten links by a tenth or more; at fifteen and twenty it is a little
+# ahead, by less than runs scatter.
+evaluate = hy.cfunc(accelerations, x, compact_mode=n > 10)
 compiled = time.perf_counter()
 with open(states) as file:
     once = np.array(json.load(file)).T

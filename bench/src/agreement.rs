@@ -35,3 +35,31 @@ fn relative(ours: &[f64], theirs: &[f64]) -> f64 {
 fn norm(components: impl Iterator<Item = f64>) -> f64 {
     components.map(|x| x * x).sum::<f64>().sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::difference;
+
+    fn rows(last: f64) -> Vec<Vec<f64>> {
+        vec![vec![1.0, 2.0], vec![3.0, last]]
+    }
+
+    #[test]
+    fn rounding_is_measured() {
+        let difference = difference(&rows(4.0), &rows(4.0 + 1e-12)).unwrap();
+        assert!((1e-13..3e-13).contains(&difference), "{difference}");
+    }
+
+    #[test]
+    fn what_is_not_rounding_is_refused() {
+        for wrong in [4.0 + 1e-7, -4.0, f64::NAN, f64::INFINITY] {
+            assert!(difference(&rows(4.0), &rows(wrong)).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn missing_answers_are_refused() {
+        assert!(difference(&rows(4.0), &rows(4.0)[..1]).is_err());
+        assert!(difference(&rows(4.0), &[vec![1.0], vec![3.0]]).is_err());
+    }
+}

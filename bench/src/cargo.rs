@@ -21,12 +21,17 @@ pub(crate) struct Built {
     pub(crate) seconds: f64,
 }
 
-/// Builds the dependencies of all models, so that no model is charged with them.
-pub(crate) fn build_dependencies(folders: &Folders) -> Result<(), String> {
-    let package = package(folders, "dependencies", "fn main() {}\n")?;
-    Flags::ALL
-        .iter()
-        .try_for_each(|&flags| cargo_build(folders, &package, flags))
+/// Builds the dependencies of all models, so that no model is charged with them. Then says what the
+/// build of a crate takes that has them and nothing else.
+pub(crate) fn build_dependencies(folders: &Folders) -> Result<f64, String> {
+    let empty = || package(folders, "empty", "fn main() {}\n");
+    for flags in Flags::ALL {
+        cargo_build(folders, &empty()?, flags)?;
+    }
+    let package = empty()?;
+    let start = Instant::now();
+    cargo_build(folders, &package, Flags::Native)?;
+    Ok(start.elapsed().as_secs_f64())
 }
 
 pub(crate) fn build(folders: &Folders, model: Model, flags: Flags) -> Result<Built, String> {
@@ -79,7 +84,8 @@ pub(crate) fn derive_times(folders: &Folders) -> Result<HashMap<String, f64>, St
 fn package(folders: &Folders, name: &str, main: &str) -> Result<PathBuf, String> {
     let package = folders.output.join("models").join(name);
     create(&package.join("src"))?;
-    let [runtime, bench] = ["runtime", "bench"].map(|part| folders.workspace.join(part));
+    let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
+    let (runtime, bench) = (path("runtime"), path("bench"));
     let manifest = format!(
         "[package]\nname = {name:?}\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
          lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n"

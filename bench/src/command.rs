@@ -16,14 +16,18 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     Err(format!("`{program}` failed: {}", telling(&complaint)))
 }
 
-/// The line of a complaint that says most: the first that calls itself an error, or else the last.
+/// The line of a complaint that says most: the first that is an error, or else the last.
 fn telling(complaint: &str) -> &str {
-    let mut lines = complaint.lines().filter(|line| !line.trim().is_empty());
-    let error = lines
-        .clone()
-        .find(|line| line.to_lowercase().contains("error"));
+    let mut lines = complaint
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty());
+    let is_error = |line: &&str| {
+        let line = line.to_lowercase();
+        line.starts_with("error") || line.contains(" error: ")
+    };
+    let error = lines.clone().find(is_error);
     error
         .or_else(|| lines.next_back())
         .unwrap_or("it does not say why")
-        .trim()
 }

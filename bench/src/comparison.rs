@@ -30,6 +30,8 @@ pub(crate) struct Workshop {
     folders: Folders,
     peers: Peers,
     derive_times: HashMap<String, f64>,
+    /// What the build of a crate without a model takes.
+    pub(crate) empty_seconds: f64,
     rounds: usize,
 }
 
@@ -39,7 +41,7 @@ impl Workshop {
         eprintln!("installing the peers below {}", folders.output.display());
         let peers = Peers::new(arguments, &folders);
         eprintln!("building what the models depend on");
-        build_dependencies(&folders)?;
+        let empty_seconds = build_dependencies(&folders)?;
         let derive_times = derive_times(&folders).unwrap_or_else(|error| {
             skipped("the time of our derivations", &error);
             HashMap::new()
@@ -49,6 +51,7 @@ impl Workshop {
             folders,
             peers,
             derive_times,
+            empty_seconds,
             rounds,
         })
     }

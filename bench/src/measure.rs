@@ -1,7 +1,7 @@
 //! What a model crate does: check that all agree, then measure them in turn.
 
 use std::process::ExitCode;
-use std::{env, fs};
+use std::{env, fs, iter};
 
 use lagrangian::{Lagrangian, OperationCount};
 
@@ -18,8 +18,9 @@ pub fn measure<const N: usize, M: Lagrangian<N>>(
 ) -> ExitCode {
     let report = request().and_then(|request| {
         let ours = Stopwatch::new(Derived::new(model), &request.states);
-        let theirs = shared_objects::<N>(&request)?;
-        report(&request, operations, Box::new(ours), theirs)
+        let mut sides: Vec<Box<dyn Measured + '_>> = vec![Box::new(ours)];
+        sides.extend(shared_objects::<N>(&request)?);
+        report(&request, operations, sides)
     });
     match report.map(|report| serde_json::to_string(&report)) {
         Ok(Ok(report)) => {
@@ -53,55 +54,56 @@ fn shared_objects<const N: usize>(request: &Request) -> Result<Vec<Box<dyn Measu
     libraries.map(|library| load(&library.path)).collect()
 }
 
-fn report<'a>(
+/// Checks first, then measures.
+fn report(
     request: &Request,
     operations: OperationCount,
-    ours: Box<dyn Measured + 'a>,
-    theirs: Vec<Box<dyn Measured + 'a>>,
+    mut sides: Vec<Box<dyn Measured + '_>>,
 ) -> Result<Report, String> {
-    let reference = ours.accelerations();
-    let agreement = |name: &str, accelerations: &[Vec<f64>]| {
-        difference(&reference, accelerations).map_err(|error| {
-            format!(
-                "{name} and lagrangian disagree on {}: {error}",
-                request.model
-            )
-        })
-    };
-    let mut differences = vec![("lagrangian", 0.0)];
-    for (library, side) in request.libraries.iter().zip(&theirs) {
-        let name = library.name.as_str();
-        differences.push((name, agreement(name, &side.accelerations())?));
-    }
-    let mut elsewhere = Vec::new();
-    for answers in &request.answers {
-        let difference = agreement(&answers.name, &answers.accelerations)?;
-        elsewhere.push(measurement(&answers.name, None, difference));
-    }
-    let mut sides = vec![ours];
-    sides.extend(theirs);
+    let mut measurements = agreements(request, &sides)?;
     for _ in 0..request.rounds {
         for side in &mut sides {
             side.round();
         }
     }
-    let measured = differences.iter().zip(&sides);
-    let measurements = measured
-        .map(|((name, difference), side)| measurement(name, Some(side.fastest()), *difference))
-        .chain(elsewhere)
-        .collect();
-    let operations = operations.into();
+    for (measurement, side) in measurements.iter_mut().zip(&sides) {
+        let (throughput, latency) = side.fastest();
+        measurement.throughput = Some(throughput);
+        measurement.latency = Some(latency);
+    }
     Ok(Report {
-        operations,
+        operations: operations.into(),
         measurements,
     })
 }
 
-fn measurement(name: &str, fastest: Option<(f64, f64)>, difference: f64) -> Measurement {
-    Measurement {
-        name: name.to_owned(),
-        throughput: fastest.map(|fastest| fastest.0),
-        latency: fastest.map(|fastest| fastest.1),
-        difference,
-    }
+/// How far each side is from ours, which is the first; after the sides come the answers. An error if any
+/// has computed something else.
+fn agreements(
+    request: &Request,
+    sides: &[Box<dyn Measured + '_>],
+) -> Result<Vec<Measurement>, String> {
+    let names = request
+        .libraries
+        .iter()
+        .map(|library| library.name.as_str());
+    let names = iter::once("lagrangian").chain(names);
+    let called = names.zip(sides.iter().map(|side| side.accelerations()));
+    let answers = request.answers.iter();
+    let answers = answers.map(|answers| (answers.name.as_str(), answers.accelerations.clone()));
+    let all: Vec<_> = called.chain(answers).collect();
+    let (_, ours) = &all[0];
+    let compare = |(name, theirs): &(&str, Vec<Vec<f64>>)| {
+        let difference = difference(ours, theirs).map_err(|error| {
+            let model = &request.model;
+            format!("`{name}` and `lagrangian` disagree on {model}: {error}")
+        })?;
+        Ok(Measurement {
+            name: (*name).to_owned(),
+            throughput: None,
+            latency: None,
+            difference,
+        })
+    };
+    all.iter().map(compare).collect()
 }

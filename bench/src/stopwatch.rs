@@ -19,8 +19,8 @@ pub(crate) struct Stopwatch<E: Evaluation<N>, const N: usize> {
     states: Vec<E::State>,
     /// How often to go through the states in one slice.
     repeats: u32,
-    pub(crate) throughput: f64,
-    pub(crate) latency: f64,
+    throughput: f64,
+    latency: f64,
 }
 
 /// What can be measured in turn with others.
@@ -37,17 +37,13 @@ pub(crate) trait Measured {
 
 impl<E: Evaluation<N>, const N: usize> Stopwatch<E, N> {
     pub(crate) fn new(side: E, rows: &[Vec<f64>]) -> Self {
-        let mut stopwatch = Self {
+        Self {
             side,
             states: rows.iter().map(|row| E::state(row)).collect(),
             repeats: 1,
             throughput: f64::INFINITY,
             latency: f64::INFINITY,
-        };
-        while stopwatch.independent() < SLICE {
-            stopwatch.repeats *= 2;
         }
-        stopwatch
     }
 
     /// Evaluations that do not depend on each other.
@@ -85,6 +81,10 @@ impl<E: Evaluation<N>, const N: usize> Stopwatch<E, N> {
 
 impl<E: Evaluation<N>, const N: usize> Measured for Stopwatch<E, N> {
     fn round(&mut self) {
+        // The side before has had the caches and the branch predictor for itself.
+        while self.independent() < SLICE {
+            self.repeats *= 2;
+        }
         self.throughput = self.throughput.min(self.nanoseconds(self.independent()));
         self.latency = self.latency.min(self.nanoseconds(self.chained()));
     }

@@ -6,7 +6,7 @@ use crate::comparison::Comparison;
 use crate::side::Side;
 
 /// All that was found, and below it our operations by kind.
-pub(crate) fn table(comparisons: &[Comparison]) -> String {
+pub(crate) fn table(comparisons: &[Comparison], empty_seconds: f64) -> String {
     let mut table = String::from(
         "\n                              for this processor, ns    default flags, ns\n\
          model peer                   throughput   latency  throughput   latency  operations  \
@@ -18,6 +18,10 @@ pub(crate) fn table(comparisons: &[Comparison]) -> String {
             let _ = writeln!(table, "{model:<5} {}", line(side));
         }
     }
+    let _ = writeln!(
+        table,
+        "\nOf our time to compile, a crate without a model takes {empty_seconds:.3} s."
+    );
     table.push_str("\nmodel  additions  multiplications  divisions  sines and cosines  together\n");
     for Comparison {
         model, operations, ..
