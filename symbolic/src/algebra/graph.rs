@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use crate::algebra::hashing::mix;
 use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
-use crate::{Binary, Rational, Symbol, Unary};
+use crate::{Binary, Pass, Passes, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -104,6 +104,8 @@ fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
 #[derive(Clone, Debug)]
 pub struct Graph {
     nodes: Interner,
+    /// The passes that are applied to what is made of this graph.
+    pub passes: Passes,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: BTreeMap<Expression, Option<Split>>,
 }
@@ -120,6 +122,7 @@ impl Graph {
     pub fn new() -> Self {
         let mut graph = Self {
             nodes: Interner::default(),
+            passes: Passes::default(),
             splits: BTreeMap::new(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
@@ -253,7 +256,9 @@ impl Graph {
     /// by step, as in an elimination, grows with the number of steps and not with their depth.
     pub fn whole(&mut self, expression: Expression) -> Expression {
         match self.node(expression) {
-            Node::Sum(_) | Node::Product(_) => self.intern(Node::Whole(expression)),
+            Node::Sum(_) | Node::Product(_) if self.passes.has(Pass::Whole) => {
+                self.intern(Node::Whole(expression))
+            }
             _ => expression,
         }
     }

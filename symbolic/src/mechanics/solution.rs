@@ -12,7 +12,7 @@ use crate::mechanics::boltzmann_hamel::BoltzmannHamel;
 use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematic_tree::KinematicTree;
 use crate::mechanics::quasi_velocities::QuasiVelocities;
-use crate::{Equations, Expression, Graph, Model, Node, Program, Rational, Symbol};
+use crate::{Equations, Expression, Graph, Model, Node, Pass, Program, Rational, Symbol};
 
 /// What is computed of a motion, each in the cheapest way that was found.
 pub struct Dynamics {
@@ -60,8 +60,10 @@ impl Dynamics {
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
         let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
         let forces = &equations.generalized_forces;
+        let passes = model.graph.passes;
         let tree = declared
             .as_ref()
+            .filter(|_| passes.has(Pass::Tree))
             .map(|declared| KinematicTree::new(model, declared, forces));
         let graph = &mut model.graph;
         let (mut forcing, mut inverse_dynamics) = (
@@ -73,7 +75,10 @@ impl Dynamics {
             forcing = cheaper(graph, forcing, along);
             inverse_dynamics = cheaper(graph, inverse_dynamics, residuals);
         }
-        let elimination = Elimination::factor(graph, &equations.mass);
+        let elimination = passes
+            .has(Pass::Elimination)
+            .then(|| Elimination::factor(graph, &equations.mass))
+            .flatten();
         let mut ways: Vec<_> = elimination.iter().cloned().map(Way::Elimination).collect();
         if let Some(tree) = tree {
             let tree = tree.without_unit(graph);
@@ -99,7 +104,8 @@ impl Solution {
         }
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
-            let parts = Program::schedule_for_preparation(graph, &outputs).prepared();
+            let program = Program::schedule_for_preparation(graph, &outputs);
+            let parts = program.prepared(graph.passes);
             (parts.after.count().cost(), parts.before.count().cost())
         })
     }
@@ -183,8 +189,12 @@ fn through_quasi_velocities(
     equations: &Equations,
     declared: Option<QuasiVelocities>,
 ) -> Vec<Way> {
+    let passes = model.graph.passes;
+    if !passes.has(Pass::QuasiVelocities) {
+        return Vec::new();
+    }
     let mut choices: Vec<_> = declared.into_iter().collect();
-    if model.coordinates <= MOST_COORDINATES {
+    if model.coordinates <= MOST_COORDINATES && passes.has(Pass::Inertias) {
         choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);
