@@ -11,7 +11,8 @@ pub(crate) struct Arguments {
     #[arg(
         long,
         value_delimiter = ',',
-        default_value = "A1,A2,P1,P2,P3,P5,P8,P10,P15,P20"
+        default_value = "A1,A2,P1,P2,P3,P5,P8,P10,P15,P20",
+        default_value_if("ablation", "true", "A1,A2,P2,P5,P20")
     )]
     pub(crate) models: Vec<Model>,
 
@@ -22,6 +23,10 @@ pub(crate) struct Arguments {
         default_value = "hand,casadi,sympy,heyoka"
     )]
     pub(crate) peers: Vec<PeerName>,
+
+    /// Instead of peers: each model with all passes, and with each of them switched off.
+    #[arg(long)]
+    pub(crate) ablation: bool,
 
     /// Fewer rounds: figures for a first look.
     #[arg(long)]

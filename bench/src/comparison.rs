@@ -82,6 +82,7 @@ impl Workshop {
             let Report {
                 operations: ours,
                 measurements,
+                ..
             } = built.run(&self.folders, &request)?;
             sides[0].operations = Some(ours.total);
             operations = Some(ours);

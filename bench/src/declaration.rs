@@ -12,8 +12,24 @@ struct Declaration {
     parameters: &'static [(&'static str, f64)],
 }
 
+/// What of the library of this package a model's crate calls.
+#[derive(Clone, Copy)]
+pub(crate) enum Calls {
+    Measure,
+    MeasureWithRounding,
+}
+
+impl Calls {
+    fn function(self) -> &'static str {
+        match self {
+            Self::Measure => "measure",
+            Self::MeasureWithRounding => "measure_with_rounding",
+        }
+    }
+}
+
 /// The `main.rs` of a model's crate.
-pub(crate) fn source(model: Model) -> String {
+pub(crate) fn source(model: Model, calls: Calls) -> String {
     let declaration = match model {
         Model::SymmetricTop => symmetric_top(),
         Model::GeneralTop => general_top(),
@@ -26,6 +42,7 @@ pub(crate) fn source(model: Model) -> String {
         let _ = write!(values, "{name}: {value:?}, ");
     }
     let degrees = model.degrees();
+    let function = calls.function();
     format!(
         "//! Written by lagrangian-bench.\n\
          use lagrangian::prelude::*;\n\n\
@@ -36,7 +53,7 @@ pub(crate) fn source(model: Model) -> String {
          fn main() -> std::process::ExitCode {{\n\
          \x20   let model = Model {{ {values}}};\n\
          \x20   let operations = Model::OPERATIONS.accelerations;\n\
-         \x20   lagrangian_bench::measure::<{degrees}, Model>(&model, operations)\n\
+         \x20   lagrangian_bench::{function}::<{degrees}, Model>(&model, operations)\n\
          }}\n"
     )
 }
