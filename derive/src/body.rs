@@ -3,6 +3,8 @@
 //! Each value that is used more than once, or that the declaration names, is a `let`; the others stand
 //! where they are used, as a person would write them, though never nested deeply.
 
+mod angles;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{Instruction, Operand, Operation, Phase, Program, Rational, Symbol};
@@ -10,6 +12,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 use quote::{ToTokens, quote};
 
 use crate::names::Locals;
+use angles::Angles;
 
 /// How deep expressions are nested in one statement.
 const DEEPEST: usize = 6;
@@ -91,8 +94,11 @@ impl<'a> Body<'a> {
     pub(crate) fn phase(&mut self, phase: &Phase) -> (TokenStream, Vec<TokenStream>) {
         let mut statements = TokenStream::new();
         self.load_symbols(phase, &mut statements);
-        for instruction in &phase.instructions {
-            self.instruction(instruction, &mut statements);
+        let done = self.angles(phase, &mut statements);
+        for (index, instruction) in phase.instructions.iter().enumerate() {
+            if !done.contains(&index) {
+                self.instruction(instruction, &mut statements);
+            }
         }
         let outputs = phase
             .outputs
@@ -126,14 +132,45 @@ impl<'a> Body<'a> {
         }
     }
 
+    /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
+    fn angles(&mut self, phase: &Phase, statements: &mut TokenStream) -> BTreeSet<usize> {
+        let Some(angles) = Angles::of(phase, |value| self.texts.contains_key(&value)) else {
+            return BTreeSet::new();
+        };
+        for index in &angles.made_of {
+            self.instruction(&phase.instructions[*index], statements);
+        }
+        let (mut arguments, mut sines, mut cosines) = (Vec::new(), Vec::new(), Vec::new());
+        for index in &angles.pairs {
+            let instruction = &phase.instructions[*index];
+            let operands = instruction.operation.operands();
+            arguments.extend(operands.map(|operand| self.operand(operand).tokens));
+            let (sine, cosine) = self.pair(instruction);
+            sines.push(sine);
+            cosines.push(cosine);
+        }
+        let scalar = self.scalar;
+        statements.extend(quote! {
+            let ([#(#sines),*], [#(#cosines),*]) = #scalar::sines_and_cosines([#(#arguments),*]);
+        });
+        angles.made_of.into_iter().chain(angles.pairs).collect()
+    }
+
+    /// Names the two values of an instruction that computes a sine and a cosine.
+    fn pair(&mut self, instruction: &Instruction) -> (Ident, Ident) {
+        let (sine, cosine) = self.locals.pair(instruction.expression);
+        self.texts.insert(instruction.value, Text::atom(&sine));
+        self.texts
+            .insert(instruction.value + 1, Text::atom(&cosine));
+        (sine, cosine)
+    }
+
     fn instruction(&mut self, instruction: &Instruction, statements: &mut TokenStream) {
         let value = instruction.value;
         if let Operation::SineAndCosine(x) = &instruction.operation {
             let argument = self.operand(x).at(Level::Atom);
-            let (sine, cosine) = self.locals.pair(instruction.expression);
+            let (sine, cosine) = self.pair(instruction);
             statements.extend(quote!(let (#sine, #cosine) = #argument.sin_cos();));
-            self.texts.insert(value, Text::atom(sine));
-            self.texts.insert(value + 1, Text::atom(cosine));
             return;
         }
         let text = self.operation(&instruction.operation);

@@ -144,8 +144,10 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_psi, cos_psi) = psi.sin_cos();
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
         let x0 = phi_dot * sin_theta;
         let w2 = cos_psi * x0 - theta_dot * sin_psi;
         let w1 = theta_dot * cos_psi + sin_psi * x0;
@@ -166,8 +168,10 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_psi, cos_psi) = psi.sin_cos();
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
         let x0 = phi_dot * sin_theta;
         let w2 = cos_psi * x0 - theta_dot * sin_psi;
         let w1 = theta_dot * cos_psi + sin_psi * x0;
@@ -191,8 +195,10 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_theta, cos_theta) = theta.sin_cos();
-        let (sin_psi, cos_psi) = psi.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let x0 = theta_dot * cos_psi;
         let x1 = psi_dot * sin_theta;
         let x2 = phi_dot * (x0 * cos_theta - sin_psi * x1) - psi_dot * x0;
@@ -243,8 +249,10 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_theta, cos_theta) = theta.sin_cos();
-        let (sin_psi, cos_psi) = psi.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let x0 = cos_psi * i2;
         let x1 = cos_psi * (i1 - i2);
         let x2 = sin_psi * i2;
@@ -314,8 +322,10 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_theta, cos_theta) = theta.sin_cos();
-        let (sin_psi, cos_psi) = psi.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let x0 = cos_psi * cos_psi;
         let x1 = sin_psi * sin_psi;
         let x2 = phi_ddot
@@ -365,9 +375,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let x0 = cos_theta * i3;
-        let (sin_psi, cos_psi) = psi.sin_cos();
         let x1 = cos_psi * i2;
         let x2 = cos_psi * x1;
         let x3 = sin_psi * i1;
@@ -529,10 +541,12 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let w3 = psi_dot + phi_dot * cos_theta;
         let x0 = w3 * i3;
-        let (sin_psi, cos_psi) = psi.sin_cos();
         let x1 = phi_dot * sin_theta;
         let w2 = cos_psi * x1 - theta_dot * sin_psi;
         let x2 = w2 * i2;
@@ -553,9 +567,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let x0 = cos_theta * i3;
-        let (sin_psi, cos_psi) = psi.sin_cos();
         let x1 = cos_psi * cos_psi;
         let x2 = sin_psi * sin_psi;
         let x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
@@ -574,9 +590,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
         let x0 = sin_theta * sin_theta;
-        let (sin_psi, cos_psi) = psi.sin_cos();
         let x1 = sin_psi * sin_psi;
         let x2 = x0 * x1;
         let x3 = i1 - i2;
@@ -625,8 +643,10 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let (sin_psi, cos_psi) = psi.sin_cos();
-        let (sin_theta, cos_theta) = theta.sin_cos();
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
         let x0 = phi_dot * sin_theta;
         let w2 = cos_psi * x0 - theta_dot * sin_psi;
         let w1 = theta_dot * cos_psi + sin_psi * x0;
