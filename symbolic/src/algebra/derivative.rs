@@ -106,8 +106,9 @@ impl Graph {
                 continue;
             }
             // The other factors are in normal form already.
-            let mut others = factors.to_vec();
-            others.remove(position);
+            let mut others = Vec::with_capacity(factors.len() + 1);
+            others.extend_from_slice(&factors[..position]);
+            others.extend_from_slice(&factors[position + 1..]);
             let power = (*base, exponent - &Rational::ONE);
             let product = self.multiply_factors(others, vec![power, (change, Rational::ONE)]);
             terms.push((product, exponent.clone()));

@@ -12,10 +12,10 @@
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
 use core::hash::{Hash, Hasher};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::algebra::contents::Contents;
-use crate::algebra::hashing::mix;
+use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
@@ -107,7 +107,7 @@ pub struct Graph {
     nodes: Interner,
     contents: Vec<Contents>,
     /// What sums are multiples of, as far as products have asked.
-    pub(crate) splits: BTreeMap<Expression, Option<Split>>,
+    pub(crate) splits: Table<Expression, Option<Split>>,
 }
 
 impl Default for Graph {
@@ -123,7 +123,7 @@ impl Graph {
         let mut graph = Self {
             nodes: Interner::default(),
             contents: Vec::new(),
-            splits: BTreeMap::new(),
+            splits: Table::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));
