@@ -10,6 +10,7 @@ mod mechanics;
 mod program;
 mod print;
 
+pub use algebra::contents::Contents;
 pub use algebra::derivative::Direction;
 pub use algebra::function::{Binary, Symmetry, Unary};
 pub use algebra::graph::{Expression, Graph, Node};
@@ -22,7 +23,7 @@ pub use mechanics::model::{Energies, Model};
 pub use mechanics::solution::{Dynamics, Solution};
 pub use mechanics::structure::Structure;
 pub use print::formula::Formula;
-pub use print::names::Names;
+pub use print::names::{Letters, Names};
 pub use program::preparation::Prepared;
 pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
 pub use program::verify::Fault;

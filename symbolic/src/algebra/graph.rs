@@ -12,9 +12,10 @@
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
 use core::hash::{Hash, Hasher};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
-use crate::algebra::hashing::mix;
+use crate::algebra::contents::Contents;
+use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
 use crate::{Binary, Rational, Symbol, Unary};
@@ -104,8 +105,9 @@ fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
 #[derive(Clone, Debug)]
 pub struct Graph {
     nodes: Interner,
+    contents: Vec<Contents>,
     /// What sums are multiples of, as far as products have asked.
-    pub(crate) splits: BTreeMap<Expression, Option<Split>>,
+    pub(crate) splits: Table<Expression, Option<Split>>,
 }
 
 impl Default for Graph {
@@ -120,7 +122,8 @@ impl Graph {
     pub fn new() -> Self {
         let mut graph = Self {
             nodes: Interner::default(),
-            splits: BTreeMap::new(),
+            contents: Vec::new(),
+            splits: Table::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));
@@ -211,12 +214,28 @@ impl Graph {
             .collect()
     }
 
+    /// What `expression` contains, at any depth.
+    #[must_use]
+    pub fn contents(&self, expression: Expression) -> Contents {
+        self.contents[expression.index()]
+    }
+
     /// Whether one of `roots` contains a symbol for which `wanted` holds.
     #[must_use]
     pub fn contains(&self, roots: &[Expression], wanted: impl Fn(Symbol) -> bool) -> bool {
-        self.descendants(roots).iter().any(
-            |expression| matches!(self.node(*expression), Node::Symbol(symbol) if wanted(*symbol)),
-        )
+        self.symbols(roots).into_iter().any(wanted)
+    }
+
+    /// The symbols that the roots contain.
+    #[must_use]
+    pub fn symbols(&self, roots: &[Expression]) -> BTreeSet<Symbol> {
+        self.descendants(roots)
+            .into_iter()
+            .filter_map(|expression| match self.node(expression) {
+                Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect()
     }
 
     /// Where `node` stands in the arena, if it does.
@@ -226,7 +245,12 @@ impl Graph {
 
     /// The handle of `node`, which is in normal form.
     pub(crate) fn intern(&mut self, node: Node) -> Expression {
-        handle(self.nodes.insert(node))
+        let position = self.nodes.insert(node);
+        if position == self.contents.len() {
+            let contents = Contents::of(&self.nodes.nodes()[position], &self.contents);
+            self.contents.push(contents);
+        }
+        handle(position)
     }
 
     /// An exact number.

@@ -225,8 +225,23 @@ fn merges(terms: &[(Expression, Rational)]) -> bool {
     terms.len() <= LONGEST_MERGED && !terms.iter().any(|(_, c)| c.is_long())
 }
 
+/// Whether pairs (xᵢ, nᵢ) are sorted, each x once.
+pub(crate) fn ascends(pairs: &[(Expression, Rational)]) -> bool {
+    let mut position = 1;
+    while position < pairs.len() {
+        if pairs[position - 1].0 >= pairs[position].0 {
+            return false;
+        }
+        position += 1;
+    }
+    true
+}
+
 /// Sorts pairs (xᵢ, nᵢ), adds the numbers of equal x, and drops those that vanish.
 pub(crate) fn combine(pairs: &mut Vec<(Expression, Rational)>) {
+    if ascends(pairs) && !pairs.iter().any(|(_, number)| number.is_zero()) {
+        return;
+    }
     pairs.sort_by_key(|(expression, _)| *expression);
     pairs.dedup_by(|later, earlier| {
         let equal = later.0 == earlier.0;

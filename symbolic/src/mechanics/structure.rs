@@ -54,10 +54,11 @@ pub(crate) fn analyze(
     }
     let mut roots = vec![lagrangian];
     roots.extend(generalized_forces);
+    let occurring = graph.symbols(&roots);
     let ignorable: Vec<bool> = model
         .coordinate_symbols()
-        .into_iter()
-        .map(|coordinate| !graph.contains(&roots, |symbol| symbol == coordinate))
+        .iter()
+        .map(|coordinate| !occurring.contains(coordinate))
         .collect();
     let mut angles = angles(graph, &roots, model.coordinates);
     for (is_angle, is_ignorable) in angles.iter_mut().zip(&ignorable) {
