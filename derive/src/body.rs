@@ -32,6 +32,8 @@ struct Text {
     tokens: TokenStream,
     level: Level,
     depth: usize,
+    /// The factors, if this is a product that may be fused with a sum.
+    factors: Option<Box<[Self; 2]>>,
 }
 
 impl Text {
@@ -40,7 +42,14 @@ impl Text {
             tokens: tokens.into_token_stream(),
             level: Level::Atom,
             depth: 0,
+            factors: None,
         }
+    }
+
+    /// −x.
+    fn negative(self) -> TokenStream {
+        let x = self.at(Level::Atom);
+        quote!(-#x)
     }
 
     /// The tokens, in parentheses unless they hold together at `level`.
@@ -199,14 +208,20 @@ impl<'a> Body<'a> {
                 .unwrap_or_else(|| Text::atom(TokenStream::new()))
         };
         let (tokens, level) = match operation {
-            Operation::Add(..) => (infix(next(), '+', next(), Level::Sum), Level::Sum),
-            Operation::Subtract(..) => (infix(next(), '-', next(), Level::Sum), Level::Sum),
-            Operation::Multiply(..) => (infix(next(), '*', next(), Level::Product), Level::Product),
-            Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
-            Operation::Negate(_) => {
-                let x = next().at(Level::Atom);
-                (quote!(-#x), Level::Sign)
+            Operation::Add(..) => sum(next(), next()),
+            Operation::Subtract(..) => difference(next(), next()),
+            Operation::Multiply(..) => {
+                let (x, y) = (next(), next());
+                let tokens = infix(x.clone(), '*', y.clone(), Level::Product);
+                return Text {
+                    tokens,
+                    level: Level::Product,
+                    depth,
+                    factors: Some(Box::new([x, y])),
+                };
             }
+            Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
+            Operation::Negate(_) => (next().negative(), Level::Sign),
             Operation::SquareRoot(_) => (call(next(), "sqrt", None), Level::Atom),
             Operation::SineAndCosine(_) => (call(next(), "sin_cos", None), Level::Atom),
             Operation::Unary(function, _) => (call(next(), function.name(), None), Level::Atom),
@@ -219,6 +234,7 @@ impl<'a> Body<'a> {
             tokens,
             level,
             depth,
+            factors: None,
         }
     }
 
@@ -258,6 +274,40 @@ fn count_uses(program: &Program) -> (BTreeMap<usize, usize>, BTreeSet<usize>) {
         }
     }
     (uses, carried)
+}
+
+/// x + y, with a product among them fused.
+fn sum(x: Text, y: Text) -> (TokenStream, Level) {
+    let (factors, summand) = match (x.factors.clone(), y.factors.clone()) {
+        (_, Some(factors)) => (factors, x),
+        (Some(factors), None) => (factors, y),
+        (None, None) => return (infix(x, '+', y, Level::Sum), Level::Sum),
+    };
+    let [a, b] = *factors;
+    (fused(a.at(Level::Atom), b, &summand.tokens), Level::Atom)
+}
+
+/// x − y, with a product among them fused.
+fn difference(x: Text, y: Text) -> (TokenStream, Level) {
+    let (receiver, factor, summand) = match (x.factors.clone(), y.factors.clone()) {
+        (_, Some(factors)) => {
+            let [a, b] = *factors;
+            let opposite = a.negative();
+            (quote!((#opposite)), b, x.tokens)
+        }
+        (Some(factors), None) => {
+            let [a, b] = *factors;
+            (a.at(Level::Atom), b, y.negative())
+        }
+        (None, None) => return (infix(x, '-', y, Level::Sum), Level::Sum),
+    };
+    (fused(receiver, factor, &summand), Level::Atom)
+}
+
+/// receiver · factor + summand.
+fn fused(receiver: TokenStream, factor: Text, summand: &TokenStream) -> TokenStream {
+    let factor = factor.tokens;
+    quote!(#receiver.mul_add(#factor, #summand))
 }
 
 fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
