@@ -47,7 +47,7 @@ enum Way {
 const MOST_NEIGHBOURS: usize = 7;
 
 /// For more coordinates the derivatives are solved for in numbers.
-const MOST_COLUMNS: usize = 4;
+const MOST_COLUMNS: usize = 5;
 
 /// A mass matrix of more rows is not multiplied out.
 const MOST_COORDINATES: u32 = 4;

@@ -96,6 +96,17 @@ impl Plan {
         uses
     }
 
+    /// Forgets how values are made that the roots are no longer made of, so that nothing is shared with
+    /// them.
+    pub(crate) fn forget_unused(&mut self, roots: &[Expression]) {
+        let uses = self.uses(roots);
+        for (recipe, uses) in self.recipes.iter_mut().zip(uses) {
+            if uses == 0 {
+                *recipe = Recipe::Constant(Rational::ZERO);
+            }
+        }
+    }
+
     fn recipe(&mut self, node: &Node, shared: &BTreeMap<(Expression, Rational), usize>) -> Recipe {
         match node {
             Node::Constant(number) => Recipe::Constant(number.clone()),

@@ -35,6 +35,77 @@ impl Plan {
         }
     }
 
+    /// Moves constant factors of a product into a sum among its factors, where every term has a constant
+    /// factor already: (x·a + y·b)·c is x·(a·c) + y·(b·c), with one multiplication less once the constants
+    /// are known. Only what is used once is changed.
+    pub(crate) fn distribute_constants(&mut self, roots: &[Expression]) {
+        let mut constant = vec![false; self.recipes.len()];
+        let order = self.order(roots);
+        for value in &order {
+            constant[*value] = self.is_constant(*value, &constant);
+        }
+        let uses = self.uses(roots);
+        for value in order.into_iter().rev() {
+            let Recipe::Quotient(above, below) = self.recipes[value].clone() else {
+                continue;
+            };
+            if constant[value] {
+                continue;
+            }
+            let fixed = |x: &Value| is_set(&constant, *x);
+            let (fixed_above, above): (Vec<_>, Vec<_>) = above.into_iter().partition(fixed);
+            let (fixed_below, below): (Vec<_>, Vec<_>) = below.into_iter().partition(fixed);
+            let sum = above.iter().find(|x| self.absorbs(**x, &constant, &uses));
+            let Some(sum) = sum.filter(|_| fixed_above.len() + fixed_below.len() > 0) else {
+                continue;
+            };
+            self.multiply_terms(*sum, &fixed_above, &fixed_below, &constant);
+            self.recipes[value] = Recipe::Quotient(above, below);
+        }
+    }
+
+    /// Whether a value is a sum, used once, of terms that all have a constant factor.
+    fn absorbs(&self, value: Value, constant: &[bool], uses: &[usize]) -> bool {
+        let Recipe::Sum(terms) = &self.recipes[value] else {
+            return false;
+        };
+        let has_constant = |term: Value| match &self.recipes[term] {
+            _ if is_set(constant, term) => true,
+            Recipe::Quotient(above, below) => {
+                let mut factors = above.iter().chain(below);
+                uses.get(term) == Some(&1) && factors.any(|x| is_set(constant, *x))
+            }
+            _ => false,
+        };
+        uses.get(value) == Some(&1) && terms.iter().all(|(term, _)| has_constant(*term))
+    }
+
+    /// Multiplies every term of a sum by constants.
+    fn multiply_terms(&mut self, sum: Value, above: &[Value], below: &[Value], constant: &[bool]) {
+        let Recipe::Sum(mut terms) = self.recipes[sum].clone() else {
+            return;
+        };
+        for (term, _) in &mut terms {
+            let (mut over, mut under) = match &self.recipes[*term] {
+                Recipe::Quotient(over, under) if !is_set(constant, *term) => {
+                    (over.clone(), under.clone())
+                }
+                _ => (vec![*term], Vec::new()),
+            };
+            over.extend(above);
+            under.extend(below);
+            let product = Recipe::Quotient(over, under);
+            if is_set(constant, *term) {
+                *term = self.push(product, None);
+            } else {
+                self.recipes[*term] = product;
+                self.expressions[*term] = None;
+            }
+        }
+        self.recipes[sum] = Recipe::Sum(terms);
+        self.expressions[sum] = None;
+    }
+
     /// The values that the roots are made of, operands first.
     fn order(&self, roots: &[Expression]) -> Vec<Value> {
         let mut order = Vec::new();
@@ -77,7 +148,7 @@ impl Plan {
         constant: &[bool],
         gathered: &mut Gathered,
     ) {
-        let is_constant = |x: &Value| constant.get(*x).copied().unwrap_or(false);
+        let is_constant = |x: &Value| is_set(constant, *x);
         let (fixed_above, mut above): (Vec<_>, Vec<_>) = above.into_iter().partition(is_constant);
         let (fixed_below, below): (Vec<_>, Vec<_>) = below.into_iter().partition(is_constant);
         if fixed_above.len() + fixed_below.len() > 1 || !fixed_below.is_empty() {
@@ -96,9 +167,8 @@ impl Plan {
     }
 
     fn gather_terms(&mut self, value: Value, terms: Vec<(Value, Rational)>, constant: &[bool]) {
-        let (fixed, mut terms): (Vec<_>, Vec<_>) = terms
-            .into_iter()
-            .partition(|(x, _)| constant.get(*x).copied().unwrap_or(false));
+        let (fixed, mut terms): (Vec<_>, Vec<_>) =
+            terms.into_iter().partition(|(x, _)| is_set(constant, *x));
         // A lone constant is gathered only if it has a coefficient that would have to be multiplied.
         let plain = |(x, c): &(Value, Rational)| {
             c.abs().is_one() || matches!(self.recipes[*x], Recipe::Constant(_))
@@ -111,6 +181,11 @@ impl Plan {
         }
         self.recipes[value] = Recipe::Sum(terms);
     }
+}
+
+/// Whether a value is known to be constant; not those made since.
+fn is_set(constant: &[bool], value: Value) -> bool {
+    constant.get(value).copied().unwrap_or(false)
 }
 
 /// A program in two parts.

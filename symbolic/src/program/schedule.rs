@@ -41,8 +41,10 @@ impl Scheduler {
         let uses = plan.uses(&roots);
         plan.factor(&uses);
         if parameters == Parameters::Gathered {
+            plan.distribute_constants(&roots);
             plan.gather_constants(&roots);
         }
+        plan.forget_unused(&roots);
         plan.share();
         Self {
             operands: vec![None; plan.recipes.len()],
