@@ -372,7 +372,7 @@ fn derivatives_of_the_residual_are_those_of_finite_differences() {
 fn programs_compute_what_they_were_made_from() {
     let (mut model, _) = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
-    let mass: Vec<_> = equations.mass_lower().collect();
+    let mass: Vec<_> = equations.mass.concat();
     let groups: [&[Expression]; 2] = [&mass, &equations.inverse_dynamics];
     let program = Program::schedule(&model.graph, &groups);
     assert_eq!(program.verify(&model.graph, &groups), Ok(()));

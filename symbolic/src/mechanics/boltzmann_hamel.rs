@@ -49,7 +49,7 @@ impl BoltzmannHamel {
         let inertia = if quasi_velocities.is_diagonal(graph) {
             None
         } else {
-            Some(Elimination::factor(graph, &quasi_velocities.inertia)?)
+            Some(Elimination::factor(graph, &quasi_velocities.inertia, MOST)?)
         };
         let mut found = Self {
             quasi_velocities,
