@@ -284,7 +284,7 @@ fn sum(x: Text, y: Text) -> (TokenStream, Level) {
         (None, None) => return (infix(x, '+', y, Level::Sum), Level::Sum),
     };
     let [a, b] = *factors;
-    (fused(a.at(Level::Atom), b, &summand.tokens), Level::Atom)
+    (fused(&a.at(Level::Atom), &b, &summand.tokens), Level::Atom)
 }
 
 /// x − y, with a product among them fused.
@@ -301,12 +301,12 @@ fn difference(x: Text, y: Text) -> (TokenStream, Level) {
         }
         (None, None) => return (infix(x, '-', y, Level::Sum), Level::Sum),
     };
-    (fused(receiver, factor, &summand), Level::Atom)
+    (fused(&receiver, &factor, &summand), Level::Atom)
 }
 
 /// receiver · factor + summand.
-fn fused(receiver: TokenStream, factor: Text, summand: &TokenStream) -> TokenStream {
-    let factor = factor.tokens;
+fn fused(receiver: &TokenStream, factor: &Text, summand: &TokenStream) -> TokenStream {
+    let factor = &factor.tokens;
     quote!(#receiver.mul_add(#factor, #summand))
 }
 

@@ -87,16 +87,12 @@ impl Methods {
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
         let n = equations.mass.len();
-        let [prepare, accelerations] = match solution {
-            Some(solution) => {
-                let outputs = [&*solution.pivots, &solution.accelerations].concat();
-                Method::prepared(model, &outputs)
-            }
-            None => {
-                let outputs = system(&dynamics.system);
-                let [prepare, accelerations] = Method::prepared(model, &outputs);
-                [prepare, accelerations.with_solution(n, 1)]
-            }
+        let [prepare, accelerations] = if let Some(solution) = solution {
+            let outputs = [&*solution.pivots, &solution.accelerations].concat();
+            Method::prepared(model, &outputs)
+        } else {
+            let [prepare, accelerations] = Method::prepared(model, &system(&dynamics.system));
+            [prepare, accelerations.with_solution(n, 1)]
         };
         Self {
             lagrangian: method(&[&[equations.lagrangian]]),

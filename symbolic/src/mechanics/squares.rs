@@ -49,7 +49,7 @@ impl QuasiVelocities {
         let mut entries = Vec::new();
         // The terms were found from the last to the first.
         for term in terms.into_iter().rev() {
-            let (inertia, [first, second]) = absorb_squares(graph, term)?;
+            let (inertia, [first, second]) = absorb_squares(graph, &term)?;
             let indices = [first, second].map(|form| {
                 forms
                     .iter()
@@ -203,11 +203,11 @@ fn combination(graph: &mut Graph, sum: Expression) -> Option<Vec<(Expression, Ex
 }
 
 /// The inertia and the forms of a term, with what varies and stands squared moved into the forms.
-fn absorb_squares(graph: &mut Graph, term: Term) -> Option<(Expression, [Expression; 2])> {
+fn absorb_squares(graph: &mut Graph, term: &Term) -> Option<(Expression, [Expression; 2])> {
     let Term {
         coefficient,
         factors,
-    } = term;
+    } = *term;
     if is_constant(graph, coefficient) {
         return Some((coefficient, factors));
     }

@@ -27,7 +27,7 @@ impl Plan {
             }
             match self.recipes[value].clone() {
                 Recipe::Quotient(above, below) => {
-                    self.gather_factors(value, above, below, &constant, &mut gathered)
+                    self.gather_factors(value, above, below, &constant, &mut gathered);
                 }
                 Recipe::Sum(terms) => self.gather_terms(value, terms, &constant),
                 _ => {}
