@@ -4,6 +4,7 @@
 
 pub(crate) mod bounded;
 pub(crate) mod dual;
+pub(crate) mod machine;
 pub(crate) mod tree;
 
 use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};

@@ -66,6 +66,35 @@ pub(crate) fn trees() -> impl Strategy<Value = Tree> {
     })
 }
 
+/// Trees such as mechanics writes: sums and products of a few coordinates and parameters, and of sines and
+/// cosines of one angle, in which most rules find something to do.
+pub(crate) fn formulas() -> impl Strategy<Value = Tree> {
+    let symbol = |name| Tree::Symbol(name);
+    let angle = symbol(SYMBOLS[0]);
+    let of_angle = |function| Tree::Unary(function, Box::new(angle.clone()));
+    let leaf = prop_oneof![
+        3 => prop::sample::select(&SYMBOLS[1..]).prop_map(symbol),
+        2 => prop::sample::select(vec![of_angle(Unary::Sin), of_angle(Unary::Cos)]),
+        1 => (-3_i64..=3, 1_i64..=2).prop_map(|(n, d)| Tree::Number(n, d)),
+    ];
+    leaf.prop_recursive(7, 60, 2, |inner| {
+        let pair = || {
+            (
+                inner.clone().prop_map(Box::new),
+                inner.clone().prop_map(Box::new),
+            )
+        };
+        let one = || inner.clone().prop_map(Box::new);
+        prop_oneof![
+            5 => pair().prop_map(|(x, y)| Tree::Add(x, y)),
+            3 => pair().prop_map(|(x, y)| Tree::Subtract(x, y)),
+            6 => pair().prop_map(|(x, y)| Tree::Multiply(x, y)),
+            1 => pair().prop_map(|(x, y)| Tree::Divide(x, y)),
+            2 => one().prop_map(|x| Tree::Power(x, 2, 1)),
+        ]
+    })
+}
+
 /// A value for each of the symbols.
 pub(crate) fn points() -> impl Strategy<Value = [f64; SYMBOLS.len()]> {
     let coordinate = prop_oneof![4 => -2.0..2.0_f64, 1 => 0.1..0.9_f64];
