@@ -10,12 +10,12 @@ use lagrangian_symbolic::{Expression, Fault, Graph, Program, Symbol};
 use proptest::prelude::*;
 use support::bounded::Bounded;
 use support::machine::run;
-use support::tree::{Tree, at, formulas, points, trees};
+use support::tree::{Tree, at, distributed, formulas, points, trees};
 use support::{Number, evaluate};
 
 /// Two trees, of all functions or of those that mechanics is made of.
 fn pairs() -> impl Strategy<Value = [Tree; 2]> {
-    prop_oneof![[trees(), trees()], [formulas(), formulas()],]
+    prop_oneof![[trees(), trees()], [formulas(), formulas()], distributed(),]
 }
 
 /// Whether `found` can be the value that was `written`, which may have none.

@@ -8,7 +8,7 @@ use core::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
 use crate::Rational;
-use crate::program::plan::{Plan, Recipe, Value};
+use crate::program::plan::{Plan, Recipe, Value, merged};
 
 /// Lists longer than this are left alone: their pairs grow with the square of the length.
 const LONGEST: usize = 24;
@@ -67,7 +67,10 @@ impl Lists for Sums {
     }
 
     fn rebuild(plan: &mut Plan, value: Value, parts: Vec<(Value, Rational)>) {
-        plan.recipes[value] = Recipe::Sum(parts);
+        // What is shared may have been a part already. Else the order stays as it was.
+        let once = merged(parts.iter().cloned());
+        let repeats = once.len() < parts.len();
+        plan.recipes[value] = Recipe::Sum(if repeats { once } else { parts });
     }
 
     fn make(plan: &mut Plan, (x, y, ratio): &Pair) -> Value {
