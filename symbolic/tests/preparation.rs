@@ -2,18 +2,19 @@
 
 use lagrangian_symbolic::{Expression, Graph, OperationCount, Prepared, Program, Rational, Symbol};
 
-/// Parameters a, b, c and coordinates x, y.
+/// Parameters a, b, c and coordinates x, y. The coordinates come first, so that in normal form they stand
+/// before the parameters and nothing is gathered by chance.
 fn start() -> (Graph, [Expression; 5]) {
     let mut graph = Graph::new();
     let letters = [
+        Symbol::Coordinate(0),
+        Symbol::Coordinate(1),
         Symbol::Parameter(0),
         Symbol::Parameter(1),
         Symbol::Parameter(2),
-        Symbol::Coordinate(0),
-        Symbol::Coordinate(1),
     ];
-    let letters = letters.map(|symbol| graph.symbol(symbol));
-    (graph, letters)
+    let [x, y, a, b, c] = letters.map(|symbol| graph.symbol(symbol));
+    (graph, [a, b, c, x, y])
 }
 
 fn value(symbol: Symbol) -> f64 {
@@ -108,7 +109,6 @@ fn constant_terms_are_gathered() {
 
 #[test]
 fn what_is_not_constant_is_not_prepared() {
-    let (mut graph, [a, ..]) = start();
     for symbol in [
         Symbol::Time,
         Symbol::Coordinate(0),
@@ -116,8 +116,15 @@ fn what_is_not_constant_is_not_prepared() {
         Symbol::Acceleration(0),
         Symbol::Input(0),
     ] {
+        let mut graph = Graph::new();
         let varying = graph.symbol(symbol);
+        let [a, b] = [0, 1].map(|i| graph.symbol(Symbol::Parameter(i)));
         let product = graph.multiply(a, varying);
+        // In a product with two parameters it is those that are gathered.
+        let longer = graph.multiply(product, b);
+        let parts = Program::schedule_for_preparation(&graph, &[&[longer]]).prepared();
+        assert_eq!(operations(&parts.before), [0, 1, 0], "{symbol:?}");
+        assert_eq!(operations(&parts.after), [0, 1, 0], "{symbol:?}");
         let program = Program::schedule_for_preparation(&graph, &[&[product, a]]);
         let parts = program.prepared();
         assert_eq!(parts.before.instructions().count(), 0, "{symbol:?}");
