@@ -26,7 +26,7 @@ trait Lists {
     fn part(plan: &Plan, value: Value, position: usize) -> (Value, &Rational);
     /// Takes a part out of a list.
     fn remove(plan: &mut Plan, value: Value, position: usize);
-    /// Puts a part behind a list.
+    /// Puts a part into a list.
     fn push(plan: &mut Plan, value: Value, part: Value, multiple: Rational);
     /// A value made of one pair.
     fn make(plan: &mut Plan, pair: &Pair) -> Value;
@@ -107,9 +107,15 @@ impl Lists for Sums {
     }
 
     fn push(plan: &mut Plan, value: Value, part: Value, multiple: Rational) {
-        if let Recipe::Sum(terms) = &mut plan.recipes[value] {
-            terms.push((part, multiple));
+        let Recipe::Sum(terms) = &mut plan.recipes[value] else {
+            return;
+        };
+        // What is shared may have been a term already.
+        match terms.iter_mut().find(|(term, _)| *term == part) {
+            Some((_, coefficient)) => *coefficient = &*coefficient + &multiple,
+            None => terms.push((part, multiple)),
         }
+        terms.retain(|(_, coefficient)| !coefficient.is_zero());
     }
 
     fn make(plan: &mut Plan, (x, y, ratio): &Pair) -> Value {
@@ -252,7 +258,7 @@ impl<'a, L: Lists> Sharing<'a, L> {
     /// Puts the value that is made of a pair into one list that has the pair.
     fn replace_in(&mut self, value: Value, pair: &Pair, shared: Value, scale: &Rational) {
         let (first, second, _) = pair;
-        for old in self.pairs(value, |x| x == *first || x == *second) {
+        for old in self.pairs(value, |x| x == *first || x == *second || x == shared) {
             self.leave(old, value);
         }
         let factor = self.take(value, *first);
