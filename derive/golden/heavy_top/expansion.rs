@@ -33,9 +33,9 @@ f[ψ] = i₃ φ̇ θ̇ sin θ − i₂ w₁ w₂ + i₁ w₁ w₂
 | `forcing` | 19 | 40 | 0 | 0 | 2 | 0 |
 | `generalized_forces` | 0 | 0 | 0 | 0 | 0 | 0 |
 | `prepare` | 3 | 2 | 5 | 0 | 0 | 0 |
-| `accelerations` | 16 | 29 | 1 | 0 | 2 | 0 |
+| `accelerations` | 16 | 27 | 1 | 0 | 2 | 0 |
 | `inverse_dynamics` | 24 | 47 | 0 | 0 | 2 | 0 |
-| `linearize` | 83 | 132 | 4 | 0 | 2 | 0 |
+| `linearize` | 83 | 130 | 4 | 0 | 2 | 0 |
 */
 impl HeavyTop {
     /// The names of the coordinates, in order.
@@ -108,7 +108,7 @@ impl HeavyTop {
         },
         accelerations: ::lagrangian::OperationCount {
             additions: 16usize,
-            multiplications: 29usize,
+            multiplications: 27usize,
             divisions: 1usize,
             square_roots: 0usize,
             sines_and_cosines: 2usize,
@@ -124,7 +124,7 @@ impl HeavyTop {
         },
         linearize: ::lagrangian::OperationCount {
             additions: 83usize,
-            multiplications: 132usize,
+            multiplications: 130usize,
             divisions: 4usize,
             square_roots: 0usize,
             sines_and_cosines: 2usize,
@@ -300,28 +300,28 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             psi,
             theta,
         ]);
-        let x0 = phi_dot * theta_dot;
-        let x1 = cos_theta * x0;
+        let x0 = phi_dot * cos_theta;
+        let x1 = theta_dot * cos_psi;
         let x2 = phi_dot * sin_theta;
-        let w1 = sin_psi.mul_add(x2, theta_dot * cos_psi);
-        let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x3 = (-cos_psi)
+        let w1 = sin_psi.mul_add(x2, x1);
+        let w3 = psi_dot + x0;
+        let x3 = (-x1)
             .mul_add(
-                x1,
+                x0,
                 psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
             );
-        let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x2);
-        let x4 = (-psi_dot)
+        let x4 = theta_dot * sin_psi;
+        let w2 = cos_psi.mul_add(x2, -x4);
+        let x5 = (-psi_dot)
             .mul_add(
                 w2,
-                (-sin_psi)
-                    .mul_add(x1, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
+                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
             );
-        let x5 = -sin_psi.mul_add(x4, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        let x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
         ::lagrangian::__private::SVector::from([
-            -x5,
-            (-sin_psi).mul_add(x3, cos_psi * x4),
-            cos_theta.mul_add(x5, (w1 * w2).mul_add(c4, sin_theta * x0)),
+            -x6,
+            (-sin_psi).mul_add(x3, cos_psi * x5),
+            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
         ])
     }
     fn inverse_dynamics(
@@ -401,104 +401,106 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             theta,
         ]);
         let x0 = i1 - i3;
-        let x1 = sin_theta * sin_psi;
-        let w1 = phi_dot.mul_add(x1, theta_dot * cos_psi);
-        let x2 = phi_dot * cos_theta;
-        let w3 = psi_dot + x2;
-        let x3 = w1 * w3;
-        let x4 = l * (m * g);
-        let x5 = x1 * x4;
-        let x6 = __S::from_f64(1.0) / i2;
-        let x7 = phi_dot * psi_dot;
-        let x8 = theta_dot * psi_dot;
+        let x1 = theta_dot * cos_psi;
+        let x2 = sin_theta * sin_psi;
+        let x3 = phi_dot * x2;
+        let w1 = x1 + x3;
+        let x4 = phi_dot * cos_theta;
+        let w3 = psi_dot + x4;
+        let x5 = w1 * w3;
+        let x6 = l * (m * g);
+        let x7 = x2 * x6;
+        let x8 = __S::from_f64(1.0) / i2;
         let x9 = cos_psi * cos_theta;
         let x10 = phi_dot * theta_dot;
-        let x11 = x1.mul_add(x7, (-x9).mul_add(x10, cos_psi * x8));
-        let x12 = (-x0.mul_add(x3, x5)).mul_add(x6, x11);
+        let x11 = psi_dot.mul_add(x3, (-x9).mul_add(x10, psi_dot * x1));
+        let x12 = (-x0.mul_add(x5, x7)).mul_add(x8, x11);
         let x13 = i3 - i2;
-        let x14 = sin_theta * cos_psi;
-        let w2 = (-theta_dot).mul_add(sin_psi, phi_dot * x14);
-        let x15 = w2 * w3;
-        let x16 = x14 * x4;
-        let x17 = __S::from_f64(1.0) / i1;
-        let x18 = sin_psi * cos_theta;
-        let x19 = x14.mul_add(x7, -(-x18).mul_add(x10, sin_psi * x8));
-        let x20 = (-x13).mul_add(x15, x16).mul_add(x17, -x19);
-        let x21 = -sin_psi.mul_add(x20, cos_psi * x12);
-        let x22 = __S::from_f64(1.0) / sin_theta;
-        let x23 = i1 - i2;
-        let x24 = __S::from_f64(1.0) / i3;
-        let x25 = cos_theta * x22;
+        let x14 = theta_dot * sin_psi;
+        let x15 = sin_theta * cos_psi;
+        let x16 = phi_dot * x15;
+        let w2 = x16 - x14;
+        let x17 = w2 * w3;
+        let x18 = x15 * x6;
+        let x19 = __S::from_f64(1.0) / i1;
+        let x20 = sin_psi * cos_theta;
+        let x21 = psi_dot.mul_add(x16, -(-x20).mul_add(x10, psi_dot * x14));
+        let x22 = (-x13).mul_add(x17, x18).mul_add(x19, -x21);
+        let x23 = -sin_psi.mul_add(x22, cos_psi * x12);
+        let x24 = __S::from_f64(1.0) / sin_theta;
+        let x25 = i1 - i2;
+        let x26 = __S::from_f64(1.0) / i3;
+        let x27 = cos_theta * x24;
         let accelerations = ::lagrangian::__private::SVector::from([
-            -(x21 * x22),
-            (-sin_psi).mul_add(x12, cos_psi * x20),
-            x21.mul_add(x25, (w1 * w2 * x23).mul_add(x24, sin_theta * x10)),
+            -(x23 * x24),
+            (-sin_psi).mul_add(x12, cos_psi * x22),
+            x23.mul_add(x27, (w1 * w2 * x25).mul_add(x26, sin_theta * x10)),
         ]);
         let phi_ddot: __S = accelerations[0];
         let theta_ddot: __S = accelerations[1];
-        let x26 = x6
-            * (-x18).mul_add(x4, phi_dot * (x0 * (-w3).mul_add(x18, sin_theta * w1)));
-        let x27 = phi_dot.mul_add(-psi_dot.mul_add(x18, theta_dot * x14), phi_ddot * x9)
-            - x26;
-        let x28 = x17
-            * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x4);
-        let x29 = (-phi_ddot)
-            .mul_add(x18, phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x1), x28));
-        let x30 = x22 * (-sin_psi).mul_add(x29, cos_psi * x27);
-        let x31 = x23.mul_add(x24 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
-        let x32 = x6
-            .mul_add(-x0.mul_add(x15, x16), theta_ddot.mul_add(cos_psi, phi_ddot * x1))
-            + x19;
-        let x33 = -x32;
-        let x34 = (-phi_ddot)
-            .mul_add(x14, x17.mul_add(x13.mul_add(x3, -x5), theta_ddot * sin_psi) + x11);
-        let x35 = (-sin_psi).mul_add(x34, cos_psi * x33);
-        let x36 = x0 * x6;
-        let x37 = (-(-w1.mul_add(cos_theta, w3 * x1)))
-            .mul_add(x36, (-psi_dot).mul_add(x1, theta_dot * x9));
-        let x38 = x13 * x17;
-        let x39 = (-psi_dot)
+        let x28 = x8
+            * (-x20).mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
+        let x29 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
+            - x28;
+        let x30 = x19
+            * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+        let x31 = (-phi_ddot)
+            .mul_add(x20, phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x30));
+        let x32 = x24 * (-sin_psi).mul_add(x31, cos_psi * x29);
+        let x33 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+        let x34 = x8
+            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2))
+            + x21;
+        let x35 = -x34;
+        let x36 = (-phi_ddot)
+            .mul_add(x15, x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11);
+        let x37 = (-sin_psi).mul_add(x36, cos_psi * x35);
+        let x38 = x0 * x8;
+        let x39 = (-(-w1.mul_add(cos_theta, w3 * x2)))
+            .mul_add(x38, (-psi_dot).mul_add(x2, theta_dot * x9));
+        let x40 = x13 * x19;
+        let x41 = (-psi_dot)
             .mul_add(
-                x14,
-                (-theta_dot).mul_add(x18, -w2.mul_add(cos_theta, w3 * x14) * x38),
+                x15,
+                (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x40),
             );
-        let x40 = (-sin_psi).mul_add(x39, cos_psi * x37);
-        let x41 = psi_dot - x2;
-        let x42 = (-(sin_psi * sin_psi))
-            .mul_add(w3.mul_add(x38, x41), cos_psi * cos_psi * w3.mul_add(x36, -x41));
-        let x43 = w1.mul_add(x36, -w1);
-        let x44 = -w2.mul_add(x38, w2);
-        let x45 = (-sin_psi).mul_add(x44, cos_psi * x43);
+        let x42 = (-sin_psi).mul_add(x41, cos_psi * x39);
+        let x43 = psi_dot - x4;
+        let x44 = (-(sin_psi * sin_psi))
+            .mul_add(w3.mul_add(x40, x43), cos_psi * cos_psi * w3.mul_add(x38, -x43));
+        let x45 = w1.mul_add(x38, -w1);
+        let x46 = -w2.mul_add(x40, w2);
+        let x47 = (-sin_psi).mul_add(x46, cos_psi * x45);
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::SMatrix::from([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
                 [
-                    -x30,
-                    cos_psi.mul_add(x29, sin_psi * x27),
-                    cos_theta.mul_add(phi_dot.mul_add(x31, x30), phi_ddot * sin_theta),
+                    -x32,
+                    cos_psi.mul_add(x31, sin_psi * x29),
+                    cos_theta.mul_add(phi_dot.mul_add(x33, x32), phi_ddot * sin_theta),
                 ],
                 [
-                    -(x22 * x35),
-                    cos_psi.mul_add(x34, sin_psi * x33),
-                    x23.mul_add(x24 * (-w1).mul_add(w1, w2 * w2), x35 * x25),
+                    -(x24 * x37),
+                    cos_psi.mul_add(x36, sin_psi * x35),
+                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x37 * x27),
                 ],
             ]),
             velocity: ::lagrangian::__private::SMatrix::from([
                 [
-                    -(x22 * x40),
-                    cos_psi.mul_add(x39, sin_psi * x37),
-                    sin_theta.mul_add(x31, x40 * x25),
+                    -(x24 * x42),
+                    cos_psi.mul_add(x41, sin_psi * x39),
+                    sin_theta.mul_add(x33, x42 * x27),
                 ],
                 [
-                    -(x22 * x42),
-                    -(sin_psi * cos_psi * w3 * -(x36 + x38)),
-                    x23
+                    -(x24 * x44),
+                    -(sin_psi * cos_psi * w3 * -(x38 + x40)),
+                    x25
                         .mul_add(
-                            x24 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                            x42.mul_add(x25, phi_dot * sin_theta),
+                            x26 * (-sin_psi).mul_add(w1, cos_psi * w2),
+                            x44.mul_add(x27, phi_dot * sin_theta),
                         ),
                 ],
-                [-(x22 * x45), cos_psi.mul_add(x44, sin_psi * x43), x45 * x25],
+                [-(x24 * x47), cos_psi.mul_add(x46, sin_psi * x45), x47 * x27],
             ]),
             time: ::lagrangian::__private::SVector::from([
                 __S::from_f64(0.0),
@@ -572,48 +574,50 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
+            theta,
         ]);
-        let x0 = sin_theta * sin_theta;
-        let x1 = sin_psi * sin_psi;
-        let x2 = x0 * x1;
-        let x3 = i1 - i2;
-        let x4 = cos_psi * cos_psi;
-        let x5 = x3 * x4;
-        let x6 = i2 * x1;
-        let x7 = i1 * x4;
-        let x8 = x6 + x7;
-        let x9 = __S::from_f64(1.0) / x8;
-        let x10 = x5 * (x3 * x9);
-        let x11 = x10 * x2;
-        let x12 = i2 * x4;
-        let x13 = x12 * x0;
-        let x14 = i1 * x2;
+        let x0 = sin_psi * sin_psi;
+        let x1 = i2 * x0;
+        let x2 = cos_psi * cos_psi;
+        let x3 = i1 * x2;
+        let x4 = x1 + x3;
+        let x5 = __S::from_f64(1.0) / x4;
+        let x6 = x5 * x2;
+        let x7 = i1 - i2;
+        let x8 = x6 * (x7 * x7);
+        let x9 = sin_theta * sin_theta;
+        let x10 = x9 * x0;
+        let x11 = x8 * x10;
+        let x12 = i2 * x2;
+        let x13 = x12 * x9;
+        let x14 = i1 * x10;
         let x15 = x13 + x14;
         let x16 = cos_theta
             * __S::from_f64(2.0)
-                .mul_add(x12, sin_psi * (sin_psi * (__S::from_f64(2.0) * (i1 - x10))));
-        let x17 = sin_psi * (sin_psi * (__S::from_f64(2.0) * (x5 / (x8 * x8) - x9)));
-        let x18 = __S::from_f64(2.0) * x3;
-        let x19 = x3.mul_add(x3 * __S::from_f64(2.0).mul_add(x9 * x4, x17), -x18);
+                .mul_add(x12, sin_psi * (sin_psi * (__S::from_f64(2.0) * (i1 - x8))));
+        let x17 = sin_psi
+            * (sin_psi * (__S::from_f64(2.0) * (x7 * x2 / (x4 * x4) - x5)));
+        let x18 = __S::from_f64(2.0) * x7;
+        let x19 = cos_psi * x7.mul_add(x7 * __S::from_f64(2.0).mul_add(x6, x17), -x18);
         let x20 = __S::from_f64(1.0).min(psi.abs());
-        let x21 = (sin_theta * (sin_theta * (sin_psi * (cos_psi * x19)))).abs() * x20;
-        let x22 = x20.mul_add((sin_psi * (cos_psi * -x18)).abs(), x6.abs() + x7.abs());
-        ::lagrangian::__private::relative_pivots(
-            [x15 - x11, x8, i3],
-            [
+        let x21 = (sin_theta * (sin_theta * (sin_psi * x19)))
+            .abs()
+            .mul_add(
+                x20,
                 (sin_theta * x16)
                     .abs()
                     .mul_add(
                         __S::from_f64(1.0).min(theta.abs()),
                         x13.abs() + x14.abs() + x11.abs(),
-                    ) + x21,
-                x22,
-                i3.abs(),
-            ],
-            [(cos_theta * cos_theta).mul_add(i3, x15), x8, i3],
+                    ),
+            );
+        let x22 = x20.mul_add((sin_psi * (cos_psi * -x18)).abs(), x1.abs() + x3.abs());
+        ::lagrangian::__private::relative_pivots(
+            [x15 - x11, x4, i3],
+            [x21, x22, i3.abs()],
+            [(cos_theta * cos_theta).mul_add(i3, x15), x4, i3],
         )
     }
 }

@@ -139,8 +139,9 @@ struct Occurrences {
 struct Sharing<'a, L> {
     plan: &'a mut Plan,
     occurrences: Table<Pair, Occurrences>,
-    /// Pairs by how often they occurred when they were put here; checked again when taken.
-    queue: BinaryHeap<(usize, Reverse<Pair>)>,
+    /// Pairs by how often they occurred when they were put here, which is checked again when they are taken.
+    /// Of those that occur as often, one that is a whole list comes first: it is computed anyway.
+    queue: BinaryHeap<(usize, bool, Reverse<Pair>)>,
     /// Pairs that occur in more or fewer lists than when the queue last heard of them.
     changed: Vec<Pair>,
     lists: core::marker::PhantomData<L>,
@@ -161,7 +162,7 @@ impl<'a, L: Lists> Sharing<'a, L> {
             }
         }
         sharing.enqueue();
-        while let Some((count, Reverse(pair))) = sharing.queue.pop() {
+        while let Some((count, _, Reverse(pair))) = sharing.queue.pop() {
             let Some(occurrences) = sharing.occurrences.get_mut(&pair) else {
                 continue;
             };
@@ -204,12 +205,18 @@ impl<'a, L: Lists> Sharing<'a, L> {
     /// Tells the queue of all pairs that occur more or less often than before.
     fn enqueue(&mut self) {
         for pair in core::mem::take(&mut self.changed) {
-            if let Some(occurrences) = self.occurrences.get_mut(&pair) {
-                let count = occurrences.lists.len();
-                if count > 1 && count != occurrences.queued {
-                    occurrences.queued = count;
-                    self.queue.push((count, Reverse(pair)));
-                }
+            let Some(occurrences) = self.occurrences.get_mut(&pair) else {
+                continue;
+            };
+            let count = occurrences.lists.len();
+            if count > 1 && count != occurrences.queued {
+                occurrences.queued = count;
+                let plan = &*self.plan;
+                let whole = occurrences
+                    .lists
+                    .iter()
+                    .any(|list| is_whole::<L>(plan, *list));
+                self.queue.push((count, whole, Reverse(pair)));
             }
         }
     }
@@ -244,7 +251,10 @@ impl<'a, L: Lists> Sharing<'a, L> {
         let occurrences = self.occurrences.get_mut(pair);
         let lists = occurrences.map_or_else(Vec::new, |known| core::mem::take(&mut known.lists));
         // A list that is just the pair is the value already.
-        let whole = lists.iter().copied().find(|value| self.is_whole(*value));
+        let whole = lists
+            .iter()
+            .copied()
+            .find(|value| is_whole::<L>(self.plan, *value));
         let shared = whole.unwrap_or_else(|| L::make(self.plan, pair));
         let scale = self.scale_of(shared, pair);
         for value in lists {
@@ -284,12 +294,6 @@ impl<'a, L: Lists> Sharing<'a, L> {
         (0..length).find(|position| L::part(self.plan, value, *position).0 == part)
     }
 
-    /// Whether a list has two parts and nothing else is computed with it.
-    fn is_whole(&self, value: Value) -> bool {
-        let divides = matches!(&self.plan.recipes[value], Recipe::Quotient(_, denominator) if !denominator.is_empty());
-        !divides && L::length(self.plan, value) == Some(2)
-    }
-
     /// The multiple of the pair's first part in the value that is made of the pair.
     fn scale_of(&self, shared: Value, pair: &Pair) -> Rational {
         let position = self.position(shared, pair.0);
@@ -297,6 +301,13 @@ impl<'a, L: Lists> Sharing<'a, L> {
             L::part(self.plan, shared, position).1.clone()
         })
     }
+}
+
+/// Whether a list has two parts and nothing else is computed with it.
+fn is_whole<L: Lists>(plan: &Plan, value: Value) -> bool {
+    let divides =
+        matches!(&plan.recipes[value], Recipe::Quotient(_, denominator) if !denominator.is_empty());
+    !divides && L::length(plan, value) == Some(2)
 }
 
 /// x/y for y ≠ 0.
