@@ -75,9 +75,9 @@ pub(crate) struct Body<'a> {
     source: &'a dyn Source,
     symbols: BTreeMap<Symbol, Ident>,
     texts: BTreeMap<usize, Text>,
-    uses: BTreeMap<usize, usize>,
-    /// Values that a later phase uses, which must not be written twice.
-    carried: BTreeSet<usize>,
+    /// For each value how often it is used; more than once if a later phase uses it, so that it is not
+    /// written twice.
+    uses: Vec<usize>,
 }
 
 impl<'a> Body<'a> {
@@ -87,15 +87,13 @@ impl<'a> Body<'a> {
         scalar: &'a Ident,
         source: &'a dyn Source,
     ) -> Self {
-        let (uses, carried) = count_uses(program);
         Self {
             locals,
             scalar,
             source,
             symbols: BTreeMap::new(),
             texts: BTreeMap::new(),
-            uses,
-            carried,
+            uses: count_uses(program),
         }
     }
 
@@ -183,7 +181,7 @@ impl<'a> Body<'a> {
             return;
         }
         let text = self.operation(&instruction.operation);
-        let once = self.uses.get(&value) == Some(&1) && !self.carried.contains(&value);
+        let once = self.uses[value] == 1;
         let named = self.locals.is_defined(instruction.expression);
         if once && !named && text.depth < DEEPEST {
             self.texts.insert(value, text);
@@ -251,29 +249,24 @@ impl<'a> Body<'a> {
     }
 }
 
-/// How often each value is used, and which are used in another phase than their own.
-fn count_uses(program: &Program) -> (BTreeMap<usize, usize>, BTreeSet<usize>) {
-    let mut uses = BTreeMap::new();
-    let mut carried = BTreeSet::new();
+/// How often each value is used; where a phase uses a value of another one, that counts twice.
+fn count_uses(program: &Program) -> Vec<usize> {
+    let end = |last: &Instruction| last.value + last.operation.results();
+    let mut uses = vec![0; program.instructions().last().map_or(0, end)];
     let mut start = 0;
     for phase in &program.phases {
-        let operands = phase
-            .instructions
-            .iter()
-            .flat_map(|instruction| instruction.operation.operands());
-        for operand in operands.chain(&phase.outputs) {
+        let mut note = |operand: &Operand| {
             if let Operand::Value(value) = operand {
-                *uses.entry(*value).or_default() += 1;
-                if *value < start {
-                    carried.insert(*value);
-                }
+                uses[*value] += if *value < start { 2 } else { 1 };
             }
+        };
+        for instruction in &phase.instructions {
+            instruction.operation.operands().for_each(&mut note);
         }
-        if let Some(last) = phase.instructions.last() {
-            start = last.value + last.operation.results();
-        }
+        phase.outputs.iter().for_each(&mut note);
+        start = phase.instructions.last().map_or(start, end);
     }
-    (uses, carried)
+    uses
 }
 
 /// x + y, with a product among them fused.
