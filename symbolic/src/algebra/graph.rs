@@ -187,31 +187,28 @@ impl Graph {
         }
     }
 
-    /// For each expression up to the last root, whether a root is made of it.
-    #[must_use]
-    pub fn reachable(&self, roots: &[Expression]) -> Vec<bool> {
-        let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
-        let mut reachable = vec![false; length];
-        for root in roots {
-            reachable[root.index()] = true;
-        }
-        for index in (0..length).rev() {
-            if reachable[index] {
-                self.node(handle(index))
-                    .for_each_operand(|operand| reachable[operand.index()] = true);
-            }
-        }
-        reachable
-    }
-
     /// The expressions that the roots are made of, themselves included, children before parents.
     #[must_use]
     pub fn descendants(&self, roots: &[Expression]) -> Vec<Expression> {
-        let reachable = self.reachable(roots);
-        (0..reachable.len())
-            .filter(|index| reachable[*index])
-            .map(handle)
-            .collect()
+        let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
+        let mut reached = vec![false; length];
+        for root in roots {
+            reached[root.index()] = true;
+        }
+        let mut descendants = Vec::new();
+        // The arena may be much larger than what is looked for: a plain loop, also without optimization.
+        let mut index = length;
+        while index > 0 {
+            index -= 1;
+            if reached[index] {
+                let expression = handle(index);
+                descendants.push(expression);
+                let node = self.node(expression);
+                node.for_each_operand(|operand| reached[operand.index()] = true);
+            }
+        }
+        descendants.reverse();
+        descendants
     }
 
     /// What `expression` contains, at any depth.
