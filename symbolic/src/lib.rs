@@ -28,3 +28,15 @@ pub use print::names::{Letters, Names};
 pub use program::preparation::Prepared;
 pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
 pub use program::verify::Fault;
+
+// Unit tests are about the same systems as the tests from outside.
+#[cfg(test)]
+extern crate self as lagrangian_symbolic;
+#[cfg(test)]
+#[allow(dead_code)]
+#[path = "../tests/support/draft.rs"]
+mod draft;
+#[cfg(test)]
+#[allow(dead_code)]
+#[path = "../tests/support/systems.rs"]
+mod systems;

@@ -10,7 +10,7 @@ use lagrangian_symbolic::{
 use support::draft::value;
 use support::systems::{
     Chain, Spelling, cardan_rates, cart_pole, charged, driven_pendulum, euler_rates, general_top,
-    indefinite, node_rates, polar, top,
+    indefinite, node_rates, polar, stiffening, top,
 };
 
 /// All systems, by what they are.
@@ -25,6 +25,7 @@ fn systems() -> Vec<(String, Model)> {
         ("polar coordinates".into(), polar()),
         ("magnetic field".into(), charged()),
         ("L = ẋẏ".into(), indefinite()),
+        ("ẋ⁴".into(), stiffening()),
     ];
     for spelling in [Spelling::SecondMultipliedOut, Spelling::MultipliedOut] {
         systems.push((format!("{spelling:?}"), general_top(spelling)));

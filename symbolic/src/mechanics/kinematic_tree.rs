@@ -283,3 +283,6 @@ fn velocity(i: usize) -> Symbol {
 fn acceleration(i: usize) -> Symbol {
     Symbol::Acceleration(u32::try_from(i).unwrap_or(u32::MAX))
 }
+
+#[cfg(test)]
+mod tests;

@@ -298,3 +298,15 @@ pub(crate) fn indefinite() -> Model {
     let (kinetic, potential) = (draft.times(&[vx, vy]), draft.times(&[x, y]));
     draft.natural(kinetic, potential)
 }
+
+/// L = ½ ẋ² + ¼ ẋ⁴ − x², whose mass depends on the velocity.
+pub(crate) fn stiffening() -> Model {
+    let mut draft = Draft::new(1);
+    let (x, v) = (draft.q(0), draft.v(0));
+    let [x2, v2] = [x, v].map(|x| draft.square(x));
+    let quarter = Rational::new(1, 4).unwrap();
+    let fourth = draft.square(v2);
+    let terms = [(v2, Rational::HALF), (fourth, quarter)];
+    let kinetic = draft.graph.sum(terms);
+    draft.natural(kinetic, x2)
+}
