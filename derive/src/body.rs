@@ -3,13 +3,18 @@
 //! Each value that is used more than once, or that the declaration names, is a `let`; the others stand
 //! where they are used, as a person would write them, though never nested deeply.
 
+mod angles;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use lagrangian_symbolic::{Instruction, Operand, Operation, Phase, Program, Rational, Symbol};
+use lagrangian_symbolic::{
+    Instruction, Operand, Operation, Pass, Passes, Phase, Program, Rational, Symbol,
+};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use crate::names::Locals;
+use angles::Angles;
 
 /// How deep expressions are nested in one statement.
 const DEEPEST: usize = 6;
@@ -29,6 +34,8 @@ struct Text {
     tokens: TokenStream,
     level: Level,
     depth: usize,
+    /// The factors, if this is a product that may be fused with a sum.
+    factors: Option<Box<[Self; 2]>>,
 }
 
 impl Text {
@@ -37,7 +44,14 @@ impl Text {
             tokens: tokens.into_token_stream(),
             level: Level::Atom,
             depth: 0,
+            factors: None,
         }
+    }
+
+    /// −x.
+    fn negative(self) -> TokenStream {
+        let x = self.at(Level::Atom);
+        quote!(-#x)
     }
 
     /// The tokens, in parentheses unless they hold together at `level`.
@@ -58,32 +72,33 @@ pub(crate) trait Source {
 
 /// Writes the phases of one program, one after the other.
 pub(crate) struct Body<'a> {
+    passes: Passes,
     locals: Locals<'a>,
     scalar: &'a Ident,
     source: &'a dyn Source,
     symbols: BTreeMap<Symbol, Ident>,
     texts: BTreeMap<usize, Text>,
-    uses: BTreeMap<usize, usize>,
-    /// Values that a later phase uses, which must not be written twice.
-    carried: BTreeSet<usize>,
+    /// For each value how often it is used; more than once if a later phase uses it, so that it is not
+    /// written twice.
+    uses: Vec<usize>,
 }
 
 impl<'a> Body<'a> {
     pub(crate) fn new(
         program: &Program,
+        passes: Passes,
         locals: Locals<'a>,
         scalar: &'a Ident,
         source: &'a dyn Source,
     ) -> Self {
-        let (uses, carried) = count_uses(program);
         Self {
+            passes,
             locals,
             scalar,
             source,
             symbols: BTreeMap::new(),
             texts: BTreeMap::new(),
-            uses,
-            carried,
+            uses: count_uses(program),
         }
     }
 
@@ -91,8 +106,11 @@ impl<'a> Body<'a> {
     pub(crate) fn phase(&mut self, phase: &Phase) -> (TokenStream, Vec<TokenStream>) {
         let mut statements = TokenStream::new();
         self.load_symbols(phase, &mut statements);
-        for instruction in &phase.instructions {
-            self.instruction(instruction, &mut statements);
+        let done = self.angles(phase, &mut statements);
+        for (index, instruction) in phase.instructions.iter().enumerate() {
+            if !done.contains(&index) {
+                self.instruction(instruction, &mut statements);
+            }
         }
         let outputs = phase
             .outputs
@@ -126,18 +144,52 @@ impl<'a> Body<'a> {
         }
     }
 
+    /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
+    fn angles(&mut self, phase: &Phase, statements: &mut TokenStream) -> BTreeSet<usize> {
+        if !self.passes.has(Pass::Vectors) {
+            return BTreeSet::new();
+        }
+        let Some(angles) = Angles::of(phase, |value| self.texts.contains_key(&value)) else {
+            return BTreeSet::new();
+        };
+        for index in &angles.made_of {
+            self.instruction(&phase.instructions[*index], statements);
+        }
+        let (mut arguments, mut sines, mut cosines) = (Vec::new(), Vec::new(), Vec::new());
+        for index in &angles.pairs {
+            let instruction = &phase.instructions[*index];
+            let operands = instruction.operation.operands();
+            arguments.extend(operands.map(|operand| self.operand(operand).tokens));
+            let (sine, cosine) = self.pair(instruction);
+            sines.push(sine);
+            cosines.push(cosine);
+        }
+        let scalar = self.scalar;
+        statements.extend(quote! {
+            let ([#(#sines),*], [#(#cosines),*]) = #scalar::sines_and_cosines([#(#arguments),*]);
+        });
+        angles.made_of.into_iter().chain(angles.pairs).collect()
+    }
+
+    /// Names the two values of an instruction that computes a sine and a cosine.
+    fn pair(&mut self, instruction: &Instruction) -> (Ident, Ident) {
+        let (sine, cosine) = self.locals.pair(instruction.expression);
+        self.texts.insert(instruction.value, Text::atom(&sine));
+        self.texts
+            .insert(instruction.value + 1, Text::atom(&cosine));
+        (sine, cosine)
+    }
+
     fn instruction(&mut self, instruction: &Instruction, statements: &mut TokenStream) {
         let value = instruction.value;
         if let Operation::SineAndCosine(x) = &instruction.operation {
             let argument = self.operand(x).at(Level::Atom);
-            let (sine, cosine) = self.locals.pair(instruction.expression);
+            let (sine, cosine) = self.pair(instruction);
             statements.extend(quote!(let (#sine, #cosine) = #argument.sin_cos();));
-            self.texts.insert(value, Text::atom(sine));
-            self.texts.insert(value + 1, Text::atom(cosine));
             return;
         }
         let text = self.operation(&instruction.operation);
-        let once = self.uses.get(&value) == Some(&1) && !self.carried.contains(&value);
+        let once = self.uses[value] == 1;
         let named = self.locals.is_defined(instruction.expression);
         if once && !named && text.depth < DEEPEST {
             self.texts.insert(value, text);
@@ -155,6 +207,7 @@ impl<'a> Body<'a> {
             .map(|operand| self.operand(operand))
             .collect();
         let depth = 1 + operands.iter().map(|text| text.depth).max().unwrap_or(0);
+        let fuses = self.passes.has(Pass::Fusion);
         let mut operands = operands.into_iter();
         let mut next = || {
             operands
@@ -162,14 +215,20 @@ impl<'a> Body<'a> {
                 .unwrap_or_else(|| Text::atom(TokenStream::new()))
         };
         let (tokens, level) = match operation {
-            Operation::Add(..) => (infix(next(), '+', next(), Level::Sum), Level::Sum),
-            Operation::Subtract(..) => (infix(next(), '-', next(), Level::Sum), Level::Sum),
-            Operation::Multiply(..) => (infix(next(), '*', next(), Level::Product), Level::Product),
-            Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
-            Operation::Negate(_) => {
-                let x = next().at(Level::Atom);
-                (quote!(-#x), Level::Sign)
+            Operation::Add(..) => sum(next(), next()),
+            Operation::Subtract(..) => difference(next(), next()),
+            Operation::Multiply(..) => {
+                let (x, y) = (next(), next());
+                let tokens = infix(x.clone(), '*', y.clone(), Level::Product);
+                return Text {
+                    tokens,
+                    level: Level::Product,
+                    depth,
+                    factors: fuses.then(|| Box::new([x, y])),
+                };
             }
+            Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
+            Operation::Negate(_) => (next().negative(), Level::Sign),
             Operation::SquareRoot(_) => (call(next(), "sqrt", None), Level::Atom),
             Operation::SineAndCosine(_) => (call(next(), "sin_cos", None), Level::Atom),
             Operation::Unary(function, _) => (call(next(), function.name(), None), Level::Atom),
@@ -182,6 +241,7 @@ impl<'a> Body<'a> {
             tokens,
             level,
             depth,
+            factors: None,
         }
     }
 
@@ -198,29 +258,58 @@ impl<'a> Body<'a> {
     }
 }
 
-/// How often each value is used, and which are used in another phase than their own.
-fn count_uses(program: &Program) -> (BTreeMap<usize, usize>, BTreeSet<usize>) {
-    let mut uses = BTreeMap::new();
-    let mut carried = BTreeSet::new();
+/// How often each value is used; where a phase uses a value of another one, that counts twice.
+fn count_uses(program: &Program) -> Vec<usize> {
+    let end = |last: &Instruction| last.value + last.operation.results();
+    let mut uses = vec![0; program.instructions().last().map_or(0, end)];
     let mut start = 0;
     for phase in &program.phases {
-        let operands = phase
-            .instructions
-            .iter()
-            .flat_map(|instruction| instruction.operation.operands());
-        for operand in operands.chain(&phase.outputs) {
+        let mut note = |operand: &Operand| {
             if let Operand::Value(value) = operand {
-                *uses.entry(*value).or_default() += 1;
-                if *value < start {
-                    carried.insert(*value);
-                }
+                uses[*value] += if *value < start { 2 } else { 1 };
             }
+        };
+        for instruction in &phase.instructions {
+            instruction.operation.operands().for_each(&mut note);
         }
-        if let Some(last) = phase.instructions.last() {
-            start = last.value + last.operation.results();
-        }
+        phase.outputs.iter().for_each(&mut note);
+        start = phase.instructions.last().map_or(start, end);
     }
-    (uses, carried)
+    uses
+}
+
+/// x + y, with a product among them fused.
+fn sum(x: Text, y: Text) -> (TokenStream, Level) {
+    let (factors, summand) = match (x.factors.clone(), y.factors.clone()) {
+        (_, Some(factors)) => (factors, x),
+        (Some(factors), None) => (factors, y),
+        (None, None) => return (infix(x, '+', y, Level::Sum), Level::Sum),
+    };
+    let [a, b] = *factors;
+    (fused(&a.at(Level::Atom), &b, &summand.tokens), Level::Atom)
+}
+
+/// x − y, with a product among them fused.
+fn difference(x: Text, y: Text) -> (TokenStream, Level) {
+    let (receiver, factor, summand) = match (x.factors.clone(), y.factors.clone()) {
+        (_, Some(factors)) => {
+            let [a, b] = *factors;
+            let opposite = a.negative();
+            (quote!((#opposite)), b, x.tokens)
+        }
+        (Some(factors), None) => {
+            let [a, b] = *factors;
+            (a.at(Level::Atom), b, y.negative())
+        }
+        (None, None) => return (infix(x, '-', y, Level::Sum), Level::Sum),
+    };
+    (fused(&receiver, &factor, &summand), Level::Atom)
+}
+
+/// receiver · factor + summand.
+fn fused(receiver: &TokenStream, factor: &Text, summand: &TokenStream) -> TokenStream {
+    let factor = &factor.tokens;
+    quote!(#receiver.mul_add(#factor, #summand))
 }
 
 fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use lagrangian_symbolic::{Energies, Expression, Names, OperationCount};
+use lagrangian_symbolic::{Energies, Expression, Letters, Names, OperationCount};
 
 use crate::implementation::Implementation;
 use crate::names::plain;
@@ -54,7 +54,7 @@ pub(crate) fn equations(implementation: &Implementation<'_>) -> String {
 /// Formulas under names, one below the other.
 struct Page<'a> {
     implementation: &'a Implementation<'a>,
-    names: Names,
+    letters: Letters,
     coordinates: Vec<String>,
     text: String,
 }
@@ -75,21 +75,22 @@ impl<'a> Page<'a> {
                 .map(|(name, expression)| (expression, name.to_owned()))
                 .collect(),
         };
+        let letters = Letters::new(&names);
         let coordinates = implementation.model.coordinate_symbols();
         Self {
             implementation,
             coordinates: coordinates
                 .into_iter()
-                .map(|symbol| names.symbol(symbol))
+                .map(|symbol| letters.print_symbol(symbol))
                 .collect(),
-            names,
+            letters,
             text: String::new(),
         }
     }
 
     fn line(&mut self, name: &str, expression: Expression) {
         let graph = &self.implementation.model.graph;
-        let formula = graph.display(expression, &self.names).limit(LONGEST);
+        let formula = graph.display_in(expression, &self.letters).limit(LONGEST);
         // Writing to a string cannot fail.
         let _ = writeln!(self.text, "{name} = {formula}");
     }
@@ -102,8 +103,9 @@ impl<'a> Page<'a> {
         let scope = self.implementation.scope;
         for definition in &self.implementation.declaration.clauses.definitions {
             let defined = scope.defined(&definition.name);
-            let named = defined
-                .and_then(|expression| Some((self.names.definition(expression)?, expression)));
+            let named = defined.and_then(|expression| {
+                Some((self.letters.print_definition(expression)?, expression))
+            });
             if let Some((name, expression)) = named {
                 self.line(&name, expression);
             }

@@ -4,7 +4,7 @@
 //! tokens that are not understood. Long sums and products are loops; only nesting recurses, which the
 //! compiler's own parser bounds.
 
-use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Symbol, Unary};
+use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Unary};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, Lit, UnOp};
@@ -359,16 +359,13 @@ impl Translator<'_> {
             return self.reject(call, "`dot` takes one argument: write `dot(theta)`");
         };
         let value = self.translate(argument, Place::Observation)?;
-        if !self.graph.contains(&[value], varies) && !self.is_defined(argument) {
+        if !self.graph.contents(value).varies() && !self.is_defined(argument) {
             return self.reject(
                 argument,
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
             );
         }
-        if self
-            .graph
-            .contains(&[value], |symbol| matches!(symbol, Symbol::Input(_)))
-        {
+        if self.graph.contents(value).has_input() {
             return self.reject(
                 call,
                 "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \
@@ -407,13 +404,6 @@ impl Translator<'_> {
     }
 
     fn has_acceleration(&self, expression: Expression) -> bool {
-        self.graph.contains(&[expression], |symbol| {
-            matches!(symbol, Symbol::Acceleration(_))
-        })
+        self.graph.contents(expression).has_acceleration()
     }
-}
-
-/// Whether a symbol's value may change in time.
-fn varies(symbol: Symbol) -> bool {
-    !matches!(symbol, Symbol::Parameter(_))
 }

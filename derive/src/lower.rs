@@ -1,6 +1,6 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
-use lagrangian_symbolic::{Energies, Expression, Graph, Model, Symbol};
+use lagrangian_symbolic::{Energies, Expression, Graph, Model};
 
 use crate::ablation::passes;
 use crate::declaration::{Clause, Declaration, Role};
@@ -108,9 +108,7 @@ impl Translator<'_> {
         if self.coordinates == 0 {
             return;
         }
-        let moving = self
-            .graph
-            .contains(&[energy], |symbol| matches!(symbol, Symbol::Velocity(_)));
+        let moving = self.graph.contents(energy).has_velocity();
         if let (false, Some(clause)) = (moving, clauses.first()) {
             self.diagnostics.error(
                 &clause.expression,

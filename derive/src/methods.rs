@@ -1,8 +1,8 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Dynamics, Energies, Equations, Expression, Fault, Model, OperationCount, Prepared, Program,
-    Rational, Symbol,
+    Dynamics, Energies, Equations, Expression, Fault, LinearSystem, Model, OperationCount,
+    Prepared, Program, Rational, Symbol,
 };
 
 /// A method whose body is one program.
@@ -44,6 +44,9 @@ pub(crate) struct Methods {
     pub(crate) outputs: Method,
 }
 
+/// For more coordinates the relative pivots are those of a factorization in numbers.
+const MOST_PIVOTS: usize = 4;
+
 impl Methods {
     /// The methods that are counted, with their names.
     pub(crate) const fn all(&self) -> [(&'static str, &Method); 10] {
@@ -67,9 +70,10 @@ impl Methods {
         let solution = dynamics.solution.as_ref();
         let solves = !cfg!(debug_assertions)
             || solution.is_none_or(|found| found.holds(&model.graph, equations));
-        let linearize = Derivatives::of_state(model, equations, &dynamics);
-        let input_jacobian = Derivatives::of_inputs(model, equations, &dynamics);
-        let elimination = dynamics.elimination.as_ref();
+        let linearize = Derivatives::of_state(model, &dynamics);
+        let input_jacobian = Derivatives::of_inputs(model, &dynamics);
+        let few = equations.mass.len() <= MOST_PIVOTS;
+        let elimination = dynamics.elimination.as_ref().filter(|_| few);
         let angles = &equations.structure.angles;
         let magnitudes = elimination.map(|found| found.magnitudes(&mut model.graph, angles));
         let diagonal: Vec<_> = (0..equations.mass.len())
@@ -83,16 +87,12 @@ impl Methods {
         };
         let method = |groups: &[&[Expression]]| Method::schedule(model, groups);
         let n = equations.mass.len();
-        let [prepare, accelerations] = match solution {
-            Some(solution) => {
-                let outputs = [&*solution.pivots, &solution.accelerations].concat();
-                Method::prepared(model, &outputs)
-            }
-            None => {
-                let outputs = system(equations, &dynamics.forcing);
-                let [prepare, accelerations] = Method::prepared(model, &outputs);
-                [prepare, accelerations.with_solution(n, 1)]
-            }
+        let [prepare, accelerations] = if let Some(solution) = solution {
+            let outputs = [&*solution.pivots, &solution.accelerations].concat();
+            Method::prepared(model, &outputs)
+        } else {
+            let [prepare, accelerations] = Method::prepared(model, &system(&dynamics.system));
+            [prepare, accelerations.with_solution(n, 1)]
         };
         Self {
             lagrangian: method(&[&[equations.lagrangian]]),
@@ -117,11 +117,16 @@ impl Methods {
 }
 
 /// The lower triangle of M, then f.
-fn system(equations: &Equations, forcing: &[Expression]) -> Vec<Expression> {
-    equations
-        .mass_lower()
-        .chain(forcing.iter().copied())
+fn system(system: &LinearSystem) -> Vec<Expression> {
+    mass_lower(system)
+        .chain(system.forcing.iter().copied())
         .collect()
+}
+
+/// The lower triangle of M, row by row.
+fn mass_lower(system: &LinearSystem) -> impl Iterator<Item = Expression> + '_ {
+    let rows = system.mass.iter().enumerate();
+    rows.flat_map(|(i, row)| row[..=i].iter().copied())
 }
 
 /// Derivatives of the accelerations, and what has to be computed before.
@@ -134,49 +139,41 @@ struct Derivatives {
 
 impl Derivatives {
     /// By q, q̇ and t.
-    fn of_state(model: &mut Model, equations: &Equations, dynamics: &Dynamics) -> Self {
+    fn of_state(model: &mut Model, dynamics: &Dynamics) -> Self {
         let symbols = state_symbols(model);
-        let residuals = columns(model, &dynamics.inverse_dynamics, &symbols);
-        let columns = solved(model, dynamics, &symbols);
-        let before = match (&columns, &dynamics.solution) {
+        let solved = solved(model, dynamics, &symbols);
+        let residuals = columns(model, residuals(dynamics, solved.is_some()), &symbols);
+        let before = match (&solved, &dynamics.solution) {
             (Some(_), Some(solution)) => [&*solution.pivots, &solution.accelerations].concat(),
-            _ => system(equations, &dynamics.forcing),
+            _ => system(&dynamics.system),
         };
-        Self::new(dynamics, before, columns, residuals, symbols.len() + 1)
+        Self::new(before, solved, residuals, symbols.len() + 1)
     }
 
     /// By the inputs: the momenta are free of them, so that no input acts on M q̈, however it is spelt.
-    fn of_inputs(model: &mut Model, equations: &Equations, dynamics: &Dynamics) -> Self {
+    fn of_inputs(model: &mut Model, dynamics: &Dynamics) -> Self {
         let symbols = model.input_symbols();
-        let residuals = columns(model, &dynamics.inverse_dynamics, &symbols);
+        let solved = solved(model, dynamics, &symbols);
+        let solved = solved.map(|columns| without_accelerations(model, &columns));
+        let residuals = columns(model, residuals(dynamics, solved.is_some()), &symbols);
         let residuals = without_accelerations(model, &residuals);
-        let columns = solved(model, dynamics, &symbols);
-        let columns = columns.map(|columns| without_accelerations(model, &columns));
-        let before = match (&columns, &dynamics.solution) {
+        let before = match (&solved, &dynamics.solution) {
             (Some(_), Some(solution)) => solution.pivots.clone(),
-            _ => equations.mass_lower().collect(),
+            _ => mass_lower(&dynamics.system).collect(),
         };
-        Self::new(dynamics, before, columns, residuals, symbols.len())
+        Self::new(before, solved, residuals, symbols.len())
     }
 
     fn new(
-        dynamics: &Dynamics,
         before: Vec<Expression>,
-        columns: Option<Vec<Expression>>,
+        solved: Option<Vec<Expression>>,
         residuals: Vec<Expression>,
         right_hand_sides: usize,
     ) -> Self {
-        // Where no pivot can fail, the residuals are not wanted.
-        let solution = dynamics.solution.as_ref();
-        let certain = solution.is_some_and(|solution| solution.pivots.is_empty());
-        let directly = columns.is_some();
+        let directly = solved.is_some();
         let mut groups = vec![before];
-        groups.extend(columns);
-        groups.push(if directly && certain {
-            Vec::new()
-        } else {
-            residuals
-        });
+        groups.extend(solved);
+        groups.push(residuals);
         Self {
             directly,
             groups,
@@ -191,6 +188,16 @@ impl Derivatives {
             return method;
         }
         method.with_solution(model.coordinates as usize, self.right_hand_sides)
+    }
+}
+
+/// What is differentiated to be solved for in numbers: in place of columns that are known, for M as it
+/// stands where a pivot is not positive; nothing where no pivot can fail.
+fn residuals(dynamics: &Dynamics, solved: bool) -> &[Expression] {
+    match &dynamics.solution {
+        Some(solution) if solved && solution.pivots.is_empty() => &[],
+        _ if solved => &dynamics.inverse_dynamics,
+        _ => &dynamics.system.residuals,
     }
 }
 
@@ -249,7 +256,7 @@ impl Method {
     fn prepared(model: &Model, outputs: &[Expression]) -> [Self; 2] {
         let whole = Program::schedule_for_preparation(&model.graph, &[outputs]);
         let verified = verify(&whole, model, &[outputs]);
-        let Prepared { before, after } = whole.prepared(model.graph.passes);
+        let Prepared { before, after } = whole.parted(model.graph.passes);
         [before, after].map(|program| Self {
             count: program.count(),
             program,

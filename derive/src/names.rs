@@ -1,6 +1,6 @@
 //! The names that the emitted code gives to things.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{Expression, Graph, Node, Symbol, Unary};
 use proc_macro2::{Ident, Span};
@@ -69,7 +69,7 @@ impl SymbolNames {
 /// Gives every local variable of one method a name of its own.
 pub(crate) struct Locals<'a> {
     graph: &'a Graph,
-    scope: &'a Scope,
+    definitions: BTreeMap<Expression, &'a str>,
     symbols: &'a SymbolNames,
     taken: BTreeSet<String>,
     counter: usize,
@@ -85,9 +85,14 @@ impl<'a> Locals<'a> {
             "prepared",
             "factors",
         ];
+        let mut definitions = BTreeMap::new();
+        for (name, expression) in scope.definitions(graph) {
+            // Of several names for one expression the first stands for it.
+            definitions.entry(expression).or_insert(name);
+        }
         Self {
             graph,
-            scope,
+            definitions,
             symbols,
             taken: taken.into_iter().map(str::to_owned).collect(),
             counter: 0,
@@ -125,18 +130,11 @@ impl<'a> Locals<'a> {
 
     /// Whether the declaration has a name for an expression.
     pub(crate) fn is_defined(&self, expression: Option<Expression>) -> bool {
-        expression.is_some_and(|expression| self.definition(expression).is_some())
-    }
-
-    fn definition(&self, expression: Expression) -> Option<&str> {
-        let mut definitions = self.scope.definitions(self.graph);
-        definitions
-            .find(|(_, defined)| *defined == expression)
-            .map(|(name, _)| name)
+        expression.is_some_and(|expression| self.definitions.contains_key(&expression))
     }
 
     fn describe(&self, expression: Expression) -> Option<String> {
-        if let Some(name) = self.definition(expression) {
+        if let Some(name) = self.definitions.get(&expression) {
             return Some(name.strip_prefix("r#").unwrap_or(name).to_owned());
         }
         match self.graph.node(expression) {
@@ -155,7 +153,7 @@ impl<'a> Locals<'a> {
     fn numbered(&mut self) -> Ident {
         let name = format!("x{}", self.counter);
         self.counter += 1;
-        self.unique(name)
+        self.free(name)
     }
 
     /// `name`, or the next free one after it. A local variable never meets a variable of the user's: its
@@ -167,7 +165,15 @@ impl<'a> Locals<'a> {
         } else {
             name
         };
-        while self.taken.contains(&name) || syn::parse_str::<Ident>(&name).is_err() {
+        while syn::parse_str::<Ident>(&name).is_err() {
+            name.push('_');
+        }
+        self.free(name)
+    }
+
+    /// `name`, which is no keyword, or the next free one after it.
+    fn free(&mut self, mut name: String) -> Ident {
+        while self.taken.contains(&name) {
             name.push('_');
         }
         let ident = Ident::new(&name, Span::mixed_site());

@@ -11,7 +11,7 @@ use quote::{format_ident, quote};
 
 use crate::expand::expand;
 
-pub(crate) fn symmetric_top() -> TokenStream {
+fn symmetric_top() -> TokenStream {
     quote! {
         #[lagrangian(
             coordinates(phi, theta, psi),
@@ -23,7 +23,7 @@ pub(crate) fn symmetric_top() -> TokenStream {
     }
 }
 
-pub(crate) fn general_top() -> TokenStream {
+fn general_top() -> TokenStream {
     quote! {
         #[lagrangian(
             coordinates(phi, theta, psi),
@@ -41,7 +41,7 @@ pub(crate) fn general_top() -> TokenStream {
 }
 
 /// A chain of point masses on massless rods, at absolute angles.
-pub(crate) fn pendulum(links: u32) -> TokenStream {
+fn pendulum(links: u32) -> TokenStream {
     let angles: Vec<_> = (0..links).map(|i| format_ident!("q{i}")).collect();
     let mut definitions = TokenStream::new();
     let mut kinetic = quote!(0.0);

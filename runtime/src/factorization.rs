@@ -22,6 +22,9 @@ pub struct Factorization<S: Scalar, const N: usize> {
     rows: Option<[usize; N]>,
 }
 
+/// Right-hand sides that are solved for together.
+const WIDTH: usize = 4;
+
 impl<S: Scalar, const N: usize> Factorization<S, N> {
     /// Factors the symmetric matrix `mass`, of which only the lower triangle is read.
     #[inline]
@@ -125,24 +128,46 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
 
     #[inline]
     fn solve_symmetric<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
-        let l = &self.factors;
         let mut x = *right;
-        for column in 0..K {
-            for i in 0..N {
-                for k in 0..i {
-                    let change = l[(i, k)] * x[(k, column)];
-                    x[(i, column)] -= change;
-                }
-            }
-            for i in (0..N).rev() {
-                x[(i, column)] *= self.reciprocals[i];
-                for k in i + 1..N {
-                    let change = l[(k, i)] * x[(k, column)];
-                    x[(i, column)] -= change;
-                }
-            }
+        let mut column = 0;
+        while column + WIDTH <= K {
+            self.solve_columns::<K, WIDTH>(&mut x, column);
+            column += WIDTH;
+        }
+        while column < K {
+            self.solve_columns::<K, 1>(&mut x, column);
+            column += 1;
         }
         x
+    }
+
+    /// Solves for as many columns at once as the processor has lanes, beginning with one.
+    #[inline]
+    fn solve_columns<const K: usize, const W: usize>(
+        &self,
+        x: &mut SMatrix<S, N, K>,
+        first: usize,
+    ) {
+        let l = &self.factors;
+        let mut rows: [[S; W]; N] =
+            core::array::from_fn(|i| core::array::from_fn(|lane| x[(i, first + lane)]));
+        for i in 0..N {
+            let mut row = rows[i];
+            for k in 0..i {
+                subtract(&mut row, l[(i, k)], rows[k]);
+            }
+            rows[i] = row;
+        }
+        for i in (0..N).rev() {
+            let mut row = rows[i].map(|entry| entry * self.reciprocals[i]);
+            for k in i + 1..N {
+                subtract(&mut row, l[(k, i)], rows[k]);
+            }
+            rows[i] = row;
+            for (lane, entry) in row.into_iter().enumerate() {
+                x[(i, first + lane)] = entry;
+            }
+        }
     }
 
     #[cold]
@@ -170,5 +195,13 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             }
         }
         x
+    }
+}
+
+/// row −= factor · other.
+#[inline]
+fn subtract<S: Scalar, const W: usize>(row: &mut [S; W], factor: S, other: [S; W]) {
+    for (entry, other) in row.iter_mut().zip(other) {
+        *entry = (-factor).mul_add(other, *entry);
     }
 }

@@ -37,6 +37,7 @@
 extern crate alloc;
 
 mod scalar;
+mod lanes;
 mod sine_cosine;
 mod state;
 mod system;

@@ -2,7 +2,7 @@
 
 pub use nalgebra::{SMatrix, SVector};
 
-use crate::Scalar;
+use crate::{Factorization, Linearization, Scalar};
 
 /// A field's type, as far as scalars can be made from it.
 pub trait Parameter {
@@ -49,6 +49,25 @@ pub fn if_positive<S: Scalar, T, const K: usize>(
 #[inline(never)]
 fn cold<T>(compute: impl FnOnce() -> T) -> T {
     compute()
+}
+
+/// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.
+#[inline]
+pub fn linearization<S: Scalar, const N: usize, const K: usize>(
+    factors: &Factorization<S, N>,
+    residuals: &SMatrix<S, N, K>,
+) -> Linearization<S, N> {
+    let columns = factors.solve(residuals);
+    let part = |first: usize| SMatrix::from_fn(|i, j| -columns[(i, first + j)]);
+    Linearization {
+        position: part(0),
+        velocity: part(N),
+        time: if K > 2 * N {
+            SVector::from_fn(|i, _| -columns[(i, 2 * N)])
+        } else {
+            SVector::zeros()
+        },
+    }
 }
 
 /// Each pivot in relation to what its rounding error is proportional to, and 0 where M is singular to

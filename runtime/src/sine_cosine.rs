@@ -2,14 +2,16 @@
 //!
 //! The angle is reduced by the nearest multiple of π/2, in the manner of Cody and Waite (Software Manual
 //! for the Elementary Functions, 1980), to r + tail with |r| ≤ π/4; there sin and cos are minimax
-//! polynomials, and the quadrant exchanges them and sets their signs through their bits. What several
-//! angles need is the same straight line, so that the compiler turns a loop over them into vectors.
+//! polynomials, and the quadrant exchanges them and sets their signs through their bits. For several
+//! angles the same straight line is computed on vectors.
 //!
 //! Below [`LARGEST`] the error is less than 1 unit in the last place (measured in
 //! `tests/tests/sine_cosine.rs`, beside the reduction's worst cases). Larger angles, infinities and NaN
 //! go to the platform's library. `runtime/scripts/sine_cosine_constants.py` computes the constants.
 
 use core::f64::consts::FRAC_2_PI;
+
+use crate::lanes::Lanes;
 
 /// Up to here the whole number n of quarter turns is below 2¹⁶, and its products with the first two
 /// parts of π/2 are exact.
@@ -47,34 +49,25 @@ const COSINE: [f64; 6] = [
 /// which stands in its last bits.
 const NO_FRACTION: f64 = 4_503_599_627_370_496.0;
 
-/// The bit that tells the sign of a number.
-const SIGN: u64 = 1 << 63;
+/// The sign of a number is its highest bit.
+const NEGATIVE_ZERO: f64 = -0.0;
 
 /// Sine and cosine of one angle.
 #[inline]
 pub(crate) fn sine_and_cosine(x: f64) -> (f64, f64) {
     if is_reducible(x) {
-        straight(x)
+        straight::<1, f64>(x)
     } else {
         by_library(x)
     }
 }
 
 /// The sines and the cosines of several angles, each as [`sine_and_cosine`] gives them.
-///
-/// A function of its own: where the results went into scalar arithmetic, the compiler would find no
-/// reason to begin a vector. It finds one in their being stored side by side.
-#[inline(never)]
+#[inline]
 pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64; K]) {
     let (mut sines, mut cosines) = ([0.0; K], [0.0; K]);
-    if x.iter().fold(true, |all, x| all & is_reducible(*x)) {
-        let (eights, fours) = (K - K % 8, K - K % 4);
-        blocks::<8>(&x, &mut sines, &mut cosines);
-        blocks::<4>(&x[eights..], &mut sines[eights..], &mut cosines[eights..]);
-        blocks::<2>(&x[fours..], &mut sines[fours..], &mut cosines[fours..]);
-        if let (Some(x), 1) = (x.last(), K % 2) {
-            (sines[K - 1], cosines[K - 1]) = straight(*x);
-        }
+    if x.iter().all(|x| is_reducible(*x)) {
+        together(&x, &mut sines, &mut cosines);
     } else {
         for i in 0..K {
             (sines[i], cosines[i]) = one_of_several(x[i]);
@@ -83,16 +76,48 @@ pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64;
     (sines, cosines)
 }
 
-/// What there is of whole blocks of `WIDTH` angles. A short loop is unrolled, and becomes vectors only if
-/// its length is that of vectors.
+/// In vectors where there are any.
+#[cfg(feature = "std")]
 #[inline]
-fn blocks<const WIDTH: usize>(x: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
-    let angles = x.as_chunks::<WIDTH>().0.iter();
-    let sines = sines.as_chunks_mut::<WIDTH>().0.iter_mut();
-    let cosines = cosines.as_chunks_mut::<WIDTH>().0.iter_mut();
-    for ((x, sine), cosine) in angles.zip(sines).zip(cosines) {
-        for i in 0..WIDTH {
-            (sine[i], cosine[i]) = straight(x[i]);
+fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
+    let mut done = 0;
+    while K > done + 2 {
+        block::<4, wide::f64x4, K>(done, x, sines, cosines);
+        done += 4;
+    }
+    if K > done {
+        block::<2, wide::f64x2, K>(done, x, sines, cosines);
+    }
+}
+
+#[cfg(not(feature = "std"))]
+#[inline]
+fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
+    for i in 0..K {
+        block::<1, f64, K>(i, x, sines, cosines);
+    }
+}
+
+/// Those from `start` on, so far as there are.
+#[inline]
+fn block<const WIDTH: usize, L: Lanes<WIDTH>, const K: usize>(
+    start: usize,
+    x: &[f64; K],
+    sines: &mut [f64; K],
+    cosines: &mut [f64; K],
+) {
+    let angle = |lane: usize| {
+        if start + lane < K {
+            x[start + lane]
+        } else {
+            0.0
+        }
+    };
+    let (sine, cosine) = straight(L::from_fn(angle));
+    let (sine, cosine) = (sine.to_array(), cosine.to_array());
+    for lane in 0..WIDTH {
+        if start + lane < K {
+            (sines[start + lane], cosines[start + lane]) = (sine[lane], cosine[lane]);
         }
     }
 }
@@ -102,91 +127,76 @@ fn is_reducible(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// What is left of an angle by a whole number of quarter turns.
-struct Reduced {
-    r: f64,
-    /// What r was rounded off by.
-    tail: f64,
-    /// The last two bits count the quarter turns.
-    quarters: u64,
-}
-
 /// Without a branch, for angles up to [`LARGEST`].
 #[inline]
-fn straight(x: f64) -> (f64, f64) {
+fn straight<const WIDTH: usize, L: Lanes<WIDTH>>(x: L) -> (L, L) {
+    let negative = L::all(NEGATIVE_ZERO).to_bits();
     // The sine of the magnitude, so that −0 keeps its sign.
-    let Reduced { r, tail, quarters } = reduced(x.abs());
+    let sign = x.to_bits() & negative;
+    let Reduced { r, tail, quarters } = reduced(L::from_bits(x.to_bits() ^ sign));
     let (sine, cosine) = (sine(r, tail).to_bits(), cosine(r, tail).to_bits());
-    // All bits or none. Of the quarters 1 and 3 the sine is the cosine of r. In this form, unlike that
-    // of a selection or an exchange, the compiler sees what is alike in several angles.
-    let odd = 0_u64.wrapping_sub(quarters & 1);
-    let exchanged = (
-        (sine & !odd) | (cosine & odd),
-        (cosine & !odd) | (sine & odd),
-    );
-    let sign = x.to_bits() & SIGN;
-    // Of the quarters 0, 1, 2, 3 the sine is negative in 2 and 3, the cosine in 1 and 2.
-    let below = (quarters << 62) & SIGN;
-    let left = (quarters.wrapping_add(1) << 62) & SIGN;
+    // After an odd number of quarters the sine is the cosine of r. Of 0, 1, 2, 3 of them the sine is
+    // negative after 2 and 3, the cosine after 1 and 2.
+    let exchange = (sine ^ cosine) & L::repeat_lowest(quarters);
+    let below = quarters << 62;
+    let left = below ^ (quarters << 63);
     (
-        f64::from_bits(exchanged.0 ^ below ^ sign),
-        f64::from_bits(exchanged.1 ^ left),
+        L::from_bits(sine ^ exchange ^ ((below & negative) ^ sign)),
+        L::from_bits(cosine ^ exchange ^ (left & negative)),
     )
+}
+
+/// What is left of an angle by a whole number of quarter turns: r + tail.
+struct Reduced<L, B> {
+    r: L,
+    /// Less than 2⁻¹⁰ of r, and than 2⁻⁵³.
+    tail: L,
+    /// The last two bits count the quarter turns.
+    quarters: B,
 }
 
 /// For 0 ≤ x up to [`LARGEST`].
 #[inline]
-fn reduced(x: f64) -> Reduced {
-    let rounded = multiply_add(x, FRAC_2_PI, NO_FRACTION);
-    let n = rounded - NO_FRACTION;
-    // This difference is exact, and so is the product in the next: what that rounds off is found again.
-    let first = multiply_add(-n, HALF_PI[0], x);
-    let second = multiply_add(-n, HALF_PI[1], first);
-    let lost = multiply_add(-n, HALF_PI[1], first - second);
-    let third = multiply_add(n, HALF_PI[2], -lost);
-    let r = second - third;
+fn reduced<const WIDTH: usize, L: Lanes<WIDTH>>(x: L) -> Reduced<L, L::Bits> {
+    let rounded = x.mul_add(L::all(FRAC_2_PI), L::all(NO_FRACTION));
+    let minus_n = L::all(NO_FRACTION) - rounded;
+    let [first, second, third] = HALF_PI;
+    // This sum is exact, and so is the product in the next: what that rounds off is found again.
+    let most = minus_n.mul_add(L::all(first), x);
+    let r = minus_n.mul_add(L::all(second), most);
+    let lost = minus_n.mul_add(L::all(second), most - r);
     Reduced {
         r,
-        tail: (second - r) - third,
+        tail: minus_n.mul_add(L::all(third), lost),
         quarters: rounded.to_bits(),
     }
 }
 
 /// sin (r + tail) for |r| ≤ π/4.
 #[inline]
-fn sine(r: f64, tail: f64) -> f64 {
+fn sine<const WIDTH: usize, L: Lanes<WIDTH>>(r: L, tail: L) -> L {
     let z = r * r;
-    let cubic = r * z * polynomial(&SINE, z);
-    r + (cubic + tail * (1.0 - 0.5 * z))
+    let slope = L::all(1.0) - L::all(0.5) * z;
+    r + (r * z).mul_add(polynomial(SINE, z), tail * slope)
 }
 
 /// cos (r + tail) for |r| ≤ π/4.
 #[inline]
-fn cosine(r: f64, tail: f64) -> f64 {
+fn cosine<const WIDTH: usize, L: Lanes<WIDTH>>(r: L, tail: L) -> L {
     let z = r * r;
-    let half = 0.5 * z;
-    let most = 1.0 - half;
-    let quartic = z * z * polynomial(&COSINE, z);
-    most + (((1.0 - most) - half) + (quartic - r * tail))
+    let half = L::all(0.5) * z;
+    let most = L::all(1.0) - half;
+    let lost = (L::all(1.0) - most) - half;
+    most + (z * z).mul_add(polynomial(COSINE, z), lost - r * tail)
 }
 
-/// In pairs, which depend less on each other than Horner's products do.
+/// In parts that depend less on each other than Horner's products do.
 #[inline]
-fn polynomial(c: &[f64; 6], z: f64) -> f64 {
-    let low = multiply_add(c[1], z, c[0]);
-    let middle = multiply_add(c[3], z, c[2]);
-    let high = multiply_add(c[5], z, c[4]);
+fn polynomial<const WIDTH: usize, L: Lanes<WIDTH>>(c: [f64; 6], z: L) -> L {
+    let pair = |even: f64, odd: f64| L::all(odd).mul_add(z, L::all(even));
+    let [low, middle, high] = [pair(c[0], c[1]), pair(c[2], c[3]), pair(c[4], c[5])];
     let square = z * z;
-    multiply_add(multiply_add(high, square, middle), square, low)
-}
-
-/// Fused only where the target has the instruction; it is a call elsewhere.
-#[inline]
-fn multiply_add(x: f64, y: f64, z: f64) -> f64 {
-    #[cfg(all(target_feature = "fma", feature = "std"))]
-    return x.mul_add(y, z);
-    #[cfg(not(all(target_feature = "fma", feature = "std")))]
-    return x * y + z;
+    (square * square).mul_add(high, square.mul_add(middle, low))
 }
 
 #[cold]
@@ -198,6 +208,7 @@ fn by_library(x: f64) -> (f64, f64) {
     return libm::sincos(x);
 }
 
+/// Number by number: of an array that a call can see, the compiler keeps nothing in registers.
 #[cold]
 #[inline(never)]
 fn one_of_several(x: f64) -> (f64, f64) {

@@ -2,3 +2,5 @@
 
 pub(crate) mod residue;
 pub(crate) mod point;
+pub(crate) mod evaluation;
+pub(crate) mod trial;

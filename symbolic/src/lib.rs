@@ -11,20 +11,34 @@ mod mechanics;
 mod program;
 mod print;
 
+pub use algebra::contents::Contents;
 pub use algebra::derivative::Direction;
 pub use algebra::function::{Binary, Symmetry, Unary};
 pub use algebra::graph::{Expression, Graph, Node};
 pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
 pub use decision::point::Point;
+pub use mechanics::dynamics::{Dynamics, LinearSystem};
 pub use mechanics::elimination::Elimination;
 pub use mechanics::equations::{Defect, Equations};
 pub use mechanics::model::{Energies, Model};
-pub use mechanics::solution::{Dynamics, Solution};
+pub use mechanics::solution::Solution;
 pub use mechanics::structure::Structure;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
-pub use print::names::Names;
+pub use print::names::{Letters, Names};
 pub use program::preparation::Prepared;
 pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
 pub use program::verify::Fault;
+
+// Unit tests are about the same systems as the tests from outside.
+#[cfg(test)]
+extern crate self as lagrangian_symbolic;
+#[cfg(test)]
+#[allow(dead_code)]
+#[path = "../tests/support/draft.rs"]
+mod draft;
+#[cfg(test)]
+#[allow(dead_code)]
+#[path = "../tests/support/systems.rs"]
+mod systems;

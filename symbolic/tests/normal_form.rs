@@ -194,3 +194,114 @@ fn inverse_functions_undo_one_another() {
     let half = graph.constant(&Rational::HALF);
     assert_eq!(graph.binary(Binary::Power, x, half), graph.square_root(x));
 }
+
+#[test]
+fn numbers_and_common_factors_come_out_of_whole_powers() {
+    let (mut graph, x, y) = start();
+    // (2x + 4y)³ = 8 (x + 2y)³, and (x y + x)² = x² (y + 1)².
+    let rest = graph.sum([(x, Rational::ONE), (y, Rational::integer(2))]);
+    let twice = graph.scale(rest, &Rational::integer(2));
+    let three = Rational::integer(3);
+    let cube = graph.power(rest, &three);
+    assert_eq!(
+        graph.power(twice, &three),
+        graph.scale(cube, &Rational::integer(8))
+    );
+    let product = graph.multiply(x, y);
+    let sum = graph.add(product, x);
+    let shifted = graph.add_constant(y, &Rational::ONE);
+    let two = Rational::integer(2);
+    let expected = graph.product([(x, two.clone()), (shifted, two)]);
+    assert_eq!(graph.square(sum), expected);
+    // Of roots nothing comes out: of x (y + 1) both may be negative.
+    let root = graph.square_root(sum);
+    assert!(matches!(graph.node(root), Node::Product(factors) if factors.len() == 1));
+    // A sum with a number that is not common keeps it.
+    let with_number = graph.add_constant(twice, &Rational::ONE);
+    let square = graph.square(with_number);
+    assert!(matches!(graph.node(square), Node::Product(factors) if factors.len() == 1));
+}
+
+#[test]
+fn whole_powers_are_distributed_over_products_and_no_others() {
+    let (mut graph, x, y) = start();
+    let product = graph.multiply(x, y);
+    let minus_two = Rational::integer(-2);
+    let expected = graph.product([(x, minus_two.clone()), (y, minus_two.clone())]);
+    assert_eq!(graph.power(product, &minus_two), expected);
+    // (x³)^⅓ = x, as x³ has a real root; (x²)^⅓ = |x|^⅔; (x y)^⅓ stays, and (x y²)^½ too.
+    let third = ratio(1, 3);
+    let [square, cube] = [2, 3].map(|k| graph.power(x, &Rational::integer(k)));
+    assert_eq!(graph.power(cube, &third), x);
+    let size = graph.unary(Unary::Abs, x);
+    let expected = graph.power(size, &ratio(2, 3));
+    assert_eq!(graph.power(square, &third), expected);
+    let y2 = graph.square(y);
+    let mixed = graph.multiply(x, y2);
+    for (base, exponent) in [(product, third), (mixed, Rational::HALF)] {
+        let power = graph.power(base, &exponent);
+        assert!(
+            matches!(graph.node(power), Node::Product(factors) if **factors == [(base, exponent)])
+        );
+    }
+    // |x|³ is not x³, and (−x)^½ is no multiple of √x.
+    let cubed = graph.power(size, &Rational::integer(3));
+    assert_ne!(cubed, cube);
+    let minus = graph.negate(x);
+    let root = graph.square_root(minus);
+    assert!(matches!(graph.node(root), Node::Product(factors) if factors[0].0 == minus));
+    assert_eq!(graph.multiply(size, size), square);
+}
+
+#[test]
+fn short_sums_and_products_merge_and_long_ones_stay() {
+    let mut graph = Graph::new();
+    let letters: Vec<_> = (0..20).map(Symbol::Parameter).collect();
+    let letters: Vec<_> = letters.into_iter().map(|x| graph.symbol(x)).collect();
+    let mut counts = |length: usize| {
+        let one = Rational::ONE;
+        let first = letters[..length].iter().map(|x| (*x, one.clone()));
+        let (sum, product) = (graph.sum(first.clone()), graph.product(first));
+        let last = letters[19];
+        let (sum, product) = (graph.add(sum, last), graph.multiply(product, last));
+        [operands(&graph, sum), operands(&graph, product)]
+    };
+    assert_eq!(counts(8), [9, 9]);
+    assert_eq!(counts(9), [2, 10]);
+    assert_eq!(counts(16), [2, 17]);
+    assert_eq!(counts(17), [2, 2]);
+}
+
+#[test]
+fn inverse_functions_undo_one_another_only_where_that_is_true_everywhere() {
+    let (mut graph, x, y) = start();
+    let call = |graph: &mut Graph, f, g| {
+        let inner = graph.unary(g, x);
+        graph.unary(f, inner)
+    };
+    for (f, g) in [
+        (Unary::Asin, Unary::Sin),
+        (Unary::Acos, Unary::Cos),
+        (Unary::Atan, Unary::Tan),
+        (Unary::Acosh, Unary::Cosh),
+    ] {
+        assert_ne!(call(&mut graph, f, g), x, "{f:?} {g:?}");
+    }
+    // ln x² is not 2 ln x, and exp(2 ln x) has no value for negative x.
+    let square = graph.square(x);
+    let ln = graph.unary(Unary::Ln, x);
+    let of_square = graph.unary(Unary::Ln, square);
+    assert_ne!(of_square, graph.scale(ln, &Rational::integer(2)));
+    let double = graph.scale(ln, &Rational::integer(2));
+    assert_ne!(graph.unary(Unary::Exp, double), square);
+    // ‖x‖ = |x|; the sign of a sign is not looked for; atan2 has an order.
+    let size = graph.unary(Unary::Abs, x);
+    assert_eq!(graph.unary(Unary::Abs, size), size);
+    let angle = graph.binary(Binary::Atan2, x, y);
+    assert_ne!(angle, graph.binary(Binary::Atan2, y, x));
+    let mixed = graph.binary(Binary::Min, x, y);
+    assert_ne!(mixed, graph.binary(Binary::Max, x, y));
+    // x^y with an y that is no number stays a power of real numbers.
+    let power = graph.binary(Binary::Power, x, y);
+    assert!(matches!(graph.node(power), Node::Binary(Binary::Power, ..)));
+}

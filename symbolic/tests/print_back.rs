@@ -13,12 +13,16 @@ struct Reader<'a> {
     tokens: Vec<String>,
     position: usize,
     symbols: &'a dyn Fn(&str) -> Bounded,
+    /// Whether a bar that comes next closes.
     bars: bool,
 }
 
 /// Takes text apart: letters with their dots and subscripts, digits, commands, other characters.
 fn tokens(text: &str) -> Vec<String> {
+    // LaTeX says which bar opens and which closes; Unicode does not, and its bars are not nested.
     let text = text
+        .replace("\\left|", "⟦")
+        .replace("\\right|", "⟧")
         .replace("\\left", "")
         .replace("\\right", "")
         .replace("\\,", " ");
@@ -173,7 +177,7 @@ impl Reader<'_> {
             let explicit = ["·", "×", "\\cdot", "\\times"]
                 .iter()
                 .any(|dot| self.accept(dot));
-            let closing = ["", ")", "}", "+", "−", "-", ","].contains(&self.peek());
+            let closing = ["", ")", "}", "⟧", "+", "−", "-", ","].contains(&self.peek());
             if !explicit && (closing || (self.bars && self.peek() == "|")) {
                 return product;
             }
@@ -229,6 +233,7 @@ impl Reader<'_> {
     fn base(&mut self) -> Bounded {
         match self.peek() {
             "(" => return self.within("(", ")"),
+            "⟦" => return self.within("⟦", "⟧").unary(Unary::Abs),
             "|" => {
                 self.take();
                 self.bars = true;
@@ -351,5 +356,30 @@ proptest! {
                 prop_assert!(read.agrees(expected), "{text}: {read:?} for {expected:?}");
             }
         }
+    }
+}
+
+#[test]
+fn bars_within_bars_are_read() {
+    let mut graph = Graph::new();
+    let [x, y] = [0, 1].map(|index| graph.symbol(Symbol::Coordinate(index)));
+    // |x + |x + y||·|y|
+    let sum = graph.add(x, y);
+    let inner = graph.unary(Unary::Abs, sum);
+    let sum = graph.add(x, inner);
+    let outer = graph.unary(Unary::Abs, sum);
+    let size = graph.unary(Unary::Abs, y);
+    let product = graph.multiply(outer, size);
+    let names = names();
+    for text in [
+        graph.display(product, &names).to_string(),
+        graph.latex(product, &names).to_string(),
+    ] {
+        let value = |name: &str| match symbol(name) {
+            Symbol::Coordinate(0) => -3.0,
+            _ => 5.0,
+        };
+        let read = Reader::read(&text, &|name| Bounded::exact(value(name)));
+        assert_eq!(read.value, 5.0, "{text}");
     }
 }

@@ -131,3 +131,34 @@ fn programs_are_the_same_each_time() {
     };
     assert_eq!(build(), build());
 }
+
+#[test]
+fn an_expression_and_the_same_kept_whole_are_one_value() {
+    let mut graph = Graph::new();
+    let [a, b, f, x] = parameters(&mut graph);
+    let product = graph.multiply(a, b);
+    let whole = graph.whole(product);
+    // 2 a b + x, and f a b + f x, which is no multiple of it.
+    let doubled = total(&mut graph, &[product, whole, x]);
+    let terms = products(&mut graph, &[&[f, product], &[f, x]]);
+    let other = total(&mut graph, &terms);
+    assert_costs(count(&graph, &[doubled, other]), 2, 3, 0);
+}
+
+#[test]
+fn what_is_shared_is_added_to_what_is_there_already() {
+    let mut graph = Graph::new();
+    let [a, b, x] = parameters(&mut graph);
+    let sum = graph.add(a, b);
+    let whole = graph.whole(sum);
+    let two = Rational::integer(2);
+    // With s = a + b, the first is 3 s + x, and s + x is no part of it.
+    let first = graph.sum([
+        (a, Rational::ONE),
+        (b, Rational::ONE),
+        (whole, two),
+        (x, Rational::ONE),
+    ]);
+    let second = graph.add(whole, x);
+    assert_costs(count(&graph, &[first, second]), 3, 1, 0);
+}

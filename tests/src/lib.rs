@@ -9,7 +9,7 @@ mod model;
 pub use closeness::{assert_close, relative_error};
 pub use figures::Figures;
 pub use model::{Law, Observed, Parametrized, rows};
-pub use reference::{array, list, number, numbers, public_cases, references, text};
+pub use reference::{array, list, near_the_poles, number, numbers, public_cases, references, text};
 
 /// The models of the random Lagrangians, written by the build script; `public_cases!` lists them.
 #[rustfmt::skip]

@@ -24,6 +24,16 @@ pub fn references() -> Value {
     document("references_public.json")
 }
 
+/// The accelerations of tops near the poles.
+///
+/// # Panics
+///
+/// If the file cannot be read.
+#[must_use]
+pub fn near_the_poles() -> Value {
+    document("near_the_poles.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

@@ -24,9 +24,10 @@ f[θ] = torque − friction·θ̇ − m g l sin θ
 | `mass_matrix` | 0 | 2 | 0 | 0 | 0 | 0 |
 | `forcing` | 2 | 4 | 0 | 0 | 1 | 0 |
 | `generalized_forces` | 1 | 1 | 0 | 0 | 0 | 0 |
-| `accelerations` | 2 | 7 | 1 | 0 | 1 | 0 |
+| `prepare` | 0 | 4 | 1 | 0 | 0 | 0 |
+| `accelerations` | 2 | 3 | 0 | 0 | 1 | 0 |
 | `inverse_dynamics` | 3 | 5 | 0 | 0 | 1 | 0 |
-| `linearize` | 2 | 10 | 1 | 0 | 1 | 0 |
+| `linearize` | 4 | 9 | 3 | 0 | 1 | 0 |
 */
 impl DrivenPendulum {
     /// The names of the coordinates, in order.
@@ -85,10 +86,18 @@ impl DrivenPendulum {
             sines_and_cosines: 0usize,
             functions: 0usize,
         },
+        prepare: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 4usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
         accelerations: ::lagrangian::OperationCount {
             additions: 2usize,
-            multiplications: 7usize,
-            divisions: 1usize,
+            multiplications: 3usize,
+            divisions: 0usize,
             square_roots: 0usize,
             sines_and_cosines: 1usize,
             functions: 0usize,
@@ -102,9 +111,9 @@ impl DrivenPendulum {
             functions: 0usize,
         },
         linearize: ::lagrangian::OperationCount {
-            additions: 2usize,
-            multiplications: 10usize,
-            divisions: 1usize,
+            additions: 4usize,
+            multiplications: 9usize,
+            divisions: 3usize,
             square_roots: 0usize,
             sines_and_cosines: 1usize,
             functions: 0usize,
@@ -121,6 +130,13 @@ impl ::lagrangian::System<1usize> for DrivenPendulum {
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
 for DrivenPendulum {
+    type Prepared = [__S; 2usize];
+    fn prepare(&self) -> [__S; 2usize] {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        [l * m * g, __S::from_f64(1.0) / (l * l * m)]
+    }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
         ::lagrangian::Inputs::<
             1usize,
@@ -197,6 +213,22 @@ for DrivenPendulum {
             self,
             state,
             &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+        )
+    }
+    fn accelerations_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 2usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::accelerations_prepared_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+            prepared,
         )
     }
     fn inverse_dynamics(
@@ -282,8 +314,9 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = l
             * (m
-                * (__S::from_f64(0.5) * (l * (theta_dot * theta_dot))
-                    + theta.cos() * g));
+                * theta
+                    .cos()
+                    .mul_add(g, __S::from_f64(0.5) * (l * (theta_dot * theta_dot))));
         x0
     }
     fn energy_with(
@@ -298,8 +331,8 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = l
             * (m
-                * (__S::from_f64(0.5) * (l * (theta_dot * theta_dot))
-                    - theta.cos() * g));
+                * (-theta.cos())
+                    .mul_add(g, __S::from_f64(0.5) * (l * (theta_dot * theta_dot))));
         x0
     }
     fn forcing_with(
@@ -315,7 +348,7 @@ for DrivenPendulum {
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         ::lagrangian::__private::SVector::from([
-            torque - theta_dot * friction - l * theta.sin() * m * g,
+            (-(l * theta.sin() * m)).mul_add(g, (-theta_dot).mul_add(friction, torque)),
         ])
     }
     fn generalized_forces_with(
@@ -326,41 +359,35 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        ::lagrangian::__private::SVector::from([torque - theta_dot * friction])
+        ::lagrangian::__private::SVector::from([(-theta_dot).mul_add(friction, torque)])
     }
     fn accelerations_with(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::accelerations_prepared_with(self, state, inputs, &prepared)
+    }
+    fn accelerations_prepared_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 2usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.q[0];
         let theta_dot: __S = state.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let x0 = l * m;
-        ::lagrangian::__private::if_positive(
-            [l * x0],
-            ::lagrangian::__private::SVector::from([
-                (torque - theta_dot * friction - theta.sin() * g * x0) / (l * l * m),
-            ]),
-            || {
-                let mass = ::lagrangian::Lagrangian::<
-                    1usize,
-                    __S,
-                >::mass_matrix(self, state);
-                ::lagrangian::Factorization::new(mass)
-                    .solve(
-                        &::lagrangian::Inputs::<
-                            1usize,
-                            1usize,
-                            __S,
-                        >::forcing_with(self, state, inputs),
-                    )
-            },
-        )
+        let c0: __S = prepared[0];
+        let c1: __S = prepared[1];
+        ::lagrangian::__private::SVector::from([
+            (-theta.sin()).mul_add(c0, (-theta_dot).mul_add(friction, torque)) * c1,
+        ])
     }
     fn inverse_dynamics_with(
         &self,
@@ -376,7 +403,8 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let x0 = theta_dot * friction + l * (m * (theta.sin() * g + l * theta_ddot));
+        let x0 = l
+            .mul_add(m * l.mul_add(theta_ddot, theta.sin() * g), theta_dot * friction);
         ::lagrangian::__private::SVector::from([x0 - torque])
     }
     fn linearize_with(
@@ -391,25 +419,13 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let x0 = l * m;
         let (sin_theta, cos_theta) = theta.sin_cos();
-        let x1 = g * x0;
-        let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::__private::SMatrix::from([[l * x0]]),
-        );
-        let accelerations = factors
-            .solve(
-                &::lagrangian::__private::SVector::from([
-                    torque - theta_dot * friction - sin_theta * x1,
-                ]),
-            );
+        let x0 = __S::from_f64(1.0) / l;
+        let x1 = __S::from_f64(1.0) / m * (x0 * x0);
         ::lagrangian::Linearization {
-            position: -factors
-                .solve(&::lagrangian::__private::SMatrix::from([[cos_theta * x1]])),
-            velocity: -factors
-                .solve(&::lagrangian::__private::SMatrix::from([[friction]])),
-            time: -factors
-                .solve(&::lagrangian::__private::SVector::from([__S::from_f64(0.0)])),
+            position: ::lagrangian::__private::SMatrix::from([[-(cos_theta * g / l)]]),
+            velocity: ::lagrangian::__private::SMatrix::from([[-(friction * x1)]]),
+            time: ::lagrangian::__private::SVector::from([__S::from_f64(0.0)]),
         }
     }
     fn input_jacobian_with(
@@ -419,10 +435,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::__private::SMatrix::from([[l * l * m]]),
-        );
-        -factors.solve(&::lagrangian::__private::SMatrix::from([[__S::from_f64(-1.0)]]))
+        ::lagrangian::__private::SMatrix::from([[__S::from_f64(1.0) / (l * l * m)]])
     }
 }
 ///The outputs of [`DrivenPendulum`].
@@ -476,7 +489,7 @@ for DrivenPendulum {
         DrivenPendulumOutputs {
             height: y,
             acceleration: l
-                * (cos_theta * theta_ddot - sin_theta * (theta_dot * theta_dot)),
+                * (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot),
         }
     }
 }

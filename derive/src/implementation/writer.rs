@@ -1,6 +1,6 @@
 //! The bodies of methods, each in the shape that it returns.
 
-use lagrangian_symbolic::{Program, Symbol};
+use lagrangian_symbolic::{Operand, Program, Rational, Symbol};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -91,12 +91,12 @@ impl Writer<'_> {
         let accelerations =
             (used || pivots > 0).then(|| quote!(let accelerations = #accelerations;));
         let (more, columns) = self.phase(1);
-        let linearization = linearization(&columns, n, |matrix| matrix);
+        let linearization = linearization(&columns, n);
         if pivots == 0 {
             return quote!(#statements #accelerations #more #linearization);
         }
         let (others, residuals) = self.phase(2);
-        let otherwise = linearization_of_residuals(&residuals, n);
+        let otherwise = self.linearization_of_residuals(2, &residuals, n);
         let factors = self.factors_of_mass_matrix(n);
         let pivots = &outputs[..pivots];
         quote! {
@@ -120,7 +120,7 @@ impl Writer<'_> {
         let factors = self.factors(&outputs, n);
         let forcing = vector(&outputs[outputs.len() - n..]);
         let (more, derivatives) = self.phase(1);
-        let linearization = linearization_of_residuals(&derivatives, n);
+        let linearization = self.linearization_of_residuals(1, &derivatives, n);
         quote! {
             #statements
             #factors
@@ -153,6 +153,22 @@ impl Writer<'_> {
                 }
             }
         }
+    }
+
+    /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M, from the outputs of a phase. All
+    /// columns are solved for at once, but for ∂/∂t where the time does not occur.
+    fn linearization_of_residuals(
+        &self,
+        phase: usize,
+        columns: &[TokenStream],
+        n: usize,
+    ) -> TokenStream {
+        let outputs = &self.program.phases[phase].outputs;
+        let zero = Operand::Constant(Rational::ZERO);
+        let timeless = outputs[2 * n * n..].iter().all(|output| *output == zero);
+        let count = if timeless { 2 * n } else { 2 * n + 1 };
+        let columns = matrix(&columns[..count * n], n);
+        quote!(::lagrangian::__private::linearization(&factors, &#columns))
     }
 
     /// Factors M, whose lower triangle stands first among the outputs.
@@ -205,14 +221,10 @@ pub(super) fn as_vector(writer: &mut Writer<'_>) -> TokenStream {
 }
 
 /// The derivatives by q, q̇ and t from their columns.
-fn linearization(
-    columns: &[TokenStream],
-    n: usize,
-    solve: impl Fn(TokenStream) -> TokenStream,
-) -> TokenStream {
-    let position = solve(matrix(&columns[..n * n], n));
-    let velocity = solve(matrix(&columns[n * n..2 * n * n], n));
-    let time = solve(vector(&columns[2 * n * n..]));
+fn linearization(columns: &[TokenStream], n: usize) -> TokenStream {
+    let position = matrix(&columns[..n * n], n);
+    let velocity = matrix(&columns[n * n..2 * n * n], n);
+    let time = vector(&columns[2 * n * n..]);
     quote! {
         ::lagrangian::Linearization {
             position: #position,
@@ -220,11 +232,6 @@ fn linearization(
             time: #time,
         }
     }
-}
-
-/// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M.
-fn linearization_of_residuals(columns: &[TokenStream], n: usize) -> TokenStream {
-    linearization(columns, n, |residuals| quote!(-factors.solve(&#residuals)))
 }
 
 fn vector(elements: &[TokenStream]) -> TokenStream {

@@ -5,6 +5,8 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::dependence::Dependence;
+use crate::algebra::hashing::Table;
+use crate::algebra::interner::Interner;
 use crate::{Expression, Graph, Node, Rational, Symbol};
 
 /// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
@@ -40,38 +42,50 @@ impl Graph {
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         let mut derivatives = vec![zero; length];
+        let mut cofactors = Cofactors::default();
         for expression in descendants {
             derivatives[expression.index()] = match self.node(expression) {
                 Node::Symbol(symbol) => direction.get(symbol).copied().unwrap_or(zero),
-                _ => self.chain_rule(expression, &derivatives),
+                _ => self.chain_rule(expression, &derivatives, &mut cofactors),
             };
         }
         roots.iter().map(|root| derivatives[root.index()]).collect()
     }
 
     /// The derivative of what is no symbol from those of its operands.
-    fn chain_rule(&mut self, expression: Expression, derivatives: &[Expression]) -> Expression {
+    fn chain_rule(
+        &mut self,
+        expression: Expression,
+        derivatives: &[Expression],
+        cofactors: &mut Cofactors,
+    ) -> Expression {
         let zero = self.zero();
         let of = |operand: Expression| derivatives[operand.index()];
         match *self.node(expression) {
             Node::Constant(_) | Node::Pi | Node::Symbol(_) => zero,
             Node::Sum(ref terms) => {
-                let mut changes = Vec::new();
+                let mut changes: Vec<(Expression, Rational)> = Vec::new();
                 for (x, c) in terms {
                     let change = of(*x);
-                    if change != zero {
-                        changes.push((change, c.clone()));
+                    if change == zero {
+                        continue;
+                    }
+                    // Neighbours often change alike.
+                    match changes.last_mut() {
+                        Some((last, sum)) if *last == change => *sum = &*sum + c,
+                        _ => changes.push((change, c.clone())),
                     }
                 }
                 self.sum(changes)
             }
             Node::Product(ref factors) => {
-                let constant = factors.iter().all(|(x, _)| of(*x) == zero);
-                if constant {
-                    return zero;
+                let mut terms = Vec::new();
+                for (position, (x, exponent)) in factors.iter().enumerate() {
+                    if of(*x) != zero {
+                        terms.push((position, of(*x), exponent.clone()));
+                    }
                 }
-                let factors = factors.clone();
-                self.product_rule(&factors, of)
+                self.product_rule(expression, terms, cofactors)
             }
             Node::Unary(function, x) => {
                 if of(x) == zero {
@@ -93,26 +107,84 @@ impl Graph {
         }
     }
 
-    /// d Π xᵢ^kᵢ = Σⱼ kⱼ dxⱼ xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, which divides by nothing.
+    /// d Π xᵢ^kᵢ = Σⱼ kⱼ dxⱼ xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, which divides by nothing; of the factors that
+    /// change, with their positions, changes and exponents.
     fn product_rule(
         &mut self,
-        factors: &[(Expression, Rational)],
-        derivative: impl Fn(Expression) -> Expression,
+        product: Expression,
+        changes: Vec<(usize, Expression, Rational)>,
+        cofactors: &mut Cofactors,
     ) -> Expression {
-        let mut terms = Vec::new();
-        for (position, (base, exponent)) in factors.iter().enumerate() {
-            let change = derivative(*base);
-            if self.is_zero(change) {
-                continue;
-            }
-            // The other factors are in normal form already.
-            let mut others = factors.to_vec();
-            others.remove(position);
-            let power = (*base, exponent - &Rational::ONE);
-            let product = self.multiply_factors(others, vec![power, (change, Rational::ONE)]);
-            terms.push((product, exponent.clone()));
+        let mut terms = Vec::with_capacity(changes.len());
+        for (position, change, exponent) in changes {
+            terms.push((cofactors.times(self, product, position, change), exponent));
         }
-        self.sum(terms)
+        match terms.as_slice() {
+            [(only, exponent)] if exponent.is_one() => *only,
+            _ => self.sum(terms),
+        }
+    }
+}
+
+/// What stands beside a factor in a product, multiplied by changes of the factor.
+///
+/// In a chain, many products differ in one factor only, such as r·x₁, r·x₂ …, and those factors often
+/// change alike. Then one product r·dx is the derivative of them all, and is made once.
+#[derive(Default)]
+pub(crate) struct Cofactors {
+    /// xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, written as products that are no part of the graph.
+    lists: Interner,
+    /// The position of the list, by product and position of the factor.
+    of: Table<(Expression, usize), usize>,
+    /// What became of a list times a change.
+    products: Table<(usize, Expression), Expression>,
+}
+
+impl Cofactors {
+    /// dxⱼ xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ.
+    fn times(
+        &mut self,
+        graph: &mut Graph,
+        product: Expression,
+        position: usize,
+        change: Expression,
+    ) -> Expression {
+        let list = match self.of.get(&(product, position)) {
+            Some(list) => *list,
+            None => self.enter(graph, product, position),
+        };
+        if let Some(known) = self.products.get(&(list, change)) {
+            return *known;
+        }
+        let Node::Product(factors) = &self.lists.nodes()[list] else {
+            return graph.zero();
+        };
+        // What comes last is the factor itself; the others are in normal form already.
+        let mut others = factors.to_vec();
+        let mut pending: Vec<_> = others.pop().into_iter().collect();
+        pending.push((change, Rational::ONE));
+        let value = graph.multiply_factors(others, pending);
+        self.products.insert((list, change), value);
+        value
+    }
+
+    fn enter(&mut self, graph: &Graph, product: Expression, position: usize) -> usize {
+        let mut factors = Vec::new();
+        if let Node::Product(all) = graph.node(product) {
+            factors.extend_from_slice(&all[..position]);
+            factors.extend_from_slice(&all[position + 1..]);
+            let (base, exponent) = &all[position];
+            let exponent = exponent - &Rational::ONE;
+            let base = if exponent.is_zero() {
+                graph.one()
+            } else {
+                *base
+            };
+            factors.push((base, exponent));
+        }
+        let list = self.lists.insert(Node::Product(factors.into()));
+        self.of.insert((product, position), list);
+        list
     }
 }
 
@@ -122,6 +194,7 @@ pub(crate) struct Tangents {
     dependence: Dependence,
     /// By expression, with respect to the symbol that is looked at; between two of them all 0.
     derivatives: Vec<Expression>,
+    cofactors: Cofactors,
 }
 
 impl Tangents {
@@ -132,6 +205,7 @@ impl Tangents {
             symbols: symbols.to_vec(),
             dependence: Dependence::of(graph, roots, symbols),
             derivatives: vec![graph.zero(); length],
+            cofactors: Cofactors::default(),
         }
     }
 
@@ -142,9 +216,8 @@ impl Tangents {
         roots: &[Expression],
         position: usize,
     ) -> Vec<Expression> {
-        let dependents = self.dependence.on(position);
-        let symbol = self.symbols[position];
-        forward(graph, &mut self.derivatives, dependents, symbol, roots)
+        let dependents = self.dependence.on(position).to_vec();
+        self.forward(graph, &dependents, roots, position)
     }
 
     /// The derivatives of some of the roots with respect to the symbol at `position`.
@@ -155,29 +228,29 @@ impl Tangents {
         position: usize,
     ) -> Vec<Expression> {
         let dependents = self.dependence.within(graph, roots, position);
-        let symbol = self.symbols[position];
-        forward(graph, &mut self.derivatives, &dependents, symbol, roots)
+        self.forward(graph, &dependents, roots, position)
     }
-}
 
-/// The derivatives of `roots` with respect to the only symbol among `dependents`, in which all that
-/// contains it stands. Leaves `derivatives` as they were: 0.
-fn forward(
-    graph: &mut Graph,
-    derivatives: &mut [Expression],
-    dependents: &[Expression],
-    symbol: Symbol,
-    roots: &[Expression],
-) -> Vec<Expression> {
-    for expression in dependents {
-        derivatives[expression.index()] = match graph.node(*expression) {
-            Node::Symbol(found) if *found == symbol => graph.one(),
-            _ => graph.chain_rule(*expression, derivatives),
-        };
+    /// The derivatives of `roots`, where all that contains the symbol stands among `dependents`.
+    fn forward(
+        &mut self,
+        graph: &mut Graph,
+        dependents: &[Expression],
+        roots: &[Expression],
+        position: usize,
+    ) -> Vec<Expression> {
+        let symbol = self.symbols[position];
+        let derivatives = &mut self.derivatives;
+        for expression in dependents {
+            derivatives[expression.index()] = match graph.node(*expression) {
+                Node::Symbol(found) if *found == symbol => graph.one(),
+                _ => graph.chain_rule(*expression, derivatives, &mut self.cofactors),
+            };
+        }
+        let results = roots.iter().map(|root| derivatives[root.index()]).collect();
+        for expression in dependents {
+            derivatives[expression.index()] = graph.zero();
+        }
+        results
     }
-    let results = roots.iter().map(|root| derivatives[root.index()]).collect();
-    for expression in dependents {
-        derivatives[expression.index()] = graph.zero();
-    }
-    results
 }

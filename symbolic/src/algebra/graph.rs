@@ -12,9 +12,10 @@
 //! that have grown long stay whole within others, so that no chain of them grows with its square.
 
 use core::hash::{Hash, Hasher};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
-use crate::algebra::hashing::mix;
+use crate::algebra::contents::Contents;
+use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
 use crate::{Binary, Pass, Passes, Rational, Symbol, Unary};
@@ -106,8 +107,9 @@ pub struct Graph {
     nodes: Interner,
     /// The passes that are applied to what is made of this graph.
     pub passes: Passes,
+    contents: Vec<Contents>,
     /// What sums are multiples of, as far as products have asked.
-    pub(crate) splits: BTreeMap<Expression, Option<Split>>,
+    pub(crate) splits: Table<Expression, Option<Split>>,
 }
 
 impl Default for Graph {
@@ -123,7 +125,8 @@ impl Graph {
         let mut graph = Self {
             nodes: Interner::default(),
             passes: Passes::default(),
-            splits: BTreeMap::new(),
+            contents: Vec::new(),
+            splits: Table::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));
@@ -187,39 +190,52 @@ impl Graph {
         }
     }
 
-    /// For each expression up to the last root, whether a root is made of it.
-    #[must_use]
-    pub fn reachable(&self, roots: &[Expression]) -> Vec<bool> {
-        let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
-        let mut reachable = vec![false; length];
-        for root in roots {
-            reachable[root.index()] = true;
-        }
-        for index in (0..length).rev() {
-            if reachable[index] {
-                self.node(handle(index))
-                    .for_each_operand(|operand| reachable[operand.index()] = true);
-            }
-        }
-        reachable
-    }
-
     /// The expressions that the roots are made of, themselves included, children before parents.
     #[must_use]
     pub fn descendants(&self, roots: &[Expression]) -> Vec<Expression> {
-        let reachable = self.reachable(roots);
-        (0..reachable.len())
-            .filter(|index| reachable[*index])
-            .map(handle)
-            .collect()
+        let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
+        let mut reached = vec![false; length];
+        for root in roots {
+            reached[root.index()] = true;
+        }
+        let mut descendants = Vec::new();
+        // The arena may be much larger than what is looked for: a plain loop, also without optimization.
+        let mut index = length;
+        while index > 0 {
+            index -= 1;
+            if reached[index] {
+                let expression = handle(index);
+                descendants.push(expression);
+                let node = self.node(expression);
+                node.for_each_operand(|operand| reached[operand.index()] = true);
+            }
+        }
+        descendants.reverse();
+        descendants
+    }
+
+    /// What `expression` contains, at any depth.
+    #[must_use]
+    pub fn contents(&self, expression: Expression) -> Contents {
+        self.contents[expression.index()]
     }
 
     /// Whether one of `roots` contains a symbol for which `wanted` holds.
     #[must_use]
     pub fn contains(&self, roots: &[Expression], wanted: impl Fn(Symbol) -> bool) -> bool {
-        self.descendants(roots).iter().any(
-            |expression| matches!(self.node(*expression), Node::Symbol(symbol) if wanted(*symbol)),
-        )
+        self.symbols(roots).into_iter().any(wanted)
+    }
+
+    /// The symbols that the roots contain.
+    #[must_use]
+    pub fn symbols(&self, roots: &[Expression]) -> BTreeSet<Symbol> {
+        self.descendants(roots)
+            .into_iter()
+            .filter_map(|expression| match self.node(expression) {
+                Node::Symbol(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect()
     }
 
     /// Where `node` stands in the arena, if it does.
@@ -229,7 +245,12 @@ impl Graph {
 
     /// The handle of `node`, which is in normal form.
     pub(crate) fn intern(&mut self, node: Node) -> Expression {
-        handle(self.nodes.insert(node))
+        let position = self.nodes.insert(node);
+        if position == self.contents.len() {
+            let contents = Contents::of(&self.nodes.nodes()[position], &self.contents);
+            self.contents.push(contents);
+        }
+        handle(position)
     }
 
     /// An exact number.

@@ -4,7 +4,7 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²) = |x|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::algebra::sum::Split;
+use crate::algebra::sum::{Split, ascends};
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 /// A product of more factors than this stays one factor of the product that contains it, as long sums
@@ -58,6 +58,9 @@ impl Graph {
             return self.intern_product(vec![(*zero, Rational::MINUS_ONE)]);
         }
         let product = self.intern_product(settled);
+        if coefficient.is_one() {
+            return product;
+        }
         self.scale(product, &coefficient)
     }
 
@@ -122,9 +125,11 @@ impl Graph {
 fn combine_and_take_merged(
     factors: &mut Vec<(Expression, Rational)>,
 ) -> Vec<(Expression, Rational)> {
+    if ascends(factors) {
+        return Vec::new();
+    }
     factors.sort_by_key(|(base, _)| *base);
-    let repeats = |pair: &[(Expression, Rational)]| pair[0].0 == pair[1].0;
-    if !factors.windows(2).any(repeats) {
+    if ascends(factors) {
         return Vec::new();
     }
     let (mut single, mut merged) = (Vec::new(), Vec::new());

@@ -28,11 +28,14 @@ impl Graph {
 
     /// Merges the term at `position` with another one, if a rule fits.
     fn merge_square(&mut self, terms: &mut Terms, position: usize) -> bool {
-        let (term, coefficient) = terms[position].clone();
-        let Node::Product(factors) = self.node(term) else {
+        let Node::Product(factors) = self.node(terms[position].0) else {
             return false;
         };
+        if !factors.iter().any(|(base, k)| self.is_square(*base, k)) {
+            return false;
+        }
         let factors = factors.clone();
+        let (term, coefficient) = terms[position].clone();
         for (index, (base, exponent)) in factors.iter().enumerate() {
             let Some(complement) = self.complement(*base, exponent) else {
                 continue;
@@ -57,15 +60,20 @@ impl Graph {
         false
     }
 
+    /// Whether a power is that of a sine or of a cosine which stands at least squared.
+    fn is_square(&self, base: Expression, exponent: &Rational) -> bool {
+        matches!(self.node(base), Node::Unary(Unary::Sin | Unary::Cos, _))
+            && exponent.to_integer().is_some_and(|k| k >= 2)
+    }
+
     /// The cosine to a sine and the sine to a cosine, where it stands at least squared.
     fn complement(&mut self, base: Expression, exponent: &Rational) -> Option<Expression> {
-        let Node::Unary(function, x) = *self.node(base) else {
+        if !self.is_square(base, exponent) {
             return None;
-        };
-        exponent.to_integer().filter(|k| *k >= 2)?;
-        match function {
-            Unary::Sin => Some(self.unary(Unary::Cos, x)),
-            Unary::Cos => Some(self.unary(Unary::Sin, x)),
+        }
+        match *self.node(base) {
+            Node::Unary(Unary::Sin, x) => Some(self.unary(Unary::Cos, x)),
+            Node::Unary(Unary::Cos, x) => Some(self.unary(Unary::Sin, x)),
             _ => None,
         }
     }

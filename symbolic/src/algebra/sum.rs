@@ -225,8 +225,23 @@ fn merges(terms: &[(Expression, Rational)]) -> bool {
     terms.len() <= LONGEST_MERGED && !terms.iter().any(|(_, c)| c.is_long())
 }
 
+/// Whether pairs (xᵢ, nᵢ) are sorted, each x once.
+pub(crate) fn ascends(pairs: &[(Expression, Rational)]) -> bool {
+    let mut position = 1;
+    while position < pairs.len() {
+        if pairs[position - 1].0 >= pairs[position].0 {
+            return false;
+        }
+        position += 1;
+    }
+    true
+}
+
 /// Sorts pairs (xᵢ, nᵢ), adds the numbers of equal x, and drops those that vanish.
 pub(crate) fn combine(pairs: &mut Vec<(Expression, Rational)>) {
+    if ascends(pairs) && !pairs.iter().any(|(_, number)| number.is_zero()) {
+        return;
+    }
     pairs.sort_by_key(|(expression, _)| *expression);
     pairs.dedup_by(|later, earlier| {
         let equal = later.0 == earlier.0;
@@ -236,4 +251,87 @@ pub(crate) fn combine(pairs: &mut Vec<(Expression, Rational)>) {
         equal
     });
     pairs.retain(|(_, number)| !number.is_zero());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Symbol;
+
+    fn parameters<const N: usize>(graph: &mut Graph) -> [Expression; N] {
+        let letters: Vec<_> = (0..).map(Symbol::Parameter).take(N).collect();
+        core::array::from_fn(|i| graph.symbol(letters[i]))
+    }
+
+    fn sum(graph: &mut Graph, terms: &[(Expression, Rational)]) -> Expression {
+        graph.sum(terms.iter().cloned())
+    }
+
+    fn ratio(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(numerator, denominator).unwrap()
+    }
+
+    #[test]
+    fn a_sum_is_divided_by_what_its_terms_share() {
+        let mut graph = Graph::new();
+        let [x, y, z] = parameters(&mut graph);
+        // 4 x² y − 6 x y z: the rest has no coefficient ±1 if 2 is taken out, so its first one becomes 1.
+        let two = Rational::integer(2);
+        let first = graph.product([(x, two), (y, Rational::ONE)]);
+        let second = graph.product([x, y, z].map(|x| (x, Rational::ONE)));
+        let terms = [
+            (first, Rational::integer(4)),
+            (second, Rational::integer(-6)),
+        ];
+        let written = sum(&mut graph, &terms);
+        let split = graph.split(written).unwrap();
+        assert_eq!(split.number, Rational::integer(4));
+        assert_eq!(split.common, [(x, Rational::ONE), (y, Rational::ONE)]);
+        assert_eq!(
+            split.rest,
+            sum(&mut graph, &[(x, Rational::ONE), (z, ratio(-3, 2))])
+        );
+        // 2 x/3 + 4 y/3 = ⅔ (x + 2 y).
+        let written = sum(&mut graph, &[(x, ratio(2, 3)), (y, ratio(4, 3))]);
+        let split = graph.split(written).unwrap();
+        assert_eq!((split.number, split.common), (ratio(2, 3), Vec::new()));
+    }
+
+    #[test]
+    fn the_smaller_power_is_common_and_signs_of_exponents_agree() {
+        let mut graph = Graph::new();
+        let [x, y] = parameters(&mut graph);
+        let power = |graph: &mut Graph, k: i64| graph.power(x, &Rational::integer(k));
+        // x³ + x² y shares x²; x⁻³ + x⁻² y shares x⁻²; x² y + x⁻¹ shares nothing.
+        for (first, second, common) in [(3, 2, Some(2)), (-3, -2, Some(-2)), (2, -1, None)] {
+            let (first, second) = (power(&mut graph, first), power(&mut graph, second));
+            let scaled = graph.multiply(second, y);
+            let written = graph.add(first, scaled);
+            let split = graph.split(written).map(|split| split.common);
+            assert_eq!(split, common.map(|k| vec![(x, Rational::integer(k))]));
+        }
+    }
+
+    #[test]
+    fn of_a_sum_and_its_opposite_the_first_is_the_rest_of_both() {
+        let mut graph = Graph::new();
+        let [x, y] = parameters(&mut graph);
+        let opposite = graph.subtract(y, x);
+        let written = graph.subtract(x, y);
+        assert_eq!(graph.split(opposite).map(|split| split.rest), None);
+        let split = graph.split(written).unwrap();
+        assert_eq!((split.number, split.rest), (Rational::MINUS_ONE, opposite));
+    }
+
+    #[test]
+    fn what_shares_nothing_is_not_split() {
+        let mut graph = Graph::new();
+        let [x, y] = parameters(&mut graph);
+        let plain = graph.add(x, y);
+        let shifted = graph.add_constant(x, &Rational::integer(2));
+        let product = graph.multiply(x, y);
+        for expression in [x, plain, shifted, product] {
+            assert!(graph.split(expression).is_none());
+        }
+    }
 }

@@ -6,6 +6,7 @@
 //! sin² + cos² = 1 and all addition theorems hold; square roots and absolute values square to what
 //! they should. Every other function is an arbitrary function of the value of its argument.
 
+use crate::decision::evaluation::Evaluation;
 use crate::decision::residue::{self, Field};
 use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
@@ -28,6 +29,10 @@ pub(crate) struct Image {
     pub(crate) value: u64,
     /// ℓ(x), additive and linear over the rationals: e^{ix} is the generator's ℓ-th power.
     phase: u64,
+}
+
+impl Image {
+    pub(crate) const ZERO: Self = Self { value: 0, phase: 0 };
 }
 
 impl Point {
@@ -83,21 +88,11 @@ impl Point {
     /// The values of the roots modulo p, or `None` where one has no value at this point.
     #[must_use]
     pub fn evaluate(self, graph: &Graph, roots: &[Expression]) -> Option<Vec<u64>> {
-        let descendants = graph.descendants(roots);
-        let length = descendants.last().map_or(0, |last| last.index() + 1);
-        let mut images = vec![Image { value: 0, phase: 0 }; length];
-        for expression in descendants {
-            images[expression.index()] = self.image(graph.node(expression), &images)?;
-        }
-        Some(
-            roots
-                .iter()
-                .map(|root| images[root.index()].value)
-                .collect(),
-        )
+        Some(Evaluation::new(graph, roots, self)?.values())
     }
 
-    fn image(self, node: &Node, images: &[Image]) -> Option<Image> {
+    /// The image of a node, where `images` has those of its operands.
+    pub(crate) fn image(self, node: &Node, images: &[Image]) -> Option<Image> {
         let of = |operand: Expression| images[operand.index()];
         let value = match node {
             Node::Sum(terms) => {

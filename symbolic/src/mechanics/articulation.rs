@@ -1,6 +1,6 @@
 //! q̈ along a tree of quasi-velocities, leaf by leaf.
 //!
-//! By Gauss's principle the accelerations minimize ½ ẇᵀ W ẇ − rᵀ q̈ under ẇₖ = ẇ_parent + Σ eₖᵢ q̈ᵢ + Dwₖ.
+//! By Gauss's principle the accelerations minimize ½ ẇᵀ W ẇ − rᵀ q̈ under ẇₖ = ẇₚ + Σ eₖᵢ q̈ᵢ + Dwₖ.
 //! Rates that nothing builds on are put in, then a coordinate that is left in the quadratic form alone is
 //! eliminated: what remains is the inertia that the rest of the chain feels. For a chain it takes as many
 //! steps as there are links, each of a fixed size, where an elimination of M takes the cube; for forms
@@ -256,7 +256,7 @@ impl<'a> Quadratic<'a> {
         }
     }
 
-    /// Puts ẇₖ = ẇ_parent + Σ e q̈ into the quadratic form.
+    /// Puts ẇₖ = ẇₚ + Σ e q̈ into the quadratic form.
     fn put_in(&mut self, graph: &mut Graph, k: usize) {
         self.done[k] = true;
         let form = &self.tree.forms[k];

@@ -49,7 +49,7 @@ impl BoltzmannHamel {
         let inertia = if quasi_velocities.is_diagonal(graph) {
             None
         } else {
-            Some(Elimination::factor(graph, &quasi_velocities.inertia)?)
+            Some(Elimination::factor(graph, &quasi_velocities.inertia, MOST)?)
         };
         let mut found = Self {
             quasi_velocities,
@@ -93,15 +93,14 @@ impl BoltzmannHamel {
     /// W⁻¹ E⁻ᵀ (Q − 𝓛(L₀) − …) − D w.
     fn rates(&self, graph: &mut Graph, coordinates: u32, forces: &[Expression]) -> Vec<Expression> {
         let torques = self.torques(graph, coordinates, forces);
-        let rates = match &self.inertia {
-            Some(inertia) => inertia.solve(graph, &torques),
-            None => {
-                let inertia = &self.quasi_velocities.inertia;
-                let torques = torques.iter().enumerate();
-                torques
-                    .map(|(i, x)| graph.divide(*x, inertia[i][i]))
-                    .collect()
-            }
+        let rates = if let Some(inertia) = &self.inertia {
+            inertia.solve(graph, &torques)
+        } else {
+            let inertia = &self.quasi_velocities.inertia;
+            let torques = torques.iter().enumerate();
+            torques
+                .map(|(i, x)| graph.divide(*x, inertia[i][i]))
+                .collect()
         };
         let direction = graph.at_rest_direction(coordinates);
         let drift = graph.directional_derivatives(&self.quasi_velocities.forms, &direction);

@@ -18,15 +18,12 @@ pub struct Elimination {
     order: Vec<usize>,
 }
 
-/// Beyond as many coordinates a factorization in numbers costs no more than straight-line code.
-const MOST_COORDINATES: usize = 4;
+/// Entries of larger systems are kept whole: they would grow with each step.
+const MOST_MERGED: usize = 4;
 
 impl Elimination {
-    /// Factors M, unless there are many coordinates or no pivot to begin with.
-    pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>]) -> Option<Self> {
-        if mass.len() > MOST_COORDINATES {
-            return None;
-        }
+    /// Factors M, unless there is no pivot to begin with, or a pivot would meet more than `limit` others.
+    pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>], limit: usize) -> Option<Self> {
         let mut system = System {
             graph,
             matrix: mass.to_vec(),
@@ -36,6 +33,11 @@ impl Elimination {
         while !waiting.is_empty() {
             let pivot = system.best_pivot(&waiting)?;
             waiting.retain(|row| *row != pivot);
+            let others = waiting.iter();
+            let coupled = others.filter(|i| !system.graph.is_zero(system.matrix[pivot][**i]));
+            if coupled.count() > limit {
+                return None;
+            }
             system.eliminate(pivot, &waiting);
             order.push(pivot);
         }
@@ -56,6 +58,9 @@ impl Elimination {
                 let factor = graph.divide(entry, self.rows[*pivot][*pivot]);
                 let change = graph.multiply(factor, right[*pivot]);
                 right[*i] = graph.subtract(right[*i], change);
+                if self.rows.len() > MOST_MERGED {
+                    right[*i] = graph.whole(right[*i]);
+                }
             }
         }
         let mut solution = vec![graph.zero(); right.len()];
@@ -67,6 +72,9 @@ impl Elimination {
             }
             let rest = graph.sum(terms);
             solution[*pivot] = graph.divide(rest, self.rows[*pivot][*pivot]);
+            if self.rows.len() > MOST_MERGED {
+                solution[*pivot] = graph.whole(solution[*pivot]);
+            }
         }
         solution
     }
@@ -122,7 +130,10 @@ impl System<'_> {
                 .divide(self.matrix[*i][pivot], self.matrix[pivot][pivot]);
             for j in waiting.iter().filter(|j| *j <= i) {
                 let change = self.graph.multiply(factor, self.matrix[*j][pivot]);
-                let entry = self.graph.subtract(self.matrix[*i][*j], change);
+                let mut entry = self.graph.subtract(self.matrix[*i][*j], change);
+                if self.matrix.len() > MOST_MERGED {
+                    entry = self.graph.whole(entry);
+                }
                 self.matrix[*i][*j] = entry;
                 self.matrix[*j][*i] = entry;
             }

@@ -70,14 +70,6 @@ impl Equations {
             structure,
         })
     }
-
-    /// The lower triangle of the mass matrix, row by row.
-    pub fn mass_lower(&self) -> impl Iterator<Item = Expression> + '_ {
-        self.mass
-            .iter()
-            .enumerate()
-            .flat_map(|(i, row)| row[..=i].iter().copied())
-    }
 }
 
 impl Model {

@@ -148,3 +148,89 @@ impl Graph {
         Some(self.scale(root, &number))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Model;
+    use crate::draft::Draft;
+    use crate::mechanics::structure;
+    use crate::systems::{Rates, Spelling, euler_rates, general_top, node_rates, polar, top};
+
+    fn found(model: &mut Model) -> QuasiVelocities {
+        let equations = Equations::derive(model).unwrap();
+        QuasiVelocities::by_inertia(&mut model.graph, &equations).unwrap()
+    }
+
+    /// Whether each of the forms is one of these rates, up to its sign, with these inertias.
+    fn assert_forms(model: &mut Model, rates: fn(&mut Draft) -> Rates, inertias: &[u32]) {
+        let found = found(model);
+        let graph = core::mem::take(&mut model.graph);
+        let mut draft = Draft {
+            graph,
+            coordinates: 3,
+        };
+        let expected = rates(&mut draft);
+        assert_eq!(found.forms.len(), expected.len());
+        assert!(found.is_diagonal(&draft.graph));
+        for (rate, inertia) in expected.into_iter().zip(inertias) {
+            let inertia = draft.parameter(*inertia);
+            let matches = |(k, form): (usize, &Expression), draft: &mut Draft| {
+                let signs = [
+                    draft.graph.add(*form, rate),
+                    draft.graph.subtract(*form, rate),
+                ];
+                let equal = signs.iter().any(|x| structure::vanishes(&draft.graph, *x));
+                equal && found.inertia[k][k] == inertia
+            };
+            let mut forms = found.forms.iter().enumerate();
+            assert!(forms.any(|form| matches(form, &mut draft)));
+        }
+    }
+
+    #[test]
+    fn a_top_multiplied_out_gives_its_angular_velocities_back() {
+        for spelling in [
+            Spelling::Squares,
+            Spelling::SecondMultipliedOut,
+            Spelling::MultipliedOut,
+        ] {
+            assert_forms(&mut general_top(spelling), euler_rates, &[0, 1, 2]);
+        }
+    }
+
+    #[test]
+    fn equal_inertias_leave_the_line_of_nodes() {
+        // (4.5) with I₁ = I₂ is (4.7): the squares of sin θ φ̇, θ̇ and ψ̇ + cos θ φ̇, and no ψ.
+        let mut model = top(euler_rates, [0, 0, 2]);
+        assert_forms(&mut model, node_rates, &[0, 0, 2]);
+        let mut model = top(euler_rates, [0, 0, 2]);
+        let forms = found(&mut model).forms;
+        let psi = Symbol::Coordinate(2);
+        assert!(!model.graph.contains(&forms, |symbol| symbol == psi));
+    }
+
+    #[test]
+    fn what_is_left_is_at_most_linear() {
+        let mut model = polar();
+        let found = found(&mut model);
+        let velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+        assert!(!model.graph.contains(&[found.rest], velocity));
+        let r = model.graph.symbol(Symbol::Coordinate(0));
+        assert_eq!(found.rest, model.graph.power(r, &Rational::MINUS_ONE));
+    }
+
+    #[test]
+    fn pivots_that_are_no_squares_give_none() {
+        // T = ½ (1 + x²) ẋ²: the pivot 1 + x² has no root.
+        let mut draft = Draft::new(1);
+        let (x, v) = (draft.q(0), draft.v(0));
+        let (x2, v2) = (draft.square(x), draft.square(v));
+        let mass = draft.graph.add_constant(x2, &Rational::ONE);
+        let twice = draft.times(&[mass, v2]);
+        let (kinetic, zero) = (draft.half(twice), draft.graph.zero());
+        let mut model = draft.natural(kinetic, zero);
+        let equations = Equations::derive(&mut model).unwrap();
+        assert!(QuasiVelocities::by_inertia(&mut model.graph, &equations).is_none());
+    }
+}

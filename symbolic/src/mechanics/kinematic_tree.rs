@@ -1,4 +1,4 @@
-//! Quasi-velocities as they build on each other: wₖ = w_parent + Σ eₖᵢ q̇ᵢ + …
+//! Quasi-velocities as they build on each other: wₖ = wₚ + Σ eₖᵢ q̇ᵢ + …
 //!
 //! The velocity of a body in a chain is that of the body before it and a little more. Which form builds
 //! on which is found from the forms themselves: the parent of a form is the one from which it differs in
@@ -121,15 +121,12 @@ impl KinematicTree {
             self.momenta(graph, additions)
         };
         let momenta = self.accumulated(graph, &momenta);
-        for i in 0..self.right.len() {
-            let mut terms = vec![
-                (self.right[i], Rational::ONE),
-                (gradient[0][i], Rational::MINUS_ONE),
-            ];
+        for (i, (right, slope)) in self.right.iter_mut().zip(&gradient[0]).enumerate() {
+            let mut terms = vec![(*right, Rational::ONE), (*slope, Rational::MINUS_ONE)];
             for (k, _, curl) in curls.iter().filter(|(_, coordinate, _)| *coordinate == i) {
                 terms.push((graph.multiply(momenta[*k], *curl), Rational::MINUS_ONE));
             }
-            self.right[i] = graph.sum(terms);
+            *right = graph.sum(terms);
         }
     }
 
@@ -139,7 +136,7 @@ impl KinematicTree {
         self.weighted(graph, &values)
     }
 
-    /// Sums from the root: x_parent + addition.
+    /// Sums from the root: the parent's and an addition.
     pub(crate) fn along(&self, graph: &mut Graph, additions: &[Expression]) -> Vec<Expression> {
         let mut values: Vec<Expression> = Vec::with_capacity(additions.len());
         for (form, addition) in self.forms.iter().zip(additions) {
@@ -289,3 +286,6 @@ fn velocity(i: usize) -> Symbol {
 fn acceleration(i: usize) -> Symbol {
     Symbol::Acceleration(u32::try_from(i).unwrap_or(u32::MAX))
 }
+
+#[cfg(test)]
+mod tests;

@@ -98,7 +98,7 @@ impl Kinematics {
         let mut terms = Vec::with_capacity(right.len());
         for (row, value) in right.iter().enumerate() {
             let minor = determinant(graph, &self.matrix, &without(&step.rows, row), &columns);
-            let sign = if (row + position) % 2 == 0 {
+            let sign = if (row + position).is_multiple_of(2) {
                 Rational::ONE
             } else {
                 Rational::MINUS_ONE
@@ -135,7 +135,7 @@ fn determinant(
         }
         // At most three levels deep: blocks are not larger.
         let minor = determinant(graph, matrix, others, &without(columns, position));
-        let sign = if position % 2 == 0 {
+        let sign = if position.is_multiple_of(2) {
             Rational::ONE
         } else {
             Rational::MINUS_ONE

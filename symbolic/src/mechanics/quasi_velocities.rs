@@ -129,7 +129,5 @@ fn primitive(
 
 /// Whether an expression is made of parameters alone.
 pub(crate) fn is_constant(graph: &Graph, expression: Expression) -> bool {
-    !graph.contains(&[expression], |symbol| {
-        !matches!(symbol, Symbol::Parameter(_))
-    })
+    !graph.contents(expression).varies()
 }

@@ -10,21 +10,7 @@ use crate::decision::residue;
 use crate::mechanics::articulation::Articulation;
 use crate::mechanics::boltzmann_hamel::BoltzmannHamel;
 use crate::mechanics::elimination::Elimination;
-use crate::mechanics::kinematic_tree::KinematicTree;
-use crate::mechanics::quasi_velocities::QuasiVelocities;
-use crate::{Equations, Expression, Graph, Model, Node, Pass, Program, Rational, Symbol};
-
-/// What is computed of a motion, each in the cheapest way that was found.
-pub struct Dynamics {
-    /// The forcing f in M q̈ = f.
-    pub forcing: Vec<Expression>,
-    /// M q̈ − f with the accelerations as symbols.
-    pub inverse_dynamics: Vec<Expression>,
-    /// The factors of M, for few coordinates.
-    pub elimination: Option<Elimination>,
-    /// The accelerations; none for many coupled coordinates.
-    pub solution: Option<Solution>,
-}
+use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
 
 /// The accelerations q̈ as expressions.
 pub struct Solution {
@@ -37,67 +23,25 @@ pub struct Solution {
 }
 
 /// How M x = r is solved.
-enum Way {
+pub(crate) enum Way {
     QuasiVelocities(BoltzmannHamel),
     Tree(Articulation),
     Elimination(Elimination),
 }
 
-/// Where more unknowns than this meet, elimination in numbers costs no more than straight-line code.
-const MOST_NEIGHBOURS: usize = 7;
-
 /// For more coordinates the derivatives are solved for in numbers.
 const MOST_COLUMNS: usize = 4;
-
-/// A mass matrix of more rows is not multiplied out.
-const MOST_COORDINATES: u32 = 4;
 
 /// Points to try until one is in the domain.
 const ATTEMPTS: u64 = 64;
 
-impl Dynamics {
-    /// The dynamics of `model`.
-    pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
-        let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
-        let forces = &equations.generalized_forces;
-        let passes = model.graph.passes;
-        let tree = declared
-            .as_ref()
-            .filter(|_| passes.has(Pass::Tree))
-            .map(|declared| KinematicTree::new(model, declared, forces));
-        let graph = &mut model.graph;
-        let (mut forcing, mut inverse_dynamics) = (
-            equations.forcing.clone(),
-            equations.inverse_dynamics.clone(),
-        );
-        if let Some(tree) = &tree {
-            let (along, residuals) = (tree.forcing(graph), tree.inverse_dynamics(graph));
-            forcing = cheaper(graph, forcing, along);
-            inverse_dynamics = cheaper(graph, inverse_dynamics, residuals);
-        }
-        let elimination = passes
-            .has(Pass::Elimination)
-            .then(|| Elimination::factor(graph, &equations.mass))
-            .flatten();
-        let mut ways: Vec<_> = elimination.iter().cloned().map(Way::Elimination).collect();
-        if let Some(tree) = tree {
-            let tree = tree.without_unit(graph);
-            let articulation = Articulation::factor(graph, tree, MOST_NEIGHBOURS);
-            ways.extend(articulation.map(Way::Tree));
-        }
-        ways.extend(through_quasi_velocities(model, equations, declared));
-        Self {
-            solution: Solution::cheapest(&mut model.graph, &forcing, ways),
-            forcing,
-            inverse_dynamics,
-            elimination,
-        }
-    }
-}
-
 impl Solution {
     /// The cheapest of several ways; of two that cost the same, the later.
-    fn cheapest(graph: &mut Graph, forcing: &[Expression], ways: Vec<Way>) -> Option<Self> {
+    pub(crate) fn cheapest(
+        graph: &mut Graph,
+        forcing: &[Expression],
+        ways: Vec<Way>,
+    ) -> Option<Self> {
         let mut solutions = Vec::with_capacity(ways.len());
         for way in ways.into_iter().rev() {
             solutions.push(Self::by(graph, forcing, way));
@@ -105,7 +49,7 @@ impl Solution {
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
             let program = Program::schedule_for_preparation(graph, &outputs);
-            let parts = program.prepared(graph.passes);
+            let parts = program.parted(graph.passes);
             (parts.after.count().cost(), parts.before.count().cost())
         })
     }
@@ -180,38 +124,6 @@ impl Solution {
                 terms.fold(0, |sum, term| residue::add(sum, term, point.p())) == *force
             })
         })
-    }
-}
-
-/// The ways through as many quasi-velocities as there are coordinates.
-fn through_quasi_velocities(
-    model: &mut Model,
-    equations: &Equations,
-    declared: Option<QuasiVelocities>,
-) -> Vec<Way> {
-    let passes = model.graph.passes;
-    if !passes.has(Pass::QuasiVelocities) {
-        return Vec::new();
-    }
-    let mut choices: Vec<_> = declared.into_iter().collect();
-    if model.coordinates <= MOST_COORDINATES && passes.has(Pass::Inertias) {
-        choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
-    }
-    choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);
-    let mut ways = Vec::new();
-    for choice in choices {
-        let found = BoltzmannHamel::new(model, choice, &equations.generalized_forces);
-        ways.extend(found.map(Way::QuasiVelocities));
-    }
-    ways
-}
-
-/// The second of two lists if it costs less than the first.
-fn cheaper(graph: &Graph, first: Vec<Expression>, second: Vec<Expression>) -> Vec<Expression> {
-    if graph.cost(&second) < graph.cost(&first) {
-        second
-    } else {
-        first
     }
 }
 

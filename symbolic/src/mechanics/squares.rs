@@ -21,7 +21,8 @@ impl QuasiVelocities {
         let mut rest = Vec::new();
         let mut waiting = vec![(graph.one(), lagrangian)];
         while let Some((coefficient, expression)) = waiting.pop() {
-            if degrees.of_expression(expression)? < 2 {
+            let degree = degrees.of_expression(expression)?;
+            if degree < 2 {
                 let term = graph.multiply(coefficient, expression);
                 rest.push((term, Rational::ONE));
                 continue;
@@ -32,10 +33,12 @@ impl QuasiVelocities {
                         waiting.push((graph.scale(coefficient, &c), x));
                     }
                 }
-                Node::Product(factors) => match degrees.split(graph, coefficient, &factors)? {
-                    Split::Quadratic(term) => quadratic.extend(opened(graph, term)),
-                    Split::Opens(coefficient, inner) => waiting.push((coefficient, inner)),
-                },
+                Node::Product(factors) if degree == 2 => {
+                    match degrees.split(graph, coefficient, &factors)? {
+                        Split::Quadratic(term) => quadratic.extend(opened(graph, term)),
+                        Split::Opens(coefficient, inner) => waiting.push((coefficient, inner)),
+                    }
+                }
                 _ => return None,
             }
         }
@@ -49,7 +52,7 @@ impl QuasiVelocities {
         let mut entries = Vec::new();
         // The terms were found from the last to the first.
         for term in terms.into_iter().rev() {
-            let (inertia, [first, second]) = absorb_squares(graph, term)?;
+            let (inertia, [first, second]) = absorb_squares(graph, &term)?;
             let indices = [first, second].map(|form| {
                 forms
                     .iter()
@@ -203,11 +206,11 @@ fn combination(graph: &mut Graph, sum: Expression) -> Option<Vec<(Expression, Ex
 }
 
 /// The inertia and the forms of a term, with what varies and stands squared moved into the forms.
-fn absorb_squares(graph: &mut Graph, term: Term) -> Option<(Expression, [Expression; 2])> {
+fn absorb_squares(graph: &mut Graph, term: &Term) -> Option<(Expression, [Expression; 2])> {
     let Term {
         coefficient,
         factors,
-    } = term;
+    } = *term;
     if is_constant(graph, coefficient) {
         return Some((coefficient, factors));
     }
@@ -237,4 +240,138 @@ fn absorb_squares(graph: &mut Graph, term: Term) -> Option<(Expression, [Express
     let inertia = graph.scale(inertia, &number);
     let form = graph.product(form);
     Some((inertia, [form, form]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draft::Draft;
+    use crate::systems::{Chain, euler_rates, kinetic};
+    use crate::{Energies, Model};
+
+    /// The forms of ½ Σ Iₖ wₖ² + rest, whose inertias are the parameters in order.
+    fn assert_diagonal(draft: &mut Draft, found: &QuasiVelocities, inertias: &[u32]) {
+        assert!(found.is_diagonal(&draft.graph));
+        for (k, inertia) in inertias.iter().enumerate() {
+            assert_eq!(found.inertia[k][k], draft.parameter(*inertia));
+        }
+    }
+
+    #[test]
+    fn the_squares_of_a_top_are_its_angular_velocities() {
+        let mut draft = Draft::new(3);
+        let w = euler_rates(&mut draft);
+        let energy = kinetic(&mut draft, &w, &[0, 1, 2]);
+        let theta = draft.q(1);
+        let potential = draft.cos(theta);
+        let lagrangian = draft.graph.subtract(energy, potential);
+        let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+        assert_eq!(found.forms, w);
+        assert_diagonal(&mut draft, &found, &[0, 1, 2]);
+        assert_eq!(found.rest, draft.graph.negate(potential));
+    }
+
+    #[test]
+    fn products_of_inertia_stand_beside_the_diagonal() {
+        // ½ wᵀ W w with W₁₂ in scalars, whether as P₃ w₁ w₂ or as w₁ (I₁ w₁ + P₃ w₂) + ….
+        let mut draft = Draft::new(3);
+        let w = euler_rates(&mut draft);
+        let squares = kinetic(&mut draft, &w, &[0, 1, 2]);
+        let product = draft.parameter(3);
+        let mixed = draft.times(&[product, w[0], w[1]]);
+        let in_scalars = draft.plus(&[squares, mixed]);
+        let mut terms = Vec::new();
+        for row in [[0, 3, 9], [3, 1, 9], [9, 9, 2]].iter().zip(w) {
+            let entries = row.0.iter().zip(w).filter(|(i, _)| **i < 9);
+            let parts: Vec<_> = entries
+                .map(|(i, w)| {
+                    let entry = draft.parameter(*i);
+                    draft.times(&[entry, w])
+                })
+                .collect();
+            let momentum = draft.plus(&parts);
+            terms.push(draft.times(&[row.1, momentum]));
+        }
+        let twice = draft.plus(&terms);
+        for lagrangian in [in_scalars, draft.half(twice)] {
+            let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+            assert_eq!(found.forms.len(), 3);
+            let place = |form| found.forms.iter().position(|known| *known == form).unwrap();
+            let [i, j, k] = w.map(place);
+            assert_eq!(found.inertia[i][j], product);
+            assert_eq!(found.inertia[j][i], product);
+            assert_eq!(found.inertia[i][i], draft.parameter(0));
+            assert_eq!(found.inertia[j][j], draft.parameter(1));
+            assert_eq!(found.inertia[k][k], draft.parameter(2));
+            assert!(draft.graph.is_zero(found.inertia[i][k]));
+            assert!(!found.is_diagonal(&draft.graph));
+        }
+    }
+
+    #[test]
+    fn the_velocities_of_a_chain_are_found_with_its_masses() {
+        let Model {
+            mut graph,
+            energies,
+            ..
+        } = Chain::of(3).model();
+        let Energies::Natural { kinetic, .. } = energies else {
+            unreachable!()
+        };
+        let found = QuasiVelocities::declared(&mut graph, kinetic).unwrap();
+        // The squares of the first body's two velocities are one, (l φ̇)².
+        assert_eq!(found.forms.len(), 5);
+        assert!(found.is_diagonal(&graph));
+        assert!(graph.is_zero(found.rest));
+        assert!(found.is_homogeneous(&mut graph, 3));
+    }
+
+    #[test]
+    fn even_powers_of_coordinates_belong_to_the_form() {
+        // ½ m r² φ̇² is the square of r φ̇; r φ̇² and sin θ φ̇² are no squares.
+        let mut draft = Draft::new(2);
+        let (m, r, v) = (draft.parameter(0), draft.q(0), draft.v(1));
+        let r2 = draft.square(r);
+        let v2 = draft.square(v);
+        let twice = draft.times(&[m, r2, v2]);
+        let lagrangian = draft.half(twice);
+        let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+        assert_eq!(found.forms, [draft.times(&[r, v])]);
+        assert_diagonal(&mut draft, &found, &[0]);
+        let sine = draft.sin(r);
+        for factor in [r, sine] {
+            let odd = draft.times(&[factor, v2]);
+            assert!(QuasiVelocities::declared(&mut draft.graph, odd).is_none());
+        }
+    }
+
+    #[test]
+    fn what_is_no_sum_of_squares_has_no_forms() {
+        let mut draft = Draft::new(1);
+        let (v, one) = (draft.v(0), draft.graph.one());
+        let square = draft.square(v);
+        // Relativistic, of the third and fourth degree, and with a velocity under a function.
+        let inner = draft.graph.subtract(one, square);
+        let relativistic = draft.graph.square_root(inner);
+        let cube = draft.times(&[square, v]);
+        let fourth = draft.square(square);
+        let sine = draft.sin(v);
+        for other in [relativistic, cube, fourth, sine] {
+            let lagrangian = draft.plus(&[square, other]);
+            assert!(QuasiVelocities::declared(&mut draft.graph, lagrangian).is_none());
+        }
+    }
+
+    #[test]
+    fn what_is_linear_in_the_velocities_is_left() {
+        let mut draft = Draft::new(2);
+        let (x, vx, vy) = (draft.q(0), draft.v(0), draft.v(1));
+        let [a, b] = [vx, vy].map(|v| draft.square(v));
+        let linear = draft.times(&[x, vy]);
+        let lagrangian = draft.plus(&[a, b, linear]);
+        let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+        assert_eq!((found.forms, found.rest), (vec![vx, vy], linear));
+        // W is twice the coefficient: L = ½ wᵀ W w.
+        assert_eq!(found.inertia[0][0], draft.graph.integer(2));
+    }
 }

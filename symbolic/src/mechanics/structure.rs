@@ -5,8 +5,9 @@
 
 use crate::decision::point::Point;
 use crate::decision::residue;
+use crate::decision::trial::Trial;
 use crate::mechanics::equations::Defect;
-use crate::{Binary, Expression, Graph, Model, Node, Symbol, Unary};
+use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 
 /// Facts about a system that the runtime uses.
 #[derive(Clone, Debug)]
@@ -19,13 +20,6 @@ pub struct Structure {
     pub singularities: Vec<Vec<u32>>,
 }
 
-/// Points to try until enough of them are in the domain: each square root halves their number.
-const ATTEMPTS: u64 = 512;
-/// Points at which a claim must hold to be taken for true. Where it is false, it is false at a random
-/// point nearly always, but for corners: `min` and `max` are one of their arguments half of the time.
-const AGREEMENTS: usize = 3;
-const AGREEMENTS_WITH_CORNERS: usize = 64;
-
 pub(crate) fn analyze(
     model: &Model,
     lagrangian: Expression,
@@ -35,16 +29,25 @@ pub(crate) fn analyze(
     let graph = &model.graph;
     let mut singularities = vec![Vec::new(); mass.len()];
     let mut singular = Vec::new();
+    let coordinates = model.coordinate_symbols();
     for block in blocks(graph, mass) {
-        let determinant = |point: Point| block_determinant(graph, mass, &block, point);
+        let entries: Vec<Expression> = block
+            .iter()
+            .flat_map(|i| block.iter().map(|j| mass[*i][*j]))
+            .collect();
+        let determinant = |values: &[u64], point: Point| {
+            let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
+            determinant(rows.collect(), point.p())
+        };
         let trial = Trial::of(graph, &mass.concat());
-        if trial.holds(|point| Some(determinant(point)? == 0)) {
+        let vanishes =
+            |point: Point| Some(determinant(&point.evaluate(graph, &entries)?, point)? == 0);
+        if trial.holds(vanishes) {
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;
         }
-        let depends: Vec<u32> = (0..model.coordinates)
-            .filter(|i| !trial.is_fixed(determinant, Symbol::Coordinate(*i)))
-            .collect();
+        let fixed = trial.fixed(graph, &entries, &coordinates, determinant);
+        let depends: Vec<u32> = (0..).zip(fixed).filter(|x| !x.1).map(|x| x.0).collect();
         for i in block {
             singularities[i].clone_from(&depends);
         }
@@ -54,10 +57,10 @@ pub(crate) fn analyze(
     }
     let mut roots = vec![lagrangian];
     roots.extend(generalized_forces);
-    let ignorable: Vec<bool> = model
-        .coordinate_symbols()
-        .into_iter()
-        .map(|coordinate| !graph.contains(&roots, |symbol| symbol == coordinate))
+    let occurring = graph.symbols(&roots);
+    let ignorable: Vec<bool> = coordinates
+        .iter()
+        .map(|coordinate| !occurring.contains(coordinate))
         .collect();
     let mut angles = angles(graph, &roots, model.coordinates);
     for (is_angle, is_ignorable) in angles.iter_mut().zip(&ignorable) {
@@ -78,78 +81,11 @@ pub(crate) fn vanishes(graph: &Graph, expression: Expression) -> bool {
 
 /// Whether one of `roots` depends on `symbol`, and not only in its spelling.
 pub(crate) fn depends(graph: &Graph, roots: &[Expression], symbol: Symbol) -> bool {
-    graph.contains(roots, |occurring| occurring == symbol)
-        && roots.iter().any(|root| {
-            let value = |point: Point| Some(point.evaluate(graph, &[*root])?[0]);
-            !Trial::of(graph, &[*root]).is_fixed(value, symbol)
-        })
-}
-
-/// How often a claim about expressions is tried.
-#[derive(Clone, Copy)]
-struct Trial {
-    agreements: usize,
-}
-
-impl Trial {
-    fn of(graph: &Graph, roots: &[Expression]) -> Self {
-        let corner = |node: &Node| {
-            matches!(
-                node,
-                Node::Unary(Unary::Abs | Unary::Signum, _)
-                    | Node::Binary(Binary::Min | Binary::Max, ..)
-            )
-        };
-        let corners = graph
-            .descendants(roots)
-            .into_iter()
-            .any(|expression| corner(graph.node(expression)));
-        Self {
-            agreements: if corners {
-                AGREEMENTS_WITH_CORNERS
-            } else {
-                AGREEMENTS
-            },
-        }
-    }
-
-    /// Whether a claim holds wherever it makes sense. Where too many square roots leave no point, they
-    /// are taken for arbitrary functions; where nothing can be said, the answer is no.
-    fn holds(self, claim: impl Fn(Point) -> Option<bool>) -> bool {
-        let seeds = 0..ATTEMPTS;
-        let decided = self.decide(seeds.clone().map(Point::new), &claim);
-        decided
-            .or_else(|| {
-                self.decide(
-                    seeds.map(|seed| Point::new(seed).with_invented_roots()),
-                    &claim,
-                )
-            })
-            .unwrap_or(false)
-    }
-
-    fn decide(
-        self,
-        points: impl Iterator<Item = Point>,
-        claim: impl Fn(Point) -> Option<bool>,
-    ) -> Option<bool> {
-        let mut agreements = 0;
-        for holds in points.filter_map(claim) {
-            if !holds {
-                return Some(false);
-            }
-            agreements += 1;
-            if agreements == self.agreements {
-                return Some(true);
-            }
-        }
-        None
-    }
-
-    /// Whether a value stays the same when one symbol changes.
-    fn is_fixed(self, value: impl Fn(Point) -> Option<u64>, symbol: Symbol) -> bool {
-        self.holds(|point| Some(value(point)? == value(point.moving(symbol))?))
-    }
+    roots.iter().any(|root| {
+        let roots = [*root];
+        let trial = Trial::of(graph, &roots);
+        !trial.fixed(graph, &roots, &[symbol], |values, _| Some(values[0]))[0]
+    })
 }
 
 /// The index sets of the diagonal blocks of M, each in ascending order.
@@ -176,21 +112,6 @@ fn blocks(graph: &Graph, mass: &[Vec<Expression>]) -> Vec<Vec<usize>> {
         blocks.push(block);
     }
     blocks
-}
-
-fn block_determinant(
-    graph: &Graph,
-    mass: &[Vec<Expression>],
-    block: &[usize],
-    point: Point,
-) -> Option<u64> {
-    let entries: Vec<Expression> = block
-        .iter()
-        .flat_map(|i| block.iter().map(|j| mass[*i][*j]))
-        .collect();
-    let values = point.evaluate(graph, &entries)?;
-    let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
-    determinant(rows.collect(), point.p())
 }
 
 /// The determinant modulo the prime p, by elimination with exchange of rows.

@@ -138,3 +138,69 @@ fn small_rational(value: u64, p: u64) -> Option<Rational> {
         Some(&Rational::integer(signed) * &inverse)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draft::Draft;
+    use crate::systems::{Rates, cardan_rates, euler_rates, node_rates};
+
+    /// γ of three forms in three velocities.
+    fn constants(rates: impl Fn(&mut Draft) -> Rates) -> Option<StructureConstants> {
+        let mut draft = Draft::new(3);
+        let forms = rates(&mut draft);
+        let velocities = [0, 1, 2].map(Symbol::Velocity);
+        let columns = draft.graph.jacobian(&forms, &velocities);
+        let rows: Vec<Vec<_>> = (0..3)
+            .map(|k| columns.iter().map(|column| column[k]).collect())
+            .collect();
+        structure_constants(&mut draft.graph, &rows)
+    }
+
+    #[test]
+    fn body_rates_have_those_of_the_rotation_group() {
+        for rates in [euler_rates, cardan_rates] {
+            let found = constants(rates).unwrap();
+            for (k, a, b) in (0..27).map(|n| (n / 9, n / 3 % 3, n % 3)) {
+                // ±1 by the order of k, a, b, and 0 where two of them are equal.
+                let [x, y, z] = [k, a, b].map(|n| i64::try_from(n).unwrap());
+                let expected = (x - y) * (y - z) * (z - x) / 2;
+                // d(δθ₁) − δ(dθ₁) = w₃ δθ₂ − w₂ δθ₃ in a frame that turns with the body.
+                assert_eq!(found[k][a][b], Rational::integer(-expected), "{k} {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn rates_about_the_line_of_nodes_have_none() {
+        assert_eq!(constants(node_rates), None);
+    }
+
+    #[test]
+    fn those_of_velocities_are_zero() {
+        let zero = vec![vec![vec![Rational::ZERO; 3]; 3]; 3];
+        let generalized = |draft: &mut Draft| [0, 1, 2].map(|i| draft.v(i));
+        assert_eq!(constants(generalized), Some(zero.clone()));
+        // Of a point in cylindrical coordinates: ẋ, ẏ, ż.
+        let of_a_point = |draft: &mut Draft| {
+            let (r, phi, z) = (draft.q(0), draft.q(1), draft.q(2));
+            let (cos, sin) = (draft.cos(phi), draft.sin(phi));
+            let (x, y) = (draft.times(&[r, cos]), draft.times(&[r, sin]));
+            [x, y, z].map(|x| draft.dot(x))
+        };
+        assert_eq!(constants(of_a_point), Some(zero));
+    }
+
+    #[test]
+    fn a_multiple_of_a_form_scales_them() {
+        // 2 w₁: γ¹ doubles, and what w₁ enters is halved.
+        let doubled = |draft: &mut Draft| {
+            let [w1, w2, w3] = euler_rates(draft);
+            [draft.plus(&[w1, w1]), w2, w3]
+        };
+        let found = constants(doubled).unwrap();
+        assert_eq!(found[0][1][2].abs(), Rational::integer(2));
+        assert_eq!(found[1][0][2].abs(), Rational::HALF);
+        assert_eq!(found[2][0][1].abs(), Rational::HALF);
+    }
+}

@@ -65,7 +65,10 @@ impl<'a> Layout<'a> {
         let raised = self.exponent(exponent);
         let name = self.notation.function(function);
         match function {
-            Unary::Abs if self.notation == Notation::Latex || !self.contents[x.index()].bars => {
+            Unary::Abs
+                if self.notation == Notation::Latex
+                    || !self.graph.contents(x).has_absolute_value() =>
+            {
                 let (open, close) = self.notation.bars();
                 line.extend([Piece::Open(open), Piece::Whole(x), Piece::Close(close)]);
                 line.push(Piece::owned(raised));

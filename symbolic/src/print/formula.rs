@@ -1,19 +1,27 @@
 //! Formulas as a book prints them, in Unicode or in LaTeX.
 
 use core::fmt;
+use std::borrow::Cow;
 
 use crate::print::layout::{Layout, Piece};
 use crate::print::notation::Notation;
-use crate::{Expression, Graph, Names};
+use crate::{Expression, Graph, Letters, Names};
 
 /// An expression with the names of its symbols, ready to be printed.
 #[derive(Clone, Copy, Debug)]
 pub struct Formula<'a> {
     graph: &'a Graph,
-    names: &'a Names,
+    letters: Source<'a>,
     root: Expression,
     notation: Notation,
     limit: usize,
+}
+
+/// Where the names of a formula come from.
+#[derive(Clone, Copy, Debug)]
+enum Source<'a> {
+    Names(&'a Names),
+    Letters(&'a Letters),
 }
 
 /// What is shared in the graph is printed wherever it occurs, which can be exponentially often.
@@ -27,7 +35,23 @@ impl Graph {
     pub const fn display<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
         Formula {
             graph: self,
-            names,
+            letters: Source::Names(names),
+            root: expression,
+            notation: Notation::Unicode,
+            limit: LIMIT,
+        }
+    }
+
+    /// The same line in letters that several formulas share, so that they are found only once.
+    #[must_use]
+    pub const fn display_in<'a>(
+        &'a self,
+        expression: Expression,
+        letters: &'a Letters,
+    ) -> Formula<'a> {
+        Formula {
+            graph: self,
+            letters: Source::Letters(letters),
             root: expression,
             notation: Notation::Unicode,
             limit: LIMIT,
@@ -56,7 +80,11 @@ impl Formula<'_> {
 
 impl fmt::Display for Formula<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut layout = Layout::new(self.graph, self.names, self.notation, self.root);
+        let letters = match self.letters {
+            Source::Names(names) => Cow::Owned(Letters::new(names)),
+            Source::Letters(letters) => Cow::Borrowed(letters),
+        };
+        let mut layout = Layout::new(self.graph, letters, self.notation, self.root);
         let mut room = Room {
             left: self.limit,
             unopened: None,

@@ -9,8 +9,8 @@ use std::borrow::Cow;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
-use crate::print::order::Contents;
-use crate::{Binary, Expression, Graph, Names, Node, Rational, Unary};
+use crate::print::order::term_rank;
+use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 /// A part of a formula.
 #[derive(Debug)]
@@ -71,24 +71,22 @@ pub(crate) enum Shape {
 /// A formula of which the rest is still to be printed.
 pub(crate) struct Layout<'a> {
     pub(crate) graph: &'a Graph,
-    pub(crate) letters: Letters,
+    pub(crate) letters: Cow<'a, Letters>,
     pub(crate) notation: Notation,
-    pub(crate) contents: Vec<Contents>,
     stack: Vec<Piece<'a>>,
 }
 
 impl<'a> Layout<'a> {
     pub(crate) fn new(
         graph: &'a Graph,
-        names: &Names,
+        letters: Cow<'a, Letters>,
         notation: Notation,
         root: Expression,
     ) -> Self {
         Self {
             graph,
-            letters: Letters::new(names),
+            letters,
             notation,
-            contents: Contents::up_to(graph, root),
             stack: vec![Piece::Body(root)],
         }
     }
@@ -147,7 +145,7 @@ impl<'a> Layout<'a> {
             let rank = if number {
                 0
             } else {
-                self.contents[x.index()].term_rank()
+                term_rank(self.graph.contents(*x))
             };
             (rank, *x)
         });

@@ -23,8 +23,8 @@ pub struct Names {
 }
 
 /// Names as they are spelled in print, no two alike.
-#[derive(Debug)]
-pub(crate) struct Letters {
+#[derive(Clone, Debug)]
+pub struct Letters {
     coordinates: Vec<Spelling>,
     parameters: Vec<Spelling>,
     inputs: Vec<Spelling>,
@@ -32,7 +32,9 @@ pub(crate) struct Letters {
 }
 
 impl Letters {
-    pub(crate) fn new(names: &Names) -> Self {
+    /// The letters in which `names` are printed.
+    #[must_use]
+    pub fn new(names: &Names) -> Self {
         let mut spelled = Collisions::default();
         for name in names.all() {
             spelled.note(name);
@@ -48,6 +50,20 @@ impl Letters {
                 .map(|(expression, name)| (*expression, spelled.spelling(name)))
                 .collect(),
         }
+    }
+
+    /// A symbol as it is printed in Unicode, such as θ̇.
+    #[must_use]
+    pub fn print_symbol(&self, symbol: Symbol) -> String {
+        let (spelling, dots) = self.symbol(symbol);
+        spelling.print(dots, Notation::Unicode)
+    }
+
+    /// The name of an expression as it is printed in Unicode, if it has one.
+    #[must_use]
+    pub fn print_definition(&self, expression: Expression) -> Option<String> {
+        let spelling = self.definition(expression)?;
+        Some(spelling.print(0, Notation::Unicode))
     }
 
     /// The name of a subexpression, if it has one.
@@ -75,21 +91,6 @@ impl Letters {
 }
 
 impl Names {
-    /// A symbol as it is printed in Unicode, such as θ̇.
-    #[must_use]
-    pub fn symbol(&self, symbol: Symbol) -> String {
-        let (spelling, dots) = Letters::new(self).symbol(symbol);
-        spelling.print(dots, Notation::Unicode)
-    }
-
-    /// The name of an expression as it is printed in Unicode, if it has one.
-    #[must_use]
-    pub fn definition(&self, expression: Expression) -> Option<String> {
-        let letters = Letters::new(self);
-        let spelling = letters.definition(expression)?;
-        Some(spelling.print(0, Notation::Unicode))
-    }
-
     fn all(&self) -> impl Iterator<Item = &str> {
         let lists = [&self.coordinates, &self.parameters, &self.inputs];
         let definitions = self.definitions.values();

@@ -5,45 +5,14 @@
 //! Terms begin with a number, then come those with accelerations, with velocities, and the rest, each
 //! in the order in which they were first written.
 
-use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
+use crate::{Contents, Expression, Graph, Node, Rational, Symbol, Unary};
 
-/// What an expression contains, at any depth.
-#[derive(Clone, Copy, Default, Debug)]
-pub(crate) struct Contents {
-    pub(crate) velocity: bool,
-    pub(crate) acceleration: bool,
-    pub(crate) bars: bool,
-}
-
-impl Contents {
-    /// What each expression up to `root` contains, in one pass.
-    pub(crate) fn up_to(graph: &Graph, root: Expression) -> Vec<Self> {
-        let mut contents = vec![Self::default(); root.index() + 1];
-        for expression in graph.descendants(&[root]) {
-            let node = graph.node(expression);
-            let mut all = Self {
-                velocity: matches!(node, Node::Symbol(Symbol::Velocity(_))),
-                acceleration: matches!(node, Node::Symbol(Symbol::Acceleration(_))),
-                bars: matches!(node, Node::Unary(Unary::Abs, _)),
-            };
-            node.for_each_operand(|operand| {
-                let part = contents[operand.index()];
-                all.velocity |= part.velocity;
-                all.acceleration |= part.acceleration;
-                all.bars |= part.bars;
-            });
-            contents[expression.index()] = all;
-        }
-        contents
-    }
-
-    /// The place of a term among others.
-    pub(crate) fn term_rank(self) -> u8 {
-        match (self.acceleration, self.velocity) {
-            (true, _) => 1,
-            (_, true) => 2,
-            _ => 3,
-        }
+/// The place of a term among others.
+pub(crate) fn term_rank(contents: Contents) -> u8 {
+    match (contents.has_acceleration(), contents.has_velocity()) {
+        (true, _) => 1,
+        (_, true) => 2,
+        _ => 3,
     }
 }
 

@@ -42,10 +42,13 @@ impl Graph {
         let others = descendants
             .iter()
             .map(|expression| match self.node(*expression) {
-                Node::Constant(_) | Node::Pi | Node::Symbol(_) | Node::Whole(_) => 0,
+                Node::Constant(_)
+                | Node::Pi
+                | Node::Symbol(_)
+                | Node::Whole(_)
+                | Node::Unary(Unary::Sin | Unary::Cos, _) => 0,
                 Node::Sum(terms) => self.cost_of_sum(terms),
                 Node::Product(factors) => cost_of_product(factors),
-                Node::Unary(Unary::Sin | Unary::Cos, _) => 0,
                 Node::Unary(function, _) => function.cost(),
                 Node::Binary(function, ..) => function.cost(),
             });

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::Rational;
-use crate::program::plan::{Plan, Recipe, Value};
+use crate::program::plan::{Plan, Recipe, Value, merged};
 
 impl Plan {
     /// Regroups all sums. `uses` says how often each value is used.
@@ -85,14 +85,4 @@ impl Plan {
             _ => product,
         }
     }
-}
-
-/// Terms with equal values added up.
-fn merged(terms: Vec<(Value, Rational)>) -> Vec<(Value, Rational)> {
-    let mut sums: BTreeMap<Value, Rational> = BTreeMap::new();
-    for (x, c) in terms {
-        let sum = sums.entry(x).or_insert(Rational::ZERO);
-        *sum = &*sum + &c;
-    }
-    sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
 }

@@ -96,17 +96,26 @@ impl Plan {
         uses
     }
 
+    /// Forgets how values are made that the roots are no longer made of, so that nothing is shared with
+    /// them.
+    pub(crate) fn forget_unused(&mut self, roots: &[Expression]) {
+        let uses = self.uses(roots);
+        for (recipe, uses) in self.recipes.iter_mut().zip(uses) {
+            if uses == 0 {
+                *recipe = Recipe::Constant(Rational::ZERO);
+            }
+        }
+    }
+
     fn recipe(&mut self, node: &Node, shared: &BTreeMap<(Expression, Rational), usize>) -> Recipe {
         match node {
             Node::Constant(number) => Recipe::Constant(number.clone()),
             Node::Pi => Recipe::Pi,
             Node::Symbol(symbol) => Recipe::Symbol(*symbol),
-            Node::Sum(terms) => Recipe::Sum(
-                terms
-                    .iter()
-                    .map(|(x, c)| (self.value(*x), c.clone()))
-                    .collect(),
-            ),
+            // An expression and the same kept whole are one value.
+            Node::Sum(terms) => Recipe::Sum(merged(
+                terms.iter().map(|(x, c)| (self.value(*x), c.clone())),
+            )),
             Node::Product(factors) => self.quotient(factors, shared),
             Node::Unary(function, x) => Recipe::Unary(*function, self.value(*x)),
             Node::Binary(function, x, y) => {
@@ -202,6 +211,16 @@ impl Recipe {
             }
         }
     }
+}
+
+/// Terms with equal values added up.
+pub(crate) fn merged(terms: impl IntoIterator<Item = (Value, Rational)>) -> Vec<(Value, Rational)> {
+    let mut sums: BTreeMap<Value, Rational> = BTreeMap::new();
+    for (x, c) in terms {
+        let sum = sums.entry(x).or_insert(Rational::ZERO);
+        *sum = &*sum + &c;
+    }
+    sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
 }
 
 /// How many products divide by each power.

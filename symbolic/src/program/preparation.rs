@@ -15,8 +15,22 @@ use crate::{Expression, Pass, Passes, Rational, Symbol};
 type Gathered = BTreeMap<(Vec<Value>, Vec<Value>), Value>;
 
 impl Plan {
+    /// Brings together what is constant. That costs operations which are worth it only where they are
+    /// done once.
+    pub(crate) fn arrange_constants(&mut self, passes: Passes, roots: &[Expression]) {
+        if !passes.has(Pass::Preparation) {
+            return;
+        }
+        if passes.has(Pass::Distribution) {
+            self.distribute_constants(roots);
+        }
+        if passes.has(Pass::Gathering) {
+            self.gather_constants(roots);
+        }
+    }
+
     /// Gathers what is constant in products and sums that are not.
-    pub(crate) fn gather_constants(&mut self, roots: &[Expression]) {
+    fn gather_constants(&mut self, roots: &[Expression]) {
         let order = self.order(roots);
         let mut gathered = Gathered::default();
         let mut constant = vec![false; self.recipes.len()];
@@ -27,12 +41,83 @@ impl Plan {
             }
             match self.recipes[value].clone() {
                 Recipe::Quotient(above, below) => {
-                    self.gather_factors(value, above, below, &constant, &mut gathered)
+                    self.gather_factors(value, above, below, &constant, &mut gathered);
                 }
                 Recipe::Sum(terms) => self.gather_terms(value, terms, &constant),
                 _ => {}
             }
         }
+    }
+
+    /// Moves constant factors of a product into a sum among its factors, where every term has a constant
+    /// factor already: (x·a + y·b)·c is x·(a·c) + y·(b·c), with one multiplication less once the constants
+    /// are known. Only what is used once is changed.
+    fn distribute_constants(&mut self, roots: &[Expression]) {
+        let mut constant = vec![false; self.recipes.len()];
+        let order = self.order(roots);
+        for value in &order {
+            constant[*value] = self.is_constant(*value, &constant);
+        }
+        let uses = self.uses(roots);
+        for value in order.into_iter().rev() {
+            let Recipe::Quotient(above, below) = self.recipes[value].clone() else {
+                continue;
+            };
+            if constant[value] {
+                continue;
+            }
+            let fixed = |x: &Value| is_set(&constant, *x);
+            let (fixed_above, above): (Vec<_>, Vec<_>) = above.into_iter().partition(fixed);
+            let (fixed_below, below): (Vec<_>, Vec<_>) = below.into_iter().partition(fixed);
+            let sum = above.iter().find(|x| self.absorbs(**x, &constant, &uses));
+            let Some(sum) = sum.filter(|_| fixed_above.len() + fixed_below.len() > 0) else {
+                continue;
+            };
+            self.multiply_terms(*sum, &fixed_above, &fixed_below, &constant);
+            self.recipes[value] = Recipe::Quotient(above, below);
+        }
+    }
+
+    /// Whether a value is a sum, used once, of terms that all have a constant factor.
+    fn absorbs(&self, value: Value, constant: &[bool], uses: &[usize]) -> bool {
+        let Recipe::Sum(terms) = &self.recipes[value] else {
+            return false;
+        };
+        let has_constant = |term: Value| match &self.recipes[term] {
+            _ if is_set(constant, term) => true,
+            Recipe::Quotient(above, below) => {
+                let mut factors = above.iter().chain(below);
+                uses.get(term) == Some(&1) && factors.any(|x| is_set(constant, *x))
+            }
+            _ => false,
+        };
+        uses.get(value) == Some(&1) && terms.iter().all(|(term, _)| has_constant(*term))
+    }
+
+    /// Multiplies every term of a sum by constants.
+    fn multiply_terms(&mut self, sum: Value, above: &[Value], below: &[Value], constant: &[bool]) {
+        let Recipe::Sum(mut terms) = self.recipes[sum].clone() else {
+            return;
+        };
+        for (term, _) in &mut terms {
+            let (mut over, mut under) = match &self.recipes[*term] {
+                Recipe::Quotient(over, under) if !is_set(constant, *term) => {
+                    (over.clone(), under.clone())
+                }
+                _ => (vec![*term], Vec::new()),
+            };
+            over.extend(above);
+            under.extend(below);
+            let product = Recipe::Quotient(over, under);
+            if is_set(constant, *term) {
+                *term = self.push(product, None);
+            } else {
+                self.recipes[*term] = product;
+                self.expressions[*term] = None;
+            }
+        }
+        self.recipes[sum] = Recipe::Sum(terms);
+        self.expressions[sum] = None;
     }
 
     /// The values that the roots are made of, operands first.
@@ -77,7 +162,7 @@ impl Plan {
         constant: &[bool],
         gathered: &mut Gathered,
     ) {
-        let is_constant = |x: &Value| constant.get(*x).copied().unwrap_or(false);
+        let is_constant = |x: &Value| is_set(constant, *x);
         let (fixed_above, mut above): (Vec<_>, Vec<_>) = above.into_iter().partition(is_constant);
         let (fixed_below, below): (Vec<_>, Vec<_>) = below.into_iter().partition(is_constant);
         if fixed_above.len() + fixed_below.len() > 1 || !fixed_below.is_empty() {
@@ -96,9 +181,8 @@ impl Plan {
     }
 
     fn gather_terms(&mut self, value: Value, terms: Vec<(Value, Rational)>, constant: &[bool]) {
-        let (fixed, mut terms): (Vec<_>, Vec<_>) = terms
-            .into_iter()
-            .partition(|(x, _)| constant.get(*x).copied().unwrap_or(false));
+        let (fixed, mut terms): (Vec<_>, Vec<_>) =
+            terms.into_iter().partition(|(x, _)| is_set(constant, *x));
         // A lone constant is gathered only if it has a coefficient that would have to be multiplied.
         let plain = |(x, c): &(Value, Rational)| {
             c.abs().is_one() || matches!(self.recipes[*x], Recipe::Constant(_))
@@ -113,6 +197,11 @@ impl Plan {
     }
 }
 
+/// Whether a value is known to be constant; not those made since.
+fn is_set(constant: &[bool], value: Value) -> bool {
+    constant.get(value).copied().unwrap_or(false)
+}
+
 /// A program in two parts.
 #[derive(Clone, Debug, Default)]
 pub struct Prepared {
@@ -122,25 +211,23 @@ pub struct Prepared {
     pub after: Program,
 }
 
-impl Prepared {
-    /// A program of which nothing is computed before.
-    fn nothing(after: Program) -> Self {
+impl Program {
+    /// The program in two parts; without [`Pass::Preparation`] all of it is in the second.
+    #[must_use]
+    pub fn parted(self, passes: Passes) -> Prepared {
+        if passes.has(Pass::Preparation) {
+            return self.prepared();
+        }
         let phases = vec![Phase::default()];
-        Self {
-            before: Program { phases },
-            after,
+        Prepared {
+            before: Self { phases },
+            after: self,
         }
     }
-}
 
-impl Program {
-    /// Parts the program in what depends on parameters alone and the rest. Without
-    /// [`Pass::Preparation`] all of it is the rest.
+    /// Parts the program in what depends on parameters alone and the rest.
     #[must_use]
-    pub fn prepared(&self, passes: Passes) -> Prepared {
-        if !passes.has(Pass::Preparation) {
-            return Prepared::nothing(self.clone());
-        }
+    pub fn prepared(&self) -> Prepared {
         let mut parting = Parting::default();
         for phase in &self.phases {
             let mut rest = Phase::default();

@@ -45,11 +45,10 @@ impl Scheduler {
             let uses = plan.uses(&roots);
             plan.factor(&uses);
         }
-        // What is gathered is worth its operations only where it is computed once.
-        let gathers = passes.has(Pass::Gathering) && passes.has(Pass::Preparation);
-        if gathers && parameters == Parameters::Gathered {
-            plan.gather_constants(&roots);
+        if parameters == Parameters::Gathered {
+            plan.arrange_constants(passes, &roots);
         }
+        plan.forget_unused(&roots);
         plan.share(passes);
         let paired = if passes.has(Pass::Pairing) {
             paired_arguments(&plan)

@@ -3,7 +3,10 @@
 #![allow(dead_code, clippy::float_cmp)] // Each test uses its part; exact comparisons are meant.
 
 pub(crate) mod bounded;
+pub(crate) mod draft;
 pub(crate) mod dual;
+pub(crate) mod machine;
+pub(crate) mod systems;
 pub(crate) mod tree;
 
 use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};

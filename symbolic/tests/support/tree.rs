@@ -17,6 +17,7 @@ pub(crate) enum Tree {
     Multiply(Box<Tree>, Box<Tree>),
     Divide(Box<Tree>, Box<Tree>),
     Power(Box<Tree>, i64, i64),
+    Whole(Box<Tree>),
     Unary(Unary, Box<Tree>),
     Binary(Binary, Box<Tree>, Box<Tree>),
 }
@@ -63,6 +64,67 @@ pub(crate) fn trees() -> impl Strategy<Value = Tree> {
             1 => (prop::sample::select(&Binary::ALL), pair())
                 .prop_map(|(f, (x, y))| Tree::Binary(f, x, y)),
         ]
+    })
+}
+
+/// Trees such as mechanics writes: sums and products of a few coordinates and parameters, and of sines and
+/// cosines of one angle, in which most rules find something to do.
+pub(crate) fn formulas() -> impl Strategy<Value = Tree> {
+    let symbol = |name| Tree::Symbol(name);
+    let angle = symbol(SYMBOLS[0]);
+    let of_angle = |function| Tree::Unary(function, Box::new(angle.clone()));
+    let leaf = prop_oneof![
+        3 => prop::sample::select(&SYMBOLS[1..]).prop_map(symbol),
+        2 => prop::sample::select(vec![of_angle(Unary::Sin), of_angle(Unary::Cos)]),
+        1 => (-3_i64..=3, 1_i64..=2).prop_map(|(n, d)| Tree::Number(n, d)),
+    ];
+    leaf.prop_recursive(7, 60, 2, |inner| {
+        let pair = || {
+            (
+                inner.clone().prop_map(Box::new),
+                inner.clone().prop_map(Box::new),
+            )
+        };
+        let one = || inner.clone().prop_map(Box::new);
+        prop_oneof![
+            5 => pair().prop_map(|(x, y)| Tree::Add(x, y)),
+            3 => pair().prop_map(|(x, y)| Tree::Subtract(x, y)),
+            6 => pair().prop_map(|(x, y)| Tree::Multiply(x, y)),
+            1 => pair().prop_map(|(x, y)| Tree::Divide(x, y)),
+            2 => one().prop_map(|x| Tree::Power(x, 2, 1)),
+            2 => one().prop_map(Tree::Whole),
+        ]
+    })
+}
+
+/// Three sums Σⱼ cᵢⱼ xⱼ, multiplied, and Σᵢⱼ rᵢ cᵢⱼ fᵢ xⱼ written term by term: the same sums, to be found again.
+pub(crate) fn distributed() -> impl Strategy<Value = [Tree; 2]> {
+    let numbers = prop::array::uniform3(prop::array::uniform3(-2_i64..=2));
+    let ratios = prop::array::uniform3(-2_i64..=3);
+    let orders = Just([0, 1, 2]).prop_shuffle();
+    (numbers, ratios, orders, any::<[bool; 3]>()).prop_map(|(numbers, ratios, order, whole)| {
+        let boxed = |symbol| Box::new(Tree::Symbol(symbol));
+        let add = |x, y| Tree::Add(Box::new(x), Box::new(y));
+        let times = |c, x| Tree::Multiply(Box::new(Tree::Number(c, 1)), Box::new(x));
+        let sums = [0, 1, 2].map(|i| {
+            let terms = [0, 1, 2].map(|j| times(numbers[i][j], Tree::Symbol(SYMBOLS[j])));
+            let sum = terms.into_iter().reduce(add).unwrap();
+            if whole[i] {
+                Tree::Whole(Box::new(sum))
+            } else {
+                sum
+            }
+        });
+        let terms = order.into_iter().flat_map(|i| {
+            let [first, second, third] = [0, 1, 2].map(|j| {
+                let product = Tree::Multiply(boxed(SYMBOLS[3 + i]), boxed(SYMBOLS[j]));
+                times(ratios[i] * numbers[i][j], product)
+            });
+            [first, second, third, times(ratios[i], sums[i].clone())]
+        });
+        let expanded = terms.reduce(add).unwrap();
+        let multiply = |x, y| Tree::Multiply(Box::new(x), Box::new(y));
+        [sums.into_iter().reduce(multiply).unwrap(), expanded]
     })
 }
 
@@ -114,6 +176,10 @@ impl Tree {
                 let x = x.build(graph);
                 graph.power(x, &fraction(*n, *d))
             }
+            Self::Whole(x) => {
+                let x = x.build(graph);
+                graph.whole(x)
+            }
             Self::Unary(function, x) => {
                 let x = x.build(graph);
                 graph.unary(*function, x)
@@ -139,6 +205,7 @@ impl Tree {
             Self::Multiply(x, y) => of(x).multiply(of(y)),
             Self::Divide(x, y) => of(x).multiply(of(y).power(&Rational::MINUS_ONE)),
             Self::Power(x, n, d) => of(x).power(&fraction(*n, *d)),
+            Self::Whole(x) => of(x),
             Self::Unary(function, x) => of(x).unary(*function),
             Self::Binary(function, x, y) => of(x).binary(*function, of(y)),
         }

@@ -1,0 +1,71 @@
+//! The sines and cosines that a phase computes at once, and before everything else.
+//!
+//! Several angles take less time together than one by one. Together go those that are known when the
+//! phase begins: coordinates and other symbols, and sums and products of them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use lagrangian_symbolic::{Operand, Operation, Phase};
+
+/// What is computed at once, by the indices of the instructions.
+pub(super) struct Angles {
+    /// What the angles are made of.
+    pub(super) made_of: BTreeSet<usize>,
+    /// The sines and cosines.
+    pub(super) pairs: Vec<usize>,
+}
+
+impl Angles {
+    /// The angles known at the beginning of a phase, if they are two or more; `earlier` tells which
+    /// values are those of phases before.
+    pub(super) fn of(phase: &Phase, earlier: impl Fn(usize) -> bool) -> Option<Self> {
+        let mut simple = BTreeMap::new();
+        let mut pairs = Vec::new();
+        for (index, instruction) in phase.instructions.iter().enumerate() {
+            let is_known = |operand: &Operand| match operand {
+                Operand::Value(value) => simple.contains_key(value) || earlier(*value),
+                _ => true,
+            };
+            if !instruction.operation.operands().all(is_known) {
+                continue;
+            }
+            if is_simple(&instruction.operation) {
+                simple.insert(instruction.value, index);
+            } else if matches!(instruction.operation, Operation::SineAndCosine(_)) {
+                pairs.push(index);
+            }
+        }
+        (pairs.len() > 1).then(|| Self {
+            made_of: ancestors(phase, &pairs, &simple),
+            pairs,
+        })
+    }
+}
+
+const fn is_simple(operation: &Operation) -> bool {
+    matches!(
+        operation,
+        Operation::Add(..)
+            | Operation::Subtract(..)
+            | Operation::Multiply(..)
+            | Operation::Divide(..)
+            | Operation::Negate(_)
+    )
+}
+
+/// The instructions whose values the pairs are made of.
+fn ancestors(phase: &Phase, pairs: &[usize], simple: &BTreeMap<usize, usize>) -> BTreeSet<usize> {
+    let mut found = BTreeSet::new();
+    let mut waiting = pairs.to_vec();
+    while let Some(index) = waiting.pop() {
+        for operand in phase.instructions[index].operation.operands() {
+            if let Operand::Value(value) = operand
+                && let Some(index) = simple.get(value)
+                && found.insert(*index)
+            {
+                waiting.push(*index);
+            }
+        }
+    }
+    found
+}

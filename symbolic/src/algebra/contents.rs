@@ -1,0 +1,74 @@
+//! What an expression contains, at any depth.
+//!
+//! The graph notes it when the expression is made, so that questions about it cost no pass over what it
+//! is made of.
+
+use crate::{Node, Symbol, Unary};
+
+/// The kinds of symbols that an expression contains, and whether it contains an absolute value.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Contents(u8);
+
+impl Contents {
+    const TIME: u8 = 1;
+    const COORDINATE: u8 = 1 << 1;
+    const VELOCITY: u8 = 1 << 2;
+    const ACCELERATION: u8 = 1 << 3;
+    const PARAMETER: u8 = 1 << 4;
+    const INPUT: u8 = 1 << 5;
+    const PREPARED: u8 = 1 << 6;
+    const ABSOLUTE_VALUE: u8 = 1 << 7;
+
+    /// What a node contains, where `known` says it of the nodes before.
+    pub(crate) fn of(node: &Node, known: &[Self]) -> Self {
+        let mut contents = match node {
+            Node::Symbol(symbol) => Self::symbol(*symbol),
+            Node::Unary(Unary::Abs, _) => Self::ABSOLUTE_VALUE,
+            _ => 0,
+        };
+        node.for_each_operand(|operand| contents |= known[operand.index()].0);
+        Self(contents)
+    }
+
+    const fn symbol(symbol: Symbol) -> u8 {
+        match symbol {
+            Symbol::Time => Self::TIME,
+            Symbol::Coordinate(_) => Self::COORDINATE,
+            Symbol::Velocity(_) => Self::VELOCITY,
+            Symbol::Acceleration(_) => Self::ACCELERATION,
+            Symbol::Parameter(_) => Self::PARAMETER,
+            Symbol::Input(_) => Self::INPUT,
+            Symbol::Prepared(_) => Self::PREPARED,
+        }
+    }
+
+    /// Whether there is a velocity.
+    #[must_use]
+    pub const fn has_velocity(self) -> bool {
+        self.0 & Self::VELOCITY != 0
+    }
+
+    /// Whether there is an acceleration.
+    #[must_use]
+    pub const fn has_acceleration(self) -> bool {
+        self.0 & Self::ACCELERATION != 0
+    }
+
+    /// Whether there is an input.
+    #[must_use]
+    pub const fn has_input(self) -> bool {
+        self.0 & Self::INPUT != 0
+    }
+
+    /// Whether there is an absolute value.
+    #[must_use]
+    pub const fn has_absolute_value(self) -> bool {
+        self.0 & Self::ABSOLUTE_VALUE != 0
+    }
+
+    /// Whether there is any symbol other than parameters and what is made of them.
+    #[must_use]
+    pub const fn varies(self) -> bool {
+        self.0 & !(Self::PARAMETER | Self::PREPARED | Self::ABSOLUTE_VALUE) != 0
+    }
+}
