@@ -7,11 +7,13 @@ use crate::model::Model;
 /// Builds and runs our models beside their peers, and prints one table.
 #[derive(Parser, Debug)]
 pub(crate) struct Arguments {
-    /// The models: A1 and A2 are the symmetric and the general top, P5 is a pendulum of five links.
+    /// The models: A1 and A2 are the symmetric and the general top, P5 is a pendulum of five links; A2m and
+    /// P2m are declared with their kinetic energies multiplied out.
     #[arg(
         long,
         value_delimiter = ',',
-        default_value = "A1,A2,P1,P2,P3,P5,P8,P10,P15,P20"
+        default_value = "A1,A2,P1,P2,P3,P5,P8,P10,P15,P20",
+        default_value_if("ablation", "true", "A1,A2,A2m,P2,P2m,P5,P20")
     )]
     pub(crate) models: Vec<Model>,
 
@@ -22,6 +24,10 @@ pub(crate) struct Arguments {
         default_value = "hand,casadi,sympy,heyoka"
     )]
     pub(crate) peers: Vec<PeerName>,
+
+    /// Instead of peers: each model with all passes, and with each of them switched off.
+    #[arg(long)]
+    pub(crate) ablation: bool,
 
     /// Fewer rounds: figures for a first look.
     #[arg(long)]

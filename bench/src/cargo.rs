@@ -8,8 +8,9 @@ use std::{env, fs};
 
 use lagrangian_bench::{Report, Request};
 
+use crate::ablation::Off;
 use crate::command::output;
-use crate::declaration::source;
+use crate::declaration::{Calls, source};
 use crate::flags::Flags;
 use crate::folders::{Folders, create, write};
 use crate::model::Model;
@@ -24,29 +25,59 @@ pub(crate) struct Built {
 /// Builds the dependencies of all models, so that no model is charged with them. Then says what the
 /// build of a crate takes that has them and nothing else.
 pub(crate) fn build_dependencies(folders: &Folders) -> Result<f64, String> {
-    let empty = || package(folders, "empty", "fn main() {}\n");
+    let empty = || package(folders, "empty", "fn main() {}\n", &[]);
     for flags in Flags::ALL {
-        cargo_build(folders, &empty()?, flags)?;
+        cargo_build(folders, &empty()?, flags, None)?;
     }
     let package = empty()?;
     let start = Instant::now();
-    cargo_build(folders, &package, Flags::Native)?;
+    cargo_build(folders, &package, Flags::Native, None)?;
     Ok(start.elapsed().as_secs_f64())
 }
 
 pub(crate) fn build(folders: &Folders, model: Model, flags: Flags) -> Result<Built, String> {
     let name = format!("model-{model}");
     // Written anew, it is built anew.
-    let package = package(folders, &name, &source(model))?;
+    let main = source(model, Calls::Measure);
+    let package = package(folders, &name, &main, &[])?;
     let start = Instant::now();
-    cargo_build(folders, &package, flags)?;
+    cargo_build(folders, &package, flags, None)?;
     let seconds = start.elapsed().as_secs_f64();
-    let name = format!("{name}{}", env::consts::EXE_SUFFIX);
-    let program = target(folders, flags).join("release").join(name);
+    let program = program(folders, &name, flags);
     Ok(Built { program, seconds })
 }
 
+/// Builds a model for this processor with some passes switched off, and keeps the program.
+pub(crate) fn build_without(folders: &Folders, model: Model, off: Off) -> Result<Built, String> {
+    // One name for all, so that the same code gives the same program.
+    let name = format!("ablated-{model}");
+    let main = source(model, Calls::MeasureWithRounding);
+    let package = package(folders, &name, &main, &["ablation"])?;
+    let start = Instant::now();
+    cargo_build(folders, &package, Flags::Native, Some(&off.passes()))?;
+    let seconds = start.elapsed().as_secs_f64();
+    let kept = folders.output.join(format!("{name}-{}", off.label()));
+    fs::copy(program(folders, &name, Flags::Native), &kept)
+        .map_err(|error| format!("{}: {error}", kept.display()))?;
+    let program = kept;
+    Ok(Built { program, seconds })
+}
+
+fn program(folders: &Folders, name: &str, flags: Flags) -> PathBuf {
+    let file = format!("{name}{}", env::consts::EXE_SUFFIX);
+    target(folders, flags).join("release").join(file)
+}
+
 impl Built {
+    /// Whether both are the same to the last byte.
+    pub(crate) fn equals(&self, other: &Self) -> Result<bool, String> {
+        let bytes = |built: &Self| {
+            let path = &built.program;
+            fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
+        };
+        Ok(bytes(self)? == bytes(other)?)
+    }
+
     /// Has all that the request names measured.
     pub(crate) fn run(&self, folders: &Folders, request: &Request) -> Result<Report, String> {
         let path = folders.output.join("request.json");
@@ -81,15 +112,25 @@ pub(crate) fn derive_times(folders: &Folders) -> Result<HashMap<String, f64>, St
 }
 
 /// Writes a package that stands alone and depends on this checkout, with the versions of its lock.
-fn package(folders: &Folders, name: &str, main: &str) -> Result<PathBuf, String> {
+/// The derive gets these features.
+fn package(
+    folders: &Folders,
+    name: &str,
+    main: &str,
+    features: &[&str],
+) -> Result<PathBuf, String> {
     let package = folders.output.join("models").join(name);
     create(&package.join("src"))?;
     let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
-    let (runtime, bench) = (path("runtime"), path("bench"));
-    let manifest = format!(
+    let [runtime, bench, derive] = ["runtime", "bench", "derive"].map(path);
+    let mut manifest = format!(
         "[package]\nname = {name:?}\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
          lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n"
     );
+    if !features.is_empty() {
+        let features = format!("features = {features:?}");
+        manifest += &format!("lagrangian-derive = {{ path = {derive:?}, {features} }}\n");
+    }
     write(&package.join("Cargo.toml"), &manifest)?;
     write(&package.join("src/main.rs"), main)?;
     fs::copy(
@@ -100,7 +141,12 @@ fn package(folders: &Folders, name: &str, main: &str) -> Result<PathBuf, String>
     Ok(package)
 }
 
-fn cargo_build(folders: &Folders, package: &Path, flags: Flags) -> Result<(), String> {
+fn cargo_build(
+    folders: &Folders,
+    package: &Path,
+    flags: Flags,
+    without: Option<&str>,
+) -> Result<(), String> {
     let mut command = cargo(package);
     command
         .args(["build", "--release"])
@@ -108,6 +154,8 @@ fn cargo_build(folders: &Folders, package: &Path, flags: Flags) -> Result<(), St
         .env("RUSTFLAGS", flags.rust())
         .env_remove("CARGO_ENCODED_RUSTFLAGS")
         .env("CARGO_TARGET_DIR", target(folders, flags));
+    // Only a derive with the feature `ablation` reads it.
+    command.env("LAGRANGIAN_WITHOUT", without.unwrap_or_default());
     output(&mut command).map(drop)
 }
 

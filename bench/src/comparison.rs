@@ -60,10 +60,10 @@ impl Workshop {
     pub(crate) fn compare(&self, model: Model) -> Result<Comparison, String> {
         eprintln!("{model}: deriving, compiling, measuring");
         let states = states(model);
-        let mut sources = self.peers.sources(&self.folders, model);
+        let mut sources = self.peers.sources(&self.folders, model.system());
         let heyoka = self
             .peers
-            .heyoka(&self.folders, model, &states, self.rounds);
+            .heyoka(&self.folders, model.system(), &states, self.rounds);
         let mut request = Request {
             model: model.to_string(),
             states,
@@ -82,6 +82,7 @@ impl Workshop {
             let Report {
                 operations: ours,
                 measurements,
+                ..
             } = built.run(&self.folders, &request)?;
             sides[0].operations = Some(ours.total);
             operations = Some(ours);

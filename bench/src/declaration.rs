@@ -12,12 +12,30 @@ struct Declaration {
     parameters: &'static [(&'static str, f64)],
 }
 
+/// What of the library of this package a model's crate calls.
+#[derive(Clone, Copy)]
+pub(crate) enum Calls {
+    Measure,
+    MeasureWithRounding,
+}
+
+impl Calls {
+    fn function(self) -> &'static str {
+        match self {
+            Self::Measure => "measure",
+            Self::MeasureWithRounding => "measure_with_rounding",
+        }
+    }
+}
+
 /// The `main.rs` of a model's crate.
-pub(crate) fn source(model: Model) -> String {
+pub(crate) fn source(model: Model, calls: Calls) -> String {
     let declaration = match model {
         Model::SymmetricTop => symmetric_top(),
         Model::GeneralTop => general_top(),
         Model::Pendulum(links) => pendulum(links),
+        Model::GeneralTopMultipliedOut => general_top_multiplied_out(),
+        Model::DoublePendulumMultipliedOut => double_pendulum_multiplied_out(),
     };
     let Declaration { title, clauses, .. } = &declaration;
     let (mut fields, mut values) = (String::new(), String::new());
@@ -26,6 +44,7 @@ pub(crate) fn source(model: Model) -> String {
         let _ = write!(values, "{name}: {value:?}, ");
     }
     let degrees = model.degrees();
+    let function = calls.function();
     format!(
         "//! Written by lagrangian-bench.\n\
          use lagrangian::prelude::*;\n\n\
@@ -36,7 +55,7 @@ pub(crate) fn source(model: Model) -> String {
          fn main() -> std::process::ExitCode {{\n\
          \x20   let model = Model {{ {values}}};\n\
          \x20   let operations = Model::OPERATIONS.accelerations;\n\
-         \x20   lagrangian_bench::measure::<{degrees}, Model>(&model, operations)\n\
+         \x20   lagrangian_bench::{function}::<{degrees}, Model>(&model, operations)\n\
          }}\n"
     )
 }
@@ -86,6 +105,44 @@ fn general_top() -> Declaration {
             ("y", 0.03),
             ("z", 0.4),
         ],
+    }
+}
+
+/// The same system as the general top, entry by entry of its mass matrix.
+fn general_top_multiplied_out() -> Declaration {
+    Declaration {
+        title: "The general heavy top (4.5), its kinetic energy multiplied out.",
+        clauses: "    \
+    coordinates(phi, theta, psi),
+    kinetic = 0.5 * i1 * sin(theta).powi(2) * sin(psi).powi(2) * dot(phi).powi(2)
+        + 0.5 * i2 * sin(theta).powi(2) * cos(psi).powi(2) * dot(phi).powi(2)
+        + 0.5 * i3 * cos(theta).powi(2) * dot(phi).powi(2)
+        + i1 * sin(theta) * sin(psi) * cos(psi) * dot(phi) * dot(theta)
+        - i2 * sin(theta) * sin(psi) * cos(psi) * dot(phi) * dot(theta)
+        + 0.5 * i1 * cos(psi).powi(2) * dot(theta).powi(2)
+        + 0.5 * i2 * sin(psi).powi(2) * dot(theta).powi(2)
+        + i3 * cos(theta) * dot(phi) * dot(psi)
+        + 0.5 * i3 * dot(psi).powi(2),
+    potential = m * g
+        * (x * sin(theta) * sin(psi) + y * sin(theta) * cos(psi) + z * cos(theta)),
+"
+        .to_owned(),
+        ..general_top()
+    }
+}
+
+/// The same system as two links, with the angle between them.
+fn double_pendulum_multiplied_out() -> Declaration {
+    Declaration {
+        title: "Two point masses on massless rods, the kinetic energy multiplied out.",
+        clauses: "    \
+    coordinates(q1, q2),
+    kinetic = m * l.powi(2)
+        * (dot(q1).powi(2) + 0.5 * dot(q2).powi(2) + dot(q1) * dot(q2) * cos(q1 - q2)),
+    potential = -m * g * l * (2.0 * cos(q1) + cos(q2)),
+"
+        .to_owned(),
+        ..pendulum(2)
     }
 }
 

@@ -15,8 +15,9 @@ mod derived;
 mod evaluation;
 mod measure;
 mod protocol;
+mod rounding;
 mod shared_object;
 mod stopwatch;
 
-pub use measure::measure;
+pub use measure::{measure, measure_with_rounding};
 pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};

@@ -21,6 +21,9 @@
 //! us in a debug build, as users get it, for the others without starting Python; the time to compile,
 //! for us `cargo build --release` of the model's crate with its dependencies built, and so with the
 //! derivation, for C `gcc -O3`, both for this processor; the greatest relative difference from ours.
+//!
+//! `-- --ablation` measures something else: each model with all passes of the derivation, and with each
+//! of them switched off (see `ablation.rs`).
 
 mod arguments;
 mod model;
@@ -36,6 +39,8 @@ mod side;
 mod peers;
 mod comparison;
 mod table;
+mod ablation;
+mod ablation_table;
 
 use std::process::ExitCode;
 
@@ -55,6 +60,11 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), String> {
+    if arguments.ablation {
+        let ablations = ablation::run(arguments)?;
+        print!("{}", ablation_table::tables(&ablations));
+        return Ok(());
+    }
     let workshop = Workshop::new(arguments)?;
     let mut comparisons = Vec::new();
     for &model in &arguments.models {

@@ -8,6 +8,7 @@ use lagrangian::{Lagrangian, OperationCount};
 use crate::agreement::difference;
 use crate::derived::Derived;
 use crate::protocol::{Measurement, Report, Request};
+use crate::rounding::rounding;
 use crate::shared_object::SharedObject;
 use crate::stopwatch::{Measured, Stopwatch};
 
@@ -16,12 +17,35 @@ pub fn measure<const N: usize, M: Lagrangian<N>>(
     model: &M,
     operations: OperationCount,
 ) -> ExitCode {
-    let report = request().and_then(|request| {
-        let ours = Stopwatch::new(Derived::new(model), &request.states);
-        let mut sides: Vec<Box<dyn Measured + '_>> = vec![Box::new(ours)];
-        sides.extend(shared_objects::<N>(&request)?);
-        report(&request, operations, sides)
-    });
+    answer(request().and_then(|request| measured(model, operations, &request)))
+}
+
+/// The same, with rounding errors.
+pub fn measure_with_rounding<const N: usize, M: Lagrangian<N> + Lagrangian<N, f32>>(
+    model: &M,
+    operations: OperationCount,
+) -> ExitCode {
+    answer(request().and_then(|request| {
+        let report = measured(model, operations, &request)?;
+        Ok(Report {
+            rounding: Some(rounding(model, &request.states)),
+            ..report
+        })
+    }))
+}
+
+fn measured<const N: usize, M: Lagrangian<N>>(
+    model: &M,
+    operations: OperationCount,
+    request: &Request,
+) -> Result<Report, String> {
+    let ours = Stopwatch::new(Derived::new(model), &request.states);
+    let mut sides: Vec<Box<dyn Measured + '_>> = vec![Box::new(ours)];
+    sides.extend(shared_objects::<N>(request)?);
+    report(request, operations, sides)
+}
+
+fn answer(report: Result<Report, String>) -> ExitCode {
     match report.map(|report| serde_json::to_string(&report)) {
         Ok(Ok(report)) => {
             println!("{report}");
@@ -73,6 +97,8 @@ fn report(
     }
     Ok(Report {
         operations: operations.into(),
+        accelerations: sides[0].accelerations(),
+        rounding: None,
         measurements,
     })
 }

@@ -12,14 +12,28 @@ pub(crate) enum Model {
     GeneralTop,
     /// A plane chain of so many point masses.
     Pendulum(usize),
+    /// The general heavy top, its kinetic energy multiplied out.
+    GeneralTopMultipliedOut,
+    /// Two links, the kinetic energy multiplied out.
+    DoublePendulumMultipliedOut,
 }
 
 impl Model {
     /// The number of coordinates.
     pub(crate) fn degrees(self) -> usize {
         match self {
-            Self::SymmetricTop | Self::GeneralTop => 3,
+            Self::SymmetricTop | Self::GeneralTop | Self::GeneralTopMultipliedOut => 3,
+            Self::DoublePendulumMultipliedOut => 2,
             Self::Pendulum(links) => links,
+        }
+    }
+
+    /// The system that is modelled, as peers know it: to them it does not matter how it is spelt.
+    pub(crate) fn system(self) -> Self {
+        match self {
+            Self::GeneralTopMultipliedOut => Self::GeneralTop,
+            Self::DoublePendulumMultipliedOut => Self::Pendulum(2),
+            other => other,
         }
     }
 }
@@ -29,6 +43,8 @@ impl Display for Model {
         match self {
             Self::SymmetricTop => write!(f, "A1"),
             Self::GeneralTop => write!(f, "A2"),
+            Self::GeneralTopMultipliedOut => write!(f, "A2m"),
+            Self::DoublePendulumMultipliedOut => write!(f, "P2m"),
             Self::Pendulum(links) => write!(f, "P{links}"),
         }
     }
@@ -42,8 +58,10 @@ impl FromStr for Model {
         match (name, links) {
             ("A1", _) => Ok(Self::SymmetricTop),
             ("A2", _) => Ok(Self::GeneralTop),
+            ("A2m", _) => Ok(Self::GeneralTopMultipliedOut),
+            ("P2m", _) => Ok(Self::DoublePendulumMultipliedOut),
             (_, Some(links @ 1..=99)) => Ok(Self::Pendulum(links)),
-            _ => Err("models are A1, A2, and P1 to P99".to_owned()),
+            _ => Err("models are A1, A2, A2m, P2m, and P1 to P99".to_owned()),
         }
     }
 }

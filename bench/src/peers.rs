@@ -114,8 +114,10 @@ pub(crate) fn skipped(what: &str, why: &str) {
 fn by_hand(folders: &Folders, model: Model) -> Vec<CSource> {
     let files: &[(&str, &str)] = match model {
         Model::SymmetricTop => &[("C, Euler's equations", "symmetric_top.c")],
-        Model::GeneralTop => &[("C, Euler's equations", "general_top.c")],
-        Model::Pendulum(2) => &[
+        Model::GeneralTop | Model::GeneralTopMultipliedOut => {
+            &[("C, Euler's equations", "general_top.c")]
+        }
+        Model::Pendulum(2) | Model::DoublePendulumMultipliedOut => &[
             ("C, closed form", "double_pendulum.c"),
             ("C, dense", "chain_dense.c"),
             ("C, tensions", "chain_tensions.c"),

@@ -41,6 +41,11 @@ pub struct Answers {
 pub struct Report {
     /// What our accelerations cost.
     pub operations: Operations,
+    /// Our accelerations, one row a state.
+    pub accelerations: Vec<Vec<f64>>,
+    /// How much our accelerations are off in single precision, if that was asked for: the root of the mean
+    /// square over all states, relative to the accelerations, in units of the precision.
+    pub rounding: Option<f64>,
     /// Ours first, then the peers that can be called, then those that cannot.
     pub measurements: Vec<Measurement>,
 }
@@ -67,8 +72,12 @@ pub struct Operations {
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
+    /// Square roots.
+    pub square_roots: usize,
     /// Sines and cosines; the pair of one angle counts once.
     pub sines_and_cosines: usize,
+    /// All other functions.
+    pub functions: usize,
     /// All, each function counted as one.
     pub total: usize,
 }
@@ -79,7 +88,9 @@ impl From<OperationCount> for Operations {
             additions: count.additions,
             multiplications: count.multiplications,
             divisions: count.divisions,
+            square_roots: count.square_roots,
             sines_and_cosines: count.sines_and_cosines,
+            functions: count.functions,
             total: count.total(),
         }
     }

@@ -21,7 +21,7 @@ pub(crate) fn states(model: Model) -> Vec<Vec<f64>> {
 fn range(model: Model, degrees: usize, index: usize) -> (f64, f64) {
     match model {
         _ if index >= degrees => (-2.0, 2.0),
-        Model::Pendulum(_) => (-1.0, 1.0),
+        Model::Pendulum(_) | Model::DoublePendulumMultipliedOut => (-1.0, 1.0),
         _ if index == 1 => (0.3, 2.8),
         _ => (-3.0, 3.0),
     }

@@ -7,6 +7,7 @@ mod check;
 mod scope;
 mod expression;
 mod hints;
+mod ablation;
 mod lower;
 mod methods;
 mod names;

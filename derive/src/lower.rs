@@ -2,6 +2,7 @@
 
 use lagrangian_symbolic::{Energies, Expression, Graph, Model};
 
+use crate::ablation::passes;
 use crate::declaration::{Clause, Declaration, Role};
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
@@ -13,8 +14,10 @@ pub(crate) fn lower(
     declaration: &Declaration,
     diagnostics: &mut Diagnostics,
 ) -> (Option<Model>, Scope) {
+    let mut graph = Graph::new();
+    graph.passes = passes(diagnostics);
     let mut translator = Translator {
-        graph: Graph::new(),
+        graph,
         scope: Scope::new(declaration),
         coordinates: count(declaration.clauses.coordinates.len()),
         diagnostics,

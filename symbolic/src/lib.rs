@@ -4,6 +4,7 @@
 //! This is what `lagrangian`'s derive macro is made of, as a library: it knows neither tokens nor time
 //! steps.
 
+mod passes;
 mod algebra;
 mod decision;
 mod mechanics;
@@ -23,6 +24,7 @@ pub use mechanics::equations::{Defect, Equations};
 pub use mechanics::model::{Energies, Model};
 pub use mechanics::solution::Solution;
 pub use mechanics::structure::Structure;
+pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
 pub use print::names::{Letters, Names};
 pub use program::preparation::Prepared;

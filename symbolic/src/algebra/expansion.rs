@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::{Expression, Graph, Node, Rational};
+use crate::{Expression, Graph, Node, Pass, Rational};
 
 /// More terms than this are not looked at.
 const MOST_TERMS: usize = 128;
@@ -37,6 +37,9 @@ impl Graph {
 
     /// The sum of products that `expression` is, unless it has too many terms.
     fn expanded(&mut self, expression: Expression) -> Option<Expression> {
+        if !self.passes.has(Pass::Expansion) {
+            return None;
+        }
         let terms = self.monomials(expression)?;
         Some(self.sum(terms))
     }

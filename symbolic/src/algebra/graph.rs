@@ -18,7 +18,7 @@ use crate::algebra::contents::Contents;
 use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
-use crate::{Binary, Rational, Symbol, Unary};
+use crate::{Binary, Pass, Passes, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -106,6 +106,8 @@ fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
 pub struct Graph {
     nodes: Interner,
     contents: Vec<Contents>,
+    /// The passes that are applied to what is made of this graph.
+    pub passes: Passes,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: Table<Expression, Option<Split>>,
 }
@@ -123,6 +125,7 @@ impl Graph {
         let mut graph = Self {
             nodes: Interner::default(),
             contents: Vec::new(),
+            passes: Passes::default(),
             splits: Table::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
@@ -274,7 +277,9 @@ impl Graph {
     /// by step, as in an elimination, grows with the number of steps and not with their depth.
     pub fn whole(&mut self, expression: Expression) -> Expression {
         match self.node(expression) {
-            Node::Sum(_) | Node::Product(_) => self.intern(Node::Whole(expression)),
+            Node::Sum(_) | Node::Product(_) if self.passes.has(Pass::Whole) => {
+                self.intern(Node::Whole(expression))
+            }
             _ => expression,
         }
     }

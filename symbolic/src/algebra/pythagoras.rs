@@ -10,13 +10,16 @@
 //! goes the other way: sin²x never becomes 1 − cos²x.
 
 use crate::algebra::sum::combine;
-use crate::{Expression, Graph, Node, Rational, Unary};
+use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 
 type Terms = Vec<(Expression, Rational)>;
 
 impl Graph {
     /// Applies the rules to terms in normal form until none of them fires.
     pub(crate) fn apply_pythagoras(&mut self, terms: &mut Terms) {
+        if !self.passes.has(Pass::Pythagoras) {
+            return;
+        }
         while terms.len() > 1 && (0..terms.len()).any(|position| self.merge_square(terms, position))
         {
             combine(terms);

@@ -13,7 +13,7 @@ use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematics::{Kinematics, transposed};
 use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::structure_constants::structure_constants;
-use crate::{Expression, Graph, Model, Rational, Symbol};
+use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// How many quasi-velocities are solved for at most: the structure constants are a cube.
 const MOST: usize = 8;
@@ -142,7 +142,8 @@ impl BoltzmannHamel {
     fn gyroscopic(&self, graph: &mut Graph, coordinates: u32) -> Gyroscopic {
         let forms = &self.quasi_velocities.forms;
         let momenta = self.quasi_velocities.momenta(graph);
-        let homogeneous = !graph.contains(forms, |symbol| symbol == Symbol::Time)
+        let homogeneous = graph.passes.has(Pass::StructureConstants)
+            && !graph.contains(forms, |symbol| symbol == Symbol::Time)
             && self.quasi_velocities.is_homogeneous(graph, coordinates);
         let matrix = self.kinematics.matrix();
         if let Some(constants) = homogeneous

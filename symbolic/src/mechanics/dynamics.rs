@@ -10,7 +10,7 @@ use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematic_tree::KinematicTree;
 use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::solution::{Solution, Way};
-use crate::{Equations, Expression, Graph, Model};
+use crate::{Equations, Expression, Graph, Model, Pass};
 
 /// The dynamics of a model, as expressions of its graph.
 pub struct Dynamics {
@@ -48,8 +48,10 @@ impl Dynamics {
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
         let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
         let forces = &equations.generalized_forces;
+        let passes = model.graph.passes;
         let tree = declared
             .as_ref()
+            .filter(|_| passes.has(Pass::Tree))
             .map(|declared| KinematicTree::new(model, declared, forces));
         let graph = &mut model.graph;
         let lagrange = LinearSystem {
@@ -61,7 +63,10 @@ impl Dynamics {
             Some(tree) => lagrange.cheaper(graph, tree),
             None => lagrange,
         };
-        let elimination = Elimination::factor(graph, &equations.mass, MOST_NEIGHBOURS);
+        let elimination = passes
+            .has(Pass::Elimination)
+            .then(|| Elimination::factor(graph, &equations.mass, MOST_NEIGHBOURS))
+            .flatten();
         let mut ways: Vec<_> = elimination.iter().cloned().map(Way::Elimination).collect();
         let mut system = along.clone();
         if let Some(tree) = tree {
@@ -115,8 +120,12 @@ fn through_quasi_velocities(
     equations: &Equations,
     declared: Option<QuasiVelocities>,
 ) -> Vec<Way> {
+    let passes = model.graph.passes;
+    if !passes.has(Pass::QuasiVelocities) {
+        return Vec::new();
+    }
     let mut choices: Vec<_> = declared.into_iter().collect();
-    if model.coordinates <= MOST_COORDINATES {
+    if model.coordinates <= MOST_COORDINATES && passes.has(Pass::Inertias) {
         choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);

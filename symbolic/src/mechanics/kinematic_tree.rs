@@ -7,7 +7,7 @@
 
 use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::structure;
-use crate::{Expression, Graph, Model, Rational, Symbol};
+use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// A form and what it adds to its parent.
 #[derive(Clone, Debug)]
@@ -87,6 +87,9 @@ impl KinematicTree {
     /// The same equations divided by an inertia of which all others are multiples by numbers, if there is
     /// one: a chain of equal bodies then solves for ratios.
     pub(crate) fn without_unit(&self, graph: &mut Graph) -> Self {
+        if !graph.passes.has(Pass::Unit) {
+            return self.clone();
+        }
         let unit = self.inertia.first().map_or(graph.one(), |row| row[0]);
         let mut scaled = self.clone();
         for entry in scaled.inertia.iter_mut().flatten() {

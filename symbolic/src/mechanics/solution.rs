@@ -48,7 +48,8 @@ impl Solution {
         }
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
-            let parts = Program::schedule_for_preparation(graph, &outputs).prepared();
+            let program = Program::schedule_for_preparation(graph, &outputs);
+            let parts = program.prepared(graph.passes);
             (parts.after.count().cost(), parts.before.count().cost())
         })
     }

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Graph, Node, Pass, Rational, Symbol, Unary};
 
 /// A value of a plan.
 pub(crate) type Value = usize;
@@ -229,6 +229,9 @@ fn shared_divisors(
     descendants: &[Expression],
 ) -> BTreeMap<(Expression, Rational), usize> {
     let mut uses = BTreeMap::new();
+    if !graph.passes.has(Pass::Reciprocals) {
+        return uses;
+    }
     for expression in descendants {
         if let Node::Product(factors) = graph.node(*expression) {
             for (x, k) in factors.iter().filter(|(_, k)| k.is_negative()) {

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use crate::program::plan::{Plan, Recipe, Value};
 use crate::program::straight_line::{Instruction, Operand, Phase, Program};
-use crate::{Expression, Rational, Symbol};
+use crate::{Expression, Pass, Passes, Rational, Symbol};
 
 /// The values that were made of constant factors, above and below.
 type Gathered = BTreeMap<(Vec<Value>, Vec<Value>), Value>;
@@ -197,10 +197,25 @@ pub struct Prepared {
     pub after: Program,
 }
 
+impl Prepared {
+    /// A program of which nothing is computed before.
+    fn nothing(after: Program) -> Self {
+        let phases = vec![Phase::default()];
+        Self {
+            before: Program { phases },
+            after,
+        }
+    }
+}
+
 impl Program {
-    /// Parts the program in what depends on parameters alone and the rest.
+    /// Parts the program in what depends on parameters alone and the rest. Without
+    /// [`Pass::Preparation`] all of it is the rest.
     #[must_use]
-    pub fn prepared(&self) -> Prepared {
+    pub fn prepared(&self, passes: Passes) -> Prepared {
+        if !passes.has(Pass::Preparation) {
+            return Prepared::nothing(self.clone());
+        }
         let mut parting = Parting::default();
         for phase in &self.phases {
             let mut rest = Phase::default();

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::algebra::hashing::Table;
 use crate::program::plan::{Plan, Recipe, Value};
 use crate::program::straight_line::{Instruction, Operand, Operation, Phase, Program};
-use crate::{Expression, Graph, Rational, Unary};
+use crate::{Expression, Graph, Pass, Rational, Unary};
 
 /// What is done with parts that depend on parameters alone.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -35,21 +35,33 @@ pub(crate) struct Scheduler {
 impl Scheduler {
     pub(crate) fn new(graph: &Graph, groups: &[&[Expression]], parameters: Parameters) -> Self {
         let roots = groups.concat();
+        let passes = graph.passes;
         let mut plan = Plan::new(graph, &roots);
-        let uses = plan.uses(&roots);
-        plan.collect(&uses);
-        let uses = plan.uses(&roots);
-        plan.factor(&uses);
-        if parameters == Parameters::Gathered {
+        if passes.has(Pass::Collecting) {
+            let uses = plan.uses(&roots);
+            plan.collect(&uses);
+        }
+        if passes.has(Pass::Factoring) {
+            let uses = plan.uses(&roots);
+            plan.factor(&uses);
+        }
+        // What is gathered is worth its operations only where it is computed once.
+        let gathers = passes.has(Pass::Gathering) && passes.has(Pass::Preparation);
+        if gathers && parameters == Parameters::Gathered {
             plan.distribute_constants(&roots);
             plan.gather_constants(&roots);
         }
         plan.forget_unused(&roots);
-        plan.share();
+        plan.share(passes);
+        let paired = if passes.has(Pass::Pairing) {
+            paired_arguments(&plan)
+        } else {
+            BTreeSet::new()
+        };
         Self {
             operands: vec![None; plan.recipes.len()],
             numbers: Table::default(),
-            paired: paired_arguments(&plan),
+            paired,
             plan,
             instructions: Vec::new(),
             next: 0,

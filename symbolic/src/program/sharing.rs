@@ -8,9 +8,9 @@
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::Rational;
 use crate::algebra::hashing::Table;
 use crate::program::plan::{Plan, Recipe, Value};
+use crate::{Pass, Passes, Rational};
 
 /// Lists longer than this are left alone: their pairs grow with the square of the length.
 const LONGEST: usize = 24;
@@ -37,9 +37,13 @@ struct Sums;
 
 impl Plan {
     /// Finds what products have in common, then what sums have in common.
-    pub(crate) fn share(&mut self) {
-        Sharing::<Products>::run(self);
-        Sharing::<Sums>::run(self);
+    pub(crate) fn share(&mut self, passes: Passes) {
+        if passes.has(Pass::SharedProducts) {
+            Sharing::<Products>::run(self);
+        }
+        if passes.has(Pass::SharedSums) {
+            Sharing::<Sums>::run(self);
+        }
     }
 
     fn numerator(&self, value: Value) -> &[Value] {
