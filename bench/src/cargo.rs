@@ -129,7 +129,8 @@ fn package(
     );
     if !features.is_empty() {
         let features = format!("features = {features:?}");
-        manifest += &format!("lagrangian-derive = {{ path = {derive:?}, {features} }}\n");
+        manifest += "lagrangian-derive = ";
+        manifest += &["{ path = ", &format!("{derive:?}"), ", ", &features, " }\n"].concat();
     }
     write(&package.join("Cargo.toml"), &manifest)?;
     write(&package.join("src/main.rs"), main)?;
