@@ -123,15 +123,15 @@ fn package(
     create(&package.join("src"))?;
     let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
     let [runtime, bench, derive] = ["runtime", "bench", "derive"].map(path);
-    let mut manifest = format!(
+    let derive = if features.is_empty() {
+        String::new()
+    } else {
+        format!("lagrangian-derive = {{ path = {derive:?}, features = {features:?} }}\n")
+    };
+    let manifest = format!(
         "[package]\nname = {name:?}\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-         lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n"
+         lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{derive}"
     );
-    if !features.is_empty() {
-        let features = format!("features = {features:?}");
-        manifest += "lagrangian-derive = ";
-        manifest += &["{ path = ", &format!("{derive:?}"), ", ", &features, " }\n"].concat();
-    }
     write(&package.join("Cargo.toml"), &manifest)?;
     write(&package.join("src/main.rs"), main)?;
     fs::copy(

@@ -7,7 +7,9 @@ mod angles;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lagrangian_symbolic::{Instruction, Operand, Operation, Phase, Program, Rational, Symbol};
+use lagrangian_symbolic::{
+    Instruction, Operand, Operation, Pass, Passes, Phase, Program, Rational, Symbol,
+};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
@@ -70,6 +72,7 @@ pub(crate) trait Source {
 
 /// Writes the phases of one program, one after the other.
 pub(crate) struct Body<'a> {
+    passes: Passes,
     locals: Locals<'a>,
     scalar: &'a Ident,
     source: &'a dyn Source,
@@ -83,11 +86,13 @@ pub(crate) struct Body<'a> {
 impl<'a> Body<'a> {
     pub(crate) fn new(
         program: &Program,
+        passes: Passes,
         locals: Locals<'a>,
         scalar: &'a Ident,
         source: &'a dyn Source,
     ) -> Self {
         Self {
+            passes,
             locals,
             scalar,
             source,
@@ -141,6 +146,9 @@ impl<'a> Body<'a> {
 
     /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
     fn angles(&mut self, phase: &Phase, statements: &mut TokenStream) -> BTreeSet<usize> {
+        if !self.passes.has(Pass::Vectors) {
+            return BTreeSet::new();
+        }
         let Some(angles) = Angles::of(phase, |value| self.texts.contains_key(&value)) else {
             return BTreeSet::new();
         };
@@ -199,6 +207,7 @@ impl<'a> Body<'a> {
             .map(|operand| self.operand(operand))
             .collect();
         let depth = 1 + operands.iter().map(|text| text.depth).max().unwrap_or(0);
+        let fuses = self.passes.has(Pass::Fusion);
         let mut operands = operands.into_iter();
         let mut next = || {
             operands
@@ -215,7 +224,7 @@ impl<'a> Body<'a> {
                     tokens,
                     level: Level::Product,
                     depth,
-                    factors: Some(Box::new([x, y])),
+                    factors: fuses.then(|| Box::new([x, y])),
                 };
             }
             Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),

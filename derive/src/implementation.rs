@@ -147,10 +147,11 @@ impl<'a> Implementation<'a> {
             implementation: self,
             inputs,
         };
-        let locals = Locals::new(&self.model.graph, self.scope, &self.symbols);
+        let graph = &self.model.graph;
+        let locals = Locals::new(graph, self.scope, &self.symbols);
         let mut writer = Writer {
             program: &method.program,
-            body: Body::new(&method.program, locals, &self.scalar, &reader),
+            body: Body::new(&method.program, graph.passes, locals, &self.scalar, &reader),
             scalar: &self.scalar,
         };
         write(&mut writer)

@@ -256,7 +256,7 @@ impl Method {
     fn prepared(model: &Model, outputs: &[Expression]) -> [Self; 2] {
         let whole = Program::schedule_for_preparation(&model.graph, &[outputs]);
         let verified = verify(&whole, model, &[outputs]);
-        let Prepared { before, after } = whole.prepared(model.graph.passes);
+        let Prepared { before, after } = whole.parted(model.graph.passes);
         [before, after].map(|program| Self {
             count: program.count(),
             program,

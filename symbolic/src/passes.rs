@@ -56,6 +56,8 @@ passes! {
     Collecting = "collecting",
     /// Common factors taken out of sums.
     Factoring = "factoring",
+    /// Constant factors moved into sums whose terms have constant factors.
+    Distribution = "distribution",
     /// What depends on parameters alone gathered within products and sums.
     Gathering = "gathering",
     /// What depends on parameters alone computed once and not at every evaluation.
@@ -66,6 +68,10 @@ passes! {
     SharedSums = "shared-sums",
     /// Sine and cosine of one angle in one operation.
     Pairing = "pairing",
+    /// Sines and cosines of several angles at once, on vectors.
+    Vectors = "vectors",
+    /// Products fused with sums where the target has the instruction.
+    Fusion = "fusion",
 }
 
 /// Which passes are applied; by default all of them.

@@ -14,7 +14,7 @@ fn cost(mut model: Model) -> usize {
     let roots = [&*solution.pivots, &solution.accelerations];
     let program = Program::schedule_for_preparation(&model.graph, &roots);
     assert_eq!(program.verify(&model.graph, &roots), Ok(()));
-    program.prepared(model.graph.passes).after.count().cost()
+    program.prepared().after.count().cost()
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn value(symbol: Symbol) -> f64 {
 fn parts(graph: &Graph, roots: &[Expression]) -> Prepared {
     let program = Program::schedule_for_preparation(graph, &[roots]);
     assert_eq!(program.verify(graph, &[roots]), Ok(()));
-    let parts = program.prepared(graph.passes);
+    let parts = program.prepared();
     let of_parameters = |symbol| match symbol {
         Symbol::Parameter(_) => value(symbol),
         _ => panic!("{symbol:?} varies"),
@@ -132,11 +132,11 @@ fn what_is_not_constant_is_not_prepared() {
         let product = graph.multiply(a, varying);
         // In a product with two parameters it is those that are gathered.
         let longer = graph.multiply(product, b);
-        let parts = Program::schedule_for_preparation(&graph, &[&[longer]]).prepared(graph.passes);
+        let parts = Program::schedule_for_preparation(&graph, &[&[longer]]).prepared();
         assert_eq!(operations(&parts.before), [0, 1, 0], "{symbol:?}");
         assert_eq!(operations(&parts.after), [0, 1, 0], "{symbol:?}");
         let program = Program::schedule_for_preparation(&graph, &[&[product, a]]);
-        let parts = program.prepared(graph.passes);
+        let parts = program.prepared();
         assert_eq!(parts.before.instructions().count(), 0, "{symbol:?}");
         let read = parts.after.symbols();
         assert_eq!(read.len(), 2, "{read:?}");

@@ -105,9 +105,9 @@ fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
 #[derive(Clone, Debug)]
 pub struct Graph {
     nodes: Interner,
-    contents: Vec<Contents>,
     /// The passes that are applied to what is made of this graph.
     pub passes: Passes,
+    contents: Vec<Contents>,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: Table<Expression, Option<Split>>,
 }
@@ -124,8 +124,8 @@ impl Graph {
     pub fn new() -> Self {
         let mut graph = Self {
             nodes: Interner::default(),
-            contents: Vec::new(),
             passes: Passes::default(),
+            contents: Vec::new(),
             splits: Table::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));

@@ -57,7 +57,7 @@ impl Solution {
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
             let program = Program::schedule_for_preparation(graph, &outputs);
-            let parts = program.prepared(graph.passes);
+            let parts = program.parted(graph.passes);
             (parts.after.count().cost(), parts.before.count().cost())
         })
     }

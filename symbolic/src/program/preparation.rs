@@ -15,8 +15,22 @@ use crate::{Expression, Pass, Passes, Rational, Symbol};
 type Gathered = BTreeMap<(Vec<Value>, Vec<Value>), Value>;
 
 impl Plan {
+    /// Brings together what is constant. That costs operations which are worth it only where they are
+    /// done once.
+    pub(crate) fn arrange_constants(&mut self, passes: Passes, roots: &[Expression]) {
+        if !passes.has(Pass::Preparation) {
+            return;
+        }
+        if passes.has(Pass::Distribution) {
+            self.distribute_constants(roots);
+        }
+        if passes.has(Pass::Gathering) {
+            self.gather_constants(roots);
+        }
+    }
+
     /// Gathers what is constant in products and sums that are not.
-    pub(crate) fn gather_constants(&mut self, roots: &[Expression]) {
+    fn gather_constants(&mut self, roots: &[Expression]) {
         let order = self.order(roots);
         let mut gathered = Gathered::default();
         let mut constant = vec![false; self.recipes.len()];
@@ -38,7 +52,7 @@ impl Plan {
     /// Moves constant factors of a product into a sum among its factors, where every term has a constant
     /// factor already: (x·a + y·b)·c is x·(a·c) + y·(b·c), with one multiplication less once the constants
     /// are known. Only what is used once is changed.
-    pub(crate) fn distribute_constants(&mut self, roots: &[Expression]) {
+    fn distribute_constants(&mut self, roots: &[Expression]) {
         let mut constant = vec![false; self.recipes.len()];
         let order = self.order(roots);
         for value in &order {
@@ -197,25 +211,23 @@ pub struct Prepared {
     pub after: Program,
 }
 
-impl Prepared {
-    /// A program of which nothing is computed before.
-    fn nothing(after: Program) -> Self {
+impl Program {
+    /// The program in two parts; without [`Pass::Preparation`] all of it is in the second.
+    #[must_use]
+    pub fn parted(self, passes: Passes) -> Prepared {
+        if passes.has(Pass::Preparation) {
+            return self.prepared();
+        }
         let phases = vec![Phase::default()];
-        Self {
-            before: Program { phases },
-            after,
+        Prepared {
+            before: Self { phases },
+            after: self,
         }
     }
-}
 
-impl Program {
-    /// Parts the program in what depends on parameters alone and the rest. Without
-    /// [`Pass::Preparation`] all of it is the rest.
+    /// Parts the program in what depends on parameters alone and the rest.
     #[must_use]
-    pub fn prepared(&self, passes: Passes) -> Prepared {
-        if !passes.has(Pass::Preparation) {
-            return Prepared::nothing(self.clone());
-        }
+    pub fn prepared(&self) -> Prepared {
         let mut parting = Parting::default();
         for phase in &self.phases {
             let mut rest = Phase::default();

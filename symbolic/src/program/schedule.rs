@@ -45,11 +45,8 @@ impl Scheduler {
             let uses = plan.uses(&roots);
             plan.factor(&uses);
         }
-        // What is gathered is worth its operations only where it is computed once.
-        let gathers = passes.has(Pass::Gathering) && passes.has(Pass::Preparation);
-        if gathers && parameters == Parameters::Gathered {
-            plan.distribute_constants(&roots);
-            plan.gather_constants(&roots);
+        if parameters == Parameters::Gathered {
+            plan.arrange_constants(passes, &roots);
         }
         plan.forget_unused(&roots);
         plan.share(passes);
