@@ -152,6 +152,10 @@ fn what_is_kept_whole_is_a_term_and_a_factor_of_its_own() {
     assert_ne!(quotient, graph.one());
     let multiple = product(&mut graph, &[x, whole]);
     assert_eq!(graph.simplest(multiple), multiple);
+    let (first, second) = (graph.multiply(x, a), graph.multiply(x, b));
+    let difference = sum(&mut graph, &[(multiple, 1), (first, -1), (second, -1)]);
+    let simplest = graph.simplest(difference);
+    assert!(!graph.is_zero(simplest));
     // Twice whole is whole, and what has no parts needs no keeping.
     assert_eq!(graph.whole(whole), whole);
     let one = graph.one();

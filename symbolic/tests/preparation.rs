@@ -98,6 +98,16 @@ fn constant_terms_are_gathered() {
     let one = Rational::ONE;
     let sum = graph.sum([a, x, b, y].map(|x| (x, one.clone())));
     assert_parts(&graph, &[sum], [1, 0, 0], [2, 0, 0]);
+    // Numbers in front do not keep them apart: a + 2 b, and x + 2 y.
+    let two = Rational::integer(2);
+    let terms = [
+        (x, one.clone()),
+        (y, two.clone()),
+        (a, one.clone()),
+        (b, two),
+    ];
+    let sum = graph.sum(terms);
+    assert_parts(&graph, &[sum], [1, 1, 0], [2, 1, 0]);
     // A multiple of one parameter is prepared; a parameter or a number by itself is not.
     let multiple = graph.sum([(a, Rational::integer(2)), (x, one.clone())]);
     assert_parts(&graph, &[multiple], [0, 1, 0], [1, 0, 0]);

@@ -1,13 +1,14 @@
 //! sin² + cos² = 1 and its consequences, in sums.
 //!
-//! Three directed rules, each of which leaves one term where there were two:
+//! Three directed rules, with c ≥ d > 0 or both negative:
 //!
 //! - `c·r·sin²x + c·r·cos²x → c·r`
-//! - `c·r − c·r·sin²x → c·r·cos²x`
-//! - `c·r − c·r·cos²x → c·r·sin²x`
+//! - `c·r − d·r·sin²x → (c−d)·r + d·r·cos²x`
+//! - `c·r − d·r·cos²x → (c−d)·r + d·r·sin²x`
 //!
-//! The last two make a product of a difference, which is exact where the difference cancels. No rule
-//! goes the other way: sin²x never becomes 1 − cos²x.
+//! The first leaves one term where there were two, and so do the others for c = d. These make terms of
+//! one sign of a difference, which is exact where the difference cancels. No rule goes the other way:
+//! sin²x never becomes 1 − cos²x.
 
 use crate::algebra::sum::combine;
 use crate::{Expression, Graph, Node, Pass, Rational, Unary};
@@ -45,16 +46,22 @@ impl Graph {
             let rest = self.product(rest);
             let square = self.square(complement);
             let partner = self.multiply(rest, square);
+            let whole = find(terms, rest).filter(|whole| exceeds(whole, &coefficient));
             let (replaced, result) = if find(terms, partner) == Some(&coefficient) {
-                (partner, (rest, coefficient.clone()))
-            } else if find(terms, rest) == Some(&-&coefficient) {
-                (rest, (partner, -&coefficient))
+                (partner, vec![(rest, coefficient.clone())])
+            } else if let Some(whole) = whole {
+                (
+                    rest,
+                    vec![(partner, -&coefficient), (rest, whole + &coefficient)],
+                )
             } else {
                 continue;
             };
             terms.retain(|(x, _)| *x != term && *x != replaced);
             // What is left may be a number or a sum of its own.
-            self.merge_term(terms, result.0, result.1);
+            for (x, c) in result {
+                self.merge_term(terms, x, c);
+            }
             return true;
         }
         false
@@ -77,6 +84,11 @@ impl Graph {
             _ => None,
         }
     }
+}
+
+/// Whether a number has the other sign than another one and is not smaller.
+fn exceeds(whole: &Rational, part: &Rational) -> bool {
+    whole.is_negative() != part.is_negative() && whole.abs() >= part.abs()
 }
 
 /// The coefficient of a term.
@@ -126,6 +138,29 @@ mod tests {
         let difference = graph.subtract(part, r);
         let square = graph.multiply(r, cosine);
         assert_eq!(difference, graph.negate(square));
+    }
+
+    #[test]
+    fn differences_of_multiples_become_terms_of_one_sign() {
+        let mut graph = Graph::new();
+        let [_, _, r, sine, cosine] = symbols(&mut graph);
+        let one = graph.one();
+        let combine = |graph: &mut Graph, terms: [(Expression, i64); 2]| {
+            graph.sum(terms.map(|(x, c)| (x, Rational::integer(c))))
+        };
+        // 2 − cos² = 1 + sin², as in the determinant of a double pendulum.
+        let difference = combine(&mut graph, [(one, 2), (cosine, -1)]);
+        assert_eq!(difference, combine(&mut graph, [(one, 1), (sine, 1)]));
+        // −5 r + 2 r sin² = −3 r − 2 r cos².
+        let [across, along] = [sine, cosine].map(|square| graph.multiply(r, square));
+        let difference = combine(&mut graph, [(r, -5), (across, 2)]);
+        assert_eq!(difference, combine(&mut graph, [(r, -3), (along, -2)]));
+        // 1 − 2 cos² would be a difference on either side.
+        let difference = combine(&mut graph, [(one, 1), (cosine, -2)]);
+        let Node::Sum(terms) = graph.node(difference) else {
+            panic!("{:?} is no sum", graph.node(difference));
+        };
+        assert!(terms.iter().any(|(x, _)| *x == cosine));
     }
 
     #[test]

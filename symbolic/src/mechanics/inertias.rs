@@ -222,15 +222,21 @@ mod tests {
 
     #[test]
     fn pivots_that_are_no_squares_give_none() {
-        // T = ½ (1 + x²) ẋ²: the pivot 1 + x² has no root.
-        let mut draft = Draft::new(1);
-        let (x, v) = (draft.q(0), draft.v(0));
-        let (x2, v2) = (draft.square(x), draft.square(v));
-        let mass = draft.graph.add_constant(x2, &Rational::ONE);
-        let twice = draft.times(&[mass, v2]);
-        let (kinetic, zero) = (draft.half(twice), draft.graph.zero());
-        let mut model = draft.natural(kinetic, zero);
-        let equations = Equations::derive(&mut model).unwrap();
-        assert!(QuasiVelocities::by_inertia(&mut model.graph, &equations).is_none());
+        // T = ½ (1 + x) ẋ², and ½ x³ ẋ², which is a square for positive x alone.
+        for is_power in [false, true] {
+            let mut draft = Draft::new(1);
+            let (x, v) = (draft.q(0), draft.v(0));
+            let mass = if is_power {
+                draft.times(&[x, x, x])
+            } else {
+                draft.graph.add_constant(x, &Rational::ONE)
+            };
+            let twice = draft.times(&[mass, v, v]);
+            let (kinetic, zero) = (draft.half(twice), draft.graph.zero());
+            let mut model = draft.natural(kinetic, zero);
+            let equations = Equations::derive(&mut model).unwrap();
+            let found = QuasiVelocities::by_inertia(&mut model.graph, &equations);
+            assert!(found.is_none());
+        }
     }
 }

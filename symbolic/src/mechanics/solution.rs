@@ -46,6 +46,14 @@ impl Solution {
         for way in ways.into_iter().rev() {
             solutions.push(Self::by(graph, forcing, way));
         }
+        let written =
+            |solution: &Self| graph.cost(&[&*solution.pivots, &solution.accelerations].concat());
+        // What costs far more as it is written is not made cheaper by scheduling.
+        let least = solutions.iter().map(written).min().unwrap_or(0);
+        solutions.retain(|solution| written(solution) <= 2 * least);
+        if solutions.len() == 1 {
+            return solutions.pop();
+        }
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
             let program = Program::schedule_for_preparation(graph, &outputs);

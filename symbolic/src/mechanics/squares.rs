@@ -340,7 +340,7 @@ mod tests {
         assert_diagonal(&mut draft, &found, &[0]);
         let sine = draft.sin(r);
         for factor in [r, sine] {
-            let odd = draft.times(&[factor, v2]);
+            let odd = draft.times(&[m, factor, v2]);
             assert!(QuasiVelocities::declared(&mut draft.graph, odd).is_none());
         }
     }

@@ -158,8 +158,9 @@ fn multiplied_out(draft: &mut Draft, sum: Expression) -> Vec<Expression> {
     ]
 }
 
-/// Bodies on massless links, each with its number of links.
+/// A chain of bodies on massless links.
 #[derive(Clone, Copy, Debug)]
+#[allow(clippy::struct_excessive_bools)] // Any of them with any other is a chain.
 pub(crate) struct Chain {
     pub(crate) links: u32,
     /// Angles from link to link instead of from the vertical.
