@@ -207,7 +207,6 @@ impl<'a> Body<'a> {
             .map(|operand| self.operand(operand))
             .collect();
         let depth = 1 + operands.iter().map(|text| text.depth).max().unwrap_or(0);
-        let fuses = self.passes.has(Pass::Fusion);
         let mut operands = operands.into_iter();
         let mut next = || {
             operands
@@ -224,7 +223,7 @@ impl<'a> Body<'a> {
                     tokens,
                     level: Level::Product,
                     depth,
-                    factors: fuses.then(|| Box::new([x, y])),
+                    factors: self.passes.has(Pass::Fusion).then(|| Box::new([x, y])),
                 };
             }
             Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
