@@ -1,7 +1,7 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Dynamics, Energies, Equations, Expression, Fault, LinearSystem, Model, OperationCount,
+    Energies, Equations, Expression, Fault, Kinetics, LinearSystem, Model, OperationCount,
     Prepared, Program, Rational, Symbol,
 };
 
@@ -66,14 +66,14 @@ impl Methods {
 
     /// Differentiates what is still to be differentiated, and schedules each method.
     pub(crate) fn schedule(model: &mut Model, equations: &Equations) -> Self {
-        let dynamics = Dynamics::cheapest(model, equations);
-        let solution = dynamics.solution.as_ref();
+        let kinetics = Kinetics::cheapest(model, equations);
+        let solution = kinetics.solution.as_ref();
         let solves = !cfg!(debug_assertions)
             || solution.is_none_or(|found| found.holds(&model.graph, equations));
-        let linearize = Derivatives::of_state(model, &dynamics);
-        let input_jacobian = Derivatives::of_inputs(model, &dynamics);
+        let linearize = Derivatives::of_state(model, &kinetics);
+        let input_jacobian = Derivatives::of_inputs(model, &kinetics);
         let few = equations.mass.len() <= MOST_PIVOTS;
-        let elimination = dynamics.elimination.as_ref().filter(|_| few);
+        let elimination = kinetics.elimination.as_ref().filter(|_| few);
         let angles = &equations.structure.angles;
         let magnitudes = elimination.map(|found| found.magnitudes(&mut model.graph, angles));
         let diagonal: Vec<_> = (0..equations.mass.len())
@@ -91,7 +91,7 @@ impl Methods {
             let outputs = [&*solution.pivots, &solution.accelerations].concat();
             Method::prepared(model, &outputs)
         } else {
-            let [prepare, accelerations] = Method::prepared(model, &system(&dynamics.system));
+            let [prepare, accelerations] = Method::prepared(model, &system(&kinetics.system));
             [prepare, accelerations.with_solution(n, 1)]
         };
         Self {
@@ -99,14 +99,14 @@ impl Methods {
             energy: method(&[&[equations.energy]]),
             momenta: method(&[&equations.momenta]),
             mass_matrix: method(&[&equations.mass.concat()]),
-            forcing: method(&[&dynamics.forcing]),
+            forcing: method(&[&kinetics.forcing]),
             generalized_forces: method(&[&equations.generalized_forces]),
             solves,
             solved: solution.map(|solution| solution.pivots.len()),
             prepare,
             accelerations,
             relative_pivots: pivots.map(|pivots| method(&[&pivots])),
-            inverse_dynamics: method(&[&dynamics.inverse_dynamics]),
+            inverse_dynamics: method(&[&kinetics.inverse_dynamics]),
             linearize: linearize.schedule(model),
             input_jacobian: input_jacobian.schedule(model),
             directly: linearize.directly,
@@ -139,27 +139,27 @@ struct Derivatives {
 
 impl Derivatives {
     /// By q, q̇ and t.
-    fn of_state(model: &mut Model, dynamics: &Dynamics) -> Self {
+    fn of_state(model: &mut Model, kinetics: &Kinetics) -> Self {
         let symbols = state_symbols(model);
-        let solved = solved(model, dynamics, &symbols);
-        let residuals = columns(model, residuals(dynamics, solved.is_some()), &symbols);
-        let before = match (&solved, &dynamics.solution) {
+        let solved = solved(model, kinetics, &symbols);
+        let residuals = columns(model, residuals(kinetics, solved.is_some()), &symbols);
+        let before = match (&solved, &kinetics.solution) {
             (Some(_), Some(solution)) => [&*solution.pivots, &solution.accelerations].concat(),
-            _ => system(&dynamics.system),
+            _ => system(&kinetics.system),
         };
         Self::new(before, solved, residuals, symbols.len() + 1)
     }
 
     /// By the inputs: the momenta are free of them, so that no input acts on M q̈, however it is spelt.
-    fn of_inputs(model: &mut Model, dynamics: &Dynamics) -> Self {
+    fn of_inputs(model: &mut Model, kinetics: &Kinetics) -> Self {
         let symbols = model.input_symbols();
-        let solved = solved(model, dynamics, &symbols);
+        let solved = solved(model, kinetics, &symbols);
         let solved = solved.map(|columns| without_accelerations(model, &columns));
-        let residuals = columns(model, residuals(dynamics, solved.is_some()), &symbols);
+        let residuals = columns(model, residuals(kinetics, solved.is_some()), &symbols);
         let residuals = without_accelerations(model, &residuals);
-        let before = match (&solved, &dynamics.solution) {
+        let before = match (&solved, &kinetics.solution) {
             (Some(_), Some(solution)) => solution.pivots.clone(),
-            _ => mass_lower(&dynamics.system).collect(),
+            _ => mass_lower(&kinetics.system).collect(),
         };
         Self::new(before, solved, residuals, symbols.len())
     }
@@ -193,18 +193,18 @@ impl Derivatives {
 
 /// What is differentiated to be solved for in numbers: in place of columns that are known, for M as it
 /// stands where a pivot is not positive; nothing where no pivot can fail.
-fn residuals(dynamics: &Dynamics, solved: bool) -> &[Expression] {
-    match &dynamics.solution {
+fn residuals(kinetics: &Kinetics, solved: bool) -> &[Expression] {
+    match &kinetics.solution {
         Some(solution) if solved && solution.pivots.is_empty() => &[],
-        _ if solved => &dynamics.inverse_dynamics,
-        _ => &dynamics.system.residuals,
+        _ if solved => &kinetics.inverse_dynamics,
+        _ => &kinetics.system.residuals,
     }
 }
 
 /// The columns of ∂q̈/∂x, where they are solved for before any number is known.
-fn solved(model: &mut Model, dynamics: &Dynamics, symbols: &[Symbol]) -> Option<Vec<Expression>> {
-    let solution = dynamics.solution.as_ref()?;
-    solution.derivatives(&mut model.graph, &dynamics.inverse_dynamics, symbols)
+fn solved(model: &mut Model, kinetics: &Kinetics, symbols: &[Symbol]) -> Option<Vec<Expression>> {
+    let solution = kinetics.solution.as_ref()?;
+    solution.derivatives(&mut model.graph, &kinetics.inverse_dynamics, symbols)
 }
 
 impl Methods {

@@ -13,4 +13,4 @@ pub(crate) mod boltzmann_hamel;
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulation;
 pub(crate) mod solution;
-pub(crate) mod dynamics;
+pub(crate) mod kinetics;

@@ -3,7 +3,7 @@
 
 mod support;
 
-use lagrangian_symbolic::{Dynamics, Equations, Model, Pass, Passes, Program};
+use lagrangian_symbolic::{Equations, Kinetics, Model, Pass, Passes, Program};
 use support::systems::{Chain, Spelling, cart_pole, general_top, polar};
 
 /// Every pass off by itself, and all together.
@@ -19,7 +19,7 @@ fn check(model: &Model) {
         let mut model = model.clone();
         model.graph.passes = passes;
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Dynamics::cheapest(&mut model, &equations);
+        let dynamics = Kinetics::cheapest(&mut model, &equations);
         let mut roots = dynamics.forcing.clone();
         if let Some(solution) = dynamics.solution {
             assert!(solution.holds(&model.graph, &equations), "{passes:?}");

@@ -2,7 +2,7 @@
 
 mod support;
 
-use lagrangian_symbolic::{Dynamics, Equations, Model, Program};
+use lagrangian_symbolic::{Equations, Kinetics, Model, Program};
 use support::systems::{
     Chain, Rates, Spelling, cardan_rates, cart_pole, euler_rates, general_top, node_rates, top,
 };
@@ -10,7 +10,7 @@ use support::systems::{
 /// The cost of one evaluation of the accelerations, in additions; what is prepared costs nothing.
 fn cost(mut model: Model) -> usize {
     let equations = Equations::derive(&mut model).unwrap();
-    let solution = Dynamics::cheapest(&mut model, &equations).solution.unwrap();
+    let solution = Kinetics::cheapest(&mut model, &equations).solution.unwrap();
     let roots = [&*solution.pivots, &solution.accelerations];
     let program = Program::schedule_for_preparation(&model.graph, &roots);
     assert_eq!(program.verify(&model.graph, &roots), Ok(()));

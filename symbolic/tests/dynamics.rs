@@ -5,7 +5,7 @@ mod support;
 use std::collections::BTreeMap;
 
 use lagrangian_symbolic::{
-    Dynamics, Equations, Expression, Graph, Model, Point, Rational, Solution, Symbol,
+    Equations, Expression, Graph, Kinetics, Model, Point, Rational, Solution, Symbol,
 };
 use support::draft::value;
 use support::systems::{
@@ -80,7 +80,7 @@ fn residuals(
 fn accelerations_solve_the_equations_of_motion() {
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Dynamics::cheapest(&mut model, &equations);
+        let dynamics = Kinetics::cheapest(&mut model, &equations);
         let graph = &mut model.graph;
         let Some(solution) = dynamics.solution else {
             // No pivot to begin with: M is left to a factorization in numbers.
@@ -101,7 +101,7 @@ fn accelerations_solve_the_equations_of_motion() {
 fn forcing_and_inverse_dynamics_are_lagranges() {
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Dynamics::cheapest(&mut model, &equations);
+        let dynamics = Kinetics::cheapest(&mut model, &equations);
         let graph = &mut model.graph;
         let pairs = [
             (&dynamics.forcing, &equations.forcing),
@@ -119,7 +119,7 @@ fn forcing_and_inverse_dynamics_are_lagranges() {
 fn derivative_residuals(
     model: &mut Model,
     equations: &Equations,
-    dynamics: &Dynamics,
+    dynamics: &Kinetics,
     solution: &Solution,
     symbols: &[Symbol],
 ) -> Option<Vec<Expression>> {
@@ -143,7 +143,7 @@ fn derivatives_solve_the_differentiated_equations() {
     let mut through_none = Vec::new();
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Dynamics::cheapest(&mut model, &equations);
+        let dynamics = Kinetics::cheapest(&mut model, &equations);
         let Some(solution) = &dynamics.solution else {
             continue;
         };
@@ -170,7 +170,7 @@ fn derivatives_are_those_of_finite_differences() {
     let systems = systems().into_iter();
     for (what, mut model) in systems.filter(|(what, _)| chosen.contains(&what.as_str())) {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Dynamics::cheapest(&mut model, &equations);
+        let dynamics = Kinetics::cheapest(&mut model, &equations);
         let solution = dynamics.solution.unwrap();
         let graph = &mut model.graph;
         let symbols = [
@@ -209,7 +209,7 @@ fn derivatives_are_those_of_finite_differences() {
 fn wrong_accelerations_do_not_hold() {
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let Some(mut solution) = Dynamics::cheapest(&mut model, &equations).solution else {
+        let Some(mut solution) = Kinetics::cheapest(&mut model, &equations).solution else {
             continue;
         };
         assert!(solution.holds(&model.graph, &equations), "{what}");

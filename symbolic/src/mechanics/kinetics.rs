@@ -12,8 +12,8 @@ use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::solution::{Solution, Way};
 use crate::{Equations, Expression, Graph, Model, Pass};
 
-/// The dynamics of a model, as expressions of its graph.
-pub struct Dynamics {
+/// The kinetics of a model, as expressions of its graph.
+pub struct Kinetics {
     /// The forcing f in M q̈ = f.
     pub forcing: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
@@ -43,8 +43,8 @@ const MOST_NEIGHBOURS: usize = 7;
 /// A mass matrix of more rows is not multiplied out.
 const MOST_COORDINATES: u32 = 4;
 
-impl Dynamics {
-    /// The dynamics of `model`.
+impl Kinetics {
+    /// The kinetics of `model`.
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
         let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
         let forces = &equations.generalized_forces;
