@@ -14,6 +14,12 @@ impl QuasiVelocities {
     /// The quasi-velocities of a mass matrix, if each inertia belongs to a sum of squares.
     pub(crate) fn by_inertia(graph: &mut Graph, equations: &Equations) -> Option<Self> {
         let mass = &equations.mass;
+        // Where M depends on the velocities, L is no quadratic form of them, whatever the pivots are.
+        if graph.contains(&mass.concat(), |symbol| {
+            matches!(symbol, Symbol::Velocity(_))
+        }) {
+            return None;
+        }
         let (mut forms, mut diagonal) = (Vec::new(), Vec::new());
         for (inertia, metric) in by_constant(graph, mass)? {
             let squares = squares(graph, metric)?;
@@ -218,6 +224,20 @@ mod tests {
         assert!(!model.graph.contains(&[found.rest], velocity));
         let r = model.graph.symbol(Symbol::Coordinate(0));
         assert_eq!(found.rest, model.graph.power(r, &Rational::MINUS_ONE));
+    }
+
+    #[test]
+    fn mass_that_depends_on_the_velocity_gives_none() {
+        // L = ẋ⁴/48, of which M = (ẋ/2)² is a square all the same.
+        let mut draft = Draft::new(1);
+        let v = draft.v(0);
+        let fourth = draft.times(&[v, v, v, v]);
+        let part = Rational::integer(48).reciprocal().unwrap();
+        let (kinetic, zero) = (draft.graph.scale(fourth, &part), draft.graph.zero());
+        let mut model = draft.natural(kinetic, zero);
+        let equations = Equations::derive(&mut model).unwrap();
+        let found = QuasiVelocities::by_inertia(&mut model.graph, &equations);
+        assert!(found.is_none());
     }
 
     #[test]

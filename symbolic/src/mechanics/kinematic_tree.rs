@@ -91,6 +91,9 @@ impl KinematicTree {
             return self.clone();
         }
         let unit = self.inertia.first().map_or(graph.one(), |row| row[0]);
+        if graph.is_zero(unit) {
+            return self.clone();
+        }
         let mut scaled = self.clone();
         for entry in scaled.inertia.iter_mut().flatten() {
             *entry = graph.divide(*entry, unit);
