@@ -5,7 +5,7 @@
 //! the fewest velocities, so that it does not matter how the declaration was spelt. What is computed along
 //! the tree takes as long as it has edges, where the mass matrix has an entry for each pair of coordinates.
 
-use crate::mechanics::quasi_velocities::QuasiVelocities;
+use crate::mechanics::quasi_velocities::{QuasiVelocities, weighted};
 use crate::mechanics::structure;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
@@ -136,7 +136,7 @@ impl KinematicTree {
     /// W w.
     fn momenta(&self, graph: &mut Graph, additions: &[Expression]) -> Vec<Expression> {
         let values = self.along(graph, additions);
-        self.weighted(graph, &values)
+        weighted(graph, &self.inertia, &values)
     }
 
     /// Sums from the root: the parent's and an addition.
@@ -153,25 +153,6 @@ impl KinematicTree {
             values.push(value);
         }
         values
-    }
-
-    /// W x.
-    pub(crate) fn weighted(&self, graph: &mut Graph, values: &[Expression]) -> Vec<Expression> {
-        self.inertia
-            .iter()
-            .map(|row| {
-                let entries = row
-                    .iter()
-                    .zip(values)
-                    .filter(|(entry, _)| !graph.is_zero(**entry));
-                let entries: Vec<_> = entries.map(|(entry, value)| (*entry, *value)).collect();
-                let terms: Vec<_> = entries
-                    .into_iter()
-                    .map(|(entry, value)| (graph.multiply(entry, value), Rational::ONE))
-                    .collect();
-                graph.sum(terms)
-            })
-            .collect()
     }
 
     /// Sums from the leaves: each value and those of all forms that build on it.
@@ -202,7 +183,7 @@ impl KinematicTree {
     pub(crate) fn forcing(&self, graph: &mut Graph) -> Vec<Expression> {
         let drifts: Vec<_> = self.forms.iter().map(|form| form.drift).collect();
         let rates = self.along(graph, &drifts);
-        let loads = self.weighted(graph, &rates);
+        let loads = weighted(graph, &self.inertia, &rates);
         let loads = self.projected(graph, &loads);
         let pairs = self.right.iter().zip(loads);
         pairs
@@ -222,7 +203,7 @@ impl KinematicTree {
             rates.push(graph.sum(terms));
         }
         let rates = self.along(graph, &rates);
-        let loads = self.weighted(graph, &rates);
+        let loads = weighted(graph, &self.inertia, &rates);
         let loads = self.projected(graph, &loads);
         let pairs = loads.iter().zip(&self.right);
         pairs

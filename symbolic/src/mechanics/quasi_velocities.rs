@@ -86,17 +86,27 @@ impl QuasiVelocities {
 
     /// The momenta W w that belong to the quasi-velocities.
     pub(crate) fn momenta(&self, graph: &mut Graph) -> Vec<Expression> {
-        let mut momenta = Vec::with_capacity(self.forms.len());
-        for row in &self.inertia {
-            let terms: Vec<_> = row
-                .iter()
-                .zip(&self.forms)
-                .map(|(inertia, form)| (graph.multiply(*inertia, *form), Rational::ONE))
-                .collect();
-            momenta.push(graph.sum(terms));
-        }
-        momenta
+        weighted(graph, &self.inertia, &self.forms)
     }
+}
+
+/// W x.
+pub(crate) fn weighted(
+    graph: &mut Graph,
+    inertia: &[Vec<Expression>],
+    values: &[Expression],
+) -> Vec<Expression> {
+    let mut products = Vec::with_capacity(inertia.len());
+    for row in inertia {
+        let mut terms = Vec::new();
+        for (entry, value) in row.iter().zip(values) {
+            if !graph.is_zero(*entry) {
+                terms.push((graph.multiply(*entry, *value), Rational::ONE));
+            }
+        }
+        products.push(graph.sum(terms));
+    }
+    products
 }
 
 /// The form Σ e q̇ + offset as a constant factor and a form without one.

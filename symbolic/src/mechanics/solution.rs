@@ -86,20 +86,21 @@ impl Solution {
         inverse_dynamics: &[Expression],
         symbols: &[Symbol],
     ) -> Option<Vec<Expression>> {
-        let many = inverse_dynamics.len() > MOST_COLUMNS;
-        if many && !matches!(self.way, Way::QuasiVelocities(_)) {
+        let mut columns = Vec::new();
+        if let Way::QuasiVelocities(way) = &self.way {
+            for symbol in symbols {
+                columns.extend(way.derivative(graph, *symbol));
+            }
+            return Some(columns);
+        }
+        if inverse_dynamics.len() > MOST_COLUMNS {
             return None;
         }
         let residuals = match &self.way {
             Way::Tree(way) => way.inverse_dynamics(graph),
             _ => inverse_dynamics.to_vec(),
         };
-        let mut columns = Vec::with_capacity(symbols.len() * residuals.len());
-        for (symbol, slopes) in symbols.iter().zip(graph.jacobian(&residuals, symbols)) {
-            if let Way::QuasiVelocities(way) = &self.way {
-                columns.extend(way.derivative(graph, *symbol));
-                continue;
-            }
+        for slopes in graph.jacobian(&residuals, symbols) {
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
             columns.extend(match &self.way {
                 Way::Tree(way) => way.solution(graph, &right),
