@@ -7,6 +7,7 @@
 mod passes;
 mod algebra;
 mod decision;
+mod geometry;
 mod mechanics;
 mod program;
 mod print;
@@ -18,6 +19,10 @@ pub use algebra::graph::{Expression, Graph, Node};
 pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
 pub use decision::point::Point;
+pub use geometry::axis::Axis;
+pub use geometry::determinant::{LARGEST_DETERMINANT, NoInverse};
+pub use geometry::matrix::Matrix;
+pub use geometry::rotation::NoRotation;
 pub use mechanics::elimination::Elimination;
 pub use mechanics::equations::{Defect, Equations};
 pub use mechanics::kinetics::{Kinetics, LinearSystem};

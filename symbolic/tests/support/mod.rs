@@ -5,6 +5,7 @@
 pub(crate) mod bounded;
 pub(crate) mod draft;
 pub(crate) mod dual;
+pub(crate) mod frames;
 pub(crate) mod machine;
 pub(crate) mod systems;
 pub(crate) mod tree;

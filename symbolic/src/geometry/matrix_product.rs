@@ -1,0 +1,101 @@
+//! Products of matrices.
+//!
+//! A product of rotations keeps its factors. It turns a vector by one factor after the other where that
+//! costs no more than multiplying by its elements.
+
+use crate::geometry::factor::Factor;
+use crate::geometry::matrix::Matrix;
+use crate::{Expression, Graph, Rational};
+
+/// A product of more factors than this belongs to a link of a chain. Its elements are needed for the
+/// links after it as well, so that its vectors are multiplied by them; one factor after the other would
+/// cost the square of the length of the chain.
+const MOST_FACTORS_IN_TURN: usize = 6;
+
+impl Graph {
+    /// A·B, unless A has not as many columns as B has rows.
+    pub fn matrix_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
+        if left.columns() != right.rows() {
+            return None;
+        }
+        if let (Some(first), Some(second)) = (left.factors(), right.factors()) {
+            return Some(self.product_of_factors(left, right, first, second));
+        }
+        let product = self.product_of_elements(left, right);
+        let in_turn = match (left.known_factors(), right.known_factors()) {
+            (Some(factors), _) => self.turned(factors, right),
+            (None, Some(factors)) => {
+                let back: Vec<_> = factors.iter().rev().map(Factor::transpose).collect();
+                let turned = self.turned(&back, &left.transpose());
+                turned.map(|columns| columns.transpose())
+            }
+            (None, None) => None,
+        };
+        let cheaper = in_turn
+            .filter(|in_turn| self.cost(in_turn.elements()) <= self.cost(product.elements()));
+        Some(cheaper.unwrap_or(product))
+    }
+
+    /// A product of square matrices that remembers the factors of both.
+    fn product_of_factors(
+        &mut self,
+        left: &Matrix,
+        right: &Matrix,
+        first: Vec<Factor>,
+        second: Vec<Factor>,
+    ) -> Matrix {
+        let count = first.len() + second.len();
+        let factors = self.merged(first.into_iter().chain(second));
+        if factors.len() < count {
+            return self.product_of(factors);
+        }
+        self.product_of_elements(left, right).remembering(factors)
+    }
+
+    /// The matrix that is the product of these factors, from the left to the right.
+    pub(crate) fn product_of(&mut self, factors: Vec<Factor>) -> Matrix {
+        let mut product = self.identity_matrix(3);
+        for factor in &factors {
+            let elements = factor.elements(self).to_vec();
+            let factor = Matrix::with_elements(3, 3, elements);
+            product = self.product_of_elements(&product, &factor);
+        }
+        product.remembering(factors)
+    }
+
+    /// The matrix with the elements Σⱼ Aᵢⱼ Bⱼₖ.
+    fn product_of_elements(&mut self, left: &Matrix, right: &Matrix) -> Matrix {
+        Matrix::from_function(left.rows(), right.columns(), |i, k| {
+            let pairs = (0..left.columns()).map(|j| (left.at(i, j), right.at(j, k)));
+            self.sum_of_products(pairs)
+        })
+    }
+
+    /// Σ xᵢ·yᵢ.
+    pub(crate) fn sum_of_products(
+        &mut self,
+        pairs: impl IntoIterator<Item = (Expression, Expression)>,
+    ) -> Expression {
+        let mut terms = Vec::new();
+        for (x, y) in pairs {
+            terms.push((self.multiply(x, y), Rational::ONE));
+        }
+        self.sum(terms)
+    }
+
+    /// The columns of a matrix, turned by the last factor first, unless there are too many factors.
+    fn turned(&mut self, factors: &[Factor], matrix: &Matrix) -> Option<Matrix> {
+        if factors.len() > MOST_FACTORS_IN_TURN {
+            return None;
+        }
+        let mut elements = Vec::new();
+        for column in matrix.elements().chunks(3) {
+            let mut vector: [Expression; 3] = column.try_into().ok()?;
+            for factor in factors.iter().rev() {
+                vector = factor.apply(self, vector);
+            }
+            elements.extend(vector);
+        }
+        Matrix::new(3, matrix.columns(), elements)
+    }
+}

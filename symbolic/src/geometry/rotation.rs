@@ -1,0 +1,95 @@
+//! Rotation matrices, and whether a matrix is one.
+
+use crate::geometry::axis::Axis;
+use crate::geometry::factor::{Factor, Turn};
+use crate::geometry::matrix::Matrix;
+use crate::{Expression, Graph, Symbol};
+
+/// Why a matrix is no rotation.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NoRotation {
+    /// It has not three rows and three columns.
+    Shape,
+    /// Its transpose times itself is not identically one: it changes lengths or angles.
+    Deformation,
+    /// It leaves lengths and angles, but its determinant is −1: it is a reflection.
+    Reflection,
+}
+
+/// How far the columns of a matrix of numbers may be from orthonormal: numbers are rounded.
+const ROUNDING: f64 = 1e-6;
+
+impl Graph {
+    /// The product R₁ R₂ … of rotations about the axes of a frame: components in a frame that is turned
+    /// by the first angle about its first axis, then about its own new second axis, and so on, become
+    /// components in the frame that it was turned from. With the angles (φ, θ, ψ) about z, x, z it takes
+    /// components along the axes of a body to those along the inertial axes.
+    pub fn rotation(&mut self, sequence: &[(Axis, Expression)]) -> Matrix {
+        let turns = sequence.iter();
+        let factors = turns.map(|(axis, angle)| {
+            Factor::Turn(Turn {
+                axis: *axis,
+                angle: *angle,
+                reversed: false,
+            })
+        });
+        let factors = self.merged(factors);
+        self.product_of(factors)
+    }
+
+    /// Whether a matrix of nine elements is a rotation, identically in all that it depends on.
+    ///
+    /// Constant matrices that contain parameters are taken for rotations, since parameters may be such
+    /// that they are; those of numbers alone are rotations up to rounding.
+    pub(crate) fn verify_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {
+        if !elements.iter().any(|x| self.contents(*x).varies()) {
+            return self.verify_constant_rotation(elements);
+        }
+        let (defects, volume) = self.rotation_defects(elements);
+        if !self.vanishes(&defects) {
+            return Err(NoRotation::Deformation);
+        }
+        if !self.vanishes(&[volume]) {
+            return Err(NoRotation::Reflection);
+        }
+        Ok(())
+    }
+
+    fn verify_constant_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {
+        if !self.symbols(elements).is_empty() {
+            return Ok(());
+        }
+        let (mut defects, volume) = self.rotation_defects(elements);
+        defects.push(volume);
+        let values = self.evaluate(&defects, |_: Symbol| f64::NAN);
+        let small = |value: &f64| value.abs() < ROUNDING;
+        match values.split_last() {
+            Some((_, defects)) if !defects.iter().all(small) => Err(NoRotation::Deformation),
+            Some((volume, _)) if !small(volume) => Err(NoRotation::Reflection),
+            _ => Ok(()),
+        }
+    }
+
+    /// The elements of Aᵀ A − 1, and det A − 1.
+    fn rotation_defects(&mut self, elements: &[Expression; 9]) -> (Vec<Expression>, Expression) {
+        let matrix = Matrix::with_elements(3, 3, elements.to_vec());
+        let mut defects = Vec::new();
+        for i in 0..3 {
+            for j in i..3 {
+                let pairs = (0..3).map(|k| (matrix.at(k, i), matrix.at(k, j)));
+                let product = self.sum_of_products(pairs);
+                let expected = if i == j { self.one() } else { self.zero() };
+                defects.push(self.subtract(product, expected));
+            }
+        }
+        let pairs = Axis::ALL.map(|axis| {
+            let [i, j, k] = axis.cycle();
+            let ahead = self.multiply(matrix.at(j, 1), matrix.at(k, 2));
+            let behind = self.multiply(matrix.at(k, 1), matrix.at(j, 2));
+            (matrix.at(i, 0), self.subtract(ahead, behind))
+        });
+        let determinant = self.sum_of_products(pairs);
+        let one = self.one();
+        (defects, self.subtract(determinant, one))
+    }
+}
