@@ -7,8 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 use syn::Type;
 
-use crate::declaration::{Clause, Declaration, Role};
+use crate::declaration::{Clause, Declaration, Named, Role};
 use crate::diagnostics::{Diagnostics, similar};
+use crate::field_type::{FieldType, Unfit};
 use crate::names::{constant, plain};
 use crate::scope::RESERVED;
 
@@ -30,13 +31,21 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         .iter()
         .filter(|field| field.role != Role::Skipped)
     {
-        if !is_float(&field.ty) {
-            diagnostics.error(
-                &field.ty,
-                "parameters are of type `f64` or `f32`: change the type, or mark the field \
-                 `#[lagrangian(skip)]` if the equations do not need it",
-            );
-        }
+        let ty = field.meant();
+        let message = match FieldType::read(ty) {
+            Ok(read) if is_float(read.element) => continue,
+            Ok(_) | Err(Unfit::Unknown) => {
+                "parameters are of type `f64`, `f32`, arrays of them such as `[f64; 5]`, or vectors and \
+                 matrices of nalgebra such as `Vector3<f64>`: change the type, name what it is an alias of by \
+                 `#[lagrangian(type = Vector3<f64>)]`, or mark the field `#[lagrangian(skip)]` if the \
+                 equations do not need it"
+            }
+            Err(Unfit::Length) => {
+                "the equations are derived for a certain number of components: write it as a number, as in \
+                 `[f64; 5]`"
+            }
+        };
+        diagnostics.error(ty, message);
     }
 }
 
@@ -62,11 +71,11 @@ fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         taken.insert(plain(&field.name), "field");
     }
     let clauses = &declaration.clauses;
-    let coordinates = clauses.coordinates.iter().map(|name| (name, "coordinate"));
-    let definitions = clauses
-        .definitions
-        .iter()
-        .map(|named| (&named.name, "definition"));
+    let coordinates = clauses.coordinates.iter();
+    let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
+    let definitions = first_of_families(&clauses.definitions)
+        .into_iter()
+        .map(|name| (name, "definition"));
     for (name, kind) in coordinates.chain(definitions) {
         refuse_reserved(name, diagnostics);
         if let Some(holder) = taken.insert(plain(name), kind) {
@@ -78,6 +87,17 @@ fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
             diagnostics.error(name, message);
         }
     }
+}
+
+/// The names of definitions; that of a family once, though its members may be defined one by one.
+fn first_of_families(definitions: &[Named]) -> Vec<&Ident> {
+    let mut families = BTreeSet::new();
+    let first = |named: &&Named| named.indices.is_empty() || families.insert(plain(&named.name));
+    definitions
+        .iter()
+        .filter(first)
+        .map(|named| &named.name)
+        .collect()
 }
 
 fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
@@ -100,7 +120,8 @@ fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         .into_iter()
         .map(|name| (name.to_owned(), "a constant of every model".to_owned()))
         .collect();
-    for name in &declaration.clauses.coordinates {
+    for coordinate in &declaration.clauses.coordinates {
+        let name = &coordinate.name;
         let constant = constant(name);
         let kind = format!("the index of `{name}`");
         // The same coordinate twice is reported as such.
@@ -115,13 +136,16 @@ fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// Forces act on coordinates. That none acts twice on the same one shows when indices are known.
 fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let clauses = &declaration.clauses;
     if clauses.names_unreadable || clauses.coordinates.is_empty() {
         return;
     }
-    let coordinates: BTreeSet<String> = clauses.coordinates.iter().map(plain).collect();
-    let mut seen = BTreeSet::new();
+    let coordinates = clauses.coordinates.iter();
+    let coordinates: BTreeSet<String> = coordinates
+        .map(|coordinate| plain(&coordinate.name))
+        .collect();
     for force in &clauses.forces {
         let written = plain(&force.name);
         if !coordinates.contains(&written) {
@@ -134,11 +158,6 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
                 "a generalized force acts on a coordinate, and `{written}` is none: {hint}"
             );
             diagnostics.error(&force.name, message);
-        } else if !seen.insert(written) {
-            diagnostics.error(
-                &force.name,
-                "this coordinate has a force already: add them up in one expression",
-            );
         }
     }
 }
@@ -152,9 +171,47 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
                 output.name
             );
             diagnostics.error(&output.name, message);
+        } else if METHODS.iter().any(|method| output.name == method) {
+            let message = format!(
+                "`{0}` is a method of every model: give the output another name, such as `{0}_shown`",
+                output.name
+            );
+            diagnostics.error(&output.name, message);
+        }
+        if !output.indices.is_empty() || !output.iterations.is_empty() {
+            let message = format!(
+                "an output is one quantity, which may be a vector: write \
+                 `{} = (0..5).map(|i| …).collect()`",
+                output.name
+            );
+            diagnostics.error(&output.name, message);
         }
     }
 }
+
+/// The methods of models, for which no output is named.
+const METHODS: [&str; 20] = [
+    "lagrangian",
+    "energy",
+    "momenta",
+    "mass_matrix",
+    "forcing",
+    "generalized_forces",
+    "accelerations",
+    "prepare",
+    "accelerations_prepared",
+    "inverse_dynamics",
+    "linearize",
+    "relative_pivots",
+    "dynamics",
+    "kinetic_energy",
+    "potential_energy",
+    "inputs",
+    "input_jacobian",
+    "with_inputs",
+    "controlled_by",
+    "outputs",
+];
 
 fn check_clauses(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let clauses = &declaration.clauses;

@@ -3,17 +3,19 @@
 //! Comes in: the tokens of a struct. Goes out: a [`Declaration`] that is grammatical, every part with
 //! its span. What the words mean is not looked at here.
 
-use proc_macro2::{Ident, Span, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
-use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative;
+use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{
-    Attribute, Data, DeriveInput, Expr, Fields, Generics, MacroDelimiter, Meta, Token, Type,
-    Visibility, token,
+    Attribute, Data, DeriveInput, Expr, Fields, Generics, LitInt, MacroDelimiter, Meta, Token,
+    Type, Visibility, token,
 };
 
 use crate::diagnostics::{Diagnostics, similar};
+use crate::field_type::FieldType;
+use crate::value::Shape;
 
 /// A struct with its energies.
 pub(crate) struct Declaration {
@@ -30,13 +32,16 @@ pub(crate) struct Declaration {
 pub(crate) struct Field {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
+    /// What its type is an alias of: `#[lagrangian(type = Matrix3<f64>)]`.
+    pub(crate) meant: Option<Type>,
     pub(crate) role: Role,
 }
 
 /// What a field is to the model.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Role {
     /// Constant in time.
+    #[default]
     Parameter,
     /// Set from outside: `#[lagrangian(input)]`.
     Input,
@@ -47,7 +52,7 @@ pub(crate) enum Role {
 /// All that stands in the struct's `#[lagrangian(…)]` attributes.
 #[derive(Default)]
 pub(crate) struct Clauses {
-    pub(crate) coordinates: Vec<Ident>,
+    pub(crate) coordinates: Vec<Coordinate>,
     pub(crate) definitions: Vec<Named>,
     pub(crate) kinetic: Vec<Clause>,
     pub(crate) potential: Vec<Clause>,
@@ -61,16 +66,31 @@ pub(crate) struct Clauses {
     pub(crate) names_unreadable: bool,
 }
 
+/// A generalized coordinate, or several under one name.
+pub(crate) struct Coordinate {
+    pub(crate) name: Ident,
+    /// How many there are of a family, `theta[5]`.
+    pub(crate) length: Option<usize>,
+}
+
 /// `keyword = expression`.
 pub(crate) struct Clause {
     pub(crate) keyword: Ident,
     pub(crate) expression: Expr,
 }
 
-/// `name = expression` in a list.
+/// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
 pub(crate) struct Named {
     pub(crate) name: Ident,
+    pub(crate) indices: Vec<Expr>,
     pub(crate) expression: Expr,
+    pub(crate) iterations: Vec<Iteration>,
+}
+
+/// `for index in range`.
+pub(crate) struct Iteration {
+    pub(crate) index: Ident,
+    pub(crate) range: Expr,
 }
 
 const KEYWORDS: [&str; 8] = [
@@ -145,13 +165,12 @@ fn own(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
 
 impl Field {
     fn read(field: syn::Field, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let mut role = Role::Parameter;
+        let mut marks = Marks::default();
         for attribute in own(&field.attrs) {
-            let words = Punctuated::<Ident, Token![,]>::parse_terminated;
-            match attribute.parse_args_with(words) {
-                Ok(words) if !words.is_empty() => {
-                    for word in &words {
-                        role.mark(word, diagnostics);
+            match attribute.parse_args_with(Punctuated::<Mark, Token![,]>::parse_terminated) {
+                Ok(found) if !found.is_empty() => {
+                    for mark in found {
+                        marks.add(mark, diagnostics);
                     }
                 }
                 Ok(_) => diagnostics.error(&attribute.meta, HOW_TO_MARK),
@@ -161,25 +180,72 @@ impl Field {
         Some(Self {
             name: field.ident?,
             ty: field.ty,
-            role,
+            meant: marks.meant,
+            role: marks.role,
         })
+    }
+
+    /// The type that decides what the field is to the model.
+    pub(crate) fn meant(&self) -> &Type {
+        self.meant.as_ref().unwrap_or(&self.ty)
+    }
+
+    /// The shape of its value, and what stands behind the field to read each component, column by
+    /// column; `None` where the type is none that a parameter can have.
+    pub(crate) fn shape_and_accesses(&self) -> Option<(Shape, Vec<TokenStream>)> {
+        let read = FieldType::read(self.meant()).ok()?;
+        Some((read.shape(), read.accesses()))
     }
 }
 
-impl Role {
-    /// Gives a field the role that `word` says.
-    fn mark(&mut self, word: &Ident, diagnostics: &mut Diagnostics) {
+/// One word of a field's attribute.
+enum Mark {
+    Word(Ident),
+    Meant(Type),
+}
+
+impl Parse for Mark {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        if input.parse::<Option<Token![type]>>()?.is_none() {
+            return input.parse().map(Self::Word);
+        }
+        input.parse::<Token![=]>()?;
+        input.parse().map(Self::Meant)
+    }
+}
+
+/// What a field's attributes say.
+#[derive(Default)]
+struct Marks {
+    role: Role,
+    meant: Option<Type>,
+}
+
+impl Marks {
+    fn add(&mut self, mark: Mark, diagnostics: &mut Diagnostics) {
+        let word = match mark {
+            Mark::Meant(ty) => {
+                if self.meant.is_some() {
+                    let message = "the type of this field is given twice: keep one of them";
+                    diagnostics.error(&ty, message);
+                }
+                self.meant = Some(ty);
+                return;
+            }
+            Mark::Word(word) => word,
+        };
         let role = match word.to_string().as_str() {
-            "input" => Self::Input,
-            "skip" => Self::Skipped,
+            "input" => Role::Input,
+            "skip" => Role::Skipped,
             written => {
-                let message =
-                    format!("unknown field attribute `{written}`: write `input` or `skip`");
+                let message = format!(
+                    "unknown field attribute `{written}`: write `input`, `skip` or `type = Matrix3<f64>`"
+                );
                 return diagnostics.error(word, message);
             }
         };
-        if *self == Self::Parameter || *self == role {
-            *self = role;
+        if self.role == Role::Parameter || self.role == role {
+            self.role = role;
         } else {
             let message = "a field is an input or it is skipped: keep one of `input` and `skip`";
             diagnostics.error(word, message);
@@ -187,7 +253,8 @@ impl Role {
     }
 }
 
-const HOW_TO_MARK: &str = "write `#[lagrangian(input)]` or `#[lagrangian(skip)]` on a field";
+const HOW_TO_MARK: &str = "write `#[lagrangian(input)]`, `#[lagrangian(skip)]` or `#[lagrangian(type = …)]` on a \
+                           field";
 
 impl Clauses {
     fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {
@@ -274,26 +341,57 @@ fn equated(word: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
 }
 
 /// `(name, name, …)` after the keyword.
-fn coordinates(keyword: &Ident, input: ParseStream<'_>, names: &mut Vec<Ident>) -> syn::Result<()> {
+fn coordinates(
+    keyword: &Ident,
+    input: ParseStream<'_>,
+    names: &mut Vec<Coordinate>,
+) -> syn::Result<()> {
     list(keyword, input, "a comma between coordinates", |input| {
         names.push(coordinate(input)?);
         Ok(())
     })
 }
 
-fn coordinate(input: ParseStream<'_>) -> syn::Result<Ident> {
+fn coordinate(input: ParseStream<'_>) -> syn::Result<Coordinate> {
     let name = word(
         input,
         "coordinates are names: write `coordinates(theta, phi)`",
     )?;
-    if input.peek(token::Bracket) {
-        let message = format!("write the coordinates one by one: `{name}1, {name}2, …`");
-        return Err(input.error(message));
-    }
+    let length = if input.peek(token::Bracket) {
+        Some(family_length(&name, input)?)
+    } else {
+        None
+    };
     if input.peek(Token![:]) {
         return Err(input.error("coordinates have no types: write the name alone"));
     }
-    Ok(name)
+    Ok(Coordinate { name, length })
+}
+
+/// How many coordinates a family may have.
+const LARGEST_FAMILY: usize = 1000;
+
+/// `[5]` behind the name of a family of coordinates.
+fn family_length(name: &Ident, input: ParseStream<'_>) -> syn::Result<usize> {
+    let content;
+    let bracket = syn::bracketed!(content in input);
+    let message =
+        format!("the size of a family is a number from 1 to {LARGEST_FAMILY}: write `{name}[5]`");
+    let length: LitInt = content.parse().map_err(|error| {
+        let span = if content.is_empty() {
+            bracket.span.join()
+        } else {
+            error.span()
+        };
+        syn::Error::new(span, &message)
+    })?;
+    if !content.is_empty() {
+        return Err(content.error(message));
+    }
+    match length.base10_parse() {
+        Ok(number @ 1..=LARGEST_FAMILY) if length.suffix().is_empty() => Ok(number),
+        _ => Err(syn::Error::new(length.span(), message)),
+    }
 }
 
 /// A name, or an error that says what the name is for.
@@ -314,11 +412,58 @@ fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
 /// `(name = expression, …)` after a keyword.
 fn named(keyword: &Ident, input: ParseStream<'_>, items: &mut Vec<Named>) -> syn::Result<()> {
     list(keyword, input, "a comma, or an operator,", |input| {
-        let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
-        let expression = equated(&name, input)?;
-        items.push(Named { name, expression });
+        items.push(Named::read(keyword, input)?);
         Ok(())
     })
+}
+
+impl Named {
+    fn read(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<Self> {
+        let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
+        let mut indices = Vec::new();
+        while input.peek(token::Bracket) {
+            let content;
+            let bracket = syn::bracketed!(content in input);
+            let message =
+                format!("write one index in brackets, as in `{name}[i] = … for i in 0..5`");
+            if content.is_empty() {
+                return Err(syn::Error::new(bracket.span.join(), message));
+            }
+            indices.push(content.parse()?);
+            if !content.is_empty() {
+                return Err(content.error(message));
+            }
+        }
+        let expression = equated(&name, input)?;
+        let mut iterations = Vec::new();
+        while let Some(word) = input.parse::<Option<Token![for]>>()? {
+            iterations.push(Iteration::read(word, input)?);
+        }
+        Ok(Self {
+            name,
+            indices,
+            expression,
+            iterations,
+        })
+    }
+}
+
+impl Iteration {
+    /// `i in 0..5` behind `for`.
+    fn read(keyword: Token![for], input: ParseStream<'_>) -> syn::Result<Self> {
+        let message = "write `for i in 0..5`";
+        let here = |input: ParseStream<'_>, before: Span| {
+            let nothing = input.is_empty() || input.peek(Token![,]);
+            syn::Error::new(if nothing { before } else { input.span() }, message)
+        };
+        let index: Ident = input.parse().map_err(|_| here(input, keyword.span))?;
+        let between: Token![in] = input.parse().map_err(|_| here(input, index.span()))?;
+        if input.is_empty() || input.peek(Token![,]) {
+            return Err(here(input, between.span));
+        }
+        let range = input.parse()?;
+        Ok(Self { index, range })
+    }
 }
 
 /// `(item, item, …)` after a keyword.

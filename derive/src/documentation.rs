@@ -1,11 +1,14 @@
 //! What the emitted impl says of itself: the equations as they were derived.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use lagrangian_symbolic::{Energies, Expression, Letters, Names, OperationCount};
 
 use crate::implementation::Implementation;
+use crate::lower::Lowered;
 use crate::names::plain;
+use crate::quantities::Component;
 
 /// Formulas longer than this are broken off; their text serves nobody.
 const LONGEST: usize = 600;
@@ -61,18 +64,21 @@ struct Page<'a> {
 
 impl<'a> Page<'a> {
     fn new(implementation: &'a Implementation<'a>) -> Self {
-        let all =
-            |names: &[proc_macro2::Ident]| -> Vec<String> { names.iter().map(plain).collect() };
-        let symbols = &implementation.symbols;
-        let definitions = implementation
-            .scope
-            .definitions(&implementation.model.graph);
+        let Lowered {
+            scope, quantities, ..
+        } = implementation.lowered;
+        let all = |components: &[Component]| -> Vec<String> {
+            let labels = components.iter().map(|component| &component.label);
+            labels.map(ToString::to_string).collect()
+        };
+        let coordinates = quantities.coordinates.iter();
+        let definitions = scope.definitions(&implementation.model.graph);
         let names = Names {
-            coordinates: all(&symbols.coordinates),
-            parameters: all(&symbols.parameters),
-            inputs: all(&symbols.inputs),
+            coordinates: coordinates.map(ToString::to_string).collect(),
+            parameters: all(&quantities.parameters),
+            inputs: all(&quantities.inputs),
             definitions: definitions
-                .map(|(name, expression)| (expression, name.to_owned()))
+                .map(|(label, expression)| (expression, label.to_string()))
                 .collect(),
         };
         let letters = Letters::new(&names);
@@ -100,14 +106,18 @@ impl<'a> Page<'a> {
     }
 
     fn definitions(&mut self) {
-        let scope = self.implementation.scope;
+        let scope = &self.implementation.lowered.scope;
+        let mut seen = BTreeSet::new();
         for definition in &self.implementation.declaration.clauses.definitions {
-            let defined = scope.defined(&definition.name);
-            let named = defined.and_then(|expression| {
-                Some((self.letters.print_definition(expression)?, expression))
-            });
-            if let Some((name, expression)) = named {
-                self.line(&name, expression);
+            let name = plain(&definition.name);
+            let components = scope.defined(&name);
+            if !seen.insert(name) {
+                continue;
+            }
+            for (_, expression) in components {
+                if let Some(name) = self.letters.print_definition(expression) {
+                    self.line(&name, expression);
+                }
             }
         }
     }

@@ -6,13 +6,13 @@ use quote::quote;
 use syn::DeriveInput;
 
 use crate::check::check;
-use crate::declaration::{Clause, Declaration, Role};
+use crate::declaration::{Clause, Declaration};
 use crate::diagnostics::Diagnostics;
 use crate::fallback;
 use crate::implementation::Implementation;
-use crate::lower::lower;
+use crate::lower::{Lowered, lower};
 use crate::methods::Methods;
-use crate::scope::Scope;
+use crate::names::plain;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
@@ -23,11 +23,12 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
     let declaration = Declaration::parse(input, &mut diagnostics);
     check(&declaration, &mut diagnostics);
-    let (model, scope) = lower(&declaration, &mut diagnostics);
-    let items = model.and_then(|model| implement(&declaration, &scope, model, &mut diagnostics));
+    let mut lowered = lower(&declaration, &mut diagnostics);
+    let model = lowered.model.take();
+    let items = model.and_then(|model| implement(&declaration, &lowered, model, &mut diagnostics));
     items.unwrap_or_else(|| {
         let errors = diagnostics.to_compile_errors();
-        let items = fallback::items(&declaration, &scope);
+        let items = fallback::items(&declaration, &lowered);
         quote!(#errors #items)
     })
 }
@@ -35,12 +36,12 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
 /// Derives the equations of motion and writes the impls, unless there is an error.
 fn implement(
     declaration: &Declaration,
-    scope: &Scope,
+    lowered: &Lowered,
     mut model: Model,
     diagnostics: &mut Diagnostics,
 ) -> Option<TokenStream> {
     let equations = Equations::derive(&mut model)
-        .map_err(|defect| report(&defect, declaration, scope, diagnostics))
+        .map_err(|defect| report(&defect, declaration, lowered, diagnostics))
         .ok()?;
     let methods = Methods::schedule(&mut model, &equations);
     if !methods.verified() {
@@ -55,7 +56,7 @@ fn implement(
         report_at(energy(declaration), message, diagnostics);
         return None;
     }
-    Some(Implementation::new(declaration, scope, &model, &equations, &methods).items())
+    Some(Implementation::new(declaration, lowered, &model, &equations, &methods).items())
 }
 
 /// The clause in which the equations of motion begin.
@@ -68,7 +69,7 @@ fn energy(declaration: &Declaration) -> Option<&Clause> {
 fn report(
     defect: &Defect,
     declaration: &Declaration,
-    scope: &Scope,
+    lowered: &Lowered,
     diagnostics: &mut Diagnostics,
 ) {
     let clauses = &declaration.clauses;
@@ -76,16 +77,18 @@ fn report(
     let names = |indices: &[u32]| {
         let names: Vec<String> = indices
             .iter()
-            .map(|i| format!("`{}`", clauses.coordinates[*i as usize]))
+            .map(|i| format!("`{}`", lowered.quantities.coordinates[*i as usize]))
             .collect();
         names.join(", ")
     };
     match defect {
         Defect::NoVelocity(coordinates) => {
             for i in coordinates {
-                let coordinate = &clauses.coordinates[*i as usize];
+                let coordinate = &lowered.quantities.coordinates[*i as usize];
+                let declared = clauses.coordinates.iter();
+                let mut declared = declared.map(|declared| &declared.name);
                 diagnostics.error(
-                    coordinate,
+                    declared.find(|name| plain(name) == coordinate.stem),
                     format!(
                         "no energy contains `dot({coordinate})`, so its equation of motion has no acceleration: \
                          add the kinetic energy of this coordinate, or remove it"
@@ -102,11 +105,10 @@ fn report(
             report_at(energy, &message, diagnostics);
         }
         Defect::MomentumOfInput(inputs) => {
-            let fields: Vec<_> = declaration.fields_with(Role::Input).collect();
             for i in inputs {
-                let name = &fields[*i as usize].name;
+                let name = &lowered.quantities.inputs[*i as usize].field;
                 diagnostics.error(
-                    scope.first_use(name).unwrap_or(name),
+                    lowered.scope.first_use(name).unwrap_or(name),
                     format!(
                         "the momenta ∂L/∂q̇ contain the input `{name}`, whose rate of change is unknown: \
                          make it a coordinate or a function of `t`, or write what it does under `force`"

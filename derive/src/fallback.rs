@@ -4,21 +4,23 @@
 //! for nothing are accessed as fields here, where the user wrote them: the compiler then says that there
 //! is no such field, and which there are.
 
+use core::ops::Range;
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use crate::check::CONSTANTS;
-use crate::declaration::{Declaration, Role};
-use crate::implementation::results;
+use crate::declaration::{Coordinate, Declaration};
+use crate::implementation::{indices, results};
+use crate::lower::Lowered;
 use crate::names::placed;
 use crate::names::{constant, plain};
-use crate::scope::Scope;
+use crate::value::Shape;
 
 /// Impls with the declared names and without equations.
-pub(crate) fn items(declaration: &Declaration, scope: &Scope) -> TokenStream {
-    let fallback = Fallback::new(declaration, scope);
+pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream {
+    let fallback = Fallback::new(declaration, lowered);
     [
         fallback.constants(),
         fallback.system(),
@@ -33,8 +35,9 @@ pub(crate) fn items(declaration: &Declaration, scope: &Scope) -> TokenStream {
 
 struct Fallback<'a> {
     declaration: &'a Declaration,
+    lowered: &'a Lowered,
     /// Those with constants of their own.
-    coordinates: Vec<&'a Ident>,
+    coordinates: Vec<(&'a Coordinate, Range<usize>)>,
     /// How many coordinates there are. Where the declaration does not say it, a parameter of the impls:
     /// then states of any dimension fit.
     dimension: TokenStream,
@@ -47,16 +50,17 @@ struct Fallback<'a> {
 }
 
 impl<'a> Fallback<'a> {
-    fn new(declaration: &'a Declaration, scope: &'a Scope) -> Self {
+    fn new(declaration: &'a Declaration, lowered: &'a Lowered) -> Self {
+        let scope = &lowered.scope;
         let declared = &declaration.clauses.coordinates;
         let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
-        let coordinates: Vec<&Ident> = declared
-            .iter()
-            .filter(|coordinate| taken.insert(constant(coordinate)))
+        let coordinates: Vec<_> = indices(declared)
+            .filter(|(coordinate, _)| taken.insert(constant(&coordinate.name)))
             .collect();
         let certain = scope.complete && coordinates.len() == declared.len();
         let (dimension, dimension_parameter) = if certain {
-            (declared.len().to_token_stream(), None)
+            let count = lowered.quantities.coordinates.len();
+            (count.to_token_stream(), None)
         } else {
             let parameter = Ident::new("__N", Span::mixed_site());
             (quote!(#parameter), Some(quote!(const #parameter: usize)))
@@ -69,6 +73,7 @@ impl<'a> Fallback<'a> {
         let scalar = Ident::new("__S", Span::mixed_site());
         Self {
             declaration,
+            lowered,
             coordinates,
             vector: quote!(::lagrangian::__private::SVector<#scalar, #dimension>),
             state: quote!(&::lagrangian::State<#scalar, #dimension>),
@@ -109,11 +114,17 @@ impl<'a> Fallback<'a> {
         let name = &self.declaration.name;
         let visibility = &self.declaration.visibility;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
-        let n = self.coordinates.len();
-        let names = self.coordinates.iter().map(|coordinate| plain(coordinate));
-        let indices = self.coordinates.iter().enumerate().map(|(i, coordinate)| {
-            let constant = placed(&constant(coordinate), coordinate);
-            quote!(#visibility const #constant: usize = #i;)
+        let n = self.lowered.quantities.coordinates.len();
+        let names = &self.lowered.quantities.coordinates;
+        let names = names.iter().map(ToString::to_string);
+        let indices = self.coordinates.iter().map(|(coordinate, indices)| {
+            let constant = placed(&constant(&coordinate.name), &coordinate.name);
+            let (indices, length) = (indices.clone(), indices.len());
+            if coordinate.length.is_none() {
+                quote!(#visibility const #constant: usize = #(#indices)*;)
+            } else {
+                quote!(#visibility const #constant: [usize; #length] = [#(#indices),*];)
+            }
         });
         quote! {
             impl #generics #name #arguments #conditions {
@@ -186,7 +197,7 @@ impl<'a> Fallback<'a> {
     }
 
     fn inputs(&self) -> TokenStream {
-        let u = self.declaration.fields_with(Role::Input).count();
+        let u = self.lowered.quantities.inputs.len();
         if u == 0 {
             return TokenStream::new();
         }
@@ -207,9 +218,11 @@ impl<'a> Fallback<'a> {
     fn outputs(&self) -> TokenStream {
         let mut seen = BTreeSet::new();
         let declared = self.declaration.clauses.outputs.iter();
-        let names: Vec<&Ident> = declared
+        let shapes = self.lowered.outputs.iter().copied();
+        let names: Vec<(&Ident, Shape)> = declared
             .map(|output| &output.name)
-            .filter(|name| seen.insert(plain(name)))
+            .zip(shapes)
+            .filter(|(name, _)| seen.insert(plain(name)))
             .collect();
         if names.is_empty() {
             return TokenStream::new();
@@ -222,7 +235,7 @@ impl<'a> Fallback<'a> {
         };
         let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
         let implementation = self.implement(&interface, Some(scalar), &items);
-        let u = self.declaration.fields_with(Role::Input).count();
+        let u = self.lowered.quantities.inputs.len();
         let with_inputs = (u > 0).then(|| {
             let inputs = quote!(::lagrangian::__private::SVector<#scalar, #u>);
             let items = quote! {

@@ -4,6 +4,8 @@ use lagrangian_symbolic::{Binary, Unary};
 use syn::{BinOp, Expr, ExprField, ExprPath, Member};
 
 use crate::diagnostics::similar;
+use crate::expression::{array, rotation};
+use crate::value::Shape;
 
 /// For expressions that no part of the declaration language looks like.
 pub(crate) fn syntax(expression: &Expr) -> &'static str {
@@ -16,16 +18,17 @@ pub(crate) fn syntax(expression: &Expr) -> &'static str {
             "there are no statements here: name intermediate quantities under `define(name = expression)`"
         }
         Expr::Closure(_) => {
-            "there are no functions of one's own here: write the expression out, or name its parts under \
-             `define(name = expression)`"
+            "there are no functions of one's own here but in `(0..5).map(|i| …)`: write the expression out, or \
+             name its parts under `define(name = expression)`"
         }
         Expr::Macro(_) => {
             "macros are not expanded here: write the expression out, or let a macro write the whole struct"
         }
         Expr::Cast(_) => "all numbers here are real: leave out the conversion",
         Expr::Reference(_) => "there are no references here: leave out the `&`",
-        Expr::Array(_) | Expr::Repeat(_) | Expr::Tuple(_) | Expr::Index(_) => {
-            "all quantities here are scalars: write each component by a name of its own"
+        Expr::Tuple(_) => "vectors are written in brackets: `[x, y, z]`",
+        Expr::Range(_) => {
+            "a range is no quantity: write `(0..5).map(|i| …).sum()`, or `.product()` or `.collect()`"
         }
         Expr::Infer(_) => "write the expression that is meant in place of `_`",
         _ => {
@@ -54,6 +57,40 @@ pub(crate) fn operator(operator: &BinOp) -> Option<&'static str> {
     }
 }
 
+/// For operands of shapes that do not fit.
+pub(crate) fn shapes(operator: &BinOp, left: Shape, right: Shape) -> String {
+    let is_vector = |shape| matches!(shape, Shape::Array { columns: 1, .. });
+    let (sign, hint) = match operator {
+        BinOp::Add(_) => ("+", "both sides have to have the same shape"),
+        BinOp::Sub(_) => ("-", "both sides have to have the same shape"),
+        BinOp::Div(_) => (
+            "/",
+            "a divisor is a scalar, or write `m.inverse() * v` for a matrix",
+        ),
+        _ if is_vector(left) && is_vector(right) => {
+            ("*", "write `a.dot(b)`, `a.cross(b)` or `a.outer(b)`")
+        }
+        _ => (
+            "*",
+            "the columns of the first have to be as many as the rows of the second",
+        ),
+    };
+    format!("`{sign}` stands between {left} and {right}: {hint}")
+}
+
+/// For what does not fit as a row of a matrix, or a component of a vector.
+pub(crate) fn rows(first: Shape, odd: Shape) -> String {
+    if first == odd {
+        return format!(
+            "a vector is made of scalars, and a matrix of vectors as rows: this is {odd}"
+        );
+    }
+    format!(
+        "this is {odd}, and the first is {first}: a vector is made of scalars, and a matrix of vectors of one \
+         length as rows"
+    )
+}
+
 /// For what is called without being a name.
 pub(crate) fn callee(function: &Expr) -> &'static str {
     match function {
@@ -79,7 +116,9 @@ pub(crate) fn field(field: &ExprField) -> String {
         (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
             format!("fields are written without `self`: write `{member}`")
         }
-        _ => "fields of fields cannot be used here: make this a field of the struct".to_owned(),
+        _ => "fields of fields cannot be used here, but for `v.x`, `v.y`, `v.z` and `v.w` of vectors: make this \
+              a field of the struct"
+            .to_owned(),
     }
 }
 
@@ -90,7 +129,11 @@ pub(crate) fn is_function(name: &str) -> bool {
 fn functions() -> impl Iterator<Item = &'static str> {
     let unary = Unary::ALL.into_iter().map(Unary::name);
     let binary = Binary::ALL.into_iter().map(Binary::name);
-    unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
+    unary
+        .chain(binary)
+        .chain(["sqrt", "powi", "recip", "dot"])
+        .chain(array::FUNCTIONS)
+        .chain(rotation::FUNCTIONS)
 }
 
 /// How a function is written.
@@ -99,6 +142,9 @@ pub(crate) fn example(name: &str, arguments: usize) -> String {
         ("powi", _) => "x.powi(2)".to_owned(),
         ("powf", _) => "x.powf(1.5)".to_owned(),
         ("atan2", _) => "atan2(y, x)".to_owned(),
+        ("row" | "column", _) => format!("m.{name}(0)"),
+        ("identity", _) => "identity(3)".to_owned(),
+        ("dot" | "cross" | "outer" | "component_mul", _) => format!("a.{name}(b)"),
         (_, 1) => format!("{name}(x)"),
         _ => format!("{name}(x, y)"),
     }
@@ -136,7 +182,15 @@ pub(crate) fn function(name: &str) -> String {
         "ddot" | "acceleration" => {
             "the second time derivative is `dot(dot(x))`, under `output` only"
         }
-        "map" | "sum" | "product" | "fold" => "write the terms one by one, `a + b + c`",
+        "fold" | "reduce" | "iter" | "into_iter" | "zip" | "enumerate" | "filter" | "rev" => {
+            "repeat by an index, as in `(0..5).map(|i| m[i] * x[i]).sum()`"
+        }
+        "magnitude" | "length" => "the length of a vector is `v.norm()`",
+        "magnitude_squared" => "write `v.norm_squared()`",
+        "try_inverse" | "inv" => "write `m.inverse()`",
+        "det" => "write `m.determinant()`",
+        "matrix" | "vector" => "write `[x, y, z]`, or `[[a, b], [c, d]]` row by row",
+        "angular_velocity_body" => "`angular_velocity(r)` is in body axes already",
         "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
         _ => {
             return match similar(name, functions()) {

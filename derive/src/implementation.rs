@@ -13,52 +13,41 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::body::Body;
-use crate::declaration::{Declaration, Role};
+use crate::declaration::Declaration;
+use crate::lower::Lowered;
 use crate::methods::{Method, Methods};
-use crate::names::{Locals, SymbolNames};
-use crate::scope::Scope;
+use crate::names::Locals;
 use parameters::marked_if_unused;
 use reader::{InputsFrom, Reader};
 use writer::Writer;
 
+pub(crate) use constants::indices;
 pub(crate) use outputs::results;
 
 /// Everything about one model that the emitted text depends on.
 pub(crate) struct Implementation<'a> {
     pub(crate) declaration: &'a Declaration,
-    pub(crate) scope: &'a Scope,
+    pub(crate) lowered: &'a Lowered,
     pub(crate) model: &'a Model,
     pub(crate) equations: &'a Equations,
     pub(crate) methods: &'a Methods,
-    pub(crate) symbols: SymbolNames,
     pub(crate) scalar: Ident,
 }
 
 impl<'a> Implementation<'a> {
     pub(crate) fn new(
         declaration: &'a Declaration,
-        scope: &'a Scope,
+        lowered: &'a Lowered,
         model: &'a Model,
         equations: &'a Equations,
         methods: &'a Methods,
     ) -> Self {
-        let names = |role| {
-            declaration
-                .fields_with(role)
-                .map(|field| field.name.clone())
-                .collect()
-        };
         Self {
             declaration,
-            scope,
+            lowered,
             model,
             equations,
             methods,
-            symbols: SymbolNames {
-                coordinates: declaration.clauses.coordinates.clone(),
-                parameters: names(Role::Parameter),
-                inputs: names(Role::Input),
-            },
             scalar: Ident::new("__S", Span::mixed_site()),
         }
     }
@@ -148,7 +137,7 @@ impl<'a> Implementation<'a> {
             inputs,
         };
         let graph = &self.model.graph;
-        let locals = Locals::new(graph, self.scope, &self.symbols);
+        let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities);
         let mut writer = Writer {
             program: &method.program,
             body: Body::new(&method.program, graph.passes, locals, &self.scalar, &reader),

@@ -3,7 +3,10 @@
 mod expand;
 mod diagnostics;
 mod declaration;
+mod field_type;
 mod check;
+mod value;
+mod quantities;
 mod scope;
 mod expression;
 mod hints;

@@ -1,91 +1,216 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
-use lagrangian_symbolic::{Energies, Expression, Graph, Model};
+use lagrangian_symbolic::{Energies, Expression, Graph, Model, Node, Symbol};
+use syn::Expr;
 
 use crate::ablation::passes;
-use crate::declaration::{Clause, Declaration, Role};
+use crate::declaration::{Clause, Declaration, Named};
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
-use crate::names::plain;
+use crate::quantities::Quantities;
 use crate::scope::{Meaning, Scope};
+use crate::value::{Shape, Value};
 
-/// Resolves a declaration. The model is there unless errors were reported or names are unknown.
-pub(crate) fn lower(
-    declaration: &Declaration,
-    diagnostics: &mut Diagnostics,
-) -> (Option<Model>, Scope) {
+/// A declaration of which every name is resolved, as far as it is understood.
+pub(crate) struct Lowered {
+    /// There unless errors were reported or names are unknown.
+    pub(crate) model: Option<Model>,
+    pub(crate) scope: Scope,
+    pub(crate) quantities: Quantities,
+    /// The shapes of the outputs, in their order; of those not understood, that of a scalar.
+    pub(crate) outputs: Vec<Shape>,
+}
+
+/// Resolves a declaration.
+pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) -> Lowered {
     let mut graph = Graph::new();
     graph.passes = passes(diagnostics);
+    let quantities = Quantities::new(declaration);
     let mut translator = Translator {
+        scope: Scope::new(declaration, &mut graph),
         graph,
-        scope: Scope::new(declaration),
-        coordinates: count(declaration.clauses.coordinates.len()),
+        coordinates: count(quantities.coordinates.len()),
         diagnostics,
+        repetitions: 0,
     };
     let parts = translator.parts(declaration);
     let complete = translator.diagnostics.is_empty() && translator.scope.unknown().next().is_none();
-    let model = parts.filter(|_| complete).map(|parts| Model {
-        graph: translator.graph,
-        coordinates: translator.coordinates,
-        inputs: count(declaration.fields_with(Role::Input).count()),
+    let shape = |output: &Option<Value>| output.as_ref().map_or(Shape::Scalar, Value::shape);
+    let outputs = parts.outputs.iter().map(shape).collect();
+    let coordinates = translator.coordinates;
+    let mut graph = translator.graph;
+    let model = parts.understood().filter(|_| complete).map(|parts| Model {
+        coordinates,
+        inputs: count(quantities.inputs.len()),
         energies: parts.energies,
         dissipation: parts.dissipation,
         forces: parts.forces,
-        outputs: parts.outputs,
+        outputs: components(&mut graph, &parts.outputs),
+        graph,
     });
-    (model, translator.scope)
+    Lowered {
+        model,
+        scope: translator.scope,
+        quantities,
+        outputs,
+    }
 }
 
+/// The components of values one after the other; a sum without terms is 0.
+fn components(graph: &mut Graph, values: &[Value]) -> Vec<Expression> {
+    let zero = [graph.zero()];
+    let components = |value: &Value| match value {
+        Value::Nothing => zero.to_vec(),
+        other => other.components().to_vec(),
+    };
+    values.iter().flat_map(components).collect()
+}
+
+/// What a declaration says, each part `None` if it has errors.
 struct Parts {
+    energies: Option<Energies>,
+    dissipation: Option<Expression>,
+    forces: Option<Vec<Expression>>,
+    outputs: Vec<Option<Value>>,
+}
+
+struct Understood {
     energies: Energies,
     dissipation: Expression,
     forces: Vec<Expression>,
-    outputs: Vec<Expression>,
+    outputs: Vec<Value>,
+}
+
+impl Parts {
+    fn understood(self) -> Option<Understood> {
+        Some(Understood {
+            energies: self.energies?,
+            dissipation: self.dissipation?,
+            forces: self.forces?,
+            outputs: self.outputs.into_iter().collect::<Option<_>>()?,
+        })
+    }
 }
 
 impl Translator<'_> {
-    fn parts(&mut self, declaration: &Declaration) -> Option<Parts> {
+    fn parts(&mut self, declaration: &Declaration) -> Parts {
         let clauses = &declaration.clauses;
         for definition in &clauses.definitions {
-            let meaning = match self.translate(&definition.expression, Place::Observation) {
-                Some(expression) => Meaning::Defined(expression),
-                None => Meaning::Broken,
-            };
-            self.scope.define(&definition.name, meaning);
+            self.define(definition);
         }
         let kinetic = self.total(&clauses.kinetic);
         let potential = self.total(&clauses.potential);
         let lagrangian = self.total(&clauses.lagrangian);
         let dissipation = self.total(&clauses.dissipation);
         let forces = self.forces(declaration);
-        let outputs: Vec<_> = clauses
+        let outputs = clauses
             .outputs
             .iter()
             .map(|output| self.translate(&output.expression, Place::Observation))
             .collect();
         let energies = if clauses.lagrangian.is_empty() {
-            self.check_velocities(&clauses.kinetic, kinetic?);
-            Energies::Natural {
-                kinetic: kinetic?,
-                potential: potential?,
-            }
+            self.natural(&clauses.kinetic, kinetic, potential)
         } else {
-            self.check_velocities(&clauses.lagrangian, lagrangian?);
-            Energies::General(lagrangian?)
+            lagrangian.map(|lagrangian| {
+                self.check_velocities(&clauses.lagrangian, lagrangian);
+                Energies::General(lagrangian)
+            })
         };
-        Some(Parts {
+        Parts {
             energies,
-            dissipation: dissipation?,
-            forces: forces?,
-            outputs: outputs.into_iter().collect::<Option<_>>()?,
+            dissipation,
+            forces,
+            outputs,
+        }
+    }
+
+    fn natural(
+        &mut self,
+        clauses: &[Clause],
+        kinetic: Option<Expression>,
+        potential: Option<Expression>,
+    ) -> Option<Energies> {
+        self.check_velocities(clauses, kinetic?);
+        Some(Energies::Natural {
+            kinetic: kinetic?,
+            potential: potential?,
         })
+    }
+
+    /// Gives a name its meaning, or the members of a family theirs.
+    fn define(&mut self, definition: &Named) {
+        if definition.indices.is_empty() {
+            if let Some(iteration) = definition.iterations.first() {
+                let name = &definition.name;
+                let message = format!(
+                    "what is defined for every index has the index behind its name: write \
+                     `{name}[{}] = …`",
+                    iteration.index
+                );
+                self.diagnostics.error(name, message);
+            }
+            let meaning = match self.translate(&definition.expression, Place::Observation) {
+                Some(value) if definition.iterations.is_empty() => {
+                    Meaning::Quantity(crate::scope::Kind::Defined, value)
+                }
+                _ => Meaning::Broken,
+            };
+            return self.scope.define(&definition.name, meaning);
+        }
+        let defined = self.for_each(&definition.iterations, &mut |translator| {
+            translator.define_member(definition)
+        });
+        if defined.is_none() {
+            self.scope.silence_definition(&definition.name);
+        }
+    }
+
+    /// Defines one member of a family.
+    fn define_member(&mut self, definition: &Named) -> Option<()> {
+        let name = &definition.name;
+        let indices = self.member(&definition.indices)?;
+        if let Some(rank) = self.scope.rank_of_definition(name)
+            && rank != indices.len()
+        {
+            let message = format!(
+                "`{name}` has {rank} before: all of a family have the same number of indices",
+                rank = if rank == 1 {
+                    "one index".to_owned()
+                } else {
+                    format!("{rank} indices")
+                }
+            );
+            return self.reject(name, message);
+        }
+        let value = self.translate(&definition.expression, Place::Observation)?;
+        if self.scope.define_member(name, &indices, value) {
+            return Some(());
+        }
+        let written: String = indices.iter().map(|i| format!("[{i}]")).collect();
+        let message = format!("`{name}{written}` is defined twice: leave one of them out");
+        self.reject(&definition.indices[0], message)
+    }
+
+    /// The indices of a member of a family, as they stand behind its name.
+    fn member(&mut self, indices: &[Expr]) -> Option<Vec<usize>> {
+        let indices = indices.iter().map(|written| {
+            let index = self.integer(written)?;
+            match usize::try_from(index) {
+                Ok(index) => Some(index),
+                Err(_) => self.reject(
+                    written,
+                    format!("an index is not negative: here it is {index}"),
+                ),
+            }
+        });
+        indices.collect()
     }
 
     /// The sum of all clauses with one keyword.
     fn total(&mut self, clauses: &[Clause]) -> Option<Expression> {
         let values: Vec<_> = clauses
             .iter()
-            .map(|clause| self.translate(&clause.expression, Place::Energy))
+            .map(|clause| self.scalar(&clause.expression, Place::Energy))
             .collect();
         let zero = self.graph.zero();
         values
@@ -93,15 +218,76 @@ impl Translator<'_> {
             .try_fold(zero, |total, value| Some(self.graph.add(total, value?)))
     }
 
+    /// The generalized force of each coordinate.
     fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
-        let mut forces = vec![Some(self.graph.zero()); declaration.clauses.coordinates.len()];
+        let mut forces = vec![None; self.coordinates as usize];
+        let mut understood = true;
         for force in &declaration.clauses.forces {
-            let value = self.translate(&force.expression, Place::Energy);
-            if let Some(coordinate) = self.scope.coordinate(&plain(&force.name)) {
-                forces[coordinate] = value;
-            }
+            let done = self.for_each(&force.iterations, &mut |translator| {
+                translator.force(force, &mut forces)
+            });
+            understood &= done.is_some();
         }
-        forces.into_iter().collect()
+        let zero = self.graph.zero();
+        let forces = forces.into_iter();
+        understood.then(|| forces.map(|force| force.unwrap_or(zero)).collect())
+    }
+
+    fn force(&mut self, force: &Named, forces: &mut [Option<Expression>]) -> Option<()> {
+        let value = self.scalar(&force.expression, Place::Energy);
+        let coordinate = self.coordinate(force);
+        let (value, coordinate) = (value?, coordinate?);
+        let place = forces.get_mut(coordinate)?;
+        if place.is_some() {
+            return self.reject(
+                &force.name,
+                "this coordinate has a force already: add them up in one expression",
+            );
+        }
+        *place = Some(value);
+        Some(())
+    }
+
+    /// The coordinate on which a force acts; that there is one of this name has been checked.
+    fn coordinate(&mut self, force: &Named) -> Option<usize> {
+        let name = &force.name;
+        let target = match (self.scope.resolve(name)?, force.indices.as_slice()) {
+            (Meaning::Quantity(_, value), []) => value,
+            (Meaning::Quantity(..), [index, ..]) => {
+                let message = format!("`{name}` is one coordinate: leave out the index");
+                return self.reject(index, message);
+            }
+            (Meaning::Family(_, family), [_]) => {
+                let member = self.member(&force.indices)?;
+                match family.members.get(&member) {
+                    Some(value) => value.clone(),
+                    None => {
+                        let message = format!(
+                            "`{name}[{}]` is out of range: there are {} coordinates of this name, from \
+                             `{name}[0]` on",
+                            member[0],
+                            family.members.len()
+                        );
+                        return self.reject(&force.indices[0], message);
+                    }
+                }
+            }
+            (Meaning::Family(_, family), _) => {
+                let message = format!(
+                    "`{name}` is a family of coordinates: write `{name}[i] = … for i in 0..{}`",
+                    family.members.len()
+                );
+                return self.reject(name, message);
+            }
+            _ => return None,
+        };
+        match target {
+            Value::Scalar(expression) => match self.graph.node(expression) {
+                Node::Symbol(Symbol::Coordinate(i)) => Some(*i as usize),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     fn check_velocities(&mut self, clauses: &[Clause], energy: Expression) {

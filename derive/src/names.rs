@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use lagrangian_symbolic::{Expression, Graph, Node, Symbol, Unary};
 use proc_macro2::{Ident, Span};
 
+use crate::quantities::Quantities;
 use crate::scope::Scope;
 
 /// The constant that holds a coordinate's index: its name in capitals. Names outside of ASCII stay as
@@ -43,40 +44,18 @@ pub(crate) fn spelled(plain: &str) -> String {
     }
 }
 
-/// The names of a model's symbols.
-pub(crate) struct SymbolNames {
-    pub(crate) coordinates: Vec<Ident>,
-    pub(crate) parameters: Vec<Ident>,
-    pub(crate) inputs: Vec<Ident>,
-}
-
-impl SymbolNames {
-    /// What a symbol is called in the emitted code.
-    pub(crate) fn name(&self, symbol: Symbol) -> String {
-        let of = |names: &[Ident], i: u32| names.get(i as usize).map(plain).unwrap_or_default();
-        match symbol {
-            Symbol::Time => "t".to_owned(),
-            Symbol::Coordinate(i) => of(&self.coordinates, i),
-            Symbol::Velocity(i) => format!("{}_dot", of(&self.coordinates, i)),
-            Symbol::Acceleration(i) => format!("{}_ddot", of(&self.coordinates, i)),
-            Symbol::Parameter(i) => of(&self.parameters, i),
-            Symbol::Input(i) => of(&self.inputs, i),
-            Symbol::Prepared(i) => format!("c{i}"),
-        }
-    }
-}
-
 /// Gives every local variable of one method a name of its own.
 pub(crate) struct Locals<'a> {
     graph: &'a Graph,
-    definitions: BTreeMap<Expression, &'a str>,
-    symbols: &'a SymbolNames,
+    /// The names of variables for what the declaration has a name for.
+    definitions: BTreeMap<Expression, String>,
+    quantities: &'a Quantities,
     taken: BTreeSet<String>,
     counter: usize,
 }
 
 impl<'a> Locals<'a> {
-    pub(crate) fn new(graph: &'a Graph, scope: &'a Scope, symbols: &'a SymbolNames) -> Self {
+    pub(crate) fn new(graph: &'a Graph, scope: &Scope, quantities: &'a Quantities) -> Self {
         let taken = [
             "self",
             "state",
@@ -86,14 +65,16 @@ impl<'a> Locals<'a> {
             "factors",
         ];
         let mut definitions = BTreeMap::new();
-        for (name, expression) in scope.definitions(graph) {
+        for (label, expression) in scope.definitions(graph) {
             // Of several names for one expression the first stands for it.
-            definitions.entry(expression).or_insert(name);
+            definitions
+                .entry(expression)
+                .or_insert_with(|| label.variable());
         }
         Self {
             graph,
             definitions,
-            symbols,
+            quantities,
             taken: taken.into_iter().map(str::to_owned).collect(),
             counter: 0,
         }
@@ -101,7 +82,7 @@ impl<'a> Locals<'a> {
 
     /// The variable that holds a symbol.
     pub(crate) fn symbol(&mut self, symbol: Symbol) -> Ident {
-        let name = self.symbols.name(symbol);
+        let name = self.quantities.variable(symbol);
         self.unique(name)
     }
 
@@ -135,14 +116,14 @@ impl<'a> Locals<'a> {
 
     fn describe(&self, expression: Expression) -> Option<String> {
         if let Some(name) = self.definitions.get(&expression) {
-            return Some(name.strip_prefix("r#").unwrap_or(name).to_owned());
+            return Some(name.clone());
         }
         match self.graph.node(expression) {
             Node::Unary(function @ (Unary::Sin | Unary::Cos), x) => match self.graph.node(*x) {
                 Node::Symbol(symbol) => Some(format!(
                     "{}_{}",
                     function.name(),
-                    self.symbols.name(*symbol)
+                    self.quantities.variable(*symbol)
                 )),
                 _ => None,
             },

@@ -1,6 +1,7 @@
 //! The names of a declaration and what they stand for.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use lagrangian_symbolic::{Expression, Graph, Symbol};
 use proc_macro2::Ident;
@@ -8,16 +9,16 @@ use proc_macro2::Ident;
 use crate::declaration::{Declaration, Role};
 use crate::diagnostics::similar;
 use crate::names::{plain, spelled};
+use crate::quantities::{Label, Symbols};
+use crate::value::{Index, Value};
 
 /// What a name stands for.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) enum Meaning {
-    /// A coordinate, parameter or input, or the time.
-    Symbol(Symbol),
-    /// The number π.
-    Pi,
-    /// A quantity from `define`.
-    Defined(Expression),
+    /// A quantity.
+    Quantity(Kind, Value),
+    /// Several quantities, told apart by indices.
+    Family(Kind, Rc<Family>),
     /// A quantity from `define` further down.
     Later,
     /// What has an error that was reported where it stands.
@@ -26,6 +27,29 @@ pub(crate) enum Meaning {
     Skipped,
     /// A quantity from `output`, which only observers use.
     Output,
+}
+
+/// Where a quantity comes from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// The time, and π.
+    Reserved,
+    /// The coordinates.
+    Coordinate,
+    /// A parameter or input.
+    Field,
+    /// `define`.
+    Defined,
+    /// A sum or another repetition, whose variable it is.
+    Variable,
+}
+
+/// Quantities that are told apart by indices.
+#[derive(Clone)]
+pub(crate) struct Family {
+    /// How many indices tell them apart.
+    pub(crate) rank: usize,
+    pub(crate) members: BTreeMap<Vec<usize>, Value>,
 }
 
 /// Names in their order of declaration, with what they stand for.
@@ -45,22 +69,45 @@ pub(crate) const RESERVED: [&str; 3] = ["t", "PI", "dot"];
 
 impl Scope {
     /// The scope of a checked declaration, before its definitions.
-    pub(crate) fn new(declaration: &Declaration) -> Self {
+    pub(crate) fn new(declaration: &Declaration, graph: &mut Graph) -> Self {
+        let [time, pi] = [graph.symbol(Symbol::Time), graph.pi()];
+        let reserved = |value| Meaning::Quantity(Kind::Reserved, Value::Scalar(value));
         let mut meanings = BTreeMap::from([
-            ("t".to_owned(), Meaning::Symbol(Symbol::Time)),
-            ("PI".to_owned(), Meaning::Pi),
+            ("t".to_owned(), reserved(time)),
+            ("PI".to_owned(), reserved(pi)),
         ]);
-        for (i, field) in (0..).zip(declaration.fields_with(Role::Parameter)) {
-            meanings.insert(plain(&field.name), Meaning::Symbol(Symbol::Parameter(i)));
+        let kinds = [
+            (Role::Parameter, Symbol::Parameter as fn(u32) -> Symbol),
+            (Role::Input, Symbol::Input),
+        ];
+        for (role, kind) in kinds {
+            let mut symbols = Symbols::of(kind);
+            for field in declaration.fields_with(role) {
+                let meaning = match field.shape_and_accesses() {
+                    Some((shape, _)) => Meaning::Quantity(Kind::Field, symbols.value(graph, shape)),
+                    None => Meaning::Broken,
+                };
+                meanings.insert(plain(&field.name), meaning);
+            }
         }
-        for (i, field) in (0..).zip(declaration.fields_with(Role::Input)) {
-            meanings.insert(plain(&field.name), Meaning::Symbol(Symbol::Input(i)));
-        }
-        for (i, name) in (0..).zip(&declaration.clauses.coordinates) {
-            meanings.insert(plain(name), Meaning::Symbol(Symbol::Coordinate(i)));
+        let mut symbols = Symbols::of(Symbol::Coordinate);
+        for coordinate in &declaration.clauses.coordinates {
+            let meaning = match coordinate.length {
+                None => Meaning::Quantity(Kind::Coordinate, symbols.scalar(graph)),
+                Some(length) => {
+                    let members = (0..length).map(|i| (vec![i], symbols.scalar(graph)));
+                    let members = members.collect();
+                    Meaning::Family(Kind::Coordinate, Rc::new(Family { rank: 1, members }))
+                }
+            };
+            meanings.insert(plain(&coordinate.name), meaning);
         }
         let clauses = &declaration.clauses;
-        let names: BTreeSet<String> = clauses.coordinates.iter().map(plain).collect();
+        let names: BTreeSet<String> = clauses
+            .coordinates
+            .iter()
+            .map(|coordinate| plain(&coordinate.name))
+            .collect();
         let repeated = names.len() < clauses.coordinates.len();
         let definitions = clauses.definitions.iter().map(|named| &named.name);
         let skipped = declaration
@@ -86,8 +133,8 @@ impl Scope {
     /// What `name` stands for, if anything.
     pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Meaning> {
         let written = plain(name);
-        let meaning = self.meanings.get(&written).copied()?;
-        if let Meaning::Symbol(Symbol::Parameter(_) | Symbol::Input(_)) = meaning {
+        let meaning = self.meanings.get(&written)?.clone();
+        if let Meaning::Quantity(Kind::Field, _) = meaning {
             self.uses.entry(written).or_insert_with(|| name.clone());
         }
         Some(meaning)
@@ -100,26 +147,74 @@ impl Scope {
         }
     }
 
+    /// Adds a member to a family of definitions, unless the name is taken. Says whether the member is
+    /// new.
+    pub(crate) fn define_member(&mut self, name: &Ident, indices: &[usize], value: Value) -> bool {
+        let Some(meaning) = self.meanings.get_mut(&plain(name)) else {
+            return true;
+        };
+        if let Meaning::Later = meaning {
+            let rank = indices.len();
+            let members = BTreeMap::new();
+            *meaning = Meaning::Family(Kind::Defined, Rc::new(Family { rank, members }));
+        }
+        match meaning {
+            Meaning::Family(Kind::Defined, family) => {
+                let members = &mut Rc::make_mut(family).members;
+                members.insert(indices.to_vec(), value).is_none()
+            }
+            _ => true,
+        }
+    }
+
+    /// How many indices tell the members of a family of definitions apart, if there are any yet.
+    pub(crate) fn rank_of_definition(&self, name: &Ident) -> Option<usize> {
+        match self.meanings.get(&plain(name))? {
+            Meaning::Family(Kind::Defined, family) => Some(family.rank),
+            _ => None,
+        }
+    }
+
+    /// Says no more of a family of definitions with an error in one of them.
+    pub(crate) fn silence_definition(&mut self, name: &Ident) {
+        if let Some(meaning @ (Meaning::Later | Meaning::Family(Kind::Defined, _))) =
+            self.meanings.get_mut(&plain(name))
+        {
+            *meaning = Meaning::Broken;
+        }
+    }
+
+    /// Lets a name stand for something until [`release`](Self::release) gives it back what it stood for.
+    pub(crate) fn bind(&mut self, name: &Ident, value: Value) -> Option<Meaning> {
+        let meaning = Meaning::Quantity(Kind::Variable, value);
+        self.meanings.insert(plain(name), meaning)
+    }
+
+    pub(crate) fn release(&mut self, name: &Ident, before: Option<Meaning>) {
+        match before {
+            Some(meaning) => self.meanings.insert(plain(name), meaning),
+            None => self.meanings.remove(&plain(name)),
+        };
+    }
+
     /// Says no more of a name that has an error.
     pub(crate) fn silence(&mut self, name: &Ident) {
         self.meanings.insert(plain(name), Meaning::Broken);
     }
 
-    /// The coordinate called `name`.
-    pub(crate) fn coordinate(&self, name: &str) -> Option<usize> {
-        match self.meanings.get(name)? {
-            Meaning::Symbol(Symbol::Coordinate(i)) => Some(*i as usize),
-            _ => None,
-        }
+    /// Whether there is a coordinate, or a family of them, called `name`.
+    pub(crate) fn is_coordinate(&self, name: &str) -> bool {
+        matches!(
+            self.meanings.get(name),
+            Some(Meaning::Quantity(Kind::Coordinate, _) | Meaning::Family(Kind::Coordinate, _))
+        )
     }
 
     /// The quantity other than a field that was probably meant by an unknown name.
     pub(crate) fn suggest(&self, name: &Ident) -> Option<String> {
         let meant = similar(&plain(name), self.meanings.keys().map(String::as_str))?;
         match self.meanings[meant] {
-            Meaning::Symbol(Symbol::Parameter(_) | Symbol::Input(_))
-            | Meaning::Skipped
-            | Meaning::Output => None,
+            Meaning::Quantity(Kind::Field, _) | Meaning::Skipped | Meaning::Output => None,
             _ => Some(spelled(meant)),
         }
     }
@@ -139,26 +234,39 @@ impl Scope {
         self.uses.get(&plain(name))
     }
 
-    /// The expression that is defined as `name`.
-    pub(crate) fn defined(&self, name: &Ident) -> Option<Expression> {
-        match self.meanings.get(&plain(name))? {
-            Meaning::Defined(expression) => Some(*expression),
-            _ => None,
+    /// The components of what is defined as `name`.
+    pub(crate) fn defined(&self, name: &str) -> Vec<(Label, Expression)> {
+        let labelled = |indices: &[usize], value: &Value| -> Vec<_> {
+            let label = |inner: Vec<Index>| {
+                let outer = indices.iter().copied().map(Index::One);
+                Label {
+                    stem: name.to_owned(),
+                    indices: outer.chain(inner).collect(),
+                }
+            };
+            let components = value.labelled().into_iter();
+            components
+                .map(|(inner, component)| (label(inner), component))
+                .collect()
+        };
+        match self.meanings.get(name) {
+            Some(Meaning::Quantity(Kind::Defined, value)) => labelled(&[], value),
+            Some(Meaning::Family(Kind::Defined, family)) => {
+                let members = family.members.iter();
+                members
+                    .flat_map(|(indices, value)| labelled(indices, value))
+                    .collect()
+            }
+            _ => Vec::new(),
         }
     }
 
-    /// The defined quantities by name.
+    /// The components of all that is defined, but for constants.
     pub(crate) fn definitions<'a>(
         &'a self,
         graph: &'a Graph,
-    ) -> impl Iterator<Item = (&'a str, Expression)> {
-        self.meanings
-            .iter()
-            .filter_map(|(name, meaning)| match meaning {
-                Meaning::Defined(expression) if graph.as_constant(*expression).is_none() => {
-                    Some((name.as_str(), *expression))
-                }
-                _ => None,
-            })
+    ) -> impl Iterator<Item = (Label, Expression)> + 'a {
+        let components = self.meanings.keys().flat_map(|name| self.defined(name));
+        components.filter(|(_, expression)| graph.as_constant(*expression).is_none())
     }
 }

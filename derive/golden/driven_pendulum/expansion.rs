@@ -135,7 +135,7 @@ for DrivenPendulum {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        [l * m * g, __S::from_f64(1.0) / (l * l * m)]
+        [m * g * l, __S::from_f64(1.0) / (m * (l * l))]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
         ::lagrangian::Inputs::<
@@ -254,7 +254,7 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SVector::from([l * l * m * theta_dot])
+        ::lagrangian::__private::SVector::from([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
@@ -262,7 +262,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SMatrix::from([[l * l * m]])
+        ::lagrangian::__private::SMatrix::from([[m * (l * l)]])
     }
     fn relative_pivots(
         &self,
@@ -270,7 +270,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = l * l * m;
+        let x0 = m * (l * l);
         ::lagrangian::__private::relative_pivots([x0], [x0.abs()], [x0])
     }
 }
@@ -280,14 +280,14 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for DrivenPe
         let theta_dot: __S = state.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        __S::from_f64(0.5) * (l * l * m * (theta_dot * theta_dot))
+        __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
         let theta: __S = state.q[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        -(l * theta.cos() * m * g)
+        -(m * g * l * theta.cos())
     }
 }
 #[automatically_derived]
@@ -312,11 +312,13 @@ for DrivenPendulum {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = l
-            * (m
-                * theta
-                    .cos()
-                    .mul_add(g, __S::from_f64(0.5) * (l * (theta_dot * theta_dot))));
+        let x0 = m
+            * (l
+                * g
+                    .mul_add(
+                        theta.cos(),
+                        __S::from_f64(0.5) * (l * (theta_dot * theta_dot)),
+                    ));
         x0
     }
     fn energy_with(
@@ -329,10 +331,13 @@ for DrivenPendulum {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = l
-            * (m
-                * (-theta.cos())
-                    .mul_add(g, __S::from_f64(0.5) * (l * (theta_dot * theta_dot))));
+        let x0 = m
+            * (l
+                * (-g)
+                    .mul_add(
+                        theta.cos(),
+                        __S::from_f64(0.5) * (l * (theta_dot * theta_dot)),
+                    ));
         x0
     }
     fn forcing_with(
@@ -348,7 +353,7 @@ for DrivenPendulum {
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         ::lagrangian::__private::SVector::from([
-            (-(l * theta.sin() * m)).mul_add(g, (-theta_dot).mul_add(friction, torque)),
+            (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
         ])
     }
     fn generalized_forces_with(
@@ -359,7 +364,7 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        ::lagrangian::__private::SVector::from([(-theta_dot).mul_add(friction, torque)])
+        ::lagrangian::__private::SVector::from([(-friction).mul_add(theta_dot, torque)])
     }
     fn accelerations_with(
         &self,
@@ -386,7 +391,7 @@ for DrivenPendulum {
         let c0: __S = prepared[0];
         let c1: __S = prepared[1];
         ::lagrangian::__private::SVector::from([
-            (-theta.sin()).mul_add(c0, (-theta_dot).mul_add(friction, torque)) * c1,
+            (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
     }
     fn inverse_dynamics_with(
@@ -403,8 +408,8 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let x0 = l
-            .mul_add(m * l.mul_add(theta_ddot, theta.sin() * g), theta_dot * friction);
+        let x0 = m
+            .mul_add(l * l.mul_add(theta_ddot, g * theta.sin()), friction * theta_dot);
         ::lagrangian::__private::SVector::from([x0 - torque])
     }
     fn linearize_with(
@@ -421,9 +426,9 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         let (sin_theta, cos_theta) = theta.sin_cos();
         let x0 = __S::from_f64(1.0) / l;
-        let x1 = __S::from_f64(1.0) / m * (x0 * x0);
+        let x1 = x0 * (__S::from_f64(1.0) / m * x0);
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::SMatrix::from([[-(cos_theta * g / l)]]),
+            position: ::lagrangian::__private::SMatrix::from([[-(g * cos_theta / l)]]),
             velocity: ::lagrangian::__private::SMatrix::from([[-(friction * x1)]]),
             time: ::lagrangian::__private::SVector::from([__S::from_f64(0.0)]),
         }
@@ -435,7 +440,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SMatrix::from([[__S::from_f64(1.0) / (l * l * m)]])
+        ::lagrangian::__private::SMatrix::from([[__S::from_f64(1.0) / (m * (l * l))]])
     }
 }
 ///The outputs of [`DrivenPendulum`].

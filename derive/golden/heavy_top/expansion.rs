@@ -172,11 +172,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (-(cos_theta * m * g))
+        let x1 = (-(m * g * l))
             .mul_add(
-                l,
+                cos_theta,
                 __S::from_f64(0.5)
-                    * (w3 * w3).mul_add(i3, (w1 * w1).mul_add(i1, w2 * w2 * i2)),
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
             );
         x1
     }
@@ -200,11 +200,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (cos_theta * m * g)
+        let x1 = (m * g * l)
             .mul_add(
-                l,
+                cos_theta,
                 __S::from_f64(0.5)
-                    * (w3 * w3).mul_add(i3, (w1 * w1).mul_add(i1, w2 * w2 * i2)),
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
             );
         x1
     }
@@ -235,27 +235,27 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let w1 = sin_psi.mul_add(x1, x2);
         let x4 = phi_dot * cos_theta;
         let x5 = (-psi_dot).mul_add(w1, x2 * x4);
-        let x6 = cos_psi * i2;
+        let x6 = i2 * cos_psi;
         let x7 = psi_dot.mul_add(w2, x0 * x4);
-        let x8 = sin_psi * i1;
+        let x8 = i1 * sin_psi;
         let w3 = psi_dot + x4;
         let x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, theta_dot * (i3 * (w3 + x4))));
+            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
         let x10 = i3 * x1;
-        let x11 = (-(cos_psi * i1))
+        let x11 = (-(i1 * cos_psi))
             .mul_add(
                 x7,
                 w3
                     .mul_add(
                         w1.mul_add(x8, w2 * x6) - x10,
-                        (sin_theta * m * g).mul_add(l, sin_psi * i2 * x5),
+                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
                     ),
             );
         ::lagrangian::__private::SVector::from([
-            (-(w1 * i1))
+            (-(i1 * w1))
                 .mul_add(
                     cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(w2 * i2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
+                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
                 ),
             x11,
             w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
@@ -359,25 +359,25 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
         let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
         let x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-        let x9 = cos_psi * i2;
+        let x9 = i2 * cos_psi;
         let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        let x11 = sin_psi * i1;
-        let x12 = (-(sin_theta * m * g))
+        let x11 = i1 * sin_psi;
+        let x12 = (-(m * g * l))
             .mul_add(
-                l,
+                sin_theta,
                 w3
                     .mul_add(
                         (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                        cos_psi * i1 * x10,
+                        i1 * cos_psi * x10,
                     ),
             );
         ::lagrangian::__private::SVector::from([
             sin_theta
                 .mul_add(
-                    (-(theta_dot * w3)).mul_add(i3, x10.mul_add(x11, x8 * x9)),
-                    cos_theta.mul_add(x6, (w1 * i1).mul_add(x5, w2 * i2 * x4)),
+                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
+                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
                 ),
-            (-(sin_psi * i2)).mul_add(x8, x12),
+            (-(i2 * sin_psi)).mul_add(x8, x12),
             w1.mul_add(w2 * (i2 - i1), x6),
         ])
     }
@@ -526,12 +526,12 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             psi,
         ]);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x0 = w3 * i3;
+        let x0 = i3 * w3;
         let x1 = phi_dot * sin_theta;
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
-        let x2 = w2 * i2;
+        let x2 = i2 * w2;
         let w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
-        let x3 = w1 * i1;
+        let x3 = i1 * w1;
         ::lagrangian::__private::SVector::from([
             sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
             (-sin_psi).mul_add(x2, cos_psi * x3),
@@ -551,7 +551,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             theta,
             psi,
         ]);
-        let x0 = cos_theta * i3;
+        let x0 = i3 * cos_theta;
         let x1 = cos_psi * cos_psi;
         let x2 = sin_psi * sin_psi;
         let x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
@@ -617,7 +617,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         ::lagrangian::__private::relative_pivots(
             [x15 - x11, x4, i3],
             [x21, x22, i3.abs()],
-            [(cos_theta * cos_theta).mul_add(i3, x15), x4, i3],
+            [i3.mul_add(cos_theta * cos_theta, x15), x4, i3],
         )
     }
 }
@@ -640,13 +640,13 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * (w3 * w3).mul_add(i3, (w1 * w1).mul_add(i1, w2 * w2 * i2))
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let theta: __S = state.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        theta.cos() * m * g * l
+        m * g * l * theta.cos()
     }
 }

@@ -1,10 +1,13 @@
 //! What is known of a model before any number is, as constants of its type.
 
+use core::ops::Range;
+
 use lagrangian_symbolic::OperationCount;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Implementation;
+use crate::declaration::Coordinate;
 use crate::documentation;
 use crate::names::{constant, placed, plain};
 
@@ -17,18 +20,25 @@ impl Implementation<'_> {
         let n = self.coordinates();
         let equations = documentation::equations(self);
         let documentation = documentation::of(self, &equations);
-        let names = self.symbols.coordinates.iter().map(plain);
+        let coordinates = &self.lowered.quantities.coordinates;
+        let names = coordinates.iter().map(ToString::to_string);
         let operations = self.operations();
-        let indices = self
-            .symbols
-            .coordinates
-            .iter()
-            .enumerate()
-            .map(|(i, coordinate)| {
-                let constant = placed(&constant(coordinate), coordinate);
-                let text = format!("The index of the coordinate `{}`.", plain(coordinate));
-                quote!(#[doc = #text] #visibility const #constant: usize = #i;)
-            });
+        let indices = indices(&self.declaration.clauses.coordinates);
+        let indices = indices.map(|(coordinate, indices)| {
+            let constant = placed(&constant(&coordinate.name), &coordinate.name);
+            let name = plain(&coordinate.name);
+            if coordinate.length.is_none() {
+                let text = format!("The index of the coordinate `{name}`.");
+                return quote!(#[doc = #text] #visibility const #constant: usize = #(#indices)*;);
+            }
+            let length = indices.len();
+            let text =
+                format!("The indices of the coordinates `{name}[0]`, `{name}[1]` and so on.");
+            quote! {
+                #[doc = #text]
+                #visibility const #constant: [usize; #length] = [#(#indices),*];
+            }
+        });
         quote! {
             #[doc = #documentation]
             impl #generics #name #arguments #conditions {
@@ -72,6 +82,17 @@ impl Implementation<'_> {
             }
         }
     }
+}
+
+/// The coordinates as they were declared, each with its index, or the indices of the members of a family.
+pub(crate) fn indices(
+    coordinates: &[Coordinate],
+) -> impl Iterator<Item = (&Coordinate, Range<usize>)> {
+    coordinates.iter().scan(0, |next, coordinate| {
+        let start = *next;
+        *next += coordinate.length.unwrap_or(1);
+        Some((coordinate, start..*next))
+    })
 }
 
 fn operation_count(count: &OperationCount) -> TokenStream {

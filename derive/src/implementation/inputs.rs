@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Implementation;
-use crate::names::plain;
+use crate::quantities::Component;
 
 impl Implementation<'_> {
     pub(super) fn inputs(&self) -> TokenStream {
@@ -14,8 +14,12 @@ impl Implementation<'_> {
         let (n, u) = (self.coordinates(), self.model.inputs as usize);
         let scalar = &self.scalar;
         let vector = quote!(::lagrangian::__private::SVector<#scalar, #u>);
-        let names = self.symbols.inputs.iter().map(plain);
-        let fields = &self.symbols.inputs;
+        let components = &self.lowered.quantities.inputs;
+        let names = components.iter().map(|input| input.label.to_string());
+        let fields = components.iter().map(|input| {
+            let Component { field, access, .. } = input;
+            quote!(#field #access)
+        });
         let arguments = [quote!(inputs: &#vector)];
         let driven = self.driven(&arguments, "_with");
         let matrix = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #u>);

@@ -6,6 +6,7 @@ use quote::quote;
 use super::Implementation;
 use crate::declaration::Declaration;
 use crate::names::{hygienic, placed, plain};
+use crate::value::Shape;
 
 impl Implementation<'_> {
     pub(super) fn outputs(&self) -> TokenStream {
@@ -16,11 +17,13 @@ impl Implementation<'_> {
         let n = self.coordinates();
         let scalar = &self.scalar;
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
-        let (results, definition) = results(self.declaration, scalar, &names);
+        let shapes = &self.lowered.outputs;
+        let named: Vec<_> = names.iter().copied().zip(shapes.iter().copied()).collect();
+        let (results, definition) = results(self.declaration, scalar, &named);
         let outputs = &self.methods.outputs;
         let write = |name: &str, arguments: &[TokenStream], accelerations: &TokenStream| {
             self.method(name, arguments, &quote!(Self::Outputs), outputs, |b| {
-                b.outputs(&results, &names, accelerations)
+                b.outputs(&results, &named, accelerations)
             })
         };
         let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
@@ -59,17 +62,18 @@ impl Implementation<'_> {
 pub(crate) fn results(
     declaration: &Declaration,
     scalar: &Ident,
-    outputs: &[&Ident],
+    outputs: &[(&Ident, Shape)],
 ) -> (Ident, TokenStream) {
     let name = &declaration.name;
     let visibility = &declaration.visibility;
     let results = placed(&format!("{}Outputs", plain(name)), name);
     let documentation = format!("The outputs of [`{name}`].");
-    let fields = outputs.iter().map(|output| {
+    let fields = outputs.iter().map(|(output, shape)| {
+        let ty = type_of(*shape, scalar);
         let mut name = (*output).clone();
         name.set_span(hygienic(output));
         let text = format!("The output `{}`.", plain(output));
-        quote!(#[doc = #text] #visibility #name: #scalar)
+        quote!(#[doc = #text] #visibility #name: #ty)
     });
     let definition = quote! {
         #[doc = #documentation]
@@ -85,4 +89,17 @@ pub(crate) fn results(
         }
     };
     (results, definition)
+}
+
+/// The type of a value.
+fn type_of(shape: Shape, scalar: &Ident) -> TokenStream {
+    match shape {
+        Shape::Scalar => quote!(#scalar),
+        Shape::Array { rows, columns: 1 } => {
+            quote!(::lagrangian::__private::SVector<#scalar, #rows>)
+        }
+        Shape::Array { rows, columns } => {
+            quote!(::lagrangian::__private::SMatrix<#scalar, #rows, #columns>)
+        }
+    }
 }

@@ -1,11 +1,12 @@
 //! Where the emitted code finds the values of symbols.
 
 use lagrangian_symbolic::Symbol;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Implementation;
 use crate::body::Source;
+use crate::quantities::Component;
 
 /// Where the values of inputs come from.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,20 +23,21 @@ pub(super) struct Reader<'a> {
 
 impl Source for Reader<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
-        let field = |names: &[Ident], i: u32| {
-            let name = &names[i as usize];
-            let name = self.implementation.scope.first_use(name).unwrap_or(name);
-            quote!(::lagrangian::__private::parameter(self.#name))
+        let lowered = self.implementation.lowered;
+        let field = |components: &[Component], i: u32| {
+            let Component { field, access, .. } = &components[i as usize];
+            let field = lowered.scope.first_use(field).unwrap_or(field);
+            quote!(::lagrangian::__private::parameter(self.#field #access))
         };
-        let names = &self.implementation.symbols;
+        let quantities = &lowered.quantities;
         match symbol {
             Symbol::Time => quote!(state.t),
             Symbol::Coordinate(i) => element(&quote!(state.q), i),
             Symbol::Velocity(i) => element(&quote!(state.v), i),
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
-            Symbol::Parameter(i) => field(&names.parameters, i),
+            Symbol::Parameter(i) => field(&quantities.parameters, i),
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
-            Symbol::Input(i) => field(&names.inputs, i),
+            Symbol::Input(i) => field(&quantities.inputs, i),
             Symbol::Prepared(i) => element(&quote!(prepared), i),
         }
     }

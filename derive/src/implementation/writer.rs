@@ -5,6 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::body::Body;
+use crate::value::Shape;
 
 /// The body of one method, in the shape that it returns.
 pub(super) struct Writer<'a> {
@@ -193,7 +194,7 @@ impl Writer<'_> {
     pub(super) fn outputs(
         &mut self,
         results: &Ident,
-        names: &[&Ident],
+        named: &[(&Ident, Shape)],
         accelerations: &TokenStream,
     ) -> TokenStream {
         let accelerates = self
@@ -203,7 +204,15 @@ impl Writer<'_> {
             .any(|symbol| matches!(symbol, Symbol::Acceleration(_)));
         let accelerations = accelerates.then(|| quote!(let accelerations = #accelerations;));
         let (statements, outputs) = self.phase(0);
-        quote!(#accelerations #statements #results { #(#names: #outputs),* })
+        let mut outputs = outputs.as_slice();
+        let fields = named.iter().map(|(name, shape)| {
+            let (components, rest) = outputs.split_at(shape.count());
+            outputs = rest;
+            let value = value(components, *shape);
+            quote!(#name: #value)
+        });
+        let fields: Vec<_> = fields.collect();
+        quote!(#accelerations #statements #results { #(#fields),* })
     }
 }
 
@@ -231,6 +240,15 @@ fn linearization(columns: &[TokenStream], n: usize) -> TokenStream {
             velocity: #velocity,
             time: #time,
         }
+    }
+}
+
+/// A value from its components.
+fn value(components: &[TokenStream], shape: Shape) -> TokenStream {
+    match shape {
+        Shape::Scalar => quote!(#(#components)*),
+        Shape::Array { columns: 1, .. } => vector(components),
+        Shape::Array { rows, .. } => matrix(components, rows),
     }
 }
 

@@ -1,0 +1,239 @@
+//! Vectors and matrices: how they are written, and what is computed with them.
+
+use lagrangian_symbolic::{Matrix, Rational};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, ExprArray, ExprRepeat};
+
+use super::repetition::stacked;
+use super::{Place, Translator};
+use crate::hints;
+use crate::value::{Shape, Value};
+
+/// The most components that a vector or matrix may have.
+const LARGEST: usize = 10_000;
+
+/// What is computed with vectors and matrices, by name; `dot` as a method alone.
+pub(crate) const FUNCTIONS: [&str; 18] = [
+    "cross",
+    "norm",
+    "norm_squared",
+    "normalize",
+    "transpose",
+    "trace",
+    "determinant",
+    "inverse",
+    "outer",
+    "component_mul",
+    "cross_matrix",
+    "diagonal",
+    "row",
+    "column",
+    "sum",
+    "product",
+    "len",
+    "identity",
+];
+
+/// How many arguments a function takes, if it is one of those here.
+pub(super) fn arity(name: &str) -> Option<usize> {
+    match name {
+        "dot" | "cross" | "outer" | "component_mul" | "row" | "column" => Some(2),
+        _ if FUNCTIONS.contains(&name) => Some(1),
+        _ => None,
+    }
+}
+
+impl Translator<'_> {
+    /// `[x, y, z]`, or `[[a, b], [c, d]]` row by row.
+    pub(super) fn array(&mut self, array: &ExprArray, place: Place) -> Option<Value> {
+        let values: Vec<_> = array
+            .elems
+            .iter()
+            .map(|element| self.translate(element, place))
+            .collect();
+        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        if values.is_empty() {
+            return self.reject(array, "write the components: `[x, y, z]`");
+        }
+        // A sum without terms is a zero among scalars.
+        let zero = self.graph.zero();
+        let scalar = |value| match value {
+            Value::Nothing => Value::Scalar(zero),
+            other => other,
+        };
+        let values: Vec<Value> = values.into_iter().map(scalar).collect();
+        match stacked(&values) {
+            Ok(matrix) => Some(Value::Array(matrix)),
+            Err(odd) => {
+                let message = hints::rows(values[0].shape(), values[odd].shape());
+                self.reject(&array.elems[odd], message)
+            }
+        }
+    }
+
+    /// `[0.0; 3]`.
+    pub(super) fn repeat(&mut self, repeat: &ExprRepeat, place: Place) -> Option<Value> {
+        let value = self.translate(&repeat.expr, place);
+        let length = self.integer(&repeat.len);
+        let (value, length) = (value?, length?);
+        let value = match value {
+            Value::Nothing => Value::Scalar(self.graph.zero()),
+            other => other,
+        };
+        let size = value.components().len().max(1);
+        match usize::try_from(length) {
+            Ok(length) if length > 0 && length <= LARGEST / size => {
+                match stacked(&vec![value.clone(); length]) {
+                    Ok(matrix) => Some(Value::Array(matrix)),
+                    Err(_) => {
+                        let message = hints::rows(value.shape(), value.shape());
+                        self.reject(&repeat.expr, message)
+                    }
+                }
+            }
+            _ => {
+                let message = format!("an array has from 1 to {LARGEST} components");
+                self.reject(&repeat.len, message)
+            }
+        }
+    }
+
+    /// A function of vectors and matrices, of `arguments` as they are written and their `values`.
+    pub(super) fn array_function(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        values: &[Value],
+        call: &dyn ToTokens,
+    ) -> Option<Value> {
+        let written = name.to_string();
+        if written == "identity" {
+            return self.identity(arguments[0]);
+        }
+        let Value::Array(first) = &values[0] else {
+            return self.reject(arguments[0], self.wants_array(&written, &values[0]));
+        };
+        match (written.as_str(), &values[1..]) {
+            ("row" | "column", _) => self.line(&written, first, arguments[1]),
+            (_, [Value::Array(second)]) => self.of_two(name, first, second),
+            (_, [other]) => {
+                let message = self.wants_array(&written, other);
+                self.reject(arguments[1], message)
+            }
+            _ => self.of_one(&written, first, call),
+        }
+    }
+
+    fn wants_array(&self, name: &str, value: &Value) -> String {
+        format!(
+            "`{name}` is of vectors and matrices, and this is {}",
+            value.shape()
+        )
+    }
+
+    /// The identity matrix with so many rows.
+    fn identity(&mut self, rows: &Expr) -> Option<Value> {
+        let written = self.integer(rows)?;
+        match usize::try_from(written) {
+            Ok(n) if n > 0 && n * n <= LARGEST => Some(Value::Array(self.graph.identity_matrix(n))),
+            _ => self.reject(
+                rows,
+                "the identity has from 1 to 100 rows: write `identity(3)`",
+            ),
+        }
+    }
+
+    fn line(&mut self, name: &str, matrix: &Matrix, index: &Expr) -> Option<Value> {
+        let line = if name == "row" {
+            let i = self.index_below(index, matrix.rows(), "rows", matrix)?;
+            matrix.row(i)
+        } else {
+            let i = self.index_below(index, matrix.columns(), "columns", matrix)?;
+            matrix.column(i)
+        };
+        line.map(Value::Array)
+    }
+
+    fn of_two(&mut self, name: &Ident, first: &Matrix, second: &Matrix) -> Option<Value> {
+        let graph = &mut self.graph;
+        let written = name.to_string();
+        let value = match written.as_str() {
+            "dot" => graph.dot_product(first, second).map(Value::Scalar),
+            "cross" => graph.cross_product(first, second).map(Value::Array),
+            "outer" => graph.outer_product(first, second).map(Value::Array),
+            _ => graph.component_product(first, second).map(Value::Array),
+        };
+        if value.is_some() {
+            return value;
+        }
+        let rule = match written.as_str() {
+            "cross" => "is of two vectors of 3 components",
+            "outer" => "is of two vectors",
+            _ => "is of two arrays of the same shape",
+        };
+        let message = format!(
+            "`{written}` {rule}, and here it is of {} and {}",
+            Shape::of(first),
+            Shape::of(second)
+        );
+        self.reject(name, message)
+    }
+
+    fn of_one(&mut self, name: &str, array: &Matrix, call: &dyn ToTokens) -> Option<Value> {
+        let graph = &mut self.graph;
+        let square = array.rows() == array.columns();
+        let few = array.rows() <= 4;
+        let is_vector = array.columns() == 1;
+        let wanted = match name {
+            "norm" => return Some(Value::Scalar(graph.norm(array))),
+            "norm_squared" => return Some(Value::Scalar(graph.norm_squared(array))),
+            "transpose" => return Some(Value::Array(array.transpose())),
+            "sum" => {
+                let terms = array.elements().iter();
+                let terms = terms.map(|term| (*term, Rational::ONE));
+                return Some(Value::Scalar(graph.sum(terms)));
+            }
+            "product" => {
+                let factors = array.elements().iter();
+                let factors = factors.map(|factor| (*factor, Rational::ONE));
+                return Some(Value::Scalar(graph.product(factors)));
+            }
+            "len" => {
+                let length = i64::try_from(array.elements().len()).unwrap_or(i64::MAX);
+                return Some(Value::Scalar(graph.integer(length)));
+            }
+            "normalize" => {
+                let norm = graph.norm(array);
+                if graph.is_zero(norm) {
+                    "a vector other than zero"
+                } else {
+                    let factor = graph.power(norm, &Rational::MINUS_ONE);
+                    return Some(Value::Array(graph.matrix_scaled(array, factor)));
+                }
+            }
+            "diagonal" if is_vector => {
+                return graph.diagonal_matrix(array).map(Value::Array);
+            }
+            "diagonal" if square => return array.diagonal().map(Value::Array),
+            "diagonal" => "a square matrix, or a vector that becomes the diagonal of one",
+            "trace" if square => return graph.trace(array).map(Value::Scalar),
+            "trace" => "a square matrix",
+            "determinant" if square && few => return graph.determinant(array).map(Value::Scalar),
+            "inverse" if square && few => match graph.inverse(array) {
+                Ok(inverse) => return Some(Value::Array(inverse)),
+                Err(_) => "a matrix whose determinant does not vanish",
+            },
+            "determinant" | "inverse" => "a square matrix of at most 4 rows",
+            _ => match graph.cross_matrix(array) {
+                Some(matrix) => return Some(Value::Array(matrix)),
+                None => "a vector of 3 components",
+            },
+        };
+        let message = format!(
+            "`{name}` is of {wanted}, and this is of {}",
+            Shape::of(array)
+        );
+        self.reject(call, message)
+    }
+}

@@ -1,0 +1,194 @@
+//! Functions, called by name or as methods.
+
+use lagrangian_symbolic::{Binary, Expression, Rational, Unary};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, ExprCall, ExprMethodCall};
+
+use super::array::arity;
+use super::repetition::without_parentheses;
+use super::{Place, Translator};
+use crate::hints;
+use crate::names::plain;
+use crate::scope::Meaning;
+use crate::value::Value;
+
+impl Translator<'_> {
+    pub(super) fn call(&mut self, call: &ExprCall, place: Place) -> Option<Value> {
+        let name = match &*call.func {
+            Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
+            _ => None,
+        };
+        let Some(name) = name else {
+            return self.reject(&call.func, hints::callee(&call.func));
+        };
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        if name == "dot" {
+            return self.time_derivative(call, &arguments, place);
+        }
+        if let Some(value) = self.rotation(name, call, &arguments, place) {
+            return value;
+        }
+        self.apply(name, &arguments, call, place)
+    }
+
+    pub(super) fn method(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
+        let name = plain(&call.method);
+        if let (Some(turbofish), true) = (&call.turbofish, hints::is_function(&name)) {
+            return self.reject(
+                turbofish,
+                format!("functions here take no type arguments: write `.{name}(…)`"),
+            );
+        }
+        if let Some(map) = self.repeated(call) {
+            return self.repetition(call, map, place);
+        }
+        if name == "map" {
+            return self.map(call, place);
+        }
+        if let (Expr::Range(_), false) = (without_parentheses(&call.receiver), name == "len") {
+            let message =
+                format!("write `(0..5).map(|i| …).sum()`, not `.{name}(…)`, behind a range");
+            return self.reject(&call.method, message);
+        }
+        if name == "len"
+            && call.args.is_empty()
+            && let Some(length) = self.length_of_family(&call.receiver)
+        {
+            return Some(Value::Scalar(self.graph.integer(length)));
+        }
+        let mut arguments = vec![&*call.receiver];
+        arguments.extend(&call.args);
+        self.apply(&call.method, &arguments, call, place)
+    }
+
+    /// `v.map(|x| …)` of an array, component by component.
+    fn map(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
+        if let Expr::Range(_) = without_parentheses(&call.receiver) {
+            let message = "what is mapped has to become one quantity: write `.sum()`, `.product()` or \
+                           `.collect()` behind it";
+            return self.reject(&call.method, message);
+        }
+        let (rows, columns) = match self.translate(&call.receiver, place)? {
+            Value::Array(array) => (array.rows(), array.columns()),
+            _ => (1, 1),
+        };
+        let values = self.mapped(call, place)?;
+        let elements: Vec<_> = values
+            .into_iter()
+            .map(|value| self.as_scalar(value, &call.args))
+            .collect::<Option<_>>()?;
+        lagrangian_symbolic::Matrix::new(rows, columns, elements).map(Value::Array)
+    }
+
+    /// How many members a family has that is spoken of as a whole.
+    fn length_of_family(&mut self, receiver: &Expr) -> Option<i64> {
+        let Expr::Path(path) = without_parentheses(receiver) else {
+            return None;
+        };
+        match self.scope.resolve(path.path.get_ident()?)? {
+            Meaning::Family(_, family) => i64::try_from(family.members.len()).ok(),
+            _ => None,
+        }
+    }
+
+    /// A function of the table, `sqrt`, `powi`, `powf` or `recip`, or one of vectors and matrices.
+    fn apply(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        call: impl ToTokens,
+        place: Place,
+    ) -> Option<Value> {
+        let written = name.to_string();
+        let unary = Unary::ALL
+            .into_iter()
+            .find(|function| function.name() == written);
+        let binary = Binary::ALL
+            .into_iter()
+            .find(|function| function.name() == written);
+        let of_arrays = arity(&written);
+        let expected = match written.as_str() {
+            "sqrt" | "recip" => 1,
+            "powi" => 2,
+            _ if unary.is_some() => 1,
+            _ if binary.is_some() => 2,
+            // The time derivative is no method.
+            "dot" if arguments.len() == 1 => return self.reject(name, hints::function("dot")),
+            _ => match of_arrays {
+                Some(arity) => arity,
+                None if self.scope.resolve(name).is_some() => {
+                    let message =
+                        format!("`{name}` is no function: write `{name} * (…)` for a product");
+                    return self.reject(name, message);
+                }
+                None => return self.reject(name, hints::function(&written)),
+            },
+        };
+        if arguments.len() != expected {
+            let message = format!(
+                "`{written}` takes {}: write `{}`",
+                if expected == 1 {
+                    "one argument"
+                } else {
+                    "two arguments"
+                },
+                hints::example(&written, expected),
+            );
+            return self.reject(call, message);
+        }
+        let values: Vec<_> = arguments
+            .iter()
+            .map(|argument| self.translate(argument, place))
+            .collect();
+        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        if of_arrays.is_some() {
+            return self.array_function(name, arguments, &values, &call);
+        }
+        let scalars: Vec<_> = values
+            .into_iter()
+            .zip(arguments)
+            .map(|(value, argument)| self.as_scalar(value, argument))
+            .collect();
+        let scalars: Vec<Expression> = scalars.into_iter().collect::<Option<_>>()?;
+        match (unary, binary) {
+            (Some(function), _) => Some(self.graph.unary(function, scalars[0])),
+            (_, Some(function)) => Some(self.graph.binary(function, scalars[0], scalars[1])),
+            _ => self.power(&written, arguments, &scalars),
+        }
+        .map(Value::Scalar)
+    }
+
+    fn power(
+        &mut self,
+        name: &str,
+        arguments: &[&Expr],
+        values: &[Expression],
+    ) -> Option<Expression> {
+        let exponent = match name {
+            "sqrt" => Rational::HALF,
+            "recip" => Rational::MINUS_ONE,
+            _ => match self
+                .graph
+                .as_constant(values[1])
+                .and_then(Rational::to_integer)
+            {
+                Some(exponent) if i32::try_from(exponent).is_ok() => Rational::integer(exponent),
+                _ => {
+                    return self.reject(
+                        arguments[1],
+                        "the exponent of `powi` is an integer constant: write `x.powi(2)`, or `x.powf(y)` \
+                         for any other exponent",
+                    );
+                }
+            },
+        };
+        if exponent.is_negative() && self.graph.is_zero(values[0]) {
+            return self.reject(
+                arguments[0],
+                "this divisor is zero: the quotient has no value anywhere",
+            );
+        }
+        Some(self.graph.power(values[0], &exponent))
+    }
+}

@@ -1,0 +1,145 @@
+//! The quantities that have values of their own, component by component: each is one symbol.
+
+use core::fmt;
+
+use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
+use proc_macro2::{Ident, TokenStream};
+
+use crate::declaration::{Declaration, Role};
+use crate::names::plain;
+use crate::value::{Index, Shape, Value};
+
+/// Coordinates, parameters and inputs, in the order in which symbols count them.
+pub(crate) struct Quantities {
+    pub(crate) coordinates: Vec<Label>,
+    pub(crate) parameters: Vec<Component>,
+    pub(crate) inputs: Vec<Component>,
+}
+
+/// A name with its indices, such as `theta[2]` or `inertia[(0, 1)]`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Label {
+    pub(crate) stem: String,
+    pub(crate) indices: Vec<Index>,
+}
+
+/// One component of a field.
+pub(crate) struct Component {
+    pub(crate) field: Ident,
+    pub(crate) label: Label,
+    /// What stands behind the field to read the component.
+    pub(crate) access: TokenStream,
+}
+
+impl Label {
+    /// The name of a local variable: `theta_2`, `inertia_0_1`.
+    pub(crate) fn variable(&self) -> String {
+        let mut name = self.stem.clone();
+        for index in &self.indices {
+            name.push_str(&match index {
+                Index::One(i) => format!("_{i}"),
+                Index::Pair { row, column } => format!("_{row}_{column}"),
+            });
+        }
+        name
+    }
+}
+
+impl fmt::Display for Label {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.stem)?;
+        self.indices
+            .iter()
+            .try_for_each(|index| write!(f, "{index}"))
+    }
+}
+
+impl Quantities {
+    pub(crate) fn new(declaration: &Declaration) -> Self {
+        let components = |role| {
+            let fields = declaration.fields_with(role);
+            let fields = fields.filter_map(|field| Some((field, field.shape_and_accesses()?)));
+            fields
+                .flat_map(|(field, (shape, accesses))| {
+                    let component = move |(i, access)| Component {
+                        field: field.name.clone(),
+                        label: Label {
+                            stem: plain(&field.name),
+                            indices: shape.index(i).into_iter().collect(),
+                        },
+                        access,
+                    };
+                    accesses.into_iter().enumerate().map(component)
+                })
+                .collect()
+        };
+        let coordinates = declaration.clauses.coordinates.iter();
+        Self {
+            coordinates: coordinates
+                .flat_map(|coordinate| {
+                    let label = |i: Option<usize>| Label {
+                        stem: plain(&coordinate.name),
+                        indices: i.into_iter().map(Index::One).collect(),
+                    };
+                    let indices = 0..coordinate.length.unwrap_or(1);
+                    indices.map(move |i| label(coordinate.length.map(|_| i)))
+                })
+                .collect(),
+            parameters: components(Role::Parameter),
+            inputs: components(Role::Input),
+        }
+    }
+
+    /// What a symbol is called in the emitted code.
+    pub(crate) fn variable(&self, symbol: Symbol) -> String {
+        let coordinate = |i: u32, suffix: &str| {
+            let name = self.coordinates.get(i as usize).map(Label::variable);
+            name.unwrap_or_default() + suffix
+        };
+        let component = |list: &[Component], i: u32| {
+            let name = list.get(i as usize).map(|found| found.label.variable());
+            name.unwrap_or_default()
+        };
+        match symbol {
+            Symbol::Time => "t".to_owned(),
+            Symbol::Coordinate(i) => coordinate(i, ""),
+            Symbol::Velocity(i) => coordinate(i, "_dot"),
+            Symbol::Acceleration(i) => coordinate(i, "_ddot"),
+            Symbol::Parameter(i) => component(&self.parameters, i),
+            Symbol::Input(i) => component(&self.inputs, i),
+            Symbol::Prepared(i) => format!("c{i}"),
+        }
+    }
+}
+
+/// The symbols of one kind, given out in order.
+pub(crate) struct Symbols {
+    kind: fn(u32) -> Symbol,
+    next: u32,
+}
+
+impl Symbols {
+    pub(crate) const fn of(kind: fn(u32) -> Symbol) -> Self {
+        Self { kind, next: 0 }
+    }
+
+    /// The next symbol.
+    pub(crate) fn scalar(&mut self, graph: &mut Graph) -> Value {
+        Value::Scalar(self.take(graph))
+    }
+
+    /// A value of which each component is a symbol.
+    pub(crate) fn value(&mut self, graph: &mut Graph, shape: Shape) -> Value {
+        let Shape::Array { rows, columns } = shape else {
+            return self.scalar(graph);
+        };
+        let elements = (0..rows * columns).map(|_| self.take(graph)).collect();
+        Matrix::new(rows, columns, elements).map_or(Value::Nothing, Value::Array)
+    }
+
+    fn take(&mut self, graph: &mut Graph) -> Expression {
+        let symbol = (self.kind)(self.next);
+        self.next = self.next.saturating_add(1);
+        graph.symbol(symbol)
+    }
+}
