@@ -34,15 +34,16 @@ impl QuasiVelocities {
         graph.substitute(&self.forms, &still)
     }
 
-    /// The same energy with each form primitive, what is constant in it moved into the inertia, and the
-    /// forms of fewer velocities first.
+    /// The same energy with each form primitive and [upright](upright), what is constant in it moved into
+    /// the inertia, and the forms of fewer velocities first.
     pub(crate) fn sorted(&self, graph: &mut Graph, coordinates: u32) -> Self {
         let matrix = self.kinematics(graph, coordinates);
         let offsets = self.offsets(graph, coordinates);
         let mut forms = Vec::with_capacity(matrix.len());
         for ((k, row), offset) in matrix.iter().enumerate().zip(offsets) {
             let length = row.iter().filter(|entry| !graph.is_zero(**entry)).count();
-            let (factor, form) = primitive(graph, row, offset);
+            let primitive = primitive(graph, row, offset);
+            let (factor, form) = upright(graph, row, primitive);
             forms.push((length, k, factor, form));
         }
         forms.sort_by_key(|(length, k, ..)| (*length, *k));
@@ -135,6 +136,25 @@ fn primitive(
     let factor = graph.product(constant);
     let factor = graph.scale(factor, &split.number);
     (factor, graph.product(varying))
+}
+
+/// A primitive form of a row, or its opposite: that of which the first coefficient has no minus in front,
+/// so that forms which build on each other do so with one sign, however they were written.
+fn upright(
+    graph: &mut Graph,
+    row: &[Expression],
+    (factor, form): (Expression, Expression),
+) -> (Expression, Expression) {
+    let first = row.iter().find(|entry| !graph.is_zero(**entry)).copied();
+    let Some(first) = first else {
+        return (factor, form);
+    };
+    let coefficient = graph.divide(first, factor);
+    if graph.has_minus(coefficient) {
+        (graph.negate(factor), graph.negate(form))
+    } else {
+        (factor, form)
+    }
 }
 
 /// Whether an expression is made of parameters alone.
