@@ -127,13 +127,15 @@ pub(crate) fn is_function(name: &str) -> bool {
 }
 
 fn functions() -> impl Iterator<Item = &'static str> {
-    let unary = Unary::ALL.into_iter().map(Unary::name);
-    let binary = Binary::ALL.into_iter().map(Binary::name);
-    unary
-        .chain(binary)
-        .chain(["sqrt", "powi", "recip", "dot"])
+    of_scalars()
         .chain(array::FUNCTIONS)
         .chain(rotation::FUNCTIONS)
+}
+
+fn of_scalars() -> impl Iterator<Item = &'static str> {
+    let unary = Unary::ALL.into_iter().map(Unary::name);
+    let binary = Binary::ALL.into_iter().map(Binary::name);
+    unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
 }
 
 /// How a function is written.
@@ -196,8 +198,9 @@ pub(crate) fn function(name: &str) -> String {
             return match similar(name, functions()) {
                 Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
                 None => format!(
-                    "unknown function `{name}`: write one of `{}`",
-                    functions().collect::<Vec<_>>().join("`, `")
+                    "unknown function `{name}`: write one of `{}`, or one of vectors and matrices such as \
+                     `cross`, `norm` and `rotation_zxz`",
+                    of_scalars().collect::<Vec<_>>().join("`, `")
                 ),
             };
         }

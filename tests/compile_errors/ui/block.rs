@@ -4,7 +4,7 @@ use lagrangian::Lagrangian;
 #[lagrangian(
     coordinates(theta),
     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
-    potential = { m * g * l * theta },
+    potential = { let height = -l * cos(theta); m * g * height },
 )]
 struct Model {
     m: f64,

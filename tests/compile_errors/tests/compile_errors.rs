@@ -3,7 +3,7 @@
 //!
 //! The texts are those of the toolchain in use when they were written, Rust 1.95. After a change of
 //! message, or of the toolchain, write them anew with `TRYBUILD=overwrite cargo test -p
-//! lagrangian-tests --test compile_errors`, and read the difference.
+//! lagrangian-compile-errors`, and read the difference.
 
 #[test]
 fn each_error_stands_at_its_token_and_says_what_to_write() {
