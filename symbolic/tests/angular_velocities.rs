@@ -2,15 +2,17 @@
 
 mod support;
 
-use lagrangian_symbolic::{Expression, Graph, Matrix, OperationCount, Program, Symbol};
+use lagrangian_symbolic::{
+    Axis, Expression, Graph, Matrix, NoRotation, OperationCount, Program, Rational, Symbol,
+};
 use support::draft::{Draft, value};
 use support::frames::{
-    Rows, SEQUENCES, angular_velocity, assert_near, by_coordinates, moving, rotation, rows,
-    transposed,
+    Rows, SEQUENCES, angular_velocity, assert_near, by_coordinates, elementary, moving, rotation,
+    rows, times, transposed,
 };
 use support::systems::{cardan_rates, euler_rates};
 
-/// What a difference may be wrong by: rounding of 1e-16 over a step of 1e-4.
+/// What a difference may be wrong by: roundings of 1e-16 over a step of 1e-4, and room for some of them.
 const DIFFERENCE: f64 = 1e-10;
 
 fn apply(matrix: &Rows, vector: [f64; 3]) -> [f64; 3] {
@@ -90,18 +92,189 @@ fn in_the_angles_of_the_book() {
 
 #[test]
 fn cost_what_the_closed_form_costs() {
-    // Two sums of two terms and one with a rate: 2 · (3 products, 1 sum) less what is shared.
+    // Of (4.4) six multiplications, three additions, and two angles.
     let mut draft = Draft::new(3);
     let book = euler_rates(&mut draft);
     let book = count(&draft.graph, &book);
     for sequence in SEQUENCES {
         let mut graph = Graph::new();
         let matrix = by_coordinates(&mut graph, sequence, 0);
-        for matrix in [matrix.clone(), written(&matrix)] {
+        for matrix in [written(&matrix), matrix] {
             let body = graph.angular_velocity(&matrix, 3).unwrap();
-            let inertial = graph.angular_velocity_inertial(&matrix, 3).unwrap();
             assert_eq!(count(&graph, body.elements()), book, "{sequence}");
+            let inertial = graph.angular_velocity_inertial(&matrix, 3).unwrap();
             assert_eq!(count(&graph, inertial.elements()), book, "{sequence}");
         }
     }
+    // Each rotation more turns the vector in a plane and adds a rate.
+    let mut graph = Graph::new();
+    let matrix = by_coordinates(&mut graph, "zxzxy", 0);
+    let found = graph.angular_velocity(&matrix, 5).unwrap();
+    let found = count(&graph, found.elements());
+    assert_eq!(found.additions, book.additions + 2 * 3);
+    assert_eq!(found.multiplications, book.multiplications + 2 * 4);
+}
+
+#[test]
+fn angles_are_any_expressions() {
+    // The second angle is q₁ + w t², the third q₀ q₁, the first goes by a parameter's share.
+    let mut draft = Draft::new(3);
+    let [a, b] = [0, 1].map(|i| draft.q(i));
+    let (share, w) = (draft.parameter(0), draft.parameter(1));
+    let time = draft.graph.symbol(Symbol::Time);
+    let square = draft.square(time);
+    let (first, third) = (draft.times(&[share, a]), draft.times(&[a, b]));
+    let drive = draft.times(&[w, square]);
+    let second = draft.plus(&[b, drive]);
+    let turns = [(Axis::Z, first), (Axis::X, second), (Axis::Y, third)];
+    let matrix = draft.graph.rotation(&turns);
+    let [share, w] = [0, 1].map(|i| value(Symbol::Parameter(i)));
+    let at = |t: f64| {
+        let [a, b, _] = angles(t);
+        rotation("zxy", &[share * a, b + w * t * t, a * b])
+    };
+    assert_velocities(&mut draft.graph, &matrix, at);
+    assert_velocities(&mut draft.graph, &written(&matrix), at);
+    // Where they are constant, nothing turns.
+    let fixed = draft.parameter(2);
+    let fixed = draft.graph.rotation(&[(Axis::Y, fixed)]);
+    let zero = Matrix::vector(vec![draft.graph.zero(); 3]);
+    assert_eq!(draft.graph.angular_velocity(&fixed, 3), Ok(zero));
+}
+
+#[test]
+fn factors_are_of_any_kind() {
+    // A joint, a mounting that is written in its parameters, a joint that is written by hand, and back.
+    let mut graph = Graph::new();
+    let first = by_coordinates(&mut graph, "zx", 0);
+    let [tilt, lean] = [0, 1].map(|i| graph.symbol(Symbol::Parameter(i)));
+    let mounting = graph.rotation(&[(Axis::X, tilt), (Axis::Z, lean)]);
+    let third = by_coordinates(&mut graph, "y", 2);
+    let wheel = graph.matrix_product(&first, &written(&mounting)).unwrap();
+    let wheel = graph.matrix_product(&wheel, &written(&third)).unwrap();
+    let both = graph.matrix_product(&wheel, &first.transpose()).unwrap();
+    let [tilt, lean] = [0, 1].map(|i| value(Symbol::Parameter(i)));
+    let at = |t: f64| {
+        let [a, b, c] = angles(t);
+        let first = rotation("zx", &[a, b]);
+        let wheel = times(&rotation("xz", &[tilt, lean]), &elementary('y', c));
+        times(&times(&first, &wheel), &transposed(&first))
+    };
+    assert_velocities(&mut graph, &both, at);
+    assert_velocities(&mut graph, &both.transpose(), |t| transposed(&at(t)));
+}
+
+#[test]
+fn a_rotation_by_hand_is_as_good_as_one_by_name() {
+    let mut draft = Draft::new(1);
+    let angle = draft.q(0);
+    let (sin, cos, v) = (draft.sin(angle), draft.cos(angle), draft.v(0));
+    let (minus, zero, one) = (
+        draft.graph.negate(sin),
+        draft.graph.zero(),
+        draft.graph.one(),
+    );
+    let elements = vec![cos, sin, zero, minus, cos, zero, zero, zero, one];
+    let matrix = Matrix::new(3, 3, elements).unwrap();
+    let expected = Ok(Matrix::vector(vec![zero, zero, v]));
+    assert_eq!(draft.graph.angular_velocity(&matrix, 1), expected);
+    assert_eq!(draft.graph.angular_velocity_inertial(&matrix, 1), expected);
+}
+
+/// The rotation matrix of Euler's parameters w, x, y, z.
+fn of_euler_parameters(graph: &mut Graph, [w, x, y, z]: [Expression; 4]) -> Matrix {
+    let vector = Matrix::vector(vec![x, y, z]);
+    let cross = graph.cross_matrix(&vector).unwrap();
+    let twice = graph.matrix_product(&cross, &cross).unwrap();
+    let along = graph.matrix_scaled(&cross, w);
+    let two = Rational::integer(2);
+    let one = graph.identity_matrix(3);
+    let terms = [(&one, Rational::ONE), (&along, two.clone()), (&twice, two)];
+    graph.matrix_sum(&terms).unwrap()
+}
+
+#[test]
+fn of_a_matrix_of_half_angles() {
+    // Euler's parameters of the rotation zxz, in sines and cosines of half angles.
+    let mut draft = Draft::new(3);
+    let [phi, theta, psi] = [0, 1, 2].map(|i| draft.q(i));
+    let (sum, difference) = (draft.plus(&[phi, psi]), draft.graph.subtract(phi, psi));
+    let [theta, sum, difference] = [theta, sum, difference].map(|x| draft.half(x));
+    let [[st, ct], [ss, cs], [sd, cd]] =
+        [theta, sum, difference].map(|x| [draft.sin(x), draft.cos(x)]);
+    let parameters = [[ct, cs], [st, cd], [st, sd], [ct, ss]].map(|x| draft.times(&x));
+    let matrix = of_euler_parameters(&mut draft.graph, parameters);
+    assert_velocities(&mut draft.graph, &matrix, |t| rotation("zxz", &angles(t)));
+    // What the rules of sums alone make of it has 18 additions and 39 multiplications.
+    let velocity = draft.graph.angular_velocity(&matrix, 3).unwrap();
+    let found = count(&draft.graph, velocity.elements());
+    assert!(
+        found.additions <= 8 && found.multiplications <= 18,
+        "{found:?}"
+    );
+}
+
+/// The diagonal matrix of three numbers.
+fn diagonal(graph: &mut Graph, numbers: [i64; 3]) -> Matrix {
+    let numbers = numbers.map(|number| graph.integer(number));
+    let vector = Matrix::vector(numbers.to_vec());
+    graph.diagonal_matrix(&vector).unwrap()
+}
+
+#[test]
+fn what_is_no_rotation_has_none() {
+    let mut graph = Graph::new();
+    let turn = by_coordinates(&mut graph, "zxz", 0);
+    let [q, r] = [3, 0].map(|i| graph.symbol(Symbol::Coordinate(i)));
+    let two = graph.integer(2);
+    let doubled = graph.matrix_scaled(&turn, two);
+    let stretched = graph.matrix_scaled(&turn, q);
+    let stretch = diagonal(&mut graph, [2, 2, 2]);
+    let with_stretch = graph.matrix_product(&turn, &stretch).unwrap();
+    let crossing = Matrix::vector(vec![q, r, two]);
+    let crossing = graph.cross_matrix(&crossing).unwrap();
+    // One sign of one element is wrong.
+    let mut elements = turn.elements().to_vec();
+    elements[4] = graph.negate(elements[4]);
+    let mistaken = Matrix::new(3, 3, elements).unwrap();
+    for matrix in [doubled, stretched, with_stretch, crossing, mistaken] {
+        let found = graph.angular_velocity(&matrix, 4);
+        assert_eq!(found, Err(NoRotation::Deformation));
+        let found = graph.angular_velocity_inertial(&matrix, 4);
+        assert_eq!(found, Err(NoRotation::Deformation));
+    }
+    let vector = turn.column(0).unwrap();
+    let found = graph.angular_velocity(&vector, 4);
+    assert_eq!(found, Err(NoRotation::Shape));
+}
+
+#[test]
+fn reflections_are_refused_unless_they_are_two() {
+    let mut graph = Graph::new();
+    let turn = by_coordinates(&mut graph, "zxz", 0);
+    let mirror = diagonal(&mut graph, [1, 1, -1]);
+    let mirrored = graph.matrix_product(&turn, &mirror).unwrap();
+    for matrix in [written(&mirrored), mirrored.clone()] {
+        let found = graph.angular_velocity(&matrix, 3);
+        assert_eq!(found, Err(NoRotation::Reflection));
+    }
+    // Both of its factors are reflections, and it is a rotation.
+    let back = graph.matrix_product(&mirrored, &mirror).unwrap();
+    assert_velocities(&mut graph, &back, |t| rotation("zxz", &angles(t)));
+}
+
+#[test]
+fn numbers_may_be_rounded() {
+    let mut graph = Graph::new();
+    let turn = by_coordinates(&mut graph, "z", 0);
+    let [s, c] = ["0.6427876097", "0.7660444431"].map(|x| Rational::from_decimal(x).unwrap());
+    let [minus, s, c] = [-&s, s, c].map(|x| graph.constant(&x));
+    let (zero, one) = (graph.zero(), graph.one());
+    let elements = vec![one, zero, zero, zero, c, s, zero, minus, c];
+    let mounting = Matrix::new(3, 3, elements).unwrap();
+    let both = graph.matrix_product(&turn, &mounting).unwrap();
+    let found = graph.angular_velocity(&both, 1).unwrap();
+    let v = graph.symbol(Symbol::Velocity(0));
+    let expected = vec![zero, graph.multiply(s, v), graph.multiply(c, v)];
+    assert_eq!(found, Matrix::vector(expected));
 }

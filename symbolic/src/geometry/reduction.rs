@@ -13,6 +13,8 @@ use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 
 /// For more angles than this not all combinations of sine and cosine are tried.
 const MOST_ANGLES: usize = 4;
+/// Higher powers of sines and cosines stay as they are.
+const HIGHEST_POWER: i64 = 8;
 
 /// The functions of each angle whose squares are replaced.
 type Choice = BTreeMap<Expression, Unary>;
@@ -41,7 +43,7 @@ impl Graph {
         for monomial in polynomial.keys() {
             for (base, exponent) in self.powers(*monomial) {
                 if let Some((_, angle)) = self.circular(base)
-                    && exponent >= Rational::integer(2)
+                    && halves(&exponent).is_some()
                 {
                     angles.insert(angle);
                 }
@@ -57,9 +59,9 @@ impl Graph {
             let mut odd = self.powers(*monomial);
             for (base, exponent) in &mut odd {
                 if self.circular(*base).is_some()
-                    && let Some(k) = exponent.to_integer().filter(|k| *k >= 2)
+                    && let Some((_, rest)) = halves(exponent)
                 {
-                    *exponent = Rational::integer(k % 2);
+                    *exponent = Rational::integer(rest);
                 }
             }
             let odd = self.product(odd);
@@ -84,49 +86,55 @@ impl Graph {
         self.sum(terms)
     }
 
-    /// A polynomial without squares of the chosen functions: f²ᵏ = (1 − g²)ᵏ.
+    /// A polynomial without squares of the chosen functions.
     fn replaced(&mut self, polynomial: &Polynomial, choice: &Choice) -> Polynomial {
-        let mut waiting: Vec<(Expression, Rational)> = polynomial.clone().into_iter().collect();
-        let mut replaced = Polynomial::new();
-        while let Some((monomial, coefficient)) = waiting.pop() {
-            if let Some([one, square]) = self.without_a_square(monomial, choice) {
-                waiting.push((square, -&coefficient));
-                waiting.push((one, coefficient));
-            } else {
-                let sum = replaced.entry(monomial).or_insert(Rational::ZERO);
-                *sum = &*sum + &coefficient;
+        let mut replaced = polynomial.clone();
+        for (angle, function) in choice {
+            let mut next = Polynomial::new();
+            for (monomial, coefficient) in replaced {
+                for (term, number) in self.without_squares(monomial, *function, *angle) {
+                    let sum = next.entry(term).or_insert(Rational::ZERO);
+                    *sum = &*sum + &(&number * &coefficient);
+                }
             }
+            next.retain(|_, coefficient| !coefficient.is_zero());
+            replaced = next;
         }
-        replaced.retain(|_, coefficient| !coefficient.is_zero());
         replaced
     }
 
-    /// The monomials r and r·g² of which r·f² is the difference, where f is chosen to be replaced.
-    fn without_a_square(
+    /// A monomial with f²ᵏ = (1 − g²)ᵏ multiplied out, where f is a sine and g the cosine or the other
+    /// way round.
+    fn without_squares(
         &mut self,
         monomial: Expression,
-        choice: &Choice,
-    ) -> Option<[Expression; 2]> {
+        function: Unary,
+        angle: Expression,
+    ) -> Vec<(Expression, Rational)> {
         let mut powers = self.powers(monomial);
-        let two = Rational::integer(2);
-        let (position, angle) = powers
+        let replaced = (function, angle);
+        let position = powers
             .iter()
-            .enumerate()
-            .find_map(|(position, (base, k))| {
-                let (function, angle) = self.circular(*base)?;
-                let is_square =
-                    choice.get(&angle) == Some(&function) && k.is_integer() && *k >= two;
-                is_square.then_some((position, angle))
-            })?;
-        powers[position].1 = &powers[position].1 - &two;
+            .position(|(base, _)| self.circular(*base) == Some(replaced));
+        let found = position.and_then(|position| Some((position, halves(&powers[position].1)?)));
+        let Some((position, (squares, rest))) = found else {
+            return vec![(monomial, Rational::ONE)];
+        };
+        powers[position].1 = Rational::integer(rest);
         let rest = self.product(powers);
-        let other = match choice.get(&angle)? {
+        let other = match function {
             Unary::Sin => Unary::Cos,
             _ => Unary::Sin,
         };
         let other = self.unary(other, angle);
-        let square = self.square(other);
-        Some([rest, self.multiply(rest, square)])
+        let mut terms = Vec::new();
+        let mut binomial = 1;
+        for k in 0..=squares {
+            let power = self.power(other, &Rational::integer(2 * k));
+            terms.push((self.multiply(rest, power), Rational::integer(binomial)));
+            binomial = -binomial * (squares - k) / (k + 1);
+        }
+        terms
     }
 
     /// A monomial as a product of powers.
@@ -146,6 +154,15 @@ impl Graph {
     }
 }
 
+/// How many squares are in a power with this exponent, and what is left, unless there are none or many.
+fn halves(exponent: &Rational) -> Option<(i64, i64)> {
+    let exponent = exponent.to_integer()?;
+    (2..=HIGHEST_POWER)
+        .contains(&exponent)
+        .then_some((exponent / 2, exponent % 2))
+}
+
+/// Whether all coefficients are positive, or all negative.
 fn has_one_sign(polynomial: &Polynomial) -> bool {
     let mut signs = polynomial.values().map(Rational::is_negative);
     let first = signs.next();
@@ -168,4 +185,80 @@ fn choices(angles: &BTreeSet<Expression>) -> Vec<Choice> {
         choice.collect()
     };
     (0..1 << angles.len()).map(combination).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draft::Draft;
+
+    /// Sine and cosine of the coordinates.
+    fn circular(draft: &mut Draft, coordinate: u32) -> [Expression; 2] {
+        let angle = draft.q(coordinate);
+        [draft.sin(angle), draft.cos(angle)]
+    }
+
+    #[test]
+    fn powers_are_replaced_up_to_the_eighth() {
+        for k in [2, 3, 4, 5] {
+            // Σ binom(k, j) sin²ʲ cos²⁽ᵏ⁻ʲ⁾ = 1.
+            let mut draft = Draft::new(1);
+            let [sine, cosine] = circular(&mut draft, 0);
+            let mut terms = Vec::new();
+            let mut binomial = 1;
+            for j in 0..=k {
+                let powers = [(sine, 2 * j), (cosine, 2 * (k - j))];
+                let powers = powers.map(|(x, n)| (x, Rational::integer(n)));
+                terms.push((draft.graph.product(powers), Rational::integer(binomial)));
+                binomial = binomial * (k - j) / (j + 1);
+            }
+            let whole = draft.graph.sum(terms);
+            let is_one = draft.graph.reduced(whole) == draft.graph.one();
+            assert_eq!(is_one, 2 * k <= HIGHEST_POWER, "{k}");
+            // The rules of sums see two terms at a time, of which none can go alone.
+            assert_ne!(draft.graph.simplest(whole), draft.graph.one());
+        }
+    }
+
+    #[test]
+    fn no_sum_becomes_a_difference() {
+        // sin²a + cos²a sin²b costs more than 1 − cos²a cos²b, which cancels.
+        let mut draft = Draft::new(2);
+        let [[sa, ca], [sb, cb]] = [0, 1].map(|i| circular(&mut draft, i));
+        let [sa, ca, sb, cb] = [sa, ca, sb, cb].map(|x| draft.square(x));
+        let second = draft.times(&[ca, sb]);
+        let sum = draft.plus(&[sa, second]);
+        let (one, product) = (draft.graph.one(), draft.times(&[ca, cb]));
+        let difference = draft.graph.subtract(one, product);
+        assert!(draft.graph.cost(&[difference]) < draft.graph.cost(&[sum]));
+        let reduced = draft.graph.reduced(sum);
+        assert_eq!(reduced, draft.graph.simplest(sum));
+        // What has both signs already may become any of them.
+        let x = draft.parameter(0);
+        let [scaled, shifted] = [sum, product].map(|y| draft.times(&[x, y]));
+        let mixed = draft.graph.sum([
+            (scaled, Rational::integer(3)),
+            (shifted, Rational::integer(3)),
+            (x, Rational::MINUS_ONE),
+        ]);
+        let twice = draft.graph.scale(x, &Rational::integer(2));
+        assert_eq!(draft.graph.reduced(mixed), twice);
+    }
+
+    #[test]
+    fn of_many_angles_all_squares_are_replaced_alike() {
+        // Π (sin² + cos²) over five angles.
+        let mut draft = Draft::new(5);
+        let mut product = vec![draft.graph.one()];
+        for i in 0..5 {
+            let squares = circular(&mut draft, i).map(|x| draft.square(x));
+            let pairs = product
+                .iter()
+                .flat_map(|x| squares.map(|square| (*x, square)));
+            let pairs: Vec<_> = pairs.collect();
+            product = pairs.iter().map(|(x, y)| draft.times(&[*x, *y])).collect();
+        }
+        let whole = draft.plus(&product);
+        assert_eq!(draft.graph.reduced(whole), draft.graph.one());
+    }
 }

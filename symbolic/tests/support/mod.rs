@@ -7,6 +7,7 @@ pub(crate) mod draft;
 pub(crate) mod dual;
 pub(crate) mod frames;
 pub(crate) mod machine;
+pub(crate) mod rows;
 pub(crate) mod systems;
 pub(crate) mod tree;
 

@@ -1,0 +1,99 @@
+//! Traces, determinants and inverses, against elimination in numbers.
+
+mod support;
+
+use lagrangian_symbolic::{Graph, Matrix, NoInverse, Rational};
+use support::draft::Draft;
+use support::rows::{
+    POINTS, Rows, assert_close, assert_value, evaluate, numbers, parameters, product,
+};
+
+/// By elimination with exchange of rows.
+fn determinant(mut rows: Rows) -> f64 {
+    let mut determinant = 1.0;
+    for k in 0..rows.len() {
+        let larger = |i: &usize, j: &usize| rows[*i][k].abs().total_cmp(&rows[*j][k].abs());
+        let pivot = (k..rows.len()).max_by(larger).unwrap();
+        if pivot != k {
+            rows.swap(pivot, k);
+            determinant = -determinant;
+        }
+        determinant *= rows[k][k];
+        let (upper, lower) = rows.split_at_mut(k + 1);
+        for row in lower {
+            let factor = row[k] / upper[k][k];
+            for (entry, above) in row.iter_mut().zip(&upper[k]) {
+                *entry -= factor * above;
+            }
+        }
+    }
+    determinant
+}
+
+#[test]
+fn determinants_and_inverses_up_to_four_rows() {
+    for n in 1..=4 {
+        let mut graph = Graph::new();
+        let a = parameters(&mut graph, n, n, 0);
+        let at = |point| numbers(n, n, 0, point);
+        let found = graph.determinant(&a).unwrap();
+        assert_value(&graph, found, |point| determinant(at(point)));
+        let inverse = graph.inverse(&a).unwrap();
+        let identity = graph.identity_matrix(n);
+        for point in 0..POINTS {
+            let inverse = evaluate(&graph, &inverse, point);
+            let one = evaluate(&graph, &identity, point);
+            assert_close(&product(&inverse, &at(point)), &one);
+            assert_close(&product(&at(point), &inverse), &one);
+        }
+        let trace = graph.trace(&a).unwrap();
+        assert_value(&graph, trace, |point| (0..n).map(|i| at(point)[i][i]).sum());
+    }
+}
+
+#[test]
+fn other_shapes_have_neither() {
+    let mut graph = Graph::new();
+    let wide = parameters(&mut graph, 2, 3, 0);
+    assert_eq!(graph.determinant(&wide), None);
+    assert_eq!(graph.trace(&wide), None);
+    assert_eq!(graph.inverse(&wide), Err(NoInverse::Shape));
+    let large = parameters(&mut graph, 5, 5, 0);
+    assert_eq!(graph.determinant(&large), None);
+    assert_eq!(graph.inverse(&large), Err(NoInverse::Shape));
+    assert!(graph.trace(&large).is_some());
+}
+
+#[test]
+fn a_determinant_that_vanishes_is_found_however_it_is_written() {
+    let mut graph = Graph::new();
+    let v = parameters(&mut graph, 3, 1, 0);
+    // [v]× v = 0, and v vᵀ has one dimension only.
+    let cross = graph.cross_matrix(&v).unwrap();
+    assert_eq!(graph.inverse(&cross), Err(NoInverse::Singular));
+    let outer = graph.outer_product(&v, &v).unwrap();
+    assert_eq!(graph.inverse(&outer), Err(NoInverse::Singular));
+    // sin 2x = 2 sin x cos x is no rule of the graph.
+    let mut draft = Draft::new(1);
+    let x = draft.q(0);
+    let twice = draft.plus(&[x, x]);
+    let (sin, cos, sin_twice) = (draft.sin(x), draft.cos(x), draft.sin(twice));
+    let two = draft.graph.integer(2);
+    let product = draft.times(&[two, sin]);
+    let matrix = Matrix::new(2, 2, vec![product, sin_twice, draft.graph.one(), cos]).unwrap();
+    assert_eq!(draft.graph.inverse(&matrix), Err(NoInverse::Singular));
+}
+
+#[test]
+fn an_inverse_divides_no_more_than_it_must() {
+    let mut graph = Graph::new();
+    let v = parameters(&mut graph, 3, 1, 0);
+    let diagonal = graph.diagonal_matrix(&v).unwrap();
+    let inverse = graph.inverse(&diagonal).unwrap();
+    let reciprocals = v.elements().iter();
+    let reciprocals = reciprocals
+        .map(|x| graph.power(*x, &Rational::MINUS_ONE))
+        .collect();
+    let expected = graph.diagonal_matrix(&Matrix::vector(reciprocals));
+    assert_eq!(Some(inverse), expected);
+}

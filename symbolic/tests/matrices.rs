@@ -1,0 +1,210 @@
+//! Matrices and vectors of expressions, against plain loops over numbers.
+
+mod support;
+
+use lagrangian_symbolic::{Graph, Matrix, Rational, Symbol};
+use support::draft::Draft;
+use support::rows::{Rows, assert_value, assert_values, numbers, parameters, product};
+
+#[test]
+fn elements_are_counted_column_by_column() {
+    let mut graph = Graph::new();
+    let matrix = parameters(&mut graph, 2, 3, 0);
+    let [a, b, c, d, e, f] = *matrix.elements() else {
+        panic!("there are six elements");
+    };
+    assert_eq!((matrix.rows(), matrix.columns()), (2, 3));
+    assert_eq!(matrix.get(0, 2), Some(e));
+    assert_eq!(matrix.get(1, 0), Some(b));
+    assert_eq!((matrix.get(2, 0), matrix.get(0, 3)), (None, None));
+    assert_eq!(matrix.row(1), Matrix::new(1, 3, vec![b, d, f]));
+    assert_eq!(matrix.column(1), Some(Matrix::vector(vec![c, d])));
+    assert_eq!((matrix.row(2), matrix.column(3)), (None, None));
+    let transpose = Matrix::new(3, 2, vec![a, c, e, b, d, f]).unwrap();
+    assert_eq!(matrix.transpose(), transpose);
+    assert_eq!(matrix.diagonal(), None);
+    let square = Matrix::new(2, 2, vec![a, b, c, d]).unwrap();
+    assert_eq!(square.diagonal(), Some(Matrix::vector(vec![a, d])));
+}
+
+#[test]
+fn shapes_must_fit_their_elements() {
+    let graph = Graph::new();
+    let one = graph.one();
+    assert_eq!(Matrix::new(2, 2, vec![one; 3]), None);
+    assert_eq!(Matrix::new(0, 3, Vec::new()), None);
+    assert_eq!(Matrix::new(usize::MAX, 2, vec![one; 2]), None);
+    let row = Matrix::new(1, 2, vec![one; 2]).unwrap();
+    assert_ne!(row, Matrix::vector(vec![one; 2]));
+}
+
+#[test]
+fn sums_and_multiples_are_by_element() {
+    let mut graph = Graph::new();
+    let [a, b] = [0, 6].map(|first| parameters(&mut graph, 2, 3, first));
+    let by_element = |point: u64, combine: fn(f64, f64) -> f64| {
+        let (a, b) = (numbers(2, 3, 0, point), numbers(2, 3, 6, point));
+        let rows = a.into_iter().zip(b);
+        let row = |(a, b): (Vec<f64>, Vec<f64>)| a.into_iter().zip(b).map(|(x, y)| combine(x, y));
+        rows.map(|pair| row(pair).collect()).collect()
+    };
+    let terms = [(&a, Rational::integer(2)), (&b, -&Rational::HALF)];
+    let sum = graph.matrix_sum(&terms).unwrap();
+    assert_values(&graph, &sum, |point| {
+        by_element(point, |x, y| 2.0 * x - 0.5 * y)
+    });
+    let both = graph.component_product(&a, &b).unwrap();
+    assert_values(&graph, &both, |point| by_element(point, |x, y| x * y));
+    let three = graph.integer(3);
+    let scaled = graph.matrix_scaled(&a, three);
+    assert_values(&graph, &scaled, |point| by_element(point, |x, _| 3.0 * x));
+    // Other shapes do not fit, and no terms have none.
+    let other = a.transpose();
+    let terms = [(&a, Rational::ONE), (&other, Rational::ONE)];
+    assert_eq!(graph.matrix_sum(&terms), None);
+    assert_eq!(graph.matrix_sum(&[]), None);
+    assert_eq!(graph.component_product(&a, &other), None);
+}
+
+#[test]
+fn what_is_added_to_its_opposite_is_zero() {
+    let mut graph = Graph::new();
+    let a = parameters(&mut graph, 2, 2, 0);
+    let terms = [(&a, Rational::ONE), (&a, Rational::MINUS_ONE)];
+    let zero = vec![graph.zero(); 4];
+    assert_eq!(graph.matrix_sum(&terms), Matrix::new(2, 2, zero));
+}
+
+#[test]
+fn products_of_all_shapes() {
+    for (n, m, l) in (0..64).map(|k| (k / 16 + 1, k / 4 % 4 + 1, k % 4 + 1)) {
+        let mut graph = Graph::new();
+        let a = parameters(&mut graph, n, m, 0);
+        let b = parameters(&mut graph, m, l, 16);
+        let found = graph.matrix_product(&a, &b).unwrap();
+        assert_values(&graph, &found, |point| {
+            product(&numbers(n, m, 0, point), &numbers(m, l, 16, point))
+        });
+        if m != l {
+            assert_eq!(graph.matrix_product(&a, &b.transpose()), None);
+        }
+    }
+}
+
+#[test]
+fn products_of_several_matrices_of_three_rows() {
+    // They remember their factors, which must not show, from either side.
+    let mut graph = Graph::new();
+    let [a, b, c] = [0, 9, 18].map(|first| parameters(&mut graph, 3, 3, first));
+    let v = parameters(&mut graph, 3, 1, 27);
+    let both = graph.matrix_product(&a, &b).unwrap();
+    let all = graph.matrix_product(&both, &c.transpose()).unwrap();
+    let expected = |point: u64| {
+        let [a, b] = [0, 9].map(|first| numbers(3, 3, first, point));
+        let c = numbers(3, 3, 18, point);
+        let c: Rows = (0..3).map(|i| (0..3).map(|j| c[j][i]).collect()).collect();
+        product(&product(&a, &b), &c)
+    };
+    let vector = |point| numbers(3, 1, 27, point);
+    assert_values(&graph, &all, expected);
+    let column = graph.matrix_product(&all, &v).unwrap();
+    assert_values(&graph, &column, |point| {
+        product(&expected(point), &vector(point))
+    });
+    let row = graph.matrix_product(&v.transpose(), &all).unwrap();
+    assert_values(&graph, &row, |point| {
+        let row = vec![vector(point).concat()];
+        product(&row, &expected(point))
+    });
+}
+
+#[test]
+fn one_is_neutral() {
+    let mut graph = Graph::new();
+    let a = parameters(&mut graph, 3, 3, 0);
+    let one = graph.identity_matrix(3);
+    assert_eq!(graph.matrix_product(&a, &one), Some(a.clone()));
+    assert_eq!(graph.matrix_product(&one, &a), Some(a));
+    let ones = Matrix::vector(vec![graph.one(); 3]);
+    assert_eq!(graph.diagonal_matrix(&ones), Some(one.clone()));
+    assert_eq!(graph.diagonal_matrix(&ones.transpose()), Some(one.clone()));
+    assert_eq!(graph.diagonal_matrix(&one), None);
+}
+
+#[test]
+fn products_of_vectors() {
+    let mut graph = Graph::new();
+    let [u, v] = [0, 3].map(|first| parameters(&mut graph, 3, 1, first));
+    let (row_u, row_v) = (u.transpose(), v.transpose());
+    let at = |point| [0, 3].map(|first| numbers(3, 1, first, point).concat());
+    let dot = |point| {
+        let [u, v] = at(point);
+        u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+    };
+    let cross = |point| {
+        let [u, v] = at(point);
+        let component = |j: usize, k: usize| u[j] * v[k] - u[k] * v[j];
+        vec![component(1, 2), component(2, 0), component(0, 1)]
+    };
+    for (u, v) in [(&u, &v), (&row_u, &row_v)] {
+        let found = graph.dot_product(u, v).unwrap();
+        assert_value(&graph, found, dot);
+        let found = graph.cross_product(u, v).unwrap();
+        assert_eq!(found.shape(), u.shape());
+        let components = Matrix::vector(found.elements().to_vec());
+        assert_values(&graph, &components, |point| {
+            cross(point).into_iter().map(|x| vec![x]).collect()
+        });
+        let outer = graph.outer_product(u, v).unwrap();
+        assert_values(&graph, &outer, |point| {
+            let [u, v] = at(point);
+            let row = |x: &f64| v.iter().map(|y| x * y).collect();
+            u.iter().map(row).collect()
+        });
+    }
+    let crossing = graph.cross_matrix(&u).unwrap();
+    let crossed = graph.matrix_product(&crossing, &v);
+    assert_eq!(crossed, graph.cross_product(&u, &v));
+    let norm = graph.norm(&u);
+    assert_value(&graph, norm, |point| {
+        at(point)[0].iter().map(|x| x * x).sum::<f64>().sqrt()
+    });
+    let square = graph.norm_squared(&u);
+    assert_eq!(Some(square), graph.dot_product(&u, &u));
+}
+
+#[test]
+fn what_is_no_vector_has_no_such_products() {
+    let mut graph = Graph::new();
+    let three = parameters(&mut graph, 3, 1, 0);
+    let four = parameters(&mut graph, 4, 1, 0);
+    let square = parameters(&mut graph, 3, 3, 0);
+    for (x, y) in [
+        (&three, &four),
+        (&three, &three.transpose()),
+        (&square, &square),
+    ] {
+        assert_eq!(graph.dot_product(x, y), None);
+        assert_eq!(graph.cross_product(x, y), None);
+    }
+    assert_eq!(graph.cross_product(&four, &four), None);
+    assert_eq!(graph.outer_product(&three, &square), None);
+    assert_eq!(graph.cross_matrix(&square), None);
+    assert_eq!(graph.cross_matrix(&four), None);
+}
+
+#[test]
+fn time_goes_on_in_each_element() {
+    let mut draft = Draft::new(1);
+    let (q, a) = (draft.q(0), draft.parameter(0));
+    let t = draft.graph.symbol(Symbol::Time);
+    let elements = vec![draft.sin(q), a, draft.times(&[a, t]), draft.square(q)];
+    let matrix = Matrix::new(2, 2, elements).unwrap();
+    let rate = draft.graph.matrix_time_derivative(&matrix, 1);
+    let (v, cos) = (draft.v(0), draft.cos(q));
+    let swing = draft.times(&[cos, v]);
+    let twice = draft.times(&[q, v]);
+    let twice = draft.plus(&[twice, twice]);
+    let expected = Matrix::new(2, 2, vec![swing, draft.graph.zero(), a, twice]).unwrap();
+    assert_eq!(rate, expected);
+}

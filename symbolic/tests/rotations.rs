@@ -1,0 +1,175 @@
+//! Rotation matrices: what they are, what they make of vectors, and what that costs.
+
+mod support;
+
+use lagrangian_symbolic::{
+    Axis, Expression, Graph, Matrix, OperationCount, Program, Rational, Symbol,
+};
+use support::draft::{Draft, value};
+use support::frames::{SEQUENCES, assert_near, by_coordinates, rotation, rows};
+
+const ROUNDING: f64 = 1e-14;
+
+fn coordinates() -> [f64; 3] {
+    [0, 1, 2].map(|i| value(Symbol::Coordinate(i)))
+}
+
+fn count(graph: &Graph, matrix: &Matrix) -> OperationCount {
+    Program::schedule(graph, &[matrix.elements()]).count()
+}
+
+/// Additions and multiplications.
+fn arithmetic(graph: &Graph, matrix: &Matrix) -> (usize, usize) {
+    let count = count(graph, matrix);
+    (count.additions, count.multiplications)
+}
+
+fn vector(graph: &mut Graph) -> Matrix {
+    Matrix::vector([0, 1, 2].map(|i| graph.symbol(Symbol::Parameter(i))).into())
+}
+
+#[test]
+fn all_sequences_are_products_of_elementary_rotations() {
+    for sequence in SEQUENCES {
+        let mut graph = Graph::new();
+        let matrix = by_coordinates(&mut graph, sequence, 0);
+        let expected = rotation(sequence, &coordinates());
+        assert_near(
+            &rows(&graph, &matrix).concat(),
+            &expected.concat(),
+            ROUNDING,
+        );
+        // RᵀR = 1: by its factors, and by its elements.
+        let back = matrix.transpose();
+        let one = graph.identity_matrix(3);
+        assert_eq!(graph.matrix_product(&back, &matrix), Some(one.clone()));
+        assert_eq!(graph.matrix_product(&matrix, &back), Some(one.clone()));
+        let forgetful = Matrix::new(3, 3, matrix.elements().to_vec()).unwrap();
+        let product = graph.matrix_product(&forgetful.transpose(), &forgetful);
+        let product = rows(&graph, &product.unwrap());
+        assert_near(&product.concat(), &rows(&graph, &one).concat(), ROUNDING);
+        assert_eq!(graph.determinant(&matrix), Some(graph.one()));
+        assert_eq!(graph.determinant(&forgetful), Some(graph.one()));
+        assert_eq!(graph.inverse(&matrix), Ok(back));
+    }
+}
+
+#[test]
+fn neighbours_about_one_axis_are_one_rotation() {
+    let mut draft = Draft::new(3);
+    let [a, b, c] = [0, 1, 2].map(|i| draft.q(i));
+    let (both, zero) = (draft.plus(&[a, b]), draft.graph.zero());
+    let sequence = [(Axis::Z, a), (Axis::X, zero), (Axis::Z, b), (Axis::X, c)];
+    let merged = draft.graph.rotation(&sequence);
+    let expected = draft.graph.rotation(&[(Axis::Z, both), (Axis::X, c)]);
+    assert_eq!(merged, expected);
+    // Also where the first goes back: Rz(a)ᵀ Rz(b) = Rz(b − a), Rz(a)ᵀ Rz(b)ᵀ = Rz(a + b)ᵀ.
+    let [first, second] = [a, b].map(|x| draft.graph.rotation(&[(Axis::Z, x)]));
+    let product = draft.graph.matrix_product(&first.transpose(), &second);
+    let difference = draft.graph.subtract(b, a);
+    assert_eq!(
+        product,
+        Some(draft.graph.rotation(&[(Axis::Z, difference)]))
+    );
+    let product = draft
+        .graph
+        .matrix_product(&first.transpose(), &second.transpose());
+    let expected = draft.graph.rotation(&[(Axis::Z, both)]).transpose();
+    assert_eq!(product, Some(expected));
+    // What meets when a pair is gone merges in turn.
+    let there = [(Axis::Z, a), (Axis::X, b), (Axis::Y, c)];
+    let there = draft.graph.rotation(&there);
+    let turn = draft.graph.rotation(&[(Axis::Z, b)]);
+    let back = draft
+        .graph
+        .matrix_product(&turn, &there.transpose())
+        .unwrap();
+    let product = draft.graph.matrix_product(&back, &there);
+    assert_eq!(product, Some(turn));
+    assert_eq!(draft.graph.rotation(&[]), draft.graph.identity_matrix(3));
+}
+
+#[test]
+fn a_vector_along_an_axis_has_no_dead_terms() {
+    // The weight of a top at l along its axis: l (sin φ sin θ, −cos φ sin θ, cos θ).
+    let mut draft = Draft::new(3);
+    let top = by_coordinates(&mut draft.graph, "zxz", 0);
+    let (l, zero) = (draft.parameter(0), draft.graph.zero());
+    let along = Matrix::vector(vec![zero, zero, l]);
+    let found = draft.graph.matrix_product(&top, &along).unwrap();
+    let (phi, theta) = (draft.q(0), draft.q(1));
+    let (sf, cf) = (draft.sin(phi), draft.cos(phi));
+    let (st, ct) = (draft.sin(theta), draft.cos(theta));
+    let (x, y, z) = (
+        draft.times(&[l, sf, st]),
+        draft.times(&[l, cf, st]),
+        draft.times(&[l, ct]),
+    );
+    let expected = Matrix::vector(vec![x, draft.graph.negate(y), z]);
+    assert_eq!(found, expected);
+    let square = draft.graph.norm_squared(&found);
+    assert_eq!(square, draft.square(l));
+}
+
+#[test]
+fn a_general_vector_is_turned_by_one_factor_after_the_other() {
+    let mut graph = Graph::new();
+    let turn = by_coordinates(&mut graph, "zyx", 0);
+    let forgetful = Matrix::new(3, 3, turn.elements().to_vec()).unwrap();
+    let v = vector(&mut graph);
+    let by_factors = graph.matrix_product(&turn, &v).unwrap();
+    let by_elements = graph.matrix_product(&forgetful, &v).unwrap();
+    let same = |graph: &Graph, x: &Matrix, y: &Matrix| {
+        let [x, y] = [x, y].map(|matrix| graph.evaluate(matrix.elements(), value));
+        assert_near(&x, &y, ROUNDING);
+    };
+    same(&graph, &by_factors, &by_elements);
+    // Three rotations in a plane, of four multiplications and two additions each.
+    assert_eq!(arithmetic(&graph, &by_factors), (6, 12));
+    // The same for a row, and on the way back.
+    let row = graph.matrix_product(&v.transpose(), &turn).unwrap();
+    let back = graph.matrix_product(&turn.transpose(), &v).unwrap();
+    assert_eq!(row, back.transpose());
+    assert_eq!(arithmetic(&graph, &back), (6, 12));
+    let elements = graph.matrix_product(&forgetful.transpose(), &v).unwrap();
+    same(&graph, &back, &elements);
+}
+
+#[test]
+fn elements_are_taken_where_they_are_cheaper() {
+    // A rotation that is written out and its transpose are 1 as a product of elements only.
+    let mut graph = Graph::new();
+    let turn = by_coordinates(&mut graph, "z", 0);
+    let forgetful = Matrix::new(3, 3, turn.elements().to_vec()).unwrap();
+    let product = graph.matrix_product(&forgetful.transpose(), &forgetful);
+    let product = product.unwrap();
+    let v = vector(&mut graph);
+    assert_eq!(graph.matrix_product(&product, &v), Some(v.clone()));
+    let row = v.transpose();
+    assert_eq!(graph.matrix_product(&row, &product), Some(row));
+}
+
+/// The operations of the positions of all links of a chain, each turned against the one before it by
+/// two angles.
+fn chain(links: u32) -> usize {
+    let mut graph = Graph::new();
+    let v = vector(&mut graph);
+    let mut frame = graph.identity_matrix(3);
+    let mut position = Matrix::vector(vec![graph.zero(); 3]);
+    let mut positions: Vec<Expression> = Vec::new();
+    for link in 0..links {
+        let joint = by_coordinates(&mut graph, "xy", 2 * link);
+        frame = graph.matrix_product(&frame, &joint).unwrap();
+        let arm = graph.matrix_product(&frame, &v).unwrap();
+        let terms = [(&position, Rational::ONE), (&arm, Rational::ONE)];
+        position = graph.matrix_sum(&terms).unwrap();
+        positions.extend(position.elements());
+    }
+    Program::schedule(&graph, &[&positions]).count().cost()
+}
+
+#[test]
+fn a_chain_costs_as_much_for_each_link() {
+    let [first, second, third] = [10, 20, 30].map(chain);
+    assert_eq!(third - second, second - first, "{first} {second} {third}");
+}
