@@ -62,6 +62,7 @@ impl SymbolNames {
             Symbol::Parameter(i) => of(&self.parameters, i),
             Symbol::Input(i) => of(&self.inputs, i),
             Symbol::Prepared(i) => format!("c{i}"),
+            Symbol::Argument(i) => format!("argument{i}"),
         }
     }
 }

@@ -37,6 +37,7 @@ impl Source for Reader<'_> {
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&names.inputs, i),
             Symbol::Prepared(i) => element(&quote!(prepared), i),
+            Symbol::Argument(i) => element(&quote!(arguments), i),
         }
     }
 }

@@ -6,6 +6,7 @@ pub(crate) mod bounded;
 pub(crate) mod draft;
 pub(crate) mod dual;
 pub(crate) mod machine;
+pub(crate) mod outside;
 pub(crate) mod systems;
 pub(crate) mod tree;
 
@@ -46,6 +47,10 @@ pub(crate) fn evaluate<N: Number>(
                 .fold(one, |product, (x, k)| product.multiply(of(*x).power(k))),
             Node::Unary(function, x) => of(*x).unary(*function),
             Node::Binary(function, x, y) => of(*x).binary(*function, of(*y)),
+            Node::Application(function, arguments) => {
+                let arguments: Vec<N> = arguments.iter().map(|x| of(*x)).collect();
+                outside::value(*function, &arguments)
+            }
             Node::Whole(x) => of(*x),
         };
     }
