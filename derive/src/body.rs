@@ -235,6 +235,8 @@ impl<'a> Body<'a> {
                 let (x, y) = (next(), next());
                 (call(x, function.name(), Some(y)), Level::Atom)
             }
+            // No declaration has functions from outside.
+            Operation::Application(..) => (TokenStream::new(), Level::Atom),
         };
         Text {
             tokens,

@@ -12,6 +12,7 @@ pub(crate) mod product;
 pub(crate) mod expansion;
 pub(crate) mod call;
 pub(crate) mod function;
+pub(crate) mod outside;
 pub(crate) mod dependence;
 pub(crate) mod derivative;
 pub(crate) mod substitution;

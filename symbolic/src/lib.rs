@@ -16,6 +16,7 @@ pub use algebra::contents::Contents;
 pub use algebra::derivative::Direction;
 pub use algebra::function::{Binary, Symmetry, Unary};
 pub use algebra::graph::{Expression, Graph, Node};
+pub use algebra::outside::Function;
 pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
 pub use decision::point::Point;

@@ -39,6 +39,7 @@ impl Source for Reader<'_> {
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&quantities.inputs, i),
             Symbol::Prepared(i) => element(&quote!(prepared), i),
+            Symbol::Argument(i) => element(&quote!(arguments), i),
         }
     }
 }

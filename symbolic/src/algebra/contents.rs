@@ -7,17 +7,18 @@ use crate::{Node, Symbol, Unary};
 
 /// The kinds of symbols that an expression contains, and whether it contains an absolute value.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Contents(u8);
+pub struct Contents(u16);
 
 impl Contents {
-    const TIME: u8 = 1;
-    const COORDINATE: u8 = 1 << 1;
-    const VELOCITY: u8 = 1 << 2;
-    const ACCELERATION: u8 = 1 << 3;
-    const PARAMETER: u8 = 1 << 4;
-    const INPUT: u8 = 1 << 5;
-    const PREPARED: u8 = 1 << 6;
-    const ABSOLUTE_VALUE: u8 = 1 << 7;
+    const TIME: u16 = 1;
+    const COORDINATE: u16 = 1 << 1;
+    const VELOCITY: u16 = 1 << 2;
+    const ACCELERATION: u16 = 1 << 3;
+    const PARAMETER: u16 = 1 << 4;
+    const INPUT: u16 = 1 << 5;
+    const PREPARED: u16 = 1 << 6;
+    const ABSOLUTE_VALUE: u16 = 1 << 7;
+    const ARGUMENT: u16 = 1 << 8;
 
     /// What a node contains, where `known` says it of the nodes before.
     pub(crate) fn of(node: &Node, known: &[Self]) -> Self {
@@ -30,7 +31,7 @@ impl Contents {
         Self(contents)
     }
 
-    const fn symbol(symbol: Symbol) -> u8 {
+    const fn symbol(symbol: Symbol) -> u16 {
         match symbol {
             Symbol::Time => Self::TIME,
             Symbol::Coordinate(_) => Self::COORDINATE,
@@ -39,6 +40,7 @@ impl Contents {
             Symbol::Parameter(_) => Self::PARAMETER,
             Symbol::Input(_) => Self::INPUT,
             Symbol::Prepared(_) => Self::PREPARED,
+            Symbol::Argument(_) => Self::ARGUMENT,
         }
     }
 

@@ -104,6 +104,17 @@ impl Graph {
                 let along_y = self.multiply(over_y, of(y));
                 self.add(along_x, along_y)
             }
+            Node::Application(function, ref arguments) => {
+                let arguments = arguments.to_vec();
+                let mut terms = Vec::new();
+                for (position, x) in arguments.iter().enumerate() {
+                    if of(*x) != zero {
+                        let slope = self.slope(function, position, &arguments);
+                        terms.push((self.multiply(slope, of(*x)), Rational::ONE));
+                    }
+                }
+                self.sum(terms)
+            }
         }
     }
 

@@ -1,11 +1,24 @@
 //! Values of expressions, node by node: the oracle of tests.
 
-use crate::{Expression, Graph, Node, Rational, Symbol};
+use crate::{Expression, Function, Graph, Node, Rational, Symbol};
 
 impl Graph {
     /// The values of the roots in binary64, where `value` gives those of the symbols.
+    ///
+    /// Those of functions from outside are not known: NaN.
     #[must_use]
     pub fn evaluate(&self, roots: &[Expression], value: impl Fn(Symbol) -> f64) -> Vec<f64> {
+        self.evaluate_with(roots, value, |_, _| f64::NAN)
+    }
+
+    /// The values of the roots in binary64, where `outside` gives those of functions from outside.
+    #[must_use]
+    pub fn evaluate_with(
+        &self,
+        roots: &[Expression],
+        value: impl Fn(Symbol) -> f64,
+        outside: impl Fn(Function, &[f64]) -> f64,
+    ) -> Vec<f64> {
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         let mut values = vec![f64::NAN; length];
@@ -19,6 +32,10 @@ impl Graph {
                 Node::Product(factors) => factors.iter().map(|(x, k)| power(of(*x), k)).product(),
                 Node::Unary(function, x) => function.value(of(*x)),
                 Node::Binary(function, x, y) => function.value(of(*x), of(*y)),
+                Node::Application(function, arguments) => {
+                    let arguments: Vec<_> = arguments.iter().map(|x| of(*x)).collect();
+                    outside(*function, &arguments)
+                }
                 Node::Whole(x) => of(*x),
             };
         }

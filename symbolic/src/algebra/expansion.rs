@@ -68,6 +68,7 @@ impl Graph {
                 | Node::Symbol(_)
                 | Node::Unary(..)
                 | Node::Binary(..)
+                | Node::Application(..)
                 | Node::Whole(_) => Polynomial::from([(part, Rational::ONE)]),
             };
             if polynomial.len() > MOST_TERMS {

@@ -17,8 +17,9 @@ use std::collections::BTreeSet;
 use crate::algebra::contents::Contents;
 use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
+use crate::algebra::outside::Outside;
 use crate::algebra::sum::Split;
-use crate::{Binary, Pass, Passes, Rational, Symbol, Unary};
+use crate::{Binary, Function, Pass, Passes, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -49,6 +50,8 @@ pub enum Node {
     Unary(Unary, Expression),
     /// A function of two arguments.
     Binary(Binary, Expression, Expression),
+    /// A function from outside, of as many arguments as it was declared with.
+    Application(Function, Box<[Expression]>),
     /// An expression that is kept whole: the sums and products that contain it do not take it apart.
     Whole(Expression),
 }
@@ -68,6 +71,7 @@ impl Node {
                 visit(*x);
                 visit(*y);
             }
+            Self::Application(_, arguments) => arguments.iter().for_each(|x| visit(*x)),
         }
     }
 }
@@ -86,6 +90,11 @@ impl Hash for Node {
                 let operands = u64::from(x.0) << 32 | u64::from(y.0);
                 mix(mix(5, *function as u64), operands)
             }
+            Self::Application(function, arguments) => arguments
+                .iter()
+                .fold(mix(7, function.index() as u64), |code, x| {
+                    mix(code, u64::from(x.0))
+                }),
             Self::Whole(x) => mix(6, u64::from(x.0)),
         };
         state.write_u64(code);
@@ -108,6 +117,8 @@ pub struct Graph {
     /// The passes that are applied to what is made of this graph.
     pub passes: Passes,
     contents: Vec<Contents>,
+    /// The functions from outside, in the order in which they came.
+    pub(crate) functions: Vec<Outside>,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: Table<Expression, Option<Split>>,
 }
@@ -126,6 +137,7 @@ impl Graph {
             nodes: Interner::default(),
             passes: Passes::default(),
             contents: Vec::new(),
+            functions: Vec::new(),
             splits: Table::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));

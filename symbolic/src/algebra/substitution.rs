@@ -40,6 +40,10 @@ impl Graph {
             }
             Node::Unary(function, x) => self.unary(function, of(x)),
             Node::Binary(function, x, y) => self.binary(function, of(x), of(y)),
+            Node::Application(function, ref arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(|x| of(*x)).collect();
+                self.apply(function, &arguments)
+            }
             Node::Whole(x) => self.whole(of(x)),
         }
     }

@@ -17,4 +17,6 @@ pub enum Symbol {
     Input(u32),
     /// What was computed beforehand from parameters alone.
     Prepared(u32),
+    /// An argument of a function from outside, in the expressions that are its derivatives.
+    Argument(u32),
 }

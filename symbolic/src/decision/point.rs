@@ -4,11 +4,12 @@
 //! random point modulo a prime of sixty bits with a probability of about its degree over 10¹⁸. Sine,
 //! cosine, exponential and hyperbolic functions are the homomorphisms that they are, so that
 //! sin² + cos² = 1 and all addition theorems hold; square roots and absolute values square to what
-//! they should. Every other function is an arbitrary function of the value of its argument.
+//! they should. Every other function, those from outside among them, is an arbitrary function of the
+//! values of its arguments.
 
 use crate::decision::evaluation::Evaluation;
 use crate::decision::residue::{self, Field};
-use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Function, Graph, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.
 #[derive(Clone, Copy, Debug)]
@@ -126,6 +127,9 @@ impl Point {
             }
             Node::Unary(function, x) => self.unary(*function, of(*x))?,
             Node::Binary(function, x, y) => self.binary(*function, of(*x).value, of(*y).value),
+            Node::Application(function, arguments) => {
+                self.apply(*function, arguments.iter().map(|x| of(*x).value))
+            }
         };
         Some(self.atom(value))
     }
@@ -153,6 +157,7 @@ impl Point {
             Symbol::Parameter(index) => (4, index),
             Symbol::Input(index) => (5, index),
             Symbol::Prepared(index) => (6, index),
+            Symbol::Argument(index) => (7, index),
         };
         let moved = u64::from(self.moved == Some(symbol));
         self.draw(16 + kind + 8 * moved, index.into()) % self.p()
@@ -220,6 +225,12 @@ impl Point {
             | Unary::Atanh
             | Unary::Ln => self.draw(128 + function as u64, x.value) % self.p(),
         })
+    }
+
+    /// A function from outside: an arbitrary one of the values of its arguments.
+    pub(crate) fn apply(self, function: Function, arguments: impl Iterator<Item = u64>) -> u64 {
+        let kind = 256 + function.index() as u64;
+        arguments.fold(self.draw(kind, 0), residue::mix) % self.p()
     }
 
     /// Σ cᵢ·xᵢ, in value and in phase.

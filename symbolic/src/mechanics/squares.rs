@@ -128,6 +128,10 @@ impl Degrees {
                 let still = self.of_expression(*x)? == 0 && self.of_expression(*y)? == 0;
                 still.then_some(0)
             }
+            Node::Application(_, arguments) => {
+                let mut degrees = arguments.iter().map(|x| self.of_expression(*x));
+                degrees.all(|degree| degree == Some(0)).then_some(0)
+            }
         }
     }
 

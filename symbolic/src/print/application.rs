@@ -3,7 +3,7 @@
 use crate::print::layout::{Factor, Layout, Piece, Shape};
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
-use crate::{Binary, Expression, Node, Rational, Unary};
+use crate::{Binary, Expression, Function, Node, Rational, Unary};
 
 impl<'a> Layout<'a> {
     pub(crate) fn factor(&self, line: &mut Vec<Piece<'a>>, factor: &Factor) {
@@ -103,15 +103,33 @@ impl<'a> Layout<'a> {
             (Notation::Latex, Binary::Min) => "\\min",
             (Notation::Latex, Binary::Max) => "\\max",
         };
+        line.push(Piece::Text(name.into()));
+        self.arguments(line, &[x, y]);
+    }
+
+    /// A function from outside, called by its name as it is written.
+    pub(crate) fn application(
+        &self,
+        line: &mut Vec<Piece<'a>>,
+        function: Function,
+        arguments: &[Expression],
+    ) {
+        let name = self.graph.function_name(function);
+        line.push(Piece::owned(self.notation.operator(name)));
+        self.arguments(line, arguments);
+    }
+
+    /// (x, y, …).
+    fn arguments(&self, line: &mut Vec<Piece<'a>>, arguments: &[Expression]) {
         let (open, close) = self.notation.parentheses();
-        line.extend([
-            Piece::Text(name.into()),
-            Piece::Open(open),
-            Piece::Whole(x),
-            Piece::Text(", ".into()),
-            Piece::Whole(y),
-            Piece::Close(close),
-        ]);
+        line.push(Piece::Open(open));
+        for (position, argument) in arguments.iter().enumerate() {
+            if position > 0 {
+                line.push(Piece::Text(", ".into()));
+            }
+            line.push(Piece::Whole(*argument));
+        }
+        line.push(Piece::Close(close));
     }
 
     fn real_power(&self, line: &mut Vec<Piece<'a>>, x: Expression, y: Expression) {

@@ -133,6 +133,7 @@ impl<'a> Layout<'a> {
             Node::Product(factors) => self.product(line, &Rational::ONE, factors),
             Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
             Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
+            Node::Application(function, arguments) => self.application(line, *function, arguments),
             Node::Whole(x) => self.enclosed(line, true, *x),
         }
     }
@@ -213,7 +214,8 @@ impl<'a> Layout<'a> {
             | Node::Symbol(_)
             | Node::Whole(_)
             | Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _)
-            | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max, ..) => Shape::Atom,
+            | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max, ..)
+            | Node::Application(..) => Shape::Atom,
             Node::Sum(terms) => match &**terms {
                 [(_, c)] if !c.is_negative() => Shape::Product,
                 _ => Shape::Sum,

@@ -86,6 +86,7 @@ impl Letters {
             Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
             Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
             Symbol::Prepared(index) => (find(&[], "c", index), 0),
+            Symbol::Argument(index) => (find(&[], "x", index), 0),
         }
     }
 }

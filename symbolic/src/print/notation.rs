@@ -78,6 +78,14 @@ impl Notation {
         }
     }
 
+    /// The name of a function that is in no book.
+    pub(crate) fn operator(self, name: &str) -> String {
+        match self {
+            Self::Unicode => name.to_owned(),
+            Self::Latex => format!("\\operatorname{{{}}}", name.replace('_', "\\_")),
+        }
+    }
+
     /// The name of a function in a book.
     pub(crate) const fn function(self, function: Unary) -> &'static str {
         let (unicode, latex) = match function {

@@ -51,6 +51,7 @@ impl Graph {
                 Node::Product(factors) => cost_of_product(factors),
                 Node::Unary(function, _) => function.cost(),
                 Node::Binary(function, ..) => function.cost(),
+                Node::Application(..) => FUNCTION,
             });
         SINE_AND_COSINE * angles.len() + others.sum::<usize>()
     }

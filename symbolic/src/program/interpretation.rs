@@ -6,7 +6,7 @@
 use crate::decision::point::Point;
 use crate::decision::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
-use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Function, Graph, Rational, Symbol, Unary};
 
 /// What numbers a program can be run on. `None` is a value that does not exist.
 trait Arithmetic {
@@ -27,13 +27,26 @@ trait Arithmetic {
         x: Self::Number,
         y: Self::Number,
     ) -> Option<Self::Number>;
+    fn apply(&mut self, function: Function, arguments: &[Self::Number]) -> Option<Self::Number>;
 }
 
 impl Program {
     /// The values of all outputs in binary64, group by group, where `value` gives those of the symbols.
+    ///
+    /// Those of functions from outside are not known: NaN.
     #[must_use]
     pub fn evaluate(&self, value: impl Fn(Symbol) -> f64) -> Vec<Vec<f64>> {
-        self.run(&mut Binary64(value)).unwrap_or_default()
+        self.evaluate_with(value, |_, _| f64::NAN)
+    }
+
+    /// The values of all outputs in binary64, where `outside` gives those of functions from outside.
+    #[must_use]
+    pub fn evaluate_with(
+        &self,
+        value: impl Fn(Symbol) -> f64,
+        outside: impl Fn(Function, &[f64]) -> f64,
+    ) -> Vec<Vec<f64>> {
+        self.run(&mut Binary64(value, outside)).unwrap_or_default()
     }
 
     /// The expressions of all outputs, built again from the instructions.
@@ -82,6 +95,12 @@ fn execute<A: Arithmetic>(
     operation: &Operation,
     values: &mut Vec<A::Number>,
 ) -> Option<()> {
+    if let Operation::Application(function, arguments) = operation {
+        let arguments = arguments.iter();
+        let arguments: Option<Vec<_>> = arguments.map(|x| fetch(arithmetic, x, values)).collect();
+        values.push(arithmetic.apply(*function, &arguments?)?);
+        return Some(());
+    }
     let mut operands = [None; 2];
     for (slot, operand) in operands.iter_mut().zip(operation.operands()) {
         *slot = fetch(arithmetic, operand, values);
@@ -104,14 +123,16 @@ fn execute<A: Arithmetic>(
         }
         Operation::Unary(function, _) => arithmetic.unary(*function, x)?,
         Operation::Binary(function, ..) => arithmetic.binary(*function, x, y(operands)?)?,
+        Operation::Application(..) => return None,
     };
     values.push(result);
     Some(())
 }
 
-struct Binary64<F>(F);
+/// The values of symbols and of functions from outside.
+struct Binary64<F, G>(F, G);
 
-impl<F: Fn(Symbol) -> f64> Arithmetic for Binary64<F> {
+impl<F: Fn(Symbol) -> f64, G: Fn(Function, &[f64]) -> f64> Arithmetic for Binary64<F, G> {
     type Number = f64;
 
     fn constant(&mut self, value: &Rational) -> Option<f64> {
@@ -152,6 +173,10 @@ impl<F: Fn(Symbol) -> f64> Arithmetic for Binary64<F> {
 
     fn binary(&mut self, function: Binary, x: f64, y: f64) -> Option<f64> {
         Some(function.value(x, y))
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[f64]) -> Option<f64> {
+        Some((self.1)(function, arguments))
     }
 }
 
@@ -196,6 +221,10 @@ impl Arithmetic for Graph {
 
     fn binary(&mut self, function: Binary, x: Expression, y: Expression) -> Option<Expression> {
         Some(Self::binary(self, function, x, y))
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[Expression]) -> Option<Expression> {
+        Some(Self::apply(self, function, arguments))
     }
 }
 
@@ -244,5 +273,9 @@ impl Arithmetic for Point {
 
     fn binary(&mut self, function: Binary, x: u64, y: u64) -> Option<u64> {
         Some(Self::binary(*self, function, x, y))
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[u64]) -> Option<u64> {
+        Some(Self::apply(*self, function, arguments.iter().copied()))
     }
 }

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::{Binary, Expression, Graph, Node, Pass, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Function, Graph, Node, Pass, Rational, Symbol, Unary};
 
 /// A value of a plan.
 pub(crate) type Value = usize;
@@ -27,6 +27,7 @@ pub(crate) enum Recipe {
     SquareRoot(Value),
     Unary(Unary, Value),
     Binary(Binary, Value, Value),
+    Application(Function, Vec<Value>),
 }
 
 /// Whole powers up to this one are written as repeated factors, of which parts can be shared.
@@ -121,6 +122,10 @@ impl Plan {
             Node::Binary(function, x, y) => {
                 Recipe::Binary(*function, self.value(*x), self.value(*y))
             }
+            Node::Application(function, arguments) => {
+                let arguments = arguments.iter().map(|x| self.value(*x));
+                Recipe::Application(*function, arguments.collect())
+            }
             Node::Whole(x) => self.recipes[self.value(*x)].clone(),
         }
     }
@@ -209,6 +214,7 @@ impl Recipe {
                 visit(*x);
                 visit(*y);
             }
+            Self::Application(_, arguments) => arguments.iter().for_each(|x| visit(*x)),
         }
     }
 }

@@ -131,6 +131,10 @@ impl Scheduler {
                 self.operand(x),
                 self.operand(y),
             )),
+            Recipe::Application(function, arguments) => {
+                let arguments = arguments.into_iter().map(|x| self.operand(x)).collect();
+                self.emit(Operation::Application(function, arguments))
+            }
         };
         self.label(&operand, self.plan.expressions[value]);
         operand

@@ -6,7 +6,7 @@
 //! on the graph alone.
 
 use crate::program::schedule::{Parameters, Scheduler};
-use crate::{Binary, Expression, Graph, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Function, Graph, Rational, Symbol, Unary};
 
 /// Where an instruction finds a number.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -42,22 +42,25 @@ pub enum Operation {
     Unary(Unary, Operand),
     /// A function of two arguments.
     Binary(Binary, Operand, Operand),
+    /// A function from outside.
+    Application(Function, Vec<Operand>),
 }
 
 impl Operation {
     /// The operands, in order.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
-        let (x, y) = match self {
+        let (x, y, others) = match self {
             Self::Add(x, y)
             | Self::Subtract(x, y)
             | Self::Multiply(x, y)
             | Self::Divide(x, y)
-            | Self::Binary(_, x, y) => (x, Some(y)),
+            | Self::Binary(_, x, y) => (Some(x), Some(y), &[][..]),
             Self::Negate(x) | Self::SquareRoot(x) | Self::SineAndCosine(x) | Self::Unary(_, x) => {
-                (x, None)
+                (Some(x), None, &[][..])
             }
+            Self::Application(_, arguments) => (None, None, &arguments[..]),
         };
-        core::iter::once(x).chain(y)
+        x.into_iter().chain(y).chain(others)
     }
 
     /// Calls `visit` with each operand, in order.
@@ -74,6 +77,7 @@ impl Operation {
             Self::Negate(x) | Self::SquareRoot(x) | Self::SineAndCosine(x) | Self::Unary(_, x) => {
                 visit(x);
             }
+            Self::Application(_, arguments) => arguments.iter_mut().for_each(visit),
         }
     }
 
@@ -127,7 +131,7 @@ pub struct OperationCount {
     pub square_roots: usize,
     /// Sines and cosines; the pair of one angle counts once.
     pub sines_and_cosines: usize,
-    /// All other functions.
+    /// All other functions, those from outside among them.
     pub functions: usize,
 }
 
@@ -180,6 +184,21 @@ impl Program {
         })
     }
 
+    /// The functions from outside that the program applies, in order.
+    #[must_use]
+    pub fn functions(&self) -> Vec<Function> {
+        let mut functions: Vec<Function> = self
+            .instructions()
+            .filter_map(|instruction| match instruction.operation {
+                Operation::Application(function, _) => Some(function),
+                _ => None,
+            })
+            .collect();
+        functions.sort_unstable();
+        functions.dedup();
+        functions
+    }
+
     /// How often each kind of operation occurs.
     #[must_use]
     pub fn count(&self) -> OperationCount {
@@ -195,7 +214,9 @@ impl Program {
                 Operation::SineAndCosine(_) | Operation::Unary(Unary::Sin | Unary::Cos, _) => {
                     &mut count.sines_and_cosines
                 }
-                Operation::Unary(..) | Operation::Binary(..) => &mut count.functions,
+                Operation::Unary(..) | Operation::Binary(..) | Operation::Application(..) => {
+                    &mut count.functions
+                }
             } += 1;
         }
         count

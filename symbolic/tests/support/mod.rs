@@ -7,6 +7,7 @@ pub(crate) mod draft;
 pub(crate) mod dual;
 pub(crate) mod frames;
 pub(crate) mod machine;
+pub(crate) mod outside;
 pub(crate) mod rows;
 pub(crate) mod systems;
 pub(crate) mod tree;
@@ -48,6 +49,10 @@ pub(crate) fn evaluate<N: Number>(
                 .fold(one, |product, (x, k)| product.multiply(of(*x).power(k))),
             Node::Unary(function, x) => of(*x).unary(*function),
             Node::Binary(function, x, y) => of(*x).binary(*function, of(*y)),
+            Node::Application(function, arguments) => {
+                let arguments: Vec<N> = arguments.iter().map(|x| of(*x)).collect();
+                outside::value(*function, &arguments)
+            }
             Node::Whole(x) => of(*x),
         };
     }

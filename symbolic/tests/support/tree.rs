@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Symbol, Unary};
 use proptest::prelude::*;
 
-use super::Number;
+use super::{Number, outside};
 
 /// A tree of operations.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub(crate) enum Tree {
     Whole(Box<Tree>),
     Unary(Unary, Box<Tree>),
     Binary(Binary, Box<Tree>, Box<Tree>),
+    /// A function from outside, by its number.
+    Application(usize, Vec<Tree>),
 }
 
 /// The symbols in random trees.
@@ -128,6 +130,18 @@ pub(crate) fn distributed() -> impl Strategy<Value = [Tree; 2]> {
     })
 }
 
+/// Trees in which functions from outside are applied to trees, and to what they are applied to.
+pub(crate) fn applications() -> impl Strategy<Value = Tree> {
+    (trees(), trees(), trees(), 0..outside::COUNT).prop_map(|(x, y, z, last)| {
+        let boxed = Box::new;
+        let inner = Tree::Application(outside::WAVE, vec![x]);
+        let product = Tree::Multiply(boxed(inner.clone()), boxed(z));
+        let arguments = [inner, product].into_iter().take(outside::arity(last));
+        let outer = Tree::Application(last, arguments.collect());
+        Tree::Add(boxed(outer), boxed(y))
+    })
+}
+
 /// A value for each of the symbols.
 pub(crate) fn points() -> impl Strategy<Value = [f64; SYMBOLS.len()]> {
     let coordinate = prop_oneof![4 => -2.0..2.0_f64, 1 => 0.1..0.9_f64];
@@ -188,6 +202,11 @@ impl Tree {
                 let (x, y) = pair(x, y);
                 graph.binary(*function, x, y)
             }
+            Self::Application(function, arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(|x| x.build(graph)).collect();
+                let function = outside::functions(graph)[*function];
+                graph.apply(function, &arguments)
+            }
         }
     }
 
@@ -208,6 +227,10 @@ impl Tree {
             Self::Whole(x) => of(x),
             Self::Unary(function, x) => of(x).unary(*function),
             Self::Binary(function, x, y) => of(x).binary(*function, of(y)),
+            Self::Application(function, arguments) => {
+                let arguments: Vec<N> = arguments.iter().map(of).collect();
+                outside::value_of(*function, &arguments)
+            }
         }
     }
 }
