@@ -46,7 +46,7 @@ impl Translator<'_> {
             Expr::Group(inner) => self.translate(&inner.expr, place),
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => match path.path.get_ident() {
-                Some(name) if path.qself.is_none() && name != "self" => self.name(name, place),
+                Some(name) if path.qself.is_none() && !leads_a_path(name) => self.name(name, place),
                 _ => self.reject(path, hints::path(path)),
             },
             Expr::Unary(unary) => self.negation(unary, place),
@@ -406,4 +406,11 @@ impl Translator<'_> {
     fn has_acceleration(&self, expression: Expression) -> bool {
         self.graph.contents(expression).has_acceleration()
     }
+}
+
+/// Whether a word is one of those that only paths begin with, which no field can be called.
+fn leads_a_path(name: &Ident) -> bool {
+    ["self", "Self", "super", "crate"]
+        .iter()
+        .any(|word| name == word)
 }

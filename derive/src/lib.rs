@@ -3,6 +3,7 @@
 mod expand;
 mod diagnostics;
 mod declaration;
+mod root;
 mod check;
 mod scope;
 mod expression;

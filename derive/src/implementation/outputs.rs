@@ -14,6 +14,7 @@ impl Implementation<'_> {
             return TokenStream::new();
         }
         let n = self.coordinates();
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
         let (results, definition) = results(self.declaration, scalar, &names);
@@ -23,25 +24,25 @@ impl Implementation<'_> {
                 b.outputs(&results, &names, accelerations)
             })
         };
-        let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
+        let interface = quote!(#root::Outputs<#n, #scalar>);
         if !self.has_inputs() {
-            let accelerations = quote!(::lagrangian::Lagrangian::accelerations(self, state));
+            let accelerations = quote!(#root::Lagrangian::accelerations(self, state));
             let method = write("outputs", &[], &accelerations);
             let items = quote!(type Outputs = #results<#scalar>; #method);
             let implementation = self.implement(&interface, &items);
             return quote!(#definition #implementation);
         }
         let u = self.model.inputs as usize;
-        let driven = quote!(::lagrangian::Inputs::<#n, #u, #scalar>);
-        let arguments = [quote!(inputs: &::lagrangian::__private::SVector<#scalar, #u>)];
+        let driven = quote!(#root::Inputs::<#n, #u, #scalar>);
+        let arguments = [quote!(inputs: &#root::__private::SVector<#scalar, #u>)];
         let accelerations = quote!(#driven::accelerations_with(self, state, inputs));
         let method = write("outputs_with", &arguments, &accelerations);
-        let interface_with = quote!(::lagrangian::OutputsWith<#n, #u, #scalar>);
+        let interface_with = quote!(#root::OutputsWith<#n, #u, #scalar>);
         let delegation = quote! {
             type Outputs = #results<#scalar>;
 
-            fn outputs(&self, state: &::lagrangian::State<#scalar, #n>) -> Self::Outputs {
-                ::lagrangian::OutputsWith::<#n, #u, #scalar>::outputs_with(
+            fn outputs(&self, state: &#root::State<#scalar, #n>) -> Self::Outputs {
+                #root::OutputsWith::<#n, #u, #scalar>::outputs_with(
                     self, state, &#driven::inputs(self),
                 )
             }

@@ -22,10 +22,11 @@ pub(super) struct Reader<'a> {
 
 impl Source for Reader<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
+        let root = &self.implementation.declaration.root;
         let field = |names: &[Ident], i: u32| {
             let name = &names[i as usize];
             let name = self.implementation.scope.first_use(name).unwrap_or(name);
-            quote!(::lagrangian::__private::parameter(self.#name))
+            quote!(#root::__private::parameter(self.#name))
         };
         let names = &self.implementation.symbols;
         match symbol {
