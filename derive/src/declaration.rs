@@ -15,6 +15,7 @@ use syn::{
 
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field_type::FieldType;
+use crate::root::Root;
 use crate::value::Shape;
 
 /// A struct with its energies.
@@ -26,6 +27,8 @@ pub(crate) struct Declaration {
     /// Whether it is a struct whose fields have names, so that an unknown name may be meant for one.
     pub(crate) names_fields: bool,
     pub(crate) clauses: Clauses,
+    /// Where the emitted code finds the crate `lagrangian`.
+    pub(crate) root: Root,
 }
 
 /// A named field of the struct.
@@ -60,6 +63,8 @@ pub(crate) struct Clauses {
     pub(crate) dissipation: Vec<Clause>,
     pub(crate) forces: Vec<Named>,
     pub(crate) outputs: Vec<Named>,
+    /// What `crate = …` says.
+    root: Option<Root>,
     /// Whether something could not be read, so that what seems to be missing may stand there.
     pub(crate) unreadable: bool,
     /// Whether coordinates or definitions could not be read, so that an unknown name may stand there.
@@ -124,6 +129,7 @@ impl Declaration {
             generics: input.generics,
             fields,
             names_fields,
+            root: clauses.root.take().unwrap_or_default(),
             clauses,
         }
     }
@@ -260,6 +266,9 @@ impl Clauses {
     fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {
         let clauses = |input: ParseStream<'_>| {
             separated(input, "a comma between clauses, or an operator,", |input| {
+                if input.peek(Token![crate]) {
+                    return self.read_root(input);
+                }
                 let keyword = word(input, &no_clause())?;
                 self.read_clause(keyword, input)
             })
@@ -277,6 +286,16 @@ impl Clauses {
             self.unreadable = true;
             diagnostics.add(error);
         }
+    }
+
+    fn read_root(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        let (keyword, root) = Root::read(input)?;
+        if self.root.is_some() {
+            let message = "the crate is named already: keep one `crate = …`";
+            return Err(syn::Error::new(keyword.span(), message));
+        }
+        self.root = Some(root);
+        Ok(())
     }
 
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
@@ -517,7 +536,7 @@ fn separated(
 }
 
 /// Where an error about what follows `word` is shown: there, or at the word if nothing follows.
-fn position(word: &Ident, input: ParseStream<'_>) -> Span {
+pub(crate) fn position(word: &Ident, input: ParseStream<'_>) -> Span {
     if input.is_empty() || input.peek(Token![,]) {
         word.span()
     } else {

@@ -55,7 +55,7 @@ impl Translator<'_> {
             },
             Expr::Lit(literal) => self.literal(literal).map(Value::Scalar),
             Expr::Path(path) => match path.path.get_ident() {
-                Some(name) if path.qself.is_none() && name != "self" => self.name(name, place),
+                Some(name) if path.qself.is_none() && !leads_a_path(name) => self.name(name, place),
                 _ => self.reject(path, hints::path(path)),
             },
             Expr::Unary(unary) => self.negation(unary, place),
@@ -251,4 +251,11 @@ impl Translator<'_> {
         let mut components = value.components().iter();
         components.any(|component| self.graph.contents(*component).has_acceleration())
     }
+}
+
+/// Whether a word is one of those that only paths begin with, which no field can be called.
+fn leads_a_path(name: &Ident) -> bool {
+    ["self", "Self", "super", "crate"]
+        .iter()
+        .any(|word| name == word)
 }

@@ -52,6 +52,7 @@ struct Fallback<'a> {
 impl<'a> Fallback<'a> {
     fn new(declaration: &'a Declaration, lowered: &'a Lowered) -> Self {
         let scope = &lowered.scope;
+        let root = &declaration.root;
         let declared = &declaration.clauses.coordinates;
         let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
         let coordinates: Vec<_> = indices(declared)
@@ -75,8 +76,8 @@ impl<'a> Fallback<'a> {
             declaration,
             lowered,
             coordinates,
-            vector: quote!(::lagrangian::__private::SVector<#scalar, #dimension>),
-            state: quote!(&::lagrangian::State<#scalar, #dimension>),
+            vector: quote!(#root::__private::SVector<#scalar, #dimension>),
+            state: quote!(&#root::State<#scalar, #dimension>),
             dimension,
             dimension_parameter,
             unknown,
@@ -91,13 +92,14 @@ impl<'a> Fallback<'a> {
         scalar: Option<&Ident>,
         items: &TokenStream,
     ) -> TokenStream {
+        let root = &self.declaration.root;
         let name = &self.declaration.name;
         let mut generics = self.declaration.generics.clone();
         if let Some(dimension) = &self.dimension_parameter {
             generics.params.push(syn::parse_quote!(#dimension));
         }
         if let Some(scalar) = scalar {
-            let scalar = syn::parse_quote!(#scalar: ::lagrangian::Scalar);
+            let scalar = syn::parse_quote!(#scalar: #root::Scalar);
             generics.params.push(scalar);
         }
         let (generics, _, _) = generics.split_for_impl();
@@ -111,6 +113,7 @@ impl<'a> Fallback<'a> {
     }
 
     fn constants(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let name = &self.declaration.name;
         let visibility = &self.declaration.visibility;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
@@ -130,19 +133,21 @@ impl<'a> Fallback<'a> {
             impl #generics #name #arguments #conditions {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #visibility const EQUATIONS: &'static str = "";
-                #visibility const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations::NONE;
+                #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
                 #(#indices)*
             }
         }
     }
 
     fn system(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let n = &self.dimension;
         let names = quote!(const COORDINATES: [&'static str; #n] = [""; #n];);
-        self.implement(&quote!(::lagrangian::System<#n>), None, &names)
+        self.implement(&quote!(#root::System<#n>), None, &names)
     }
 
     fn lagrangian(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let (n, scalar) = (&self.dimension, &self.scalar);
         let (state, vector) = (&self.state, &self.vector);
         let driven = self.driven("", &TokenStream::new(), &self.unknown);
@@ -151,16 +156,17 @@ impl<'a> Fallback<'a> {
             type Prepared = ();
             fn prepare(&self) {}
             fn momenta(&self, _: #state) -> #vector { ::core::unreachable!() }
-            fn mass_matrix(&self, _: #state) -> ::lagrangian::__private::SMatrix<#scalar, #n, #n> {
+            fn mass_matrix(&self, _: #state) -> #root::__private::SMatrix<#scalar, #n, #n> {
                 ::core::unreachable!()
             }
         };
-        let interface = quote!(::lagrangian::Lagrangian<#n, #scalar>);
+        let interface = quote!(#root::Lagrangian<#n, #scalar>);
         self.implement(&interface, Some(scalar), &items)
     }
 
     /// The methods that inputs act on; one of them looks for `fields`.
     fn driven(&self, suffix: &str, inputs: &TokenStream, fields: &[&Ident]) -> TokenStream {
+        let root = &self.declaration.root;
         let (n, scalar) = (&self.dimension, &self.scalar);
         let (state, vector) = (&self.state, &self.vector);
         let method = |name: &str, output: &TokenStream| {
@@ -169,10 +175,7 @@ impl<'a> Fallback<'a> {
         };
         let scalars = ["lagrangian", "energy"].map(|name| method(name, &quote!(#scalar)));
         let vectors = ["generalized_forces", "accelerations"].map(|name| method(name, vector));
-        let linearize = method(
-            "linearize",
-            &quote!(::lagrangian::Linearization<#scalar, #n>),
-        );
+        let linearize = method("linearize", &quote!(#root::Linearization<#scalar, #n>));
         let forcing = format_ident!("forcing{suffix}");
         let inverse = format_ident!("inverse_dynamics{suffix}");
         quote! {
@@ -187,35 +190,38 @@ impl<'a> Fallback<'a> {
 
     /// The energies, also beside a `lagrangian`: what is meant is not known.
     fn energies(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
         let items = quote! {
             fn kinetic_energy(&self, _: #state) -> #scalar { ::core::unreachable!() }
             fn potential_energy(&self, _: #state) -> #scalar { ::core::unreachable!() }
         };
-        let interface = quote!(::lagrangian::Energies<#n, #scalar>);
+        let interface = quote!(#root::Energies<#n, #scalar>);
         self.implement(&interface, Some(scalar), &items)
     }
 
     fn inputs(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let u = self.lowered.quantities.inputs.len();
         if u == 0 {
             return TokenStream::new();
         }
         let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
-        let inputs = quote!(::lagrangian::__private::SVector<#scalar, #u>);
+        let inputs = quote!(#root::__private::SVector<#scalar, #u>);
         let driven = self.driven("_with", &quote!(_: &#inputs,), &[]);
         let items = quote! {
             const INPUTS: [&'static str; #u] = [""; #u];
             fn inputs(&self) -> #inputs { ::core::unreachable!() }
             #driven
             fn input_jacobian_with(&self, _: #state, _: &#inputs)
-                -> ::lagrangian::__private::SMatrix<#scalar, #n, #u> { ::core::unreachable!() }
+                -> #root::__private::SMatrix<#scalar, #n, #u> { ::core::unreachable!() }
         };
-        let interface = quote!(::lagrangian::Inputs<#n, #u, #scalar>);
+        let interface = quote!(#root::Inputs<#n, #u, #scalar>);
         self.implement(&interface, Some(scalar), &items)
     }
 
     fn outputs(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let mut seen = BTreeSet::new();
         let declared = self.declaration.clauses.outputs.iter();
         let shapes = self.lowered.outputs.iter().copied();
@@ -233,17 +239,17 @@ impl<'a> Fallback<'a> {
             type Outputs = #results<#scalar>;
             fn outputs(&self, _: #state) -> Self::Outputs { ::core::unreachable!() }
         };
-        let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
+        let interface = quote!(#root::Outputs<#n, #scalar>);
         let implementation = self.implement(&interface, Some(scalar), &items);
         let u = self.lowered.quantities.inputs.len();
         let with_inputs = (u > 0).then(|| {
-            let inputs = quote!(::lagrangian::__private::SVector<#scalar, #u>);
+            let inputs = quote!(#root::__private::SVector<#scalar, #u>);
             let items = quote! {
                 fn outputs_with(&self, _: #state, _: &#inputs) -> Self::Outputs {
                     ::core::unreachable!()
                 }
             };
-            let interface = quote!(::lagrangian::OutputsWith<#n, #u, #scalar>);
+            let interface = quote!(#root::OutputsWith<#n, #u, #scalar>);
             self.implement(&interface, Some(scalar), &items)
         });
         quote!(#definition #implementation #with_inputs)

@@ -77,11 +77,12 @@ impl<'a> Implementation<'a> {
     /// `impl<…> trait<…> for Model`, generic over the scalar.
     fn implement(&self, interface: &TokenStream, items: &TokenStream) -> TokenStream {
         let name = &self.declaration.name;
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let mut generics = self.declaration.generics.clone();
         generics
             .params
-            .push(syn::parse_quote!(#scalar: ::lagrangian::Scalar));
+            .push(syn::parse_quote!(#scalar: #root::Scalar));
         let (generics, _, _) = generics.split_for_impl();
         let (_, arguments, conditions) = self.declaration.generics.split_for_impl();
         quote! {
@@ -93,8 +94,9 @@ impl<'a> Implementation<'a> {
     }
 
     fn vector(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let (n, scalar) = (self.coordinates(), &self.scalar);
-        quote!(::lagrangian::__private::SVector<#scalar, #n>)
+        quote!(#root::__private::SVector<#scalar, #n>)
     }
 
     /// A method of the state, with its body.
@@ -112,9 +114,10 @@ impl<'a> Implementation<'a> {
             InputsFrom::Fields
         };
         let body = self.writer(method, inputs, write);
+        let root = &self.declaration.root;
         let (n, scalar, name) = (self.coordinates(), &self.scalar, format_ident!("{name}"));
         let [state, arguments] = [
-            quote!(state: &::lagrangian::State<#scalar, #n>),
+            quote!(state: &#root::State<#scalar, #n>),
             quote!(#(#arguments),*),
         ]
         .map(|parameters| marked_if_unused(parameters, &body));
@@ -140,6 +143,7 @@ impl<'a> Implementation<'a> {
         let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities);
         let mut writer = Writer {
             program: &method.program,
+            root: &self.declaration.root,
             body: Body::new(&method.program, graph.passes, locals, &self.scalar, &reader),
             scalar: &self.scalar,
         };

@@ -4,6 +4,7 @@ mod expand;
 mod diagnostics;
 mod declaration;
 mod field_type;
+mod root;
 mod check;
 mod value;
 mod quantities;

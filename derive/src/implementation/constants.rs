@@ -10,10 +10,12 @@ use super::Implementation;
 use crate::declaration::Coordinate;
 use crate::documentation;
 use crate::names::{constant, placed, plain};
+use crate::root::Root;
 
 impl Implementation<'_> {
     /// What is known of the model before any number is, as constants of its type.
     pub(super) fn constants(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let name = &self.declaration.name;
         let visibility = &self.declaration.visibility;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
@@ -48,21 +50,23 @@ impl Implementation<'_> {
                 /// The equations of motion as they were derived.
                 #visibility const EQUATIONS: &'static str = #equations;
                 /// The operation counts of the methods.
-                #visibility const OPERATIONS: ::lagrangian::Operations = #operations;
+                #visibility const OPERATIONS: #root::Operations = #operations;
             }
         }
     }
 
     fn operations(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let counts = self.methods.all().map(|(name, method)| {
             let name = format_ident!("{name}");
-            let count = operation_count(&method.count);
+            let count = operation_count(&method.count, root);
             quote!(#name: #count)
         });
-        quote!(::lagrangian::Operations { #(#counts),* })
+        quote!(#root::Operations { #(#counts),* })
     }
 
     pub(super) fn system(&self) -> TokenStream {
+        let root = &self.declaration.root;
         let name = &self.declaration.name;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.coordinates();
@@ -74,7 +78,7 @@ impl Implementation<'_> {
         });
         quote! {
             #[automatically_derived]
-            impl #generics ::lagrangian::System<#n> for #name #arguments #conditions {
+            impl #generics #root::System<#n> for #name #arguments #conditions {
                 const COORDINATES: [&'static str; #n] = Self::COORDINATES;
                 const ANGLES: [bool; #n] = [#(#angles),*];
                 const IGNORABLE: [bool; #n] = [#(#ignorable),*];
@@ -95,7 +99,7 @@ pub(crate) fn indices(
     })
 }
 
-fn operation_count(count: &OperationCount) -> TokenStream {
+fn operation_count(count: &OperationCount, root: &Root) -> TokenStream {
     let OperationCount {
         additions,
         multiplications,
@@ -105,7 +109,7 @@ fn operation_count(count: &OperationCount) -> TokenStream {
         functions,
     } = *count;
     quote! {
-        ::lagrangian::OperationCount {
+        #root::OperationCount {
             additions: #additions,
             multiplications: #multiplications,
             divisions: #divisions,

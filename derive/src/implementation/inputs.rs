@@ -12,8 +12,9 @@ impl Implementation<'_> {
             return TokenStream::new();
         }
         let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
-        let vector = quote!(::lagrangian::__private::SVector<#scalar, #u>);
+        let vector = quote!(#root::__private::SVector<#scalar, #u>);
         let components = &self.lowered.quantities.inputs;
         let names = components.iter().map(|input| input.label.to_string());
         let fields = components.iter().map(|input| {
@@ -22,7 +23,7 @@ impl Implementation<'_> {
         });
         let arguments = [quote!(inputs: &#vector)];
         let driven = self.driven(&arguments, "_with");
-        let matrix = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #u>);
+        let matrix = quote!(#root::__private::SMatrix<#scalar, #n, #u>);
         let jacobian = self.method(
             "input_jacobian_with",
             &arguments,
@@ -35,13 +36,13 @@ impl Implementation<'_> {
 
             fn inputs(&self) -> #vector {
                 <#vector as ::core::convert::From<[#scalar; #u]>>::from([
-                    #(::lagrangian::__private::parameter(self.#fields)),*
+                    #(#root::__private::parameter(self.#fields)),*
                 ])
             }
 
             #driven
             #jacobian
         };
-        self.implement(&quote!(::lagrangian::Inputs<#n, #u, #scalar>), &items)
+        self.implement(&quote!(#root::Inputs<#n, #u, #scalar>), &items)
     }
 }

@@ -10,11 +10,12 @@ use super::writer::{as_scalar, as_vector};
 impl Implementation<'_> {
     pub(super) fn lagrangian(&self) -> TokenStream {
         let n = self.coordinates();
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let methods = self.methods;
         let vector = self.vector();
         let momenta = self.method("momenta", &[], &vector, &methods.momenta, as_vector);
-        let mass = quote!(::lagrangian::__private::SMatrix<#scalar, #n, #n>);
+        let mass = quote!(#root::__private::SMatrix<#scalar, #n, #n>);
         let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
             b.columns(n)
         });
@@ -30,13 +31,14 @@ impl Implementation<'_> {
             self.driven(&[], "")
         };
         self.implement(
-            &quote!(::lagrangian::Lagrangian<#n, #scalar>),
+            &quote!(#root::Lagrangian<#n, #scalar>),
             &quote!(#prepare #driven #momenta #mass #pivots),
         )
     }
 
     /// The methods that inputs act on, with the arguments and the suffix that they then have.
     pub(super) fn driven(&self, arguments: &[TokenStream], suffix: &str) -> TokenStream {
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let n = self.coordinates();
         let vector = self.vector();
@@ -45,7 +47,7 @@ impl Implementation<'_> {
         let mut with_accelerations = arguments.to_vec();
         with_accelerations.push(quote!(accelerations: &#vector));
         let scalar = quote!(#scalar);
-        let linearization = quote!(::lagrangian::Linearization<#scalar, #n>);
+        let linearization = quote!(#root::Linearization<#scalar, #n>);
         [
             self.method(
                 &name("lagrangian"),
@@ -102,6 +104,7 @@ impl Implementation<'_> {
     fn accelerations(&self, arguments: &[TokenStream], suffix: &str) -> TokenStream {
         let n = self.coordinates();
         let methods = self.methods;
+        let root = &self.declaration.root;
         let (scalar, vector) = (&self.scalar, self.vector());
         let kept = methods.prepare.program.phases[0].outputs.len();
         let mut with_prepared = arguments.to_vec();
@@ -118,12 +121,11 @@ impl Implementation<'_> {
             },
         );
         let (name, interface, given) = if suffix.is_empty() {
-            let interface = quote!(::lagrangian::Lagrangian::<#n, #scalar>::accelerations_prepared);
+            let interface = quote!(#root::Lagrangian::<#n, #scalar>::accelerations_prepared);
             (format_ident!("accelerations"), interface, quote!())
         } else {
             let u = self.model.inputs as usize;
-            let interface =
-                quote!(::lagrangian::Inputs::<#n, #u, #scalar>::accelerations_prepared_with);
+            let interface = quote!(#root::Inputs::<#n, #u, #scalar>::accelerations_prepared_with);
             (
                 format_ident!("accelerations_with"),
                 interface,
@@ -131,8 +133,8 @@ impl Implementation<'_> {
             )
         };
         quote! {
-            fn #name(&self, state: &::lagrangian::State<#scalar, #n>, #(#arguments),*) -> #vector {
-                let prepared = ::lagrangian::Lagrangian::<#n, #scalar>::prepare(self);
+            fn #name(&self, state: &#root::State<#scalar, #n>, #(#arguments),*) -> #vector {
+                let prepared = #root::Lagrangian::<#n, #scalar>::prepare(self);
                 #interface(self, state, #given &prepared)
             }
             #prepared
@@ -158,25 +160,27 @@ impl Implementation<'_> {
     /// The forcing, as the method with a suffix computes it.
     fn forcing(&self, suffix: &str) -> TokenStream {
         let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         if suffix.is_empty() {
-            quote!(::lagrangian::Lagrangian::<#n, #scalar>::forcing(self, state))
+            quote!(#root::Lagrangian::<#n, #scalar>::forcing(self, state))
         } else {
-            quote!(::lagrangian::Inputs::<#n, #u, #scalar>::forcing_with(self, state, inputs))
+            quote!(#root::Inputs::<#n, #u, #scalar>::forcing_with(self, state, inputs))
         }
     }
 
     /// The methods of `Lagrangian` for a model with inputs: those of `Inputs`, at the fields' values.
     fn delegations(&self) -> TokenStream {
         let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let vector = self.vector();
-        let inputs = quote!(&::lagrangian::Inputs::<#n, #u, #scalar>::inputs(self));
+        let inputs = quote!(&#root::Inputs::<#n, #u, #scalar>::inputs(self));
         let delegation = |name: &str, output: TokenStream| {
             let (name, with) = (format_ident!("{name}"), format_ident!("{name}_with"));
             quote! {
-                fn #name(&self, state: &::lagrangian::State<#scalar, #n>) -> #output {
-                    ::lagrangian::Inputs::<#n, #u, #scalar>::#with(self, state, #inputs)
+                fn #name(&self, state: &#root::State<#scalar, #n>) -> #output {
+                    #root::Inputs::<#n, #u, #scalar>::#with(self, state, #inputs)
                 }
             }
         };
@@ -186,10 +190,7 @@ impl Implementation<'_> {
             delegation("forcing", vector.clone()),
             delegation("generalized_forces", vector.clone()),
             delegation("accelerations", vector.clone()),
-            delegation(
-                "linearize",
-                quote!(::lagrangian::Linearization<#scalar, #n>),
-            ),
+            delegation("linearize", quote!(#root::Linearization<#scalar, #n>)),
         ]
         .into_iter()
         .collect();
@@ -197,19 +198,19 @@ impl Implementation<'_> {
         delegations.extend(quote! {
             fn accelerations_prepared(
                 &self,
-                state: &::lagrangian::State<#scalar, #n>,
+                state: &#root::State<#scalar, #n>,
                 prepared: &[#scalar; #kept],
             ) -> #vector {
-                ::lagrangian::Inputs::<#n, #u, #scalar>::accelerations_prepared_with(
+                #root::Inputs::<#n, #u, #scalar>::accelerations_prepared_with(
                     self, state, #inputs, prepared,
                 )
             }
             fn inverse_dynamics(
                 &self,
-                state: &::lagrangian::State<#scalar, #n>,
+                state: &#root::State<#scalar, #n>,
                 accelerations: &#vector,
             ) -> #vector {
-                ::lagrangian::Inputs::<#n, #u, #scalar>::inverse_dynamics_with(
+                #root::Inputs::<#n, #u, #scalar>::inverse_dynamics_with(
                     self, state, #inputs, accelerations,
                 )
             }
@@ -222,12 +223,13 @@ impl Implementation<'_> {
             return TokenStream::new();
         };
         let n = self.coordinates();
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let output = quote!(#scalar);
         let kinetic = self.method("kinetic_energy", &[], &output, kinetic, as_scalar);
         let potential = self.method("potential_energy", &[], &output, potential, as_scalar);
         self.implement(
-            &quote!(::lagrangian::Energies<#n, #scalar>),
+            &quote!(#root::Energies<#n, #scalar>),
             &quote!(#kinetic #potential),
         )
     }

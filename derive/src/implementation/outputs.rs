@@ -6,6 +6,7 @@ use quote::quote;
 use super::Implementation;
 use crate::declaration::Declaration;
 use crate::names::{hygienic, placed, plain};
+use crate::root::Root;
 use crate::value::Shape;
 
 impl Implementation<'_> {
@@ -15,6 +16,7 @@ impl Implementation<'_> {
             return TokenStream::new();
         }
         let n = self.coordinates();
+        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
         let shapes = &self.lowered.outputs;
@@ -26,25 +28,25 @@ impl Implementation<'_> {
                 b.outputs(&results, &named, accelerations)
             })
         };
-        let interface = quote!(::lagrangian::Outputs<#n, #scalar>);
+        let interface = quote!(#root::Outputs<#n, #scalar>);
         if !self.has_inputs() {
-            let accelerations = quote!(::lagrangian::Lagrangian::accelerations(self, state));
+            let accelerations = quote!(#root::Lagrangian::accelerations(self, state));
             let method = write("outputs", &[], &accelerations);
             let items = quote!(type Outputs = #results<#scalar>; #method);
             let implementation = self.implement(&interface, &items);
             return quote!(#definition #implementation);
         }
         let u = self.model.inputs as usize;
-        let driven = quote!(::lagrangian::Inputs::<#n, #u, #scalar>);
-        let arguments = [quote!(inputs: &::lagrangian::__private::SVector<#scalar, #u>)];
+        let driven = quote!(#root::Inputs::<#n, #u, #scalar>);
+        let arguments = [quote!(inputs: &#root::__private::SVector<#scalar, #u>)];
         let accelerations = quote!(#driven::accelerations_with(self, state, inputs));
         let method = write("outputs_with", &arguments, &accelerations);
-        let interface_with = quote!(::lagrangian::OutputsWith<#n, #u, #scalar>);
+        let interface_with = quote!(#root::OutputsWith<#n, #u, #scalar>);
         let delegation = quote! {
             type Outputs = #results<#scalar>;
 
-            fn outputs(&self, state: &::lagrangian::State<#scalar, #n>) -> Self::Outputs {
-                ::lagrangian::OutputsWith::<#n, #u, #scalar>::outputs_with(
+            fn outputs(&self, state: &#root::State<#scalar, #n>) -> Self::Outputs {
+                #root::OutputsWith::<#n, #u, #scalar>::outputs_with(
                     self, state, &#driven::inputs(self),
                 )
             }
@@ -69,7 +71,7 @@ pub(crate) fn results(
     let results = placed(&format!("{}Outputs", plain(name)), name);
     let documentation = format!("The outputs of [`{name}`].");
     let fields = outputs.iter().map(|(output, shape)| {
-        let ty = type_of(*shape, scalar);
+        let ty = type_of(*shape, scalar, &declaration.root);
         let mut name = (*output).clone();
         name.set_span(hygienic(output));
         let text = format!("The output `{}`.", plain(output));
@@ -92,14 +94,14 @@ pub(crate) fn results(
 }
 
 /// The type of a value.
-fn type_of(shape: Shape, scalar: &Ident) -> TokenStream {
+fn type_of(shape: Shape, scalar: &Ident, root: &Root) -> TokenStream {
     match shape {
         Shape::Scalar => quote!(#scalar),
         Shape::Array { rows, columns: 1 } => {
-            quote!(::lagrangian::__private::SVector<#scalar, #rows>)
+            quote!(#root::__private::SVector<#scalar, #rows>)
         }
         Shape::Array { rows, columns } => {
-            quote!(::lagrangian::__private::SMatrix<#scalar, #rows, #columns>)
+            quote!(#root::__private::SMatrix<#scalar, #rows, #columns>)
         }
     }
 }

@@ -23,11 +23,12 @@ pub(super) struct Reader<'a> {
 
 impl Source for Reader<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
+        let root = &self.implementation.declaration.root;
         let lowered = self.implementation.lowered;
         let field = |components: &[Component], i: u32| {
             let Component { field, access, .. } = &components[i as usize];
             let field = lowered.scope.first_use(field).unwrap_or(field);
-            quote!(::lagrangian::__private::parameter(self.#field #access))
+            quote!(#root::__private::parameter(self.#field #access))
         };
         let quantities = &lowered.quantities;
         match symbol {

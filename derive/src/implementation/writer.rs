@@ -5,6 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::body::Body;
+use crate::root::Root;
 use crate::value::Shape;
 
 /// The body of one method, in the shape that it returns.
@@ -12,6 +13,7 @@ pub(super) struct Writer<'a> {
     pub(super) program: &'a Program,
     pub(super) body: Body<'a>,
     pub(super) scalar: &'a Ident,
+    pub(super) root: &'a Root,
 }
 
 impl Writer<'_> {
@@ -21,7 +23,7 @@ impl Writer<'_> {
 
     pub(super) fn columns(&mut self, rows: usize) -> TokenStream {
         let (statements, outputs) = self.phase(0);
-        let matrix = matrix(&outputs, rows);
+        let matrix = self.matrix(&outputs, rows);
         quote!(#statements #matrix)
     }
 
@@ -29,7 +31,7 @@ impl Writer<'_> {
     pub(super) fn accelerations(&mut self, n: usize) -> TokenStream {
         let (statements, outputs) = self.phase(0);
         let factors = self.factors(&outputs, n);
-        let forcing = vector(&outputs[outputs.len() - n..]);
+        let forcing = self.vector(&outputs[outputs.len() - n..]);
         quote!(#statements #factors factors.solve(&#forcing))
     }
 
@@ -54,24 +56,26 @@ impl Writer<'_> {
         pivots: usize,
         forcing: &TokenStream,
     ) -> TokenStream {
+        let root = self.root;
         let (pivots, accelerations) = outputs.split_at(pivots);
-        let accelerations = vector(accelerations);
+        let accelerations = self.vector(accelerations);
         if pivots.is_empty() {
             return accelerations;
         }
         let factors = self.factors_of_mass_matrix(n);
         quote! {
-            ::lagrangian::__private::if_positive([#(#pivots),*], #accelerations, || {
+            #root::__private::if_positive([#(#pivots),*], #accelerations, || {
                 #factors.solve(&#forcing)
             })
         }
     }
 
     fn factors_of_mass_matrix(&self, n: usize) -> TokenStream {
+        let root = self.root;
         let scalar = self.scalar;
         quote! {
-            ::lagrangian::Factorization::new(
-                ::lagrangian::Lagrangian::<#n, #scalar>::mass_matrix(self, state)
+            #root::Factorization::new(
+                #root::Lagrangian::<#n, #scalar>::mass_matrix(self, state)
             )
         }
     }
@@ -83,6 +87,7 @@ impl Writer<'_> {
         pivots: usize,
         forcing: &TokenStream,
     ) -> TokenStream {
+        let root = self.root;
         let (statements, outputs) = self.phase(0);
         let accelerations = self.solved(n, &outputs, pivots, forcing);
         let uses = self.program.symbols();
@@ -92,7 +97,7 @@ impl Writer<'_> {
         let accelerations =
             (used || pivots > 0).then(|| quote!(let accelerations = #accelerations;));
         let (more, columns) = self.phase(1);
-        let linearization = linearization(&columns, n);
+        let linearization = self.linearization(&columns, n);
         if pivots == 0 {
             return quote!(#statements #accelerations #more #linearization);
         }
@@ -102,7 +107,7 @@ impl Writer<'_> {
         let pivots = &outputs[..pivots];
         quote! {
             #statements #accelerations #more #others
-            ::lagrangian::__private::if_positive([#(#pivots),*], #linearization, || {
+            #root::__private::if_positive([#(#pivots),*], #linearization, || {
                 let factors = #factors;
                 #otherwise
             })
@@ -110,16 +115,17 @@ impl Writer<'_> {
     }
 
     pub(super) fn relative_pivots(&mut self, n: usize) -> TokenStream {
+        let root = self.root;
         let (statements, outputs) = self.phase(0);
         let lists = outputs.chunks(n.max(1)).map(|list| quote!([#(#list),*]));
-        quote!(#statements ::lagrangian::__private::relative_pivots(#(#lists),*))
+        quote!(#statements #root::__private::relative_pivots(#(#lists),*))
     }
 
     /// Solves M q̈ = f, then M ∂q̈/∂x = −∂(M q̈ − f)/∂x.
     pub(super) fn linearize(&mut self, n: usize) -> TokenStream {
         let (statements, outputs) = self.phase(0);
         let factors = self.factors(&outputs, n);
-        let forcing = vector(&outputs[outputs.len() - n..]);
+        let forcing = self.vector(&outputs[outputs.len() - n..]);
         let (more, derivatives) = self.phase(1);
         let linearization = self.linearization_of_residuals(1, &derivatives, n);
         quote! {
@@ -133,9 +139,10 @@ impl Writer<'_> {
 
     /// ∂q̈/∂u.
     pub(super) fn input_jacobian(&mut self, n: usize, pivots: Option<usize>) -> TokenStream {
+        let root = self.root;
         let (statements, outputs) = self.phase(0);
         let (more, columns) = self.phase(1);
-        let columns = matrix(&columns, n);
+        let columns = self.matrix(&columns, n);
         match pivots {
             None => {
                 let factors = self.factors(&outputs, n);
@@ -144,11 +151,11 @@ impl Writer<'_> {
             Some(0) => quote!(#statements #more #columns),
             Some(_) => {
                 let (others, residuals) = self.phase(2);
-                let residuals = matrix(&residuals, n);
+                let residuals = self.matrix(&residuals, n);
                 let factors = self.factors_of_mass_matrix(n);
                 quote! {
                     #statements #more #others
-                    ::lagrangian::__private::if_positive([#(#outputs),*], #columns, || {
+                    #root::__private::if_positive([#(#outputs),*], #columns, || {
                         -#factors.solve(&#residuals)
                     })
                 }
@@ -164,16 +171,18 @@ impl Writer<'_> {
         columns: &[TokenStream],
         n: usize,
     ) -> TokenStream {
+        let root = self.root;
         let outputs = &self.program.phases[phase].outputs;
         let zero = Operand::Constant(Rational::ZERO);
         let timeless = outputs[2 * n * n..].iter().all(|output| *output == zero);
         let count = if timeless { 2 * n } else { 2 * n + 1 };
-        let columns = matrix(&columns[..count * n], n);
-        quote!(::lagrangian::__private::linearization(&factors, &#columns))
+        let columns = self.matrix(&columns[..count * n], n);
+        quote!(#root::__private::linearization(&factors, &#columns))
     }
 
     /// Factors M, whose lower triangle stands first among the outputs.
     fn factors(&self, outputs: &[TokenStream], n: usize) -> TokenStream {
+        let root = self.root;
         let scalar = self.scalar;
         let zero = quote!(#scalar::from_f64(0.0));
         let columns: Vec<_> = (0..n)
@@ -187,8 +196,8 @@ impl Writer<'_> {
             })
             .cloned()
             .collect();
-        let mass = matrix(&columns, n);
-        quote!(let factors = ::lagrangian::Factorization::new(#mass);)
+        let mass = self.matrix(&columns, n);
+        quote!(let factors = #root::Factorization::new(#mass);)
     }
 
     pub(super) fn outputs(
@@ -208,11 +217,49 @@ impl Writer<'_> {
         let fields = named.iter().map(|(name, shape)| {
             let (components, rest) = outputs.split_at(shape.count());
             outputs = rest;
-            let value = value(components, *shape);
+            let value = self.value(components, *shape);
             quote!(#name: #value)
         });
         let fields: Vec<_> = fields.collect();
         quote!(#accelerations #statements #results { #(#fields),* })
+    }
+
+    /// The derivatives by q, q̇ and t from their columns.
+    fn linearization(&self, columns: &[TokenStream], n: usize) -> TokenStream {
+        let root = self.root;
+        let position = self.matrix(&columns[..n * n], n);
+        let velocity = self.matrix(&columns[n * n..2 * n * n], n);
+        let time = self.vector(&columns[2 * n * n..]);
+        quote! {
+            #root::Linearization {
+                position: #position,
+                velocity: #velocity,
+                time: #time,
+            }
+        }
+    }
+
+    /// A value from its components.
+    fn value(&self, components: &[TokenStream], shape: Shape) -> TokenStream {
+        match shape {
+            Shape::Scalar => quote!(#(#components)*),
+            Shape::Array { columns: 1, .. } => self.vector(components),
+            Shape::Array { rows, .. } => self.matrix(components, rows),
+        }
+    }
+
+    fn vector(&self, elements: &[TokenStream]) -> TokenStream {
+        let root = self.root;
+        quote!(#root::__private::SVector::from([#(#elements),*]))
+    }
+
+    /// A matrix from its elements, column by column.
+    fn matrix(&self, elements: &[TokenStream], rows: usize) -> TokenStream {
+        let root = self.root;
+        let columns = elements
+            .chunks(rows.max(1))
+            .map(|column| quote!([#(#column),*]));
+        quote!(#root::__private::SMatrix::from([#(#columns),*]))
     }
 }
 
@@ -225,41 +272,6 @@ pub(super) fn as_scalar(writer: &mut Writer<'_>) -> TokenStream {
 /// A body that returns all outputs as a vector.
 pub(super) fn as_vector(writer: &mut Writer<'_>) -> TokenStream {
     let (statements, outputs) = writer.phase(0);
-    let vector = vector(&outputs);
+    let vector = writer.vector(&outputs);
     quote!(#statements #vector)
-}
-
-/// The derivatives by q, q̇ and t from their columns.
-fn linearization(columns: &[TokenStream], n: usize) -> TokenStream {
-    let position = matrix(&columns[..n * n], n);
-    let velocity = matrix(&columns[n * n..2 * n * n], n);
-    let time = vector(&columns[2 * n * n..]);
-    quote! {
-        ::lagrangian::Linearization {
-            position: #position,
-            velocity: #velocity,
-            time: #time,
-        }
-    }
-}
-
-/// A value from its components.
-fn value(components: &[TokenStream], shape: Shape) -> TokenStream {
-    match shape {
-        Shape::Scalar => quote!(#(#components)*),
-        Shape::Array { columns: 1, .. } => vector(components),
-        Shape::Array { rows, .. } => matrix(components, rows),
-    }
-}
-
-fn vector(elements: &[TokenStream]) -> TokenStream {
-    quote!(::lagrangian::__private::SVector::from([#(#elements),*]))
-}
-
-/// A matrix from its elements, column by column.
-fn matrix(elements: &[TokenStream], rows: usize) -> TokenStream {
-    let columns = elements
-        .chunks(rows.max(1))
-        .map(|column| quote!([#(#column),*]));
-    quote!(::lagrangian::__private::SMatrix::from([#(#columns),*]))
 }
