@@ -21,7 +21,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
     if !declaration.clauses.unreadable {
-        check_clauses(declaration, diagnostics);
+        check_energies(declaration, diagnostics);
     }
 }
 
@@ -213,33 +213,40 @@ const METHODS: [&str; 20] = [
     "outputs",
 ];
 
-fn check_clauses(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+/// A Lagrangian is given once, as such or by its energies.
+fn check_energies(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let clauses = &declaration.clauses;
-    let name = &declaration.name;
-    if clauses.coordinates.is_empty() {
-        let message = "no coordinates: write `#[lagrangian(coordinates(theta), kinetic = …)]`";
-        return diagnostics.error(name, message);
-    }
     if let [_, second, ..] = clauses.lagrangian.as_slice() {
         diagnostics.error(
             &second.keyword,
             "there is a Lagrangian already: add them up in one expression",
         );
     }
-    match (clauses.lagrangian.first(), clauses.kinetic.first(), clauses.potential.first()) {
-        (Some(lagrangian), Some(energy), _) | (Some(lagrangian), None, Some(energy)) => {
-            diagnostics.error(
-                &lagrangian.keyword,
-                format!(
-                    "`lagrangian` stands in place of `kinetic` and `potential`: remove it, or `{}`",
-                    energy.keyword
-                ),
-            );
-        }
-        (None, None, potential) => diagnostics.error(
+    let energy = clauses.kinetic.first().or(clauses.potential.first());
+    if let (Some(lagrangian), Some(energy)) = (clauses.lagrangian.first(), energy) {
+        diagnostics.error(
+            &lagrangian.keyword,
+            format!(
+                "`lagrangian` stands in place of `kinetic` and `potential`: remove it, or `{}`",
+                energy.keyword
+            ),
+        );
+    }
+}
+
+/// What is missing. That is no news while there are other errors: a declaration that is being typed ends
+/// somewhere.
+pub(crate) fn check_whole(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    let name = &declaration.name;
+    if clauses.coordinates.is_empty() {
+        let message = "no coordinates: write `#[lagrangian(coordinates(theta), kinetic = …)]`";
+        diagnostics.error(name, message);
+    } else if clauses.lagrangian.is_empty() && clauses.kinetic.is_empty() {
+        let potential = clauses.potential.first();
+        diagnostics.error(
             potential.map_or(name, |potential: &Clause| &potential.keyword),
             "no kinetic energy: write `kinetic = 0.5 * m * dot(x).powi(2)`, or a whole `lagrangian = …`",
-        ),
-        _ => {}
+        );
     }
 }

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
 
-use crate::check::check;
+use crate::check::{check, check_whole};
 use crate::declaration::{Clause, Declaration};
 use crate::diagnostics::Diagnostics;
 use crate::fallback;
@@ -24,7 +24,10 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let declaration = Declaration::parse(input, &mut diagnostics);
     check(&declaration, &mut diagnostics);
     let mut lowered = lower(&declaration, &mut diagnostics);
-    let model = lowered.model.take();
+    if diagnostics.is_empty() && lowered.scope.unknown().next().is_none() {
+        check_whole(&declaration, &mut diagnostics);
+    }
+    let model = lowered.model.take().filter(|_| diagnostics.is_empty());
     let items = model.and_then(|model| implement(&declaration, &lowered, model, &mut diagnostics));
     items.unwrap_or_else(|| {
         let errors = diagnostics.to_compile_errors();

@@ -41,6 +41,8 @@ pub(crate) struct Translator<'a> {
     pub(crate) diagnostics: &'a mut Diagnostics,
     /// How often something was repeated so far, over all ranges.
     pub(crate) repetitions: usize,
+    /// Whether an index is looked at, where an unknown name is a variable that nobody has bound.
+    pub(crate) within_index: bool,
 }
 
 impl Translator<'_> {
@@ -95,7 +97,10 @@ impl Translator<'_> {
     /// The value of an expression that is an integer known before any number is: an index, or an end of
     /// a range.
     pub(crate) fn integer(&mut self, expression: &Expr) -> Option<i64> {
-        let value = self.scalar(expression, Place::Observation)?;
+        let outside = core::mem::replace(&mut self.within_index, true);
+        let value = self.scalar(expression, Place::Observation);
+        self.within_index = outside;
+        let value = value?;
         let constant = self.graph.as_constant(value);
         match constant.map(Rational::to_integer) {
             Some(Some(integer)) => Some(integer),
@@ -202,6 +207,14 @@ impl Translator<'_> {
             return None;
         }
         let written = plain(name);
+        if self.within_index {
+            self.scope.silence(name);
+            let message = format!(
+                "`{name}` stands for no integer here: write `|{name}|` or `for {name} in 0..5` to let it run \
+                 through a range"
+            );
+            return self.reject(name, message);
+        }
         if let Some(coordinate) = self.differentiated(&written) {
             let message =
                 format!("unknown name `{name}`: the velocity is written `dot({coordinate})`");

@@ -22,6 +22,8 @@ mod fallback;
 #[cfg(test)]
 mod golden;
 #[cfg(test)]
+mod half_typed;
+#[cfg(test)]
 mod robustness;
 #[cfg(test)]
 mod timing;

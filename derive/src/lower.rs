@@ -32,6 +32,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         coordinates: count(quantities.coordinates.len()),
         diagnostics,
         repetitions: 0,
+        within_index: false,
     };
     let parts = translator.parts(declaration);
     let complete = translator.diagnostics.is_empty() && translator.scope.unknown().next().is_none();
@@ -234,8 +235,13 @@ impl Translator<'_> {
     }
 
     fn force(&mut self, force: &Named, forces: &mut [Option<Expression>]) -> Option<()> {
+        let coordinate = if force.indices.is_empty() {
+            self.coordinate(force)
+        } else {
+            // What is wrong with an index is wrong with the expression, too.
+            Some(self.coordinate(force)?)
+        };
         let value = self.scalar(&force.expression, Place::Energy);
-        let coordinate = self.coordinate(force);
         let (value, coordinate) = (value?, coordinate?);
         let place = forces.get_mut(coordinate)?;
         if place.is_some() {
