@@ -102,24 +102,15 @@ impl Graph {
         terms.map(|terms| self.sum(terms))
     }
 
-    /// vee(Aᵀ ∂A/∂s), of which each component is written in two ways: the cheaper one of both.
+    /// vee(Aᵀ ∂A/∂s).
     fn partial(&mut self, elements: &[Expression; 9], symbol: Symbol) -> Vector {
         let direction = Direction::from([(symbol, self.one())]);
         let slopes = self.directional_derivatives(elements, &direction);
         Axis::ALL.map(|axis| {
             let [_, j, k] = axis.cycle();
-            let mut element = |row: usize, column: usize| {
-                let pairs = (0..3).map(|i| (elements[3 * row + i], slopes[3 * column + i]));
-                self.sum_of_products(pairs)
-            };
-            let (ahead, behind) = (element(k, j), element(j, k));
-            let opposite = self.negate(behind);
-            let [ahead, opposite] = [ahead, opposite].map(|x| self.reduced(x));
-            if self.cost(&[opposite]) < self.cost(&[ahead]) {
-                opposite
-            } else {
-                ahead
-            }
+            let pairs = (0..3).map(|i| (elements[3 * k + i], slopes[3 * j + i]));
+            let component = self.sum_of_products(pairs);
+            self.reduced(component)
         })
     }
 }

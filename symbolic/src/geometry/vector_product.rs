@@ -60,8 +60,8 @@ impl Graph {
 }
 
 impl Matrix {
-    /// The components of a vector that has three of them.
+    /// The three elements of a matrix that has three, and so only one row or column.
     fn components(&self) -> Option<[Expression; 3]> {
-        self.elements().try_into().ok().filter(|_| self.is_vector())
+        self.elements().try_into().ok()
     }
 }
