@@ -194,6 +194,27 @@ mod tests {
     }
 
     #[test]
+    fn sines_and_cosines_are_replaced_and_odd_powers_keep_one() {
+        // f (1 − f²)³ multiplied out is f g⁶, for f the sine and for f the cosine.
+        for [f, g] in [[0, 1], [1, 0]] {
+            let mut draft = Draft::new(1);
+            let both = circular(&mut draft, 0);
+            let (f, g) = (both[f], both[g]);
+            let binomials = [1, -3, 3, -1];
+            let mut terms = Vec::new();
+            for (j, binomial) in (0..).zip(binomials) {
+                let power = draft.graph.power(f, &Rational::integer(2 * j + 1));
+                terms.push((power, Rational::integer(binomial)));
+            }
+            let alternating = draft.graph.sum(terms);
+            let sixth = draft.graph.power(g, &Rational::integer(6));
+            let expected = draft.times(&[f, sixth]);
+            assert_eq!(draft.graph.reduced(alternating), expected);
+            assert_ne!(draft.graph.simplest(alternating), expected);
+        }
+    }
+
+    #[test]
     fn no_sum_becomes_a_difference() {
         // sin²a + cos²a sin²b costs more than 1 − cos²a cos²b, which cancels.
         let mut draft = Draft::new(2);
