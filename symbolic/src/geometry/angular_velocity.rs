@@ -1,6 +1,6 @@
 //! Angular velocities of rotation matrices.
 //!
-//! In the axes that a rotation A turns, ω = vee(Aᵀ Ȧ), where vee takes the matrix [ω]× to ω. That of a
+//! In the axes that a rotation A turns, ω = vee(Aᵀ Ȧ), where vee takes the matrix of ω × to ω. That of a
 //! product is ω(AB) = Bᵀ ω(A) + ω(B), so that one factor after the other is enough: an elementary
 //! rotation adds the rate of its angle along its axis, a constant one adds nothing. Other matrices add
 //! the sum of vee(Aᵀ ∂A/∂q) q̇ over what they depend on, each coefficient reduced as far as it goes.

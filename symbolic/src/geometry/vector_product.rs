@@ -37,7 +37,7 @@ impl Graph {
         vectors.then(|| Matrix::from_function(a.len(), b.len(), element))
     }
 
-    /// The matrix [v]× of a vector of three components, for which [v]× u = v × u.
+    /// The matrix of v × of a vector v of three components: its product with u is v × u.
     pub fn cross_matrix(&mut self, vector: &Matrix) -> Option<Matrix> {
         let [x, y, z] = vector.components()?;
         let zero = self.zero();
