@@ -249,6 +249,27 @@ fn what_is_no_rotation_has_none() {
 }
 
 #[test]
+fn constant_matrices_are_refused_only_if_they_are_numbers() {
+    let mut graph = Graph::new();
+    let turn = by_coordinates(&mut graph, "z", 0);
+    let (zero, one) = (graph.zero(), graph.one());
+    let shear = Matrix::new(3, 3, vec![one, zero, zero, one, one, zero, zero, zero, one]).unwrap();
+    let sheared = graph.matrix_product(&turn, &shear).unwrap();
+    for matrix in [&shear, &sheared] {
+        let found = graph.angular_velocity(matrix, 1);
+        assert_eq!(found, Err(NoRotation::Deformation));
+    }
+    // Parameters may be such that they make a rotation.
+    let elements = (0..9).map(|i| graph.symbol(Symbol::Parameter(i))).collect();
+    let mounting = Matrix::new(3, 3, elements).unwrap();
+    let mounted = graph.matrix_product(&turn, &mounting).unwrap();
+    let v = graph.symbol(Symbol::Velocity(0));
+    let axis = mounting.row(2).unwrap().transpose();
+    let expected = graph.matrix_scaled(&axis, v);
+    assert_eq!(graph.angular_velocity(&mounted, 1), Ok(expected));
+}
+
+#[test]
 fn reflections_are_refused_unless_they_are_two() {
     let mut graph = Graph::new();
     let turn = by_coordinates(&mut graph, "zxz", 0);

@@ -32,6 +32,7 @@ fn shapes_must_fit_their_elements() {
     let graph = Graph::new();
     let one = graph.one();
     assert_eq!(Matrix::new(2, 2, vec![one; 3]), None);
+    assert_eq!(Matrix::new(2, 2, vec![one; 5]), None);
     assert_eq!(Matrix::new(0, 3, Vec::new()), None);
     assert_eq!(Matrix::new(usize::MAX, 2, vec![one; 2]), None);
     let row = Matrix::new(1, 2, vec![one; 2]).unwrap();
@@ -53,6 +54,8 @@ fn sums_and_multiples_are_by_element() {
     assert_values(&graph, &sum, |point| {
         by_element(point, |x, y| 2.0 * x - 0.5 * y)
     });
+    let halved = graph.matrix_sum(&[(&a, Rational::HALF)]).unwrap();
+    assert_values(&graph, &halved, |point| by_element(point, |x, _| 0.5 * x));
     let both = graph.component_product(&a, &b).unwrap();
     assert_values(&graph, &both, |point| by_element(point, |x, y| x * y));
     let three = graph.integer(3);

@@ -50,6 +50,8 @@ fn all_sequences_are_products_of_elementary_rotations() {
         assert_near(&product.concat(), &rows(&graph, &one).concat(), ROUNDING);
         assert_eq!(graph.determinant(&matrix), Some(graph.one()));
         assert_eq!(graph.determinant(&forgetful), Some(graph.one()));
+        // An inverse is found to be the transpose, element by element.
+        assert_eq!(graph.inverse(&forgetful).as_ref(), Ok(&back));
         assert_eq!(graph.inverse(&matrix), Ok(back));
     }
 }

@@ -1,6 +1,6 @@
 //! Angular velocities of rotation matrices.
 //!
-//! In the axes that a rotation A turns, ω = vee(Aᵀ Ȧ), where vee takes the matrix [ω]× to ω. That of a
+//! In the axes that a rotation A turns, ω = vee(Aᵀ Ȧ), where vee takes the matrix of ω × to ω. That of a
 //! product is ω(AB) = Bᵀ ω(A) + ω(B), so that one factor after the other is enough: an elementary
 //! rotation adds the rate of its angle along its axis, a constant one adds nothing. Other matrices add
 //! the sum of vee(Aᵀ ∂A/∂q) q̇ over what they depend on, each coefficient reduced as far as it goes.
@@ -102,24 +102,15 @@ impl Graph {
         terms.map(|terms| self.sum(terms))
     }
 
-    /// vee(Aᵀ ∂A/∂s), of which each component is written in two ways: the cheaper one of both.
+    /// vee(Aᵀ ∂A/∂s).
     fn partial(&mut self, elements: &[Expression; 9], symbol: Symbol) -> Vector {
         let direction = Direction::from([(symbol, self.one())]);
         let slopes = self.directional_derivatives(elements, &direction);
         Axis::ALL.map(|axis| {
             let [_, j, k] = axis.cycle();
-            let mut element = |row: usize, column: usize| {
-                let pairs = (0..3).map(|i| (elements[3 * row + i], slopes[3 * column + i]));
-                self.sum_of_products(pairs)
-            };
-            let (ahead, behind) = (element(k, j), element(j, k));
-            let opposite = self.negate(behind);
-            let [ahead, opposite] = [ahead, opposite].map(|x| self.reduced(x));
-            if self.cost(&[opposite]) < self.cost(&[ahead]) {
-                opposite
-            } else {
-                ahead
-            }
+            let pairs = (0..3).map(|i| (elements[3 * k + i], slopes[3 * j + i]));
+            let component = self.sum_of_products(pairs);
+            self.reduced(component)
         })
     }
 }

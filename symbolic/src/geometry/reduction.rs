@@ -1,23 +1,20 @@
 //! Polynomials in sines and cosines, reduced by sin² + cos² = 1 over all their terms.
 //!
-//! The rules of sums see two terms at a time. Here an expression is multiplied out, and for each angle
-//! the squares of its sine are replaced by those of its cosine, or the other way round: what vanishes
-//! then vanishes term by term. Terms that differ in squares only are looked at together. Where all of
-//! them have one sign, a result with both signs is not taken, so that no sum becomes a difference.
-//! Of all results the cheapest is taken, which may be the expression as it was.
+//! The rules of sums see two terms at a time. Here an expression is multiplied out, and the squares of all
+//! sines are replaced by those of cosines, or the other way round: what vanishes then vanishes term by
+//! term. Terms that differ in squares only are looked at together. Where all of them have one sign, a
+//! result with both signs is not taken, so that no sum becomes a difference. Of all results the cheapest
+//! is taken, which may be the expression as it was.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::algebra::expansion::Polynomial;
 use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 
-/// For more angles than this not all combinations of sine and cosine are tried.
-const MOST_ANGLES: usize = 4;
 /// Higher powers of sines and cosines stay as they are.
 const HIGHEST_POWER: i64 = 8;
-
-/// The functions of each angle whose squares are replaced.
-type Choice = BTreeMap<Expression, Unary>;
+/// Nor is a monomial touched that would become more terms than this.
+const MOST_TERMS: usize = 128;
 
 impl Graph {
     /// The cheapest of what `simplest` finds and of the reductions of the same expression.
@@ -28,28 +25,10 @@ impl Graph {
             && let Some(polynomial) = self.monomials(expression)
         {
             let groups = self.groups(&polynomial);
-            for choice in choices(&self.squared_angles(&polynomial)) {
-                let reduction = self.reduction(&groups, &choice);
-                candidates.extend([reduction, self.factored(reduction)]);
-            }
+            candidates.extend([Unary::Sin, Unary::Cos].map(|f| self.reduction(&groups, f)));
         }
         let cheapest = candidates.into_iter().min_by_key(|x| self.cost(&[*x]));
         cheapest.unwrap_or(expression)
-    }
-
-    /// The angles of which a square of sine or cosine occurs.
-    fn squared_angles(&self, polynomial: &Polynomial) -> BTreeSet<Expression> {
-        let mut angles = BTreeSet::new();
-        for monomial in polynomial.keys() {
-            for (base, exponent) in self.powers(*monomial) {
-                if let Some((_, angle)) = self.circular(base)
-                    && halves(&exponent).is_some()
-                {
-                    angles.insert(angle);
-                }
-            }
-        }
-        angles
     }
 
     /// The terms of a polynomial, those together that differ in squares of sines and cosines only.
@@ -71,11 +50,12 @@ impl Graph {
         groups.into_values().collect()
     }
 
-    /// The sum of all groups, each reduced unless that makes a difference of a sum.
-    fn reduction(&mut self, groups: &[Polynomial], choice: &Choice) -> Expression {
+    /// The sum of all groups without squares of `function`, but for those groups of which that would make
+    /// a difference of a sum.
+    fn reduction(&mut self, groups: &[Polynomial], function: Unary) -> Expression {
         let mut terms = Vec::new();
         for group in groups {
-            let replaced = self.replaced(group, choice);
+            let replaced = self.replaced(group, function);
             let taken = if has_one_sign(group) && !has_one_sign(&replaced) {
                 group.clone()
             } else {
@@ -86,53 +66,65 @@ impl Graph {
         self.sum(terms)
     }
 
-    /// A polynomial without squares of the chosen functions.
-    fn replaced(&mut self, polynomial: &Polynomial, choice: &Choice) -> Polynomial {
-        let mut replaced = polynomial.clone();
-        for (angle, function) in choice {
-            let mut next = Polynomial::new();
-            for (monomial, coefficient) in replaced {
-                for (term, number) in self.without_squares(monomial, *function, *angle) {
-                    let sum = next.entry(term).or_insert(Rational::ZERO);
-                    *sum = &*sum + &(&number * &coefficient);
-                }
+    /// A polynomial without squares of `function`.
+    fn replaced(&mut self, polynomial: &Polynomial, function: Unary) -> Polynomial {
+        let mut replaced = Polynomial::new();
+        for (monomial, coefficient) in polynomial {
+            for (term, number) in self.without_squares(*monomial, function) {
+                let sum = replaced.entry(term).or_insert(Rational::ZERO);
+                *sum = &*sum + &(&number * coefficient);
             }
-            next.retain(|_, coefficient| !coefficient.is_zero());
-            replaced = next;
         }
+        replaced.retain(|_, coefficient| !coefficient.is_zero());
         replaced
     }
 
-    /// A monomial with f²ᵏ = (1 − g²)ᵏ multiplied out, where f is a sine and g the cosine or the other
-    /// way round.
+    /// A monomial with f²ᵏ = (1 − g²)ᵏ multiplied out, where f is a sine and g the cosine of the same
+    /// angle, or the other way round.
     fn without_squares(
         &mut self,
         monomial: Expression,
         function: Unary,
-        angle: Expression,
     ) -> Vec<(Expression, Rational)> {
-        let mut powers = self.powers(monomial);
-        let replaced = (function, angle);
-        let position = powers
-            .iter()
-            .position(|(base, _)| self.circular(*base) == Some(replaced));
-        let found = position.and_then(|position| Some((position, halves(&powers[position].1)?)));
-        let Some((position, (squares, rest))) = found else {
-            return vec![(monomial, Rational::ONE)];
+        let mut terms = vec![(self.one(), Rational::ONE)];
+        for (base, exponent) in self.powers(monomial) {
+            let powers = self.power_without_squares(base, &exponent, function);
+            if terms.len() * powers.len() > MOST_TERMS {
+                return vec![(monomial, Rational::ONE)];
+            }
+            let mut products = Vec::with_capacity(terms.len() * powers.len());
+            for (x, c) in &terms {
+                for (y, d) in &powers {
+                    products.push((self.multiply(*x, *y), c * d));
+                }
+            }
+            terms = products;
+        }
+        terms
+    }
+
+    /// Σ binom(k, j) (−1)ʲ g²ʲ fʳ for a power f²ᵏ⁺ʳ, and any other power as it is.
+    fn power_without_squares(
+        &mut self,
+        base: Expression,
+        exponent: &Rational,
+        function: Unary,
+    ) -> Vec<(Expression, Rational)> {
+        let angle = self.circular(base).filter(|(f, _)| *f == function);
+        let (Some((_, angle)), Some((squares, rest))) = (angle, halves(exponent)) else {
+            return vec![(self.power(base, exponent), Rational::ONE)];
         };
-        powers[position].1 = Rational::integer(rest);
-        let rest = self.product(powers);
         let other = match function {
-            Unary::Sin => Unary::Cos,
-            _ => Unary::Sin,
+            Unary::Sin => self.unary(Unary::Cos, angle),
+            _ => self.unary(Unary::Sin, angle),
         };
-        let other = self.unary(other, angle);
         let mut terms = Vec::new();
         let mut binomial = 1;
-        for k in 0..=squares {
-            let power = self.power(other, &Rational::integer(2 * k));
-            terms.push((self.multiply(rest, power), Rational::integer(binomial)));
-            binomial = -binomial * (squares - k) / (k + 1);
+        for j in 0..=squares {
+            let powers = [(other, 2 * j), (base, rest)];
+            let powers = powers.map(|(x, k)| (x, Rational::integer(k)));
+            terms.push((self.product(powers), Rational::integer(binomial)));
+            binomial = -binomial * (squares - j) / (j + 1);
         }
         terms
     }
@@ -145,7 +137,7 @@ impl Graph {
         }
     }
 
-    /// The angle of a sine or cosine.
+    /// The function and the angle of a sine or cosine.
     fn circular(&self, expression: Expression) -> Option<(Unary, Expression)> {
         match self.node(expression) {
             Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => Some((*function, *angle)),
@@ -157,9 +149,8 @@ impl Graph {
 /// How many squares are in a power with this exponent, and what is left, unless there are none or many.
 fn halves(exponent: &Rational) -> Option<(i64, i64)> {
     let exponent = exponent.to_integer()?;
-    (2..=HIGHEST_POWER)
-        .contains(&exponent)
-        .then_some((exponent / 2, exponent % 2))
+    let is_replaced = (2..=HIGHEST_POWER).contains(&exponent);
+    is_replaced.then_some((exponent / 2, exponent % 2))
 }
 
 /// Whether all coefficients are positive, or all negative.
@@ -167,24 +158,6 @@ fn has_one_sign(polynomial: &Polynomial) -> bool {
     let mut signs = polynomial.values().map(Rational::is_negative);
     let first = signs.next();
     signs.all(|sign| Some(sign) == first)
-}
-
-/// Sine or cosine for each angle, in all combinations if there are few angles, else the same for all.
-fn choices(angles: &BTreeSet<Expression>) -> Vec<Choice> {
-    let functions = [Unary::Sin, Unary::Cos];
-    if angles.is_empty() {
-        return Vec::new();
-    }
-    if angles.len() > MOST_ANGLES {
-        let same = |function| angles.iter().map(|angle| (*angle, function)).collect();
-        return functions.map(same).into();
-    }
-    let combination = |number: usize| {
-        let angles = angles.iter().enumerate();
-        let choice = angles.map(|(bit, angle)| (*angle, functions[number >> bit & 1]));
-        choice.collect()
-    };
-    (0..1 << angles.len()).map(combination).collect()
 }
 
 #[cfg(test)]
@@ -221,6 +194,27 @@ mod tests {
     }
 
     #[test]
+    fn sines_and_cosines_are_replaced_and_odd_powers_keep_one() {
+        // f (1 − f²)³ multiplied out is f g⁶, for f the sine and for f the cosine.
+        for [f, g] in [[0, 1], [1, 0]] {
+            let mut draft = Draft::new(1);
+            let both = circular(&mut draft, 0);
+            let (f, g) = (both[f], both[g]);
+            let binomials = [1, -3, 3, -1];
+            let mut terms = Vec::new();
+            for (j, binomial) in (0..).zip(binomials) {
+                let power = draft.graph.power(f, &Rational::integer(2 * j + 1));
+                terms.push((power, Rational::integer(binomial)));
+            }
+            let alternating = draft.graph.sum(terms);
+            let sixth = draft.graph.power(g, &Rational::integer(6));
+            let expected = draft.times(&[f, sixth]);
+            assert_eq!(draft.graph.reduced(alternating), expected);
+            assert_ne!(draft.graph.simplest(alternating), expected);
+        }
+    }
+
+    #[test]
     fn no_sum_becomes_a_difference() {
         // sin²a + cos²a sin²b costs more than 1 − cos²a cos²b, which cancels.
         let mut draft = Draft::new(2);
@@ -243,22 +237,5 @@ mod tests {
         ]);
         let twice = draft.graph.scale(x, &Rational::integer(2));
         assert_eq!(draft.graph.reduced(mixed), twice);
-    }
-
-    #[test]
-    fn of_many_angles_all_squares_are_replaced_alike() {
-        // Π (sin² + cos²) over five angles.
-        let mut draft = Draft::new(5);
-        let mut product = vec![draft.graph.one()];
-        for i in 0..5 {
-            let squares = circular(&mut draft, i).map(|x| draft.square(x));
-            let pairs = product
-                .iter()
-                .flat_map(|x| squares.map(|square| (*x, square)));
-            let pairs: Vec<_> = pairs.collect();
-            product = pairs.iter().map(|(x, y)| draft.times(&[*x, *y])).collect();
-        }
-        let whole = draft.plus(&product);
-        assert_eq!(draft.graph.reduced(whole), draft.graph.one());
     }
 }

@@ -37,7 +37,7 @@ impl Graph {
         vectors.then(|| Matrix::from_function(a.len(), b.len(), element))
     }
 
-    /// The matrix [v]× of a vector of three components, for which [v]× u = v × u.
+    /// The matrix of v × of a vector v of three components: its product with u is v × u.
     pub fn cross_matrix(&mut self, vector: &Matrix) -> Option<Matrix> {
         let [x, y, z] = vector.components()?;
         let zero = self.zero();
@@ -60,8 +60,8 @@ impl Graph {
 }
 
 impl Matrix {
-    /// The components of a vector that has three of them.
+    /// The three elements of a matrix that has three, and so only one row or column.
     fn components(&self) -> Option<[Expression; 3]> {
-        self.elements().try_into().ok().filter(|_| self.is_vector())
+        self.elements().try_into().ok()
     }
 }
