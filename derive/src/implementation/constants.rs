@@ -43,6 +43,7 @@ impl Implementation<'_> {
         });
         quote! {
             #[doc = #documentation]
+            #[automatically_derived]
             impl #generics #name #arguments #conditions {
                 /// The names of the coordinates, in order.
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
