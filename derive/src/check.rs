@@ -7,8 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 use syn::Type;
 
-use crate::declaration::{Clause, Declaration, Named, Role};
+use crate::declaration::{Clause, Declaration, Named};
 use crate::diagnostics::{Diagnostics, similar};
+use crate::field::Role;
 use crate::field_type::{FieldType, Unfit};
 use crate::names::{constant, plain};
 use crate::scope::RESERVED;
@@ -29,7 +30,7 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     for field in declaration
         .fields
         .iter()
-        .filter(|field| field.role != Role::Skipped)
+        .filter(|field| field.role != Role::Skipped && field.readable)
     {
         let ty = field.meant();
         let message = match FieldType::read(ty) {

@@ -3,20 +3,19 @@
 //! Comes in: the tokens of a struct. Goes out: a [`Declaration`] that is grammatical, every part with
 //! its span. What the words mean is not looked at here.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenTree};
 use syn::ext::IdentExt;
+use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative;
-use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{
     Attribute, Data, DeriveInput, Expr, Fields, Generics, LitInt, MacroDelimiter, Meta, Token,
-    Type, Visibility, token,
+    Visibility, token,
 };
 
 use crate::diagnostics::{Diagnostics, similar};
-use crate::field_type::FieldType;
+use crate::field::{Field, Role};
 use crate::root::Root;
-use crate::value::Shape;
 
 /// A struct with its energies.
 pub(crate) struct Declaration {
@@ -29,27 +28,6 @@ pub(crate) struct Declaration {
     pub(crate) clauses: Clauses,
     /// Where the emitted code finds the crate `lagrangian`.
     pub(crate) root: Root,
-}
-
-/// A named field of the struct.
-pub(crate) struct Field {
-    pub(crate) name: Ident,
-    pub(crate) ty: Type,
-    /// What its type is an alias of: `#[lagrangian(type = Matrix3<f64>)]`.
-    pub(crate) meant: Option<Type>,
-    pub(crate) role: Role,
-}
-
-/// What a field is to the model.
-#[derive(Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// Constant in time.
-    #[default]
-    Parameter,
-    /// Set from outside: `#[lagrangian(input)]`.
-    Input,
-    /// None of the model's business: `#[lagrangian(skip)]`.
-    Skipped,
 }
 
 /// All that stands in the struct's `#[lagrangian(…)]` attributes.
@@ -163,104 +141,12 @@ fn named_fields(
     None
 }
 
-fn own(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
+/// The attributes that are ours.
+pub(crate) fn own(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
     attributes
         .iter()
         .filter(|attribute| attribute.path().is_ident("lagrangian"))
 }
-
-impl Field {
-    fn read(field: syn::Field, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let mut marks = Marks::default();
-        for attribute in own(&field.attrs) {
-            match attribute.parse_args_with(Punctuated::<Mark, Token![,]>::parse_terminated) {
-                Ok(found) if !found.is_empty() => {
-                    for mark in found {
-                        marks.add(mark, diagnostics);
-                    }
-                }
-                Ok(_) => diagnostics.error(&attribute.meta, HOW_TO_MARK),
-                Err(error) => diagnostics.error_at(error.span(), HOW_TO_MARK),
-            }
-        }
-        Some(Self {
-            name: field.ident?,
-            ty: field.ty,
-            meant: marks.meant,
-            role: marks.role,
-        })
-    }
-
-    /// The type that decides what the field is to the model.
-    pub(crate) fn meant(&self) -> &Type {
-        self.meant.as_ref().unwrap_or(&self.ty)
-    }
-
-    /// The shape of its value, and what stands behind the field to read each component, column by
-    /// column; `None` where the type is none that a parameter can have.
-    pub(crate) fn shape_and_accesses(&self) -> Option<(Shape, Vec<TokenStream>)> {
-        let read = FieldType::read(self.meant()).ok()?;
-        Some((read.shape(), read.accesses()))
-    }
-}
-
-/// One word of a field's attribute.
-enum Mark {
-    Word(Ident),
-    Meant(Type),
-}
-
-impl Parse for Mark {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        if input.parse::<Option<Token![type]>>()?.is_none() {
-            return input.parse().map(Self::Word);
-        }
-        input.parse::<Token![=]>()?;
-        input.parse().map(Self::Meant)
-    }
-}
-
-/// What a field's attributes say.
-#[derive(Default)]
-struct Marks {
-    role: Role,
-    meant: Option<Type>,
-}
-
-impl Marks {
-    fn add(&mut self, mark: Mark, diagnostics: &mut Diagnostics) {
-        let word = match mark {
-            Mark::Meant(ty) => {
-                if self.meant.is_some() {
-                    let message = "the type of this field is given twice: keep one of them";
-                    diagnostics.error(&ty, message);
-                }
-                self.meant = Some(ty);
-                return;
-            }
-            Mark::Word(word) => word,
-        };
-        let role = match word.to_string().as_str() {
-            "input" => Role::Input,
-            "skip" => Role::Skipped,
-            written => {
-                let message = format!(
-                    "unknown field attribute `{written}`: write `input`, `skip` or `type = Matrix3<f64>`"
-                );
-                return diagnostics.error(word, message);
-            }
-        };
-        if self.role == Role::Parameter || self.role == role {
-            self.role = role;
-        } else {
-            let message = "a field is an input or it is skipped: keep one of `input` and `skip`";
-            diagnostics.error(word, message);
-        }
-    }
-}
-
-const HOW_TO_MARK: &str = "write `#[lagrangian(input)]`, `#[lagrangian(skip)]` or `#[lagrangian(type = …)]` on a \
-                           field";
 
 impl Clauses {
     fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {

@@ -153,7 +153,7 @@ impl Translator<'_> {
             Some(Meaning::Family(_, family)) => {
                 let brackets = "[i]".repeat(family.rank);
                 let message = format!(
-                    "`{name}` is a family of {}: write one of them, as in `{name}{brackets}`, or a vector, \
+                    "`{name}` is a family of {} quantities: write one of them, as in `{name}{brackets}`, or a vector, \
                      as in `(0..{name}.len()).map(|i| {name}[i]).collect()`",
                     family.members.len()
                 );

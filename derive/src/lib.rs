@@ -3,6 +3,7 @@
 mod expand;
 mod diagnostics;
 mod declaration;
+mod field;
 mod field_type;
 mod root;
 mod check;

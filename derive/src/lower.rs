@@ -8,7 +8,7 @@ use crate::declaration::{Clause, Declaration, Named};
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
 use crate::quantities::Quantities;
-use crate::scope::{Meaning, Scope};
+use crate::scope::{Kind, Meaning, Scope};
 use crate::value::{Shape, Value};
 
 /// A declaration of which every name is resolved, as far as it is understood.
@@ -107,7 +107,12 @@ impl Translator<'_> {
         let outputs = clauses
             .outputs
             .iter()
-            .map(|output| self.translate(&output.expression, Place::Observation))
+            .map(|output| {
+                // An output with indices has been refused.
+                let whole = output.indices.is_empty() && output.iterations.is_empty();
+                let expression = whole.then_some(&output.expression)?;
+                self.translate(expression, Place::Observation)
+            })
             .collect();
         let energies = if clauses.lagrangian.is_empty() {
             self.natural(&clauses.kinetic, kinetic, potential)
@@ -149,12 +154,11 @@ impl Translator<'_> {
                     iteration.index
                 );
                 self.diagnostics.error(name, message);
+                return self.scope.define(name, Meaning::Broken);
             }
             let meaning = match self.translate(&definition.expression, Place::Observation) {
-                Some(value) if definition.iterations.is_empty() => {
-                    Meaning::Quantity(crate::scope::Kind::Defined, value)
-                }
-                _ => Meaning::Broken,
+                Some(value) => Meaning::Quantity(Kind::Defined, value),
+                None => Meaning::Broken,
             };
             return self.scope.define(&definition.name, meaning);
         }

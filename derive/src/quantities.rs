@@ -4,8 +4,12 @@ use core::fmt;
 
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
 use proc_macro2::{Ident, TokenStream};
+use quote::{quote, quote_spanned};
+use syn::Type;
+use syn::spanned::Spanned as _;
 
-use crate::declaration::{Declaration, Role};
+use crate::declaration::Declaration;
+use crate::field::Role;
 use crate::names::plain;
 use crate::value::{Index, Shape, Value};
 
@@ -28,7 +32,27 @@ pub(crate) struct Component {
     pub(crate) field: Ident,
     pub(crate) label: Label,
     /// What stands behind the field to read the component.
-    pub(crate) access: TokenStream,
+    access: TokenStream,
+    /// What the declaration says that the field's type is, where it says so.
+    meant: Option<Type>,
+}
+
+impl Component {
+    /// The expression that reads the component, with the name of the field where it is spoken of.
+    pub(crate) fn read(&self, field: &Ident) -> TokenStream {
+        let access = &self.access;
+        let Some(meant) = &self.meant else {
+            return quote!(self.#field #access);
+        };
+        // The compiler says so where the type is another.
+        let checked =
+            quote_spanned!(meant.span()=> ::core::convert::identity::<&#meant>(&self.#field));
+        if access.is_empty() {
+            quote!(*#checked)
+        } else {
+            quote!(#checked #access)
+        }
+    }
 }
 
 impl Label {
@@ -68,6 +92,7 @@ impl Quantities {
                             indices: shape.index(i).into_iter().collect(),
                         },
                         access,
+                        meant: field.meant.clone(),
                     };
                     accesses.into_iter().enumerate().map(component)
                 })

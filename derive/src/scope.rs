@@ -6,8 +6,9 @@ use std::rc::Rc;
 use lagrangian_symbolic::{Expression, Graph, Symbol};
 use proc_macro2::Ident;
 
-use crate::declaration::{Declaration, Role};
+use crate::declaration::Declaration;
 use crate::diagnostics::similar;
+use crate::field::Role;
 use crate::names::{plain, spelled};
 use crate::quantities::{Label, Symbols};
 use crate::value::{Index, Value};

@@ -24,9 +24,19 @@ impl Translator<'_> {
             _ => None,
         };
         let family = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
-        let Some((name, Meaning::Family(kind, family))) = family else {
-            let value = self.translate(base, place)?;
-            return self.components(value, &indices);
+        let (name, kind, family) = match family {
+            Some((name, Meaning::Family(kind, family))) => (name, kind, family),
+            Some((name, Meaning::Later)) => {
+                let message = format!(
+                    "no member of `{name}` is defined before this one: define the first of them first, as in \
+                     `{name}[0] = …, {name}[i] = … for i in 1..5`"
+                );
+                return self.reject(name, message);
+            }
+            _ => {
+                let value = self.translate(base, place)?;
+                return self.components(value, &indices);
+            }
         };
         if indices.len() < family.rank {
             let message = format!(

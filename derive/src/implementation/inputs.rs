@@ -4,7 +4,6 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Implementation;
-use crate::quantities::Component;
 
 impl Implementation<'_> {
     pub(super) fn inputs(&self) -> TokenStream {
@@ -17,10 +16,7 @@ impl Implementation<'_> {
         let vector = quote!(#root::__private::SVector<#scalar, #u>);
         let components = &self.lowered.quantities.inputs;
         let names = components.iter().map(|input| input.label.to_string());
-        let fields = components.iter().map(|input| {
-            let Component { field, access, .. } = input;
-            quote!(#field #access)
-        });
+        let values = components.iter().map(|input| input.read(&input.field));
         let arguments = [quote!(inputs: &#vector)];
         let driven = self.driven(&arguments, "_with");
         let matrix = quote!(#root::__private::SMatrix<#scalar, #n, #u>);
@@ -36,7 +32,7 @@ impl Implementation<'_> {
 
             fn inputs(&self) -> #vector {
                 <#vector as ::core::convert::From<[#scalar; #u]>>::from([
-                    #(#root::__private::parameter(self.#fields)),*
+                    #(#root::__private::parameter(#values)),*
                 ])
             }
 

@@ -26,9 +26,10 @@ impl Source for Reader<'_> {
         let root = &self.implementation.declaration.root;
         let lowered = self.implementation.lowered;
         let field = |components: &[Component], i: u32| {
-            let Component { field, access, .. } = &components[i as usize];
-            let field = lowered.scope.first_use(field).unwrap_or(field);
-            quote!(#root::__private::parameter(self.#field #access))
+            let component = &components[i as usize];
+            let field = &component.field;
+            let value = component.read(lowered.scope.first_use(field).unwrap_or(field));
+            quote!(#root::__private::parameter(#value))
         };
         let quantities = &lowered.quantities;
         match symbol {

@@ -3,7 +3,7 @@ use lagrangian::Lagrangian;
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(theta[3]),
-    kinetic = 0.5 * m * l.powi(2) * dot(theta[0]).powi(2),
+    kinetic = 0.5 * m * (0..3).map(|i| dot(theta[i]).powi(2)).sum(),
     potential = -m * g * l * cos(theta),
 )]
 struct Model {

@@ -1,0 +1,13 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta, x),
+    kinetic = 0.5 * m * (dot(theta).powi(2) + dot(x).powi(2)),
+)]
+struct Model {
+    m: f64,
+    l: [f64; N],
+}
+
+fn main() {}
