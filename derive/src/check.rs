@@ -10,11 +10,13 @@ use syn::Type;
 use crate::declaration::{Clause, Declaration, Role};
 use crate::diagnostics::{Diagnostics, similar};
 use crate::names::{constant, plain};
+use crate::scalar::{self, type_parameter};
 use crate::scope::RESERVED;
 
 /// Checks names, types of fields and the set of clauses.
 pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_field_types(declaration, diagnostics);
+    scalar::check(declaration, diagnostics);
     check_names(declaration, diagnostics);
     check_constants(declaration, diagnostics);
     check_forces(declaration, diagnostics);
@@ -30,7 +32,8 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         .iter()
         .filter(|field| field.role != Role::Skipped)
     {
-        if !is_float(&field.ty) {
+        let scalar = type_parameter(&declaration.generics, &field.ty).is_some();
+        if !scalar && !is_float(&field.ty) {
             diagnostics.error(
                 &field.ty,
                 "parameters are of type `f64` or `f32`: change the type, or mark the field \

@@ -9,13 +9,14 @@ mod writer;
 mod parameters;
 
 use lagrangian_symbolic::{Equations, Model};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::body::Body;
-use crate::declaration::{Declaration, Role};
+use crate::declaration::{Declaration, Field, Role};
 use crate::methods::{Method, Methods};
 use crate::names::{Locals, SymbolNames};
+use crate::scalar::Scalar;
 use crate::scope::Scope;
 use parameters::marked_if_unused;
 use reader::{InputsFrom, Reader};
@@ -31,7 +32,7 @@ pub(crate) struct Implementation<'a> {
     pub(crate) equations: &'a Equations,
     pub(crate) methods: &'a Methods,
     pub(crate) symbols: SymbolNames,
-    pub(crate) scalar: Ident,
+    pub(crate) scalar: Scalar<'a>,
 }
 
 impl<'a> Implementation<'a> {
@@ -59,7 +60,7 @@ impl<'a> Implementation<'a> {
                 parameters: names(Role::Parameter),
                 inputs: names(Role::Input),
             },
-            scalar: Ident::new("__S", Span::mixed_site()),
+            scalar: Scalar::of(declaration),
         }
     }
 
@@ -85,23 +86,24 @@ impl<'a> Implementation<'a> {
         self.model.coordinates as usize
     }
 
-    /// `impl<…> trait<…> for Model`, generic over the scalar.
+    /// `impl<…> trait<…> for Model`, on the scalar.
     fn implement(&self, interface: &TokenStream, items: &TokenStream) -> TokenStream {
         let name = &self.declaration.name;
-        let root = &self.declaration.root;
-        let scalar = &self.scalar;
-        let mut generics = self.declaration.generics.clone();
-        generics
-            .params
-            .push(syn::parse_quote!(#scalar: #root::Scalar));
-        let (generics, _, _) = generics.split_for_impl();
-        let (_, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let generics = self.scalar.generics(&self.declaration.generics);
+        let (generics, _, conditions) = generics.split_for_impl();
+        let (_, arguments, _) = self.declaration.generics.split_for_impl();
         quote! {
             #[automatically_derived]
             impl #generics #interface for #name #arguments #conditions {
                 #items
             }
         }
+    }
+
+    /// The value of a field on the scalar.
+    fn field(&self, field: &Field) -> TokenStream {
+        let name = self.scope.first_use(&field.name).unwrap_or(&field.name);
+        self.scalar.read(&quote!(self.#name), &field.ty)
     }
 
     fn vector(&self) -> TokenStream {

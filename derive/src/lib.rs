@@ -4,6 +4,7 @@ mod expand;
 mod diagnostics;
 mod declaration;
 mod root;
+mod scalar;
 mod check;
 mod scope;
 mod expression;

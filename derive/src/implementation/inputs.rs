@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Implementation;
+use crate::declaration::Role;
 use crate::names::plain;
 
 impl Implementation<'_> {
@@ -16,7 +17,8 @@ impl Implementation<'_> {
         let scalar = &self.scalar;
         let vector = quote!(#root::__private::SVector<#scalar, #u>);
         let names = self.symbols.inputs.iter().map(plain);
-        let fields = &self.symbols.inputs;
+        let fields = self.declaration.fields_with(Role::Input);
+        let values = fields.map(|field| self.field(field));
         let arguments = [quote!(inputs: &#vector)];
         let driven = self.driven(&arguments, "_with");
         let matrix = quote!(#root::__private::SMatrix<#scalar, #n, #u>);
@@ -32,7 +34,7 @@ impl Implementation<'_> {
 
             fn inputs(&self) -> #vector {
                 <#vector as ::core::convert::From<[#scalar; #u]>>::from([
-                    #(#root::__private::parameter(self.#fields)),*
+                    #(#values),*
                 ])
             }
 

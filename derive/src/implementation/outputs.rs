@@ -6,6 +6,7 @@ use quote::quote;
 use super::Implementation;
 use crate::declaration::Declaration;
 use crate::names::{hygienic, placed, plain};
+use crate::scalar::Scalar;
 
 impl Implementation<'_> {
     pub(super) fn outputs(&self) -> TokenStream {
@@ -59,7 +60,7 @@ impl Implementation<'_> {
 /// The struct that holds a model's outputs: its name, and its definition.
 pub(crate) fn results(
     declaration: &Declaration,
-    scalar: &Ident,
+    scalar: &Scalar<'_>,
     outputs: &[&Ident],
 ) -> (Ident, TokenStream) {
     let name = &declaration.name;

@@ -1,11 +1,12 @@
 //! Where the emitted code finds the values of symbols.
 
 use lagrangian_symbolic::Symbol;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Implementation;
 use crate::body::Source;
+use crate::declaration::Role;
 
 /// Where the values of inputs come from.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,21 +23,19 @@ pub(super) struct Reader<'a> {
 
 impl Source for Reader<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
-        let root = &self.implementation.declaration.root;
-        let field = |names: &[Ident], i: u32| {
-            let name = &names[i as usize];
-            let name = self.implementation.scope.first_use(name).unwrap_or(name);
-            quote!(#root::__private::parameter(self.#name))
+        let field = |role, i: u32| {
+            let fields = self.implementation.declaration.fields_with(role);
+            let field = fields.into_iter().nth(i as usize);
+            field.map_or_else(TokenStream::new, |field| self.implementation.field(field))
         };
-        let names = &self.implementation.symbols;
         match symbol {
             Symbol::Time => quote!(state.t),
             Symbol::Coordinate(i) => element(&quote!(state.q), i),
             Symbol::Velocity(i) => element(&quote!(state.v), i),
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
-            Symbol::Parameter(i) => field(&names.parameters, i),
+            Symbol::Parameter(i) => field(Role::Parameter, i),
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
-            Symbol::Input(i) => field(&names.inputs, i),
+            Symbol::Input(i) => field(Role::Input, i),
             Symbol::Prepared(i) => element(&quote!(prepared), i),
         }
     }
