@@ -14,6 +14,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 use quote::{ToTokens, quote};
 
 use crate::names::Locals;
+use crate::scalar::Scalar;
 use angles::Angles;
 
 /// How deep expressions are nested in one statement.
@@ -48,6 +49,16 @@ impl Text {
         }
     }
 
+    /// −x, which is not fused with anything.
+    fn opposite(self) -> Self {
+        Self {
+            level: Level::Sign,
+            depth: self.depth,
+            factors: None,
+            tokens: self.negative(),
+        }
+    }
+
     /// −x.
     fn negative(self) -> TokenStream {
         let x = self.at(Level::Atom);
@@ -74,7 +85,7 @@ pub(crate) trait Source {
 pub(crate) struct Body<'a> {
     passes: Passes,
     locals: Locals<'a>,
-    scalar: &'a Ident,
+    scalar: &'a Scalar<'a>,
     source: &'a dyn Source,
     symbols: BTreeMap<Symbol, Ident>,
     texts: BTreeMap<usize, Text>,
@@ -88,7 +99,7 @@ impl<'a> Body<'a> {
         program: &Program,
         passes: Passes,
         locals: Locals<'a>,
-        scalar: &'a Ident,
+        scalar: &'a Scalar<'a>,
         source: &'a dyn Source,
     ) -> Self {
         Self {
@@ -164,9 +175,9 @@ impl<'a> Body<'a> {
             sines.push(sine);
             cosines.push(cosine);
         }
-        let scalar = self.scalar;
+        let functions = self.scalar.functions();
         statements.extend(quote! {
-            let ([#(#sines),*], [#(#cosines),*]) = #scalar::sines_and_cosines([#(#arguments),*]);
+            let ([#(#sines),*], [#(#cosines),*]) = #functions::sines_and_cosines([#(#arguments),*]);
         });
         angles.made_of.into_iter().chain(angles.pairs).collect()
     }
@@ -183,9 +194,9 @@ impl<'a> Body<'a> {
     fn instruction(&mut self, instruction: &Instruction, statements: &mut TokenStream) {
         let value = instruction.value;
         if let Operation::SineAndCosine(x) = &instruction.operation {
-            let argument = self.operand(x).at(Level::Atom);
+            let value = self.call(self.operand(x), "sin_cos", &[]);
             let (sine, cosine) = self.pair(instruction);
-            statements.extend(quote!(let (#sine, #cosine) = #argument.sin_cos();));
+            statements.extend(quote!(let (#sine, #cosine) = #value;));
             return;
         }
         let text = self.operation(&instruction.operation);
@@ -214,8 +225,8 @@ impl<'a> Body<'a> {
                 .unwrap_or_else(|| Text::atom(TokenStream::new()))
         };
         let (tokens, level) = match operation {
-            Operation::Add(..) => sum(next(), next()),
-            Operation::Subtract(..) => difference(next(), next()),
+            Operation::Add(..) => self.sum(next(), next()),
+            Operation::Subtract(..) => self.difference(next(), next()),
             Operation::Multiply(..) => {
                 let (x, y) = (next(), next());
                 let tokens = infix(x.clone(), '*', y.clone(), Level::Product);
@@ -228,12 +239,12 @@ impl<'a> Body<'a> {
             }
             Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
             Operation::Negate(_) => (next().negative(), Level::Sign),
-            Operation::SquareRoot(_) => (call(next(), "sqrt", None), Level::Atom),
-            Operation::SineAndCosine(_) => (call(next(), "sin_cos", None), Level::Atom),
-            Operation::Unary(function, _) => (call(next(), function.name(), None), Level::Atom),
+            Operation::SquareRoot(_) => (self.call(next(), "sqrt", &[]), Level::Atom),
+            Operation::SineAndCosine(_) => (self.call(next(), "sin_cos", &[]), Level::Atom),
+            Operation::Unary(function, _) => (self.call(next(), function.name(), &[]), Level::Atom),
             Operation::Binary(function, ..) => {
                 let (x, y) = (next(), next());
-                (call(x, function.name(), Some(y)), Level::Atom)
+                (self.call(x, function.name(), &[y.tokens]), Level::Atom)
             }
             // No declaration has functions from outside.
             Operation::Application(..) => (TokenStream::new(), Level::Atom),
@@ -252,9 +263,53 @@ impl<'a> Body<'a> {
             Operand::Symbol(symbol) => Text::atom(&self.symbols[symbol]),
             Operand::Constant(number) => Text::atom(constant(self.scalar, number)),
             Operand::Pi => {
-                let scalar = self.scalar;
-                Text::atom(quote!(#scalar::from_f64(::core::f64::consts::PI)))
+                let functions = self.scalar.functions();
+                Text::atom(quote!(#functions::from_f64(::core::f64::consts::PI)))
             }
+        }
+    }
+
+    /// x + y, with a product among them fused.
+    fn sum(&self, x: Text, y: Text) -> (TokenStream, Level) {
+        let (factors, summand) = match (x.factors.clone(), y.factors.clone()) {
+            (_, Some(factors)) => (factors, x),
+            (Some(factors), None) => (factors, y),
+            (None, None) => return (infix(x, '+', y, Level::Sum), Level::Sum),
+        };
+        let [a, b] = *factors;
+        (self.fused(a, b, summand.tokens), Level::Atom)
+    }
+
+    /// x − y, with a product among them fused.
+    fn difference(&self, x: Text, y: Text) -> (TokenStream, Level) {
+        let (a, b, summand) = match (x.factors.clone(), y.factors.clone()) {
+            (_, Some(factors)) => {
+                let [a, b] = *factors;
+                (a.opposite(), b, x.tokens)
+            }
+            (Some(factors), None) => {
+                let [a, b] = *factors;
+                (a, b, y.negative())
+            }
+            (None, None) => return (infix(x, '-', y, Level::Sum), Level::Sum),
+        };
+        (self.fused(a, b, summand), Level::Atom)
+    }
+
+    /// a · b + summand.
+    fn fused(&self, a: Text, b: Text, summand: TokenStream) -> TokenStream {
+        self.call(a, "mul_add", &[b.tokens, summand])
+    }
+
+    /// A function of the scalar: as a method, unless that could be another trait's.
+    fn call(&self, x: Text, function: &str, arguments: &[TokenStream]) -> TokenStream {
+        let function = Ident::new(function, Span::mixed_site());
+        if self.scalar.is_ambiguous() {
+            let (functions, x) = (self.scalar.functions(), x.tokens);
+            quote!(#functions::#function(#x #(, #arguments)*))
+        } else {
+            let receiver = x.at(Level::Atom);
+            quote!(#receiver.#function(#(#arguments),*))
         }
     }
 }
@@ -279,40 +334,6 @@ fn count_uses(program: &Program) -> Vec<usize> {
     uses
 }
 
-/// x + y, with a product among them fused.
-fn sum(x: Text, y: Text) -> (TokenStream, Level) {
-    let (factors, summand) = match (x.factors.clone(), y.factors.clone()) {
-        (_, Some(factors)) => (factors, x),
-        (Some(factors), None) => (factors, y),
-        (None, None) => return (infix(x, '+', y, Level::Sum), Level::Sum),
-    };
-    let [a, b] = *factors;
-    (fused(&a.at(Level::Atom), &b, &summand.tokens), Level::Atom)
-}
-
-/// x − y, with a product among them fused.
-fn difference(x: Text, y: Text) -> (TokenStream, Level) {
-    let (receiver, factor, summand) = match (x.factors.clone(), y.factors.clone()) {
-        (_, Some(factors)) => {
-            let [a, b] = *factors;
-            let opposite = a.negative();
-            (quote!((#opposite)), b, x.tokens)
-        }
-        (Some(factors), None) => {
-            let [a, b] = *factors;
-            (a.at(Level::Atom), b, y.negative())
-        }
-        (None, None) => return (infix(x, '-', y, Level::Sum), Level::Sum),
-    };
-    (fused(&receiver, &factor, &summand), Level::Atom)
-}
-
-/// receiver · factor + summand.
-fn fused(receiver: &TokenStream, factor: &Text, summand: &TokenStream) -> TokenStream {
-    let factor = &factor.tokens;
-    quote!(#receiver.mul_add(#factor, #summand))
-}
-
 fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
     let mut tokens = left.at(level);
     tokens.extend([TokenTree::Punct(Punct::new(operator, Spacing::Alone))]);
@@ -327,19 +348,13 @@ fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
     tokens
 }
 
-fn call(x: Text, function: &str, y: Option<Text>) -> TokenStream {
-    let receiver = x.at(Level::Atom);
-    let function = Ident::new(function, Span::mixed_site());
-    let argument = y.map(|y| y.tokens);
-    quote!(#receiver.#function(#argument))
-}
-
 /// The scalar nearest to an exact number.
-pub(crate) fn constant(scalar: &Ident, number: &Rational) -> TokenStream {
+pub(crate) fn constant(scalar: &Scalar<'_>, number: &Rational) -> TokenStream {
     let value = number.to_f64();
     let magnitude = literal(value.abs());
     let sign = (value < 0.0).then(|| quote!(-));
-    quote!(#scalar::from_f64(#sign #magnitude))
+    let functions = scalar.functions();
+    quote!(#functions::from_f64(#sign #magnitude))
 }
 
 /// The shortest literal that reads back as `value`, which is not negative.

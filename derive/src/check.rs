@@ -10,13 +10,15 @@ use syn::Type;
 use crate::declaration::{Clause, Declaration, Named};
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field::Role;
-use crate::field_type::{FieldType, Unfit};
+use crate::field_type::Unfit;
 use crate::names::{constant, plain};
+use crate::scalar::{self, type_parameter};
 use crate::scope::RESERVED;
 
 /// Checks names, types of fields and the set of clauses.
 pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_field_types(declaration, diagnostics);
+    scalar::check(declaration, diagnostics);
     check_names(declaration, diagnostics);
     check_constants(declaration, diagnostics);
     check_forces(declaration, diagnostics);
@@ -33,8 +35,8 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         .filter(|field| field.role != Role::Skipped && field.readable)
     {
         let ty = field.meant();
-        let message = match FieldType::read(ty) {
-            Ok(read) if is_float(read.element) => continue,
+        let message = match field.form() {
+            Ok(read) if is_number(declaration, read.element) => continue,
             Ok(_) | Err(Unfit::Unknown) => {
                 "parameters are of type `f64`, `f32`, arrays of them such as `[f64; 5]`, or vectors and \
                  matrices of nalgebra such as `Vector3<f64>`: change the type, name what it is an alias of by \
@@ -48,6 +50,11 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         };
         diagnostics.error(ty, message);
     }
+}
+
+/// Whether a type is one of plain numbers, or the scalar of a generic struct.
+fn is_number(declaration: &Declaration, ty: &Type) -> bool {
+    type_parameter(&declaration.generics, ty).is_some() || is_float(ty)
 }
 
 fn is_float(ty: &Type) -> bool {

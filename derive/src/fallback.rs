@@ -16,6 +16,7 @@ use crate::implementation::{indices, results};
 use crate::lower::Lowered;
 use crate::names::placed;
 use crate::names::{constant, plain};
+use crate::scalar::Scalar;
 use crate::value::Shape;
 
 /// Impls with the declared names and without equations.
@@ -44,7 +45,7 @@ struct Fallback<'a> {
     dimension_parameter: Option<TokenStream>,
     /// Names that stand for nothing, to be looked for among the fields.
     unknown: Vec<&'a Ident>,
-    scalar: Ident,
+    scalar: Scalar<'a>,
     vector: TokenStream,
     state: TokenStream,
 }
@@ -71,7 +72,7 @@ impl<'a> Fallback<'a> {
         } else {
             Vec::new()
         };
-        let scalar = Ident::new("__S", Span::mixed_site());
+        let scalar = Scalar::of(declaration);
         Self {
             declaration,
             lowered,
@@ -89,21 +90,20 @@ impl<'a> Fallback<'a> {
     fn implement(
         &self,
         interface: &TokenStream,
-        scalar: Option<&Ident>,
+        scalar: Option<&Scalar<'_>>,
         items: &TokenStream,
     ) -> TokenStream {
-        let root = &self.declaration.root;
         let name = &self.declaration.name;
-        let mut generics = self.declaration.generics.clone();
+        let declared = &self.declaration.generics;
+        let mut generics = match scalar {
+            Some(scalar) => scalar.generics(declared),
+            None => declared.clone(),
+        };
         if let Some(dimension) = &self.dimension_parameter {
             generics.params.push(syn::parse_quote!(#dimension));
         }
-        if let Some(scalar) = scalar {
-            let scalar = syn::parse_quote!(#scalar: #root::Scalar);
-            generics.params.push(scalar);
-        }
-        let (generics, _, _) = generics.split_for_impl();
-        let (_, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let (generics, _, conditions) = generics.split_for_impl();
+        let (_, arguments, _) = declared.split_for_impl();
         quote! {
             #[automatically_derived]
             impl #generics #interface for #name #arguments #conditions {

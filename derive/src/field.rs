@@ -1,14 +1,13 @@
 //! The fields of the struct: parameters, inputs, and what is none of the model's business.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Token, Type};
 
 use crate::declaration::own;
 use crate::diagnostics::Diagnostics;
-use crate::field_type::FieldType;
-use crate::value::Shape;
+use crate::field_type::{FieldType, Unfit};
 
 /// A named field of the struct.
 pub(crate) struct Field {
@@ -65,11 +64,9 @@ impl Field {
         self.meant.as_ref().unwrap_or(&self.ty)
     }
 
-    /// The shape of its value, and what stands behind the field to read each component, column by
-    /// column; `None` where the type is none that a parameter can have.
-    pub(crate) fn shape_and_accesses(&self) -> Option<(Shape, Vec<TokenStream>)> {
-        let read = FieldType::read(self.meant()).ok()?;
-        Some((read.shape(), read.accesses()))
+    /// Its type as parameters can have it, or why they cannot.
+    pub(crate) fn form(&self) -> Result<FieldType<'_>, Unfit> {
+        FieldType::read(self.meant())
     }
 }
 

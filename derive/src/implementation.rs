@@ -9,7 +9,7 @@ mod writer;
 mod parameters;
 
 use lagrangian_symbolic::{Equations, Model};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::body::Body;
@@ -17,6 +17,8 @@ use crate::declaration::Declaration;
 use crate::lower::Lowered;
 use crate::methods::{Method, Methods};
 use crate::names::Locals;
+use crate::quantities::Component;
+use crate::scalar::Scalar;
 use parameters::marked_if_unused;
 use reader::{InputsFrom, Reader};
 use writer::Writer;
@@ -31,7 +33,7 @@ pub(crate) struct Implementation<'a> {
     pub(crate) model: &'a Model,
     pub(crate) equations: &'a Equations,
     pub(crate) methods: &'a Methods,
-    pub(crate) scalar: Ident,
+    pub(crate) scalar: Scalar<'a>,
 }
 
 impl<'a> Implementation<'a> {
@@ -48,7 +50,7 @@ impl<'a> Implementation<'a> {
             model,
             equations,
             methods,
-            scalar: Ident::new("__S", Span::mixed_site()),
+            scalar: Scalar::of(declaration),
         }
     }
 
@@ -74,23 +76,25 @@ impl<'a> Implementation<'a> {
         self.model.coordinates as usize
     }
 
-    /// `impl<…> trait<…> for Model`, generic over the scalar.
+    /// `impl<…> trait<…> for Model`, on the scalar.
     fn implement(&self, interface: &TokenStream, items: &TokenStream) -> TokenStream {
         let name = &self.declaration.name;
-        let root = &self.declaration.root;
-        let scalar = &self.scalar;
-        let mut generics = self.declaration.generics.clone();
-        generics
-            .params
-            .push(syn::parse_quote!(#scalar: #root::Scalar));
-        let (generics, _, _) = generics.split_for_impl();
-        let (_, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let generics = self.scalar.generics(&self.declaration.generics);
+        let (generics, _, conditions) = generics.split_for_impl();
+        let (_, arguments, _) = self.declaration.generics.split_for_impl();
         quote! {
             #[automatically_derived]
             impl #generics #interface for #name #arguments #conditions {
                 #items
             }
         }
+    }
+
+    /// The value of a component on the scalar.
+    fn read(&self, component: &Component) -> TokenStream {
+        let field = &component.field;
+        let field = self.lowered.scope.first_use(field).unwrap_or(field);
+        self.scalar.read(&component.read(field), &component.element)
     }
 
     fn vector(&self) -> TokenStream {

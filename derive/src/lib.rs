@@ -6,6 +6,7 @@ mod declaration;
 mod field;
 mod field_type;
 mod root;
+mod scalar;
 mod check;
 mod value;
 mod quantities;

@@ -9,7 +9,7 @@ use syn::Type;
 use syn::spanned::Spanned as _;
 
 use crate::declaration::Declaration;
-use crate::field::Role;
+use crate::field::{Field, Role};
 use crate::names::plain;
 use crate::value::{Index, Shape, Value};
 
@@ -33,11 +33,32 @@ pub(crate) struct Component {
     pub(crate) label: Label,
     /// What stands behind the field to read the component.
     access: TokenStream,
+    /// The type of the component.
+    pub(crate) element: Type,
     /// What the declaration says that the field's type is, where it says so.
     meant: Option<Type>,
 }
 
 impl Component {
+    /// The components of a field, column by column; none where its type is none that a parameter can have.
+    fn of(field: &Field) -> Vec<Self> {
+        let Ok(form) = field.form() else {
+            return Vec::new();
+        };
+        let component = |(i, access)| Self {
+            field: field.name.clone(),
+            label: Label {
+                stem: plain(&field.name),
+                indices: form.shape().index(i).into_iter().collect(),
+            },
+            access,
+            element: form.element.clone(),
+            meant: field.meant.clone(),
+        };
+        let accesses = form.accesses().into_iter().enumerate();
+        accesses.map(component).collect()
+    }
+
     /// The expression that reads the component, with the name of the field where it is spoken of.
     pub(crate) fn read(&self, field: &Ident) -> TokenStream {
         let access = &self.access;
@@ -82,21 +103,7 @@ impl Quantities {
     pub(crate) fn new(declaration: &Declaration) -> Self {
         let components = |role| {
             let fields = declaration.fields_with(role);
-            let fields = fields.filter_map(|field| Some((field, field.shape_and_accesses()?)));
-            fields
-                .flat_map(|(field, (shape, accesses))| {
-                    let component = move |(i, access)| Component {
-                        field: field.name.clone(),
-                        label: Label {
-                            stem: plain(&field.name),
-                            indices: shape.index(i).into_iter().collect(),
-                        },
-                        access,
-                        meant: field.meant.clone(),
-                    };
-                    accesses.into_iter().enumerate().map(component)
-                })
-                .collect()
+            fields.flat_map(Component::of).collect()
         };
         let coordinates = declaration.clauses.coordinates.iter();
         Self {

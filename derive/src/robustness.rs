@@ -18,16 +18,16 @@ const DECLARATION: &str = r#"
         output(height = height, sensed = dot(dot(height))),
         crate = "a::b",
     )]
-    struct Model { m: f64, g: f64, l: f32, friction: f64,
-        #[lagrangian(input)] push: f64,
-        #[lagrangian(skip)] label: &'static str }
+    struct Model<'a, T: Scalar, K = f64, const N: usize = 3> where K: Clone { m: T, g: f64, l: f32, friction: T,
+        #[lagrangian(input)] push: T,
+        #[lagrangian(skip)] label: &'a [K; N] }
 "#;
 
 const COUNT: usize = 400;
 
 /// What tokens are replaced with.
 const WORDS: &str = "x theta m push label dot self t PI _ r#loop r#type_dot 0 1e400 -1 2u8 \"text\" 'c' true [] () {} {x} (x) \
-                     coordinates kinetic lagrangian define output skip input crate f64 , = + ^ . :: & ; ! # |";
+                     coordinates kinetic lagrangian define output skip input crate f64 T K Scalar , = + ^ . :: & ; ! # |";
 
 /// A sequence that is the same on each run.
 struct Numbers(u64);

@@ -84,9 +84,9 @@ impl Scope {
         for (role, kind) in kinds {
             let mut symbols = Symbols::of(kind);
             for field in declaration.fields_with(role) {
-                let meaning = match field.shape_and_accesses() {
-                    Some((shape, _)) => Meaning::Quantity(Kind::Field, symbols.value(graph, shape)),
-                    None => Meaning::Broken,
+                let meaning = match field.form() {
+                    Ok(form) => Meaning::Quantity(Kind::Field, symbols.value(graph, form.shape())),
+                    Err(_) => Meaning::Broken,
                 };
                 meanings.insert(plain(&field.name), meaning);
             }

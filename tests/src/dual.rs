@@ -9,26 +9,30 @@ use num_traits::{One, Zero};
 
 /// A value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Dual(Dual64);
+pub struct Dual(Dual64);
 
 impl Dual {
     /// The value `value`, moving at the rate `derivative`.
-    pub(crate) fn new(value: f64, derivative: f64) -> Self {
+    #[must_use]
+    pub fn new(value: f64, derivative: f64) -> Self {
         Self(Dual64::new(value, derivative))
     }
 
     /// A value that does not move.
-    pub(crate) fn constant(value: f64) -> Self {
+    #[must_use]
+    pub fn constant(value: f64) -> Self {
         Self::new(value, 0.0)
     }
 
     /// The value.
-    pub(crate) fn value(self) -> f64 {
+    #[must_use]
+    pub fn value(self) -> f64 {
         self.0.re
     }
 
     /// The rate at which the value moves.
-    pub(crate) fn derivative(self) -> f64 {
+    #[must_use]
+    pub fn derivative(self) -> f64 {
         self.0.eps
     }
 }

@@ -2,11 +2,13 @@
 //! compare.
 
 mod closeness;
+mod dual;
 mod figures;
 mod reference;
 mod model;
 
 pub use closeness::{assert_close, relative_error};
+pub use dual::Dual;
 pub use figures::Figures;
 pub use model::{Law, Observed, Parametrized, rows};
 pub use reference::{array, list, near_the_poles, number, numbers, public_cases, references, text};

@@ -4,12 +4,9 @@
 //! Forward differentiation of the emitted accelerations and the emitted Jacobians share the
 //! declaration and the mass matrix, and nothing that comes after.
 
-mod dual;
-
-use dual::Dual;
 use lagrangian::{Energies, Inputs, Lagrangian, State};
 use lagrangian_tests::{
-    Figures, Parametrized, array, list, number, public_cases, relative_error, rows,
+    Dual, Figures, Parametrized, array, list, number, public_cases, relative_error, rows,
 };
 use nalgebra::{SMatrix, SVector};
 use serde_json::Value;

@@ -16,7 +16,7 @@ impl Implementation<'_> {
         let vector = quote!(#root::__private::SVector<#scalar, #u>);
         let components = &self.lowered.quantities.inputs;
         let names = components.iter().map(|input| input.label.to_string());
-        let values = components.iter().map(|input| input.read(&input.field));
+        let values = components.iter().map(|input| self.read(input));
         let arguments = [quote!(inputs: &#vector)];
         let driven = self.driven(&arguments, "_with");
         let matrix = quote!(#root::__private::SMatrix<#scalar, #n, #u>);
@@ -32,7 +32,7 @@ impl Implementation<'_> {
 
             fn inputs(&self) -> #vector {
                 <#vector as ::core::convert::From<[#scalar; #u]>>::from([
-                    #(#root::__private::parameter(#values)),*
+                    #(#values),*
                 ])
             }
 

@@ -7,6 +7,7 @@ use super::Implementation;
 use crate::declaration::Declaration;
 use crate::names::{hygienic, placed, plain};
 use crate::root::Root;
+use crate::scalar::Scalar;
 use crate::value::Shape;
 
 impl Implementation<'_> {
@@ -63,7 +64,7 @@ impl Implementation<'_> {
 /// The struct that holds a model's outputs: its name, and its definition.
 pub(crate) fn results(
     declaration: &Declaration,
-    scalar: &Ident,
+    scalar: &Scalar<'_>,
     outputs: &[(&Ident, Shape)],
 ) -> (Ident, TokenStream) {
     let name = &declaration.name;
@@ -94,7 +95,7 @@ pub(crate) fn results(
 }
 
 /// The type of a value.
-fn type_of(shape: Shape, scalar: &Ident, root: &Root) -> TokenStream {
+fn type_of(shape: Shape, scalar: &Scalar<'_>, root: &Root) -> TokenStream {
     match shape {
         Shape::Scalar => quote!(#scalar),
         Shape::Array { rows, columns: 1 } => {

@@ -23,15 +23,9 @@ pub(super) struct Reader<'a> {
 
 impl Source for Reader<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
-        let root = &self.implementation.declaration.root;
-        let lowered = self.implementation.lowered;
-        let field = |components: &[Component], i: u32| {
-            let component = &components[i as usize];
-            let field = &component.field;
-            let value = component.read(lowered.scope.first_use(field).unwrap_or(field));
-            quote!(#root::__private::parameter(#value))
-        };
-        let quantities = &lowered.quantities;
+        let quantities = &self.implementation.lowered.quantities;
+        let field =
+            |components: &[Component], i: u32| self.implementation.read(&components[i as usize]);
         match symbol {
             Symbol::Time => quote!(state.t),
             Symbol::Coordinate(i) => element(&quote!(state.q), i),

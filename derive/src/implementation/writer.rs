@@ -6,13 +6,14 @@ use quote::quote;
 
 use crate::body::Body;
 use crate::root::Root;
+use crate::scalar::Scalar;
 use crate::value::Shape;
 
 /// The body of one method, in the shape that it returns.
 pub(super) struct Writer<'a> {
     pub(super) program: &'a Program,
     pub(super) body: Body<'a>,
-    pub(super) scalar: &'a Ident,
+    pub(super) scalar: &'a Scalar<'a>,
     pub(super) root: &'a Root,
 }
 
@@ -183,8 +184,8 @@ impl Writer<'_> {
     /// Factors M, whose lower triangle stands first among the outputs.
     fn factors(&self, outputs: &[TokenStream], n: usize) -> TokenStream {
         let root = self.root;
-        let scalar = self.scalar;
-        let zero = quote!(#scalar::from_f64(0.0));
+        let functions = self.scalar.functions();
+        let zero = quote!(#functions::from_f64(0.0));
         let columns: Vec<_> = (0..n)
             .flat_map(|j| (0..n).map(move |i| (i, j)))
             .map(|(i, j)| {

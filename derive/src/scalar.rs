@@ -1,0 +1,258 @@
+//! The scalar on which the emitted impls compute.
+//!
+//! It is decided here and nowhere else. A struct of plain numbers is a model on every scalar, which is then
+//! a parameter of each impl. A struct with fields of a type parameter, `struct Top<T: Scalar>`, is a model
+//! on that one: its parameters may carry derivatives, or differ from lane to lane.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Generics, TraitBound, Type, TypeParamBound, WherePredicate, parse_quote};
+
+use crate::declaration::Declaration;
+use crate::diagnostics::Diagnostics;
+use crate::field::Role;
+use crate::root::Root;
+
+/// The scalar of a model's impls. As tokens it is its name.
+pub(crate) struct Scalar<'a> {
+    name: Ident,
+    owner: Owner,
+    root: &'a Root,
+}
+
+/// What a scalar is a parameter of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Owner {
+    /// Of each impl.
+    Impl,
+    /// Of the struct, which bounds it by `Scalar` alone.
+    Struct,
+    /// Of the struct, which bounds it by other traits, too; they may have functions of the same names.
+    StructAmongBounds,
+    /// Of the struct, which does not bound it by `Scalar`. That is an error; impls beside it do.
+    StructUnbounded,
+}
+
+impl ToTokens for Scalar<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.name.to_tokens(tokens);
+    }
+}
+
+impl<'a> Scalar<'a> {
+    pub(crate) fn of(declaration: &'a Declaration) -> Self {
+        let generics = &declaration.generics;
+        let (name, owner) = match uses(declaration).next() {
+            None => (Ident::new("__S", Span::mixed_site()), Owner::Impl),
+            Some((name, _)) => {
+                let owner = match (is_scalar(generics, name), bounds(generics, name).count()) {
+                    (false, _) => Owner::StructUnbounded,
+                    (true, 1) => Owner::Struct,
+                    (true, _) => Owner::StructAmongBounds,
+                };
+                (name.clone(), owner)
+            }
+        };
+        Self {
+            name,
+            owner,
+            root: &declaration.root,
+        }
+    }
+
+    /// The generics of an impl on the scalar, for a struct that has those `declared`.
+    pub(crate) fn generics(&self, declared: &Generics) -> Generics {
+        let Self { name, root, .. } = self;
+        let mut generics = declared.clone();
+        match self.owner {
+            Owner::Impl => generics.params.push(parse_quote!(#name: #root::Scalar)),
+            Owner::Struct | Owner::StructAmongBounds => {}
+            Owner::StructUnbounded => {
+                let conditions = &mut generics.make_where_clause().predicates;
+                conditions.push(parse_quote!(#name: #root::Scalar));
+            }
+        }
+        generics
+    }
+
+    /// The value on the scalar of what `place` holds, which is of type `ty`.
+    pub(crate) fn read(&self, place: &TokenStream, ty: &Type) -> TokenStream {
+        let root = self.root;
+        if named(ty).is_some_and(|name| *name == self.name) {
+            place.clone()
+        } else {
+            quote!(#root::__private::parameter(#place))
+        }
+    }
+
+    /// What the functions of the trait `Scalar` are called on: the scalar, or `<T as Scalar>` where others
+    /// may have the same names.
+    pub(crate) fn functions(&self) -> TokenStream {
+        let Self { name, root, .. } = self;
+        if self.is_ambiguous() {
+            quote!(<#name as #root::Scalar>)
+        } else {
+            name.to_token_stream()
+        }
+    }
+
+    /// Whether methods of the scalar must be called as functions of the trait.
+    pub(crate) fn is_ambiguous(&self) -> bool {
+        self.owner == Owner::StructAmongBounds
+    }
+}
+
+/// Checks that the fields' type parameters are one, and a scalar.
+pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut checked: Vec<&Ident> = Vec::new();
+    for (parameter, ty) in uses(declaration) {
+        if checked.contains(&parameter) {
+            continue;
+        }
+        let model = &declaration.name;
+        if !is_scalar(&declaration.generics, parameter) {
+            let message = format!(
+                "`{parameter}` may be of any type: write `struct {model}<{parameter}: Scalar>`, with the trait \
+                 `lagrangian::Scalar`"
+            );
+            diagnostics.error(ty, message);
+        } else if let [first, ..] = checked[..] {
+            let message = format!(
+                "parameters are of one scalar, and others are of `{first}`: write `{first}`, or `f64`"
+            );
+            diagnostics.error(ty, message);
+        }
+        checked.push(parameter);
+    }
+}
+
+/// The type parameter of `generics` that `ty` is.
+pub(crate) fn type_parameter<'a>(generics: &'a Generics, ty: &Type) -> Option<&'a Ident> {
+    let name = named(ty)?;
+    let parameters = generics.type_params().map(|parameter| &parameter.ident);
+    parameters.into_iter().find(|parameter| *parameter == name)
+}
+
+/// The type parameters that parameters and inputs are of, in the order of the fields.
+fn uses(declaration: &Declaration) -> impl Iterator<Item = (&Ident, &Type)> {
+    let fields = declaration.fields.iter();
+    fields
+        .filter(|field| field.role != Role::Skipped)
+        .filter_map(|field| {
+            let element = field.form().ok()?.element;
+            let parameter = type_parameter(&declaration.generics, element)?;
+            Some((parameter, element))
+        })
+}
+
+/// The name that a type is, if it is nothing but a name.
+fn named(ty: &Type) -> Option<&Ident> {
+    match ty {
+        Type::Path(path) if path.qself.is_none() => path.path.get_ident(),
+        Type::Group(group) => named(&group.elem),
+        Type::Paren(paren) => named(&paren.elem),
+        _ => None,
+    }
+}
+
+fn is_scalar(generics: &Generics, parameter: &Ident) -> bool {
+    bounds(generics, parameter).any(|bound| {
+        let last = bound.path.segments.last();
+        last.is_some_and(|last| last.ident == "Scalar")
+    })
+}
+
+/// The traits that a type parameter is bounded by, where it is declared and under `where`.
+fn bounds<'a>(
+    generics: &'a Generics,
+    parameter: &'a Ident,
+) -> impl Iterator<Item = &'a TraitBound> {
+    let declared = generics
+        .type_params()
+        .filter(move |declared| declared.ident == *parameter)
+        .map(|declared| &declared.bounds);
+    let conditions = generics.where_clause.iter().flat_map(|all| &all.predicates);
+    let demanded = conditions.filter_map(move |condition| match condition {
+        WherePredicate::Type(condition) if named(&condition.bounded_ty) == Some(parameter) => {
+            Some(&condition.bounds)
+        }
+        _ => None,
+    });
+    declared
+        .chain(demanded)
+        .flatten()
+        .filter_map(|bound| match bound {
+            TypeParamBound::Trait(bound) => Some(bound),
+            _ => None,
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::expand::expand;
+
+    const HEAVY_TOP: &str = include_str!("../golden/heavy_top/declaration.rs");
+    const DRIVEN_PENDULUM: &str = include_str!("../golden/driven_pendulum/declaration.rs");
+
+    fn expansion(declaration: &str) -> String {
+        expand(declaration.parse().expect("the declaration is of tokens")).to_string()
+    }
+
+    /// The declaration with parameters of type `T`.
+    fn generic(declaration: &str, name: &str, parameter: &str) -> String {
+        declaration.replace(": f64", ": T").replace(
+            &format!("struct {name}"),
+            &format!("struct {name}<{parameter}>"),
+        )
+    }
+
+    /// The expansion without what converts plain numbers.
+    fn without_conversions(expansion: &str) -> String {
+        let mut parts = expansion.split(":: lagrangian :: __private :: parameter (");
+        let first = parts.next().unwrap_or_default().to_owned();
+        parts.fold(first, |text, part| text + &part.replacen(')', "", 1))
+    }
+
+    const MODELS: [(&str, &str); 2] =
+        [(HEAVY_TOP, "HeavyTop"), (DRIVEN_PENDULUM, "DrivenPendulum")];
+
+    #[test]
+    fn parameters_of_any_scalar_cost_what_plain_numbers_cost() {
+        for (declaration, name) in MODELS {
+            let plain = expansion(declaration);
+            let expected = without_conversions(&plain)
+                .replace("__S", "T")
+                .replace("impl < T : :: lagrangian :: Scalar >", "impl")
+                .replace("impl ", "impl < T : Scalar > ")
+                .replace(&format!("{name} {{"), &format!("{name} < T > {{"));
+            assert_eq!(
+                expansion(&generic(declaration, name, "T: Scalar")),
+                expected
+            );
+        }
+    }
+
+    #[test]
+    fn beside_other_bounds_functions_are_those_of_the_trait() {
+        for (declaration, name) in MODELS {
+            let alone = expansion(&generic(declaration, name, "T: Scalar"));
+            let among = expansion(&generic(declaration, name, "T: Scalar + Other"));
+            for function in ["sines_and_cosines", "sin_cos", "mul_add", "from_f64"] {
+                assert!(
+                    !among.contains(&format!(". {function} (")),
+                    "{name}: {among}"
+                );
+                assert!(
+                    !among.contains(&format!("T :: {function} (")),
+                    "{name}: {among}"
+                );
+                let trait_function = format!("< T as :: lagrangian :: Scalar > :: {function} (");
+                assert_eq!(
+                    among.matches(&trait_function).count(),
+                    alone.matches(&format!(" {function} (")).count(),
+                    "{name}: {function}"
+                );
+            }
+        }
+    }
+}
