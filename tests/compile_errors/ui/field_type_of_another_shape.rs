@@ -1,4 +1,5 @@
 use lagrangian::Lagrangian;
+use lagrangian::nalgebra::Matrix3;
 
 #[derive(Lagrangian)]
 #[lagrangian(
