@@ -13,7 +13,7 @@ mod fields {
         potential = x1 * cos(theta) + sin_theta * sin_theta_ + cos_theta * t + outputs * x + x_dot * x0,
         dissipation = 0.5 * mass * dot(theta).powi(2),
         force(x = inputs + parameter * u + __N),
-        output(state = x0, accelerations = dot(dot(x)), theta = theta),
+        output(state = x0, prepared = dot(dot(x)), theta = theta),
     )]
     #[allow(non_snake_case)]
     pub(super) struct Colliding {
@@ -73,7 +73,7 @@ fn fields_may_be_called_like_emitted_locals() {
     }
     let outputs = model.outputs(&state);
     assert!((outputs.state - 1.2).abs() < 1e-15);
-    assert!((outputs.accelerations - expected[1]).abs() < 1e-15);
+    assert!((outputs.prepared - expected[1]).abs() < 1e-15);
     assert!((outputs.theta - theta).abs() < 1e-15);
 }
 

@@ -29,7 +29,6 @@ f[θ] = torque − friction·θ̇ − m g l sin θ
 | `inverse_dynamics` | 3 | 5 | 0 | 0 | 1 | 0 |
 | `linearize` | 4 | 9 | 3 | 0 | 1 | 0 |
 */
-#[automatically_derived]
 impl DrivenPendulum {
     /// The names of the coordinates, in order.
     pub const COORDINATES: [&'static str; 1usize] = ["theta"];

@@ -37,7 +37,6 @@ f[ψ] = i₃ φ̇ θ̇ sin θ − i₂ w₁ w₂ + i₁ w₁ w₂
 | `inverse_dynamics` | 24 | 47 | 0 | 0 | 2 | 0 |
 | `linearize` | 83 | 130 | 4 | 0 | 2 | 0 |
 */
-#[automatically_derived]
 impl HeavyTop {
     /// The names of the coordinates, in order.
     pub const COORDINATES: [&'static str; 3usize] = ["phi", "theta", "psi"];

@@ -41,9 +41,12 @@ impl Implementation<'_> {
                 #visibility const #constant: [usize; #length] = [#(#indices),*];
             }
         });
+        // A lifetime of the struct stands in its impl but once.
+        let lifetimes = self.declaration.generics.lifetimes().next().is_some();
+        let lints = lifetimes.then(|| quote!(#[allow(single_use_lifetimes)]));
         quote! {
             #[doc = #documentation]
-            #[automatically_derived]
+            #lints
             impl #generics #name #arguments #conditions {
                 /// The names of the coordinates, in order.
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
