@@ -71,6 +71,28 @@ fn sums_of_relative_angular_velocities_build_on_each_other() {
 }
 
 #[test]
+fn forms_of_either_sign_build_on_each_other() {
+    // Depths yₖ = −(cos q₁ + … + cos qₖ), of which those with many terms are opposites of sums.
+    let mut draft = Draft::new(12);
+    let mut rates = Vec::new();
+    let mut cosines = Vec::new();
+    for k in 0..12 {
+        let angle = draft.q(k);
+        cosines.push(draft.cos(angle));
+        let sum = draft.plus(&cosines);
+        let depth = draft.graph.negate(sum);
+        rates.push(draft.dot(depth));
+    }
+    let indices: Vec<u32> = (0..12).collect();
+    let energy = kinetic(&mut draft, &rates, &indices);
+    let zero = draft.graph.zero();
+    let (tree, _) = tree(&mut draft.natural(energy, zero));
+    let parents: Vec<_> = tree.forms.iter().map(|form| form.parent).collect();
+    let expected: Vec<_> = (0..12_usize).map(|k| k.checked_sub(1)).collect();
+    assert_eq!(parents, expected);
+}
+
+#[test]
 fn forms_that_share_nothing_have_no_parents() {
     for mut model in [
         top(euler_rates, [0, 1, 2]),
