@@ -7,21 +7,25 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use crate::expand::expand;
 
-const DECLARATION: &str = r#"
+const DECLARATION: &str = r"
     #[lagrangian(
-        coordinates(x, theta, r#type),
-        define(height = l * cos(theta), speed = dot(height)),
+        coordinates(x, theta, r#type, q[3]),
+        define(
+            height = l * cos(theta), speed = dot(height),
+            r = rotation_zxz(q[0], q[1], q[2]), w = angular_velocity(r),
+            s[0] = x, s[i] = s[i - 1] + list[i] * [q[i], 1.0][0] for i in 1..3,
+        ),
         kinetic = 0.5 * m * (dot(x).powi(2) + speed.powi(2)) + dot(theta) * dot(r#type),
-        potential = -m * g * height + atan2(x, 2.0).powf(1.5),
+        kinetic = 0.5 * w.dot(inertia * w) + (0..3).map(|i| dot(s[i]).powi(2)).sum(),
+        potential = -m * g * height + atan2(x, 2.0).powf(1.5) + (r * [0, 0, l]).z,
         dissipation = 0.5 * friction * dot(x).powi(2) / PI,
-        force(x = push - sin(t), theta = r#type),
-        output(height = height, sensed = dot(dot(height))),
-        crate = "a::b",
+        force(x = push - sin(t), theta = r#type, q[i] = -list[i] for i in 0..3),
+        output(height = height, sensed = dot(dot(height)), tip = inertia[(0, 1)] * r.transpose()),
     )]
-    struct Model<'a, T: Scalar, K = f64, const N: usize = 3> where K: Clone { m: T, g: f64, l: f32, friction: T,
-        #[lagrangian(input)] push: T,
-        #[lagrangian(skip)] label: &'a [K; N] }
-"#;
+    struct Model { m: f64, g: f64, l: f32, friction: f64, inertia: Matrix3<f64>, list: [f64; 3],
+        #[lagrangian(input)] push: f64,
+        #[lagrangian(skip)] label: &'static str }
+";
 
 const COUNT: usize = 400;
 
