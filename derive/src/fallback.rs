@@ -14,6 +14,7 @@ use crate::check::CONSTANTS;
 use crate::declaration::{Coordinate, Declaration};
 use crate::implementation::{indices, results};
 use crate::lower::Lowered;
+use crate::mentions;
 use crate::names::placed;
 use crate::names::{constant, plain};
 use crate::scalar::Scalar;
@@ -118,6 +119,7 @@ impl<'a> Fallback<'a> {
         let visibility = &self.declaration.visibility;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.lowered.quantities.coordinates.len();
+        let mentions = mentions::method(self.declaration);
         let names = &self.lowered.quantities.coordinates;
         let names = names.iter().map(ToString::to_string);
         let indices = self.coordinates.iter().map(|(coordinate, indices)| {
@@ -135,6 +137,7 @@ impl<'a> Fallback<'a> {
                 #visibility const EQUATIONS: &'static str = "";
                 #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
                 #(#indices)*
+                #mentions
             }
         }
     }

@@ -18,6 +18,7 @@ mod lower;
 mod methods;
 mod names;
 mod body;
+mod mentions;
 mod implementation;
 mod documentation;
 mod fallback;

@@ -119,6 +119,29 @@ impl DrivenPendulum {
             functions: 0usize,
         },
     };
+    #[doc(hidden)]
+    fn __mentions(&self) {
+        let x = ();
+        let y = ();
+        let _ = (
+            &self.m,
+            x,
+            y,
+            &self.m,
+            &self.g,
+            y,
+            &self.friction,
+            Self::THETA,
+            &self.l,
+            Self::THETA,
+            &self.l,
+            Self::THETA,
+            &self.torque,
+            y,
+            x,
+            Self::THETA,
+        );
+    }
 }
 #[automatically_derived]
 impl ::lagrangian::System<1usize> for DrivenPendulum {

@@ -131,6 +131,37 @@ impl HeavyTop {
             functions: 0usize,
         },
     };
+    #[doc(hidden)]
+    fn __mentions(&self) {
+        let w1 = ();
+        let w2 = ();
+        let w3 = ();
+        let _ = (
+            &self.i1,
+            w1,
+            &self.i2,
+            w2,
+            &self.i3,
+            w3,
+            &self.m,
+            &self.g,
+            &self.l,
+            Self::THETA,
+            Self::PHI,
+            Self::THETA,
+            Self::PSI,
+            Self::THETA,
+            Self::PSI,
+            Self::PHI,
+            Self::THETA,
+            Self::PSI,
+            Self::THETA,
+            Self::PSI,
+            Self::PHI,
+            Self::THETA,
+            Self::PSI,
+        );
+    }
 }
 #[automatically_derived]
 impl ::lagrangian::System<3usize> for HeavyTop {

@@ -9,6 +9,7 @@ use quote::{format_ident, quote};
 use super::Implementation;
 use crate::declaration::Coordinate;
 use crate::documentation;
+use crate::mentions;
 use crate::names::{constant, placed, plain};
 use crate::root::Root;
 
@@ -25,6 +26,7 @@ impl Implementation<'_> {
         let coordinates = &self.lowered.quantities.coordinates;
         let names = coordinates.iter().map(ToString::to_string);
         let operations = self.operations();
+        let mentions = mentions::method(self.declaration);
         let indices = indices(&self.declaration.clauses.coordinates);
         let indices = indices.map(|(coordinate, indices)| {
             let constant = placed(&constant(&coordinate.name), &coordinate.name);
@@ -55,6 +57,7 @@ impl Implementation<'_> {
                 #visibility const EQUATIONS: &'static str = #equations;
                 /// The operation counts of the methods.
                 #visibility const OPERATIONS: #root::Operations = #operations;
+                #mentions
             }
         }
     }

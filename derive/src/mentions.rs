@@ -1,0 +1,203 @@
+//! Where the declaration speaks of fields, coordinates and definitions, for editors.
+//!
+//! An editor knows what a word in an attribute means if the word, with its place, stands in the emitted
+//! code where the compiler resolves it. The impls read each field once; here every mention stands, in a
+//! method that nobody calls: of a field as the field, of a coordinate as the constant that holds its
+//! index, of a definition as a variable.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+use crate::declaration::{Clauses, Declaration, Named};
+use crate::names::{constant, placed, plain};
+
+/// The method with all mentions.
+pub(crate) fn method(declaration: &Declaration) -> TokenStream {
+    let clauses = &declaration.clauses;
+    let mut names = Names::of(declaration);
+    let defined: TokenStream = clauses
+        .definitions
+        .iter()
+        .filter(|definition| names.definitions.contains(&plain(&definition.name)))
+        .filter(|definition| names.once.insert(plain(&definition.name)))
+        .map(|definition| {
+            let name = placed(&plain(&definition.name), &definition.name);
+            quote!(let #name = ();)
+        })
+        .collect();
+    let mut mentions = TokenStream::new();
+    for tokens in spoken(clauses) {
+        names.mention(tokens, &mut mentions);
+    }
+    quote! {
+        #[doc(hidden)]
+        fn __mentions(&self) {
+            #defined
+            let _ = (#mentions);
+        }
+    }
+}
+
+/// All expressions of the declaration, and the names on which forces act.
+fn spoken(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
+    let energies = [
+        &clauses.kinetic,
+        &clauses.potential,
+        &clauses.lagrangian,
+        &clauses.dissipation,
+    ];
+    let energies = energies.into_iter().flatten();
+    let energies = energies.map(|clause| clause.expression.to_token_stream());
+    let lists = [&clauses.definitions, &clauses.forces, &clauses.outputs];
+    let lists = lists.into_iter().flatten().flat_map(|named: &Named| {
+        let indices = named.indices.iter().map(ToTokens::to_token_stream);
+        let ranges = named.iterations.iter();
+        let ranges = ranges.map(|iteration| iteration.range.to_token_stream());
+        let expression = named.expression.to_token_stream();
+        indices.chain(ranges).chain([expression])
+    });
+    let forces = clauses.forces.iter();
+    let forces = forces.map(|force| force.name.to_token_stream());
+    energies.chain(lists).chain(forces)
+}
+
+/// The names that are mentioned.
+struct Names {
+    fields: BTreeSet<String>,
+    coordinates: BTreeSet<String>,
+    definitions: BTreeSet<String>,
+    /// Definitions that are variables already.
+    once: BTreeSet<String>,
+}
+
+impl Names {
+    fn of(declaration: &Declaration) -> Self {
+        let Clauses {
+            coordinates,
+            definitions,
+            ..
+        } = &declaration.clauses;
+        let fields: BTreeSet<String> = declaration
+            .fields
+            .iter()
+            .map(|field| plain(&field.name))
+            .collect();
+        let coordinates: BTreeSet<String> = coordinates
+            .iter()
+            .map(|coordinate| plain(&coordinate.name))
+            .filter(|name| !fields.contains(name))
+            .collect();
+        // A constant or a unit struct of the same name would make a pattern of a variable, and those are
+        // written in capitals; a keyword is no variable.
+        let is_variable = |name: &String| {
+            let capital = name.chars().any(char::is_uppercase);
+            !capital && syn::parse_str::<Ident>(name).is_ok()
+        };
+        let definitions = definitions
+            .iter()
+            .map(|definition| plain(&definition.name))
+            .filter(|name| !fields.contains(name) && !coordinates.contains(name))
+            .filter(is_variable)
+            .collect();
+        Self {
+            fields,
+            coordinates,
+            definitions,
+            once: BTreeSet::new(),
+        }
+    }
+
+    /// Adds what `tokens` mention. A word behind a point or before parentheses is a function's.
+    fn mention(&self, tokens: TokenStream, mentions: &mut TokenStream) {
+        let mut tokens = tokens.into_iter().peekable();
+        let mut behind_a_point = false;
+        while let Some(token) = tokens.next() {
+            let called = matches!(
+                tokens.peek(),
+                Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
+            );
+            match &token {
+                TokenTree::Ident(name) if !(behind_a_point || called) => {
+                    mentions.extend(self.named(name));
+                }
+                TokenTree::Group(group) => self.mention(group.stream(), mentions),
+                _ => {}
+            }
+            // Two points are a range.
+            let point = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.');
+            behind_a_point = point && !behind_a_point;
+        }
+    }
+
+    /// What speaks of what a name stands for, if it stands for something.
+    fn named(&self, name: &Ident) -> Option<TokenStream> {
+        let written = plain(name);
+        if self.fields.contains(&written) {
+            return Some(quote!(&self.#name,));
+        }
+        if self.coordinates.contains(&written) {
+            let constant = placed(&constant(name), name);
+            return Some(quote!(Self::#constant,));
+        }
+        let variable = placed(&written, name);
+        let defined = self.definitions.contains(&written);
+        defined.then(|| quote!(#variable,))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::expand::expand;
+
+    /// What is mentioned, in order.
+    fn mentions(declaration: &str) -> String {
+        let items = expand(declaration.parse().expect("the declaration is of tokens"));
+        let items = items.to_string();
+        let (_, method) = items
+            .split_once("fn __mentions")
+            .expect("there is a method");
+        let (_, tuple) = method.split_once("let _ = (").expect("there is a tuple");
+        let (tuple, _) = tuple.split_once(") ;").expect("the tuple ends");
+        tuple.replace(' ', "")
+    }
+
+    #[test]
+    fn every_word_is_mentioned_where_it_is_spoken_of() {
+        let written = mentions(
+            "#[lagrangian(
+                coordinates(theta[3], x),
+                define(h[i] = l * cos(theta[i]) for i in 0..3, Capital = x, r#loop = x),
+                kinetic = 0.5 * m * dot(x).powi(2) + (0..h.len()).map(|i| dot(h[i]).powi(2)).sum(),
+                potential = v.x * x.min(m) + Capital + r#loop + PI * t,
+                force(theta[0] = -m, x = sin(x)),
+                output(height = h[1]),
+            )]
+            struct Model { m: f64, l: f64, v: [f64; 3] }",
+        );
+        // Functions, components behind points, and variables of closures are no mentions.
+        let expected = [
+            "&self.m,Self::X,h,h,",
+            "&self.v,Self::X,&self.m,",
+            "&self.l,Self::THETA,Self::X,Self::X,",
+            "&self.m,Self::X,h,",
+            "Self::THETA,Self::X,",
+        ];
+        let sorted = |text: &str| {
+            let mut words: Vec<String> = text.split(',').map(str::to_owned).collect();
+            words.sort();
+            words
+        };
+        assert_eq!(sorted(&written), sorted(&expected.concat()), "{written}");
+    }
+
+    #[test]
+    fn a_declaration_with_an_error_is_understood_by_editors_too() {
+        let written = mentions(
+            "#[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = m * )]
+            struct Model { m: f64 }",
+        );
+        assert_eq!(written, "&self.m,Self::X,");
+    }
+}
