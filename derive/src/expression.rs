@@ -75,13 +75,13 @@ impl Translator<'_> {
     /// The value of an expression where only a scalar fits.
     pub(crate) fn scalar(&mut self, expression: &Expr, place: Place) -> Option<Expression> {
         let value = self.translate(expression, place)?;
-        self.as_scalar(value, expression)
+        self.as_scalar(&value, expression)
     }
 
     /// A value, written as `tokens`, where only a scalar fits.
-    pub(crate) fn as_scalar(&mut self, value: Value, tokens: impl ToTokens) -> Option<Expression> {
+    pub(crate) fn as_scalar(&mut self, value: &Value, tokens: impl ToTokens) -> Option<Expression> {
         match value {
-            Value::Scalar(expression) => Some(expression),
+            Value::Scalar(expression) => Some(*expression),
             Value::Nothing => Some(self.graph.zero()),
             Value::Array(_) => {
                 let message = format!(

@@ -73,7 +73,7 @@ impl Field {
 /// One word of a field's attribute.
 enum Mark {
     Word(Ident),
-    Meant(Type),
+    Meant(Box<Type>),
 }
 
 impl Parse for Mark {
@@ -82,7 +82,7 @@ impl Parse for Mark {
             return input.parse().map(Self::Word);
         }
         input.parse::<Token![=]>()?;
-        input.parse().map(Self::Meant)
+        input.parse().map(Box::new).map(Self::Meant)
     }
 }
 
@@ -101,7 +101,7 @@ impl Marks {
                     let message = "the type of this field is given twice: keep one of them";
                     diagnostics.error(&ty, message);
                 }
-                self.meant = Some(ty);
+                self.meant = Some(*ty);
                 return;
             }
             Mark::Word(word) => word,

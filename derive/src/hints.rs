@@ -1,6 +1,9 @@
 //! What to write instead of what is not understood.
 
+use core::fmt::Display;
+
 use lagrangian_symbolic::{Binary, Unary};
+use proc_macro2::Ident;
 use syn::{BinOp, Expr, ExprField, ExprPath, Member};
 
 use crate::diagnostics::similar;
@@ -88,6 +91,21 @@ pub(crate) fn rows(first: Shape, odd: Shape) -> String {
     format!(
         "this is {odd}, and the first is {first}: a vector is made of scalars, and a matrix of vectors of one \
          length as rows"
+    )
+}
+
+/// A member of a family, as it is written.
+pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
+    let indices = indices
+        .iter()
+        .flat_map(|index| ["[".to_owned(), index.to_string(), "]".to_owned()]);
+    [name.to_string()].into_iter().chain(indices).collect()
+}
+
+/// For a coordinate beyond the last one of its name.
+pub(crate) fn beyond(name: &Ident, index: &impl Display, length: usize) -> String {
+    format!(
+        "`{name}[{index}]` is out of range: there are {length} coordinates of this name, from `{name}[0]` on"
     )
 }
 

@@ -7,6 +7,7 @@ use crate::ablation::passes;
 use crate::declaration::{Clause, Declaration, Named};
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
+use crate::hints;
 use crate::quantities::Quantities;
 use crate::scope::{Kind, Meaning, Scope};
 use crate::value::{Shape, Value};
@@ -191,8 +192,8 @@ impl Translator<'_> {
         if self.scope.define_member(name, &indices, value) {
             return Some(());
         }
-        let written: String = indices.iter().map(|i| format!("[{i}]")).collect();
-        let message = format!("`{name}{written}` is defined twice: leave one of them out");
+        let written = hints::member(name, &indices);
+        let message = format!("`{written}` is defined twice: leave one of them out");
         self.reject(&definition.indices[0], message)
     }
 
@@ -269,18 +270,11 @@ impl Translator<'_> {
             }
             (Meaning::Family(_, family), [_]) => {
                 let member = self.member(&force.indices)?;
-                match family.members.get(&member) {
-                    Some(value) => value.clone(),
-                    None => {
-                        let message = format!(
-                            "`{name}[{}]` is out of range: there are {} coordinates of this name, from \
-                             `{name}[0]` on",
-                            member[0],
-                            family.members.len()
-                        );
-                        return self.reject(&force.indices[0], message);
-                    }
-                }
+                let Some(value) = family.members.get(&member) else {
+                    let message = hints::beyond(name, &member[0], family.members.len());
+                    return self.reject(&force.indices[0], message);
+                };
+                value.clone()
             }
             (Meaning::Family(_, family), _) => {
                 let message = format!(

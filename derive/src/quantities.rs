@@ -79,14 +79,14 @@ impl Component {
 impl Label {
     /// The name of a local variable: `theta_2`, `inertia_0_1`.
     pub(crate) fn variable(&self) -> String {
-        let mut name = self.stem.clone();
+        let mut parts = vec![self.stem.clone()];
         for index in &self.indices {
-            name.push_str(&match index {
-                Index::One(i) => format!("_{i}"),
-                Index::Pair { row, column } => format!("_{row}_{column}"),
-            });
+            match index {
+                Index::One(i) => parts.push(i.to_string()),
+                Index::Pair { row, column } => parts.extend([row.to_string(), column.to_string()]),
+            }
         }
-        name
+        parts.join("_")
     }
 }
 

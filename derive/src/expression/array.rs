@@ -84,13 +84,11 @@ impl Translator<'_> {
         let size = value.components().len().max(1);
         match usize::try_from(length) {
             Ok(length) if length > 0 && length <= LARGEST / size => {
-                match stacked(&vec![value.clone(); length]) {
-                    Ok(matrix) => Some(Value::Array(matrix)),
-                    Err(_) => {
-                        let message = hints::rows(value.shape(), value.shape());
-                        self.reject(&repeat.expr, message)
-                    }
+                if let Ok(matrix) = stacked(&vec![value.clone(); length]) {
+                    return Some(Value::Array(matrix));
                 }
+                let message = hints::rows(value.shape(), value.shape());
+                self.reject(&repeat.expr, message)
             }
             _ => {
                 let message = format!("an array has from 1 to {LARGEST} components");
@@ -112,24 +110,17 @@ impl Translator<'_> {
             return self.identity(arguments[0]);
         }
         let Value::Array(first) = &values[0] else {
-            return self.reject(arguments[0], self.wants_array(&written, &values[0]));
+            return self.reject(arguments[0], wants_array(&written, &values[0]));
         };
         match (written.as_str(), &values[1..]) {
             ("row" | "column", _) => self.line(&written, first, arguments[1]),
             (_, [Value::Array(second)]) => self.of_two(name, first, second),
             (_, [other]) => {
-                let message = self.wants_array(&written, other);
+                let message = wants_array(&written, other);
                 self.reject(arguments[1], message)
             }
             _ => self.of_one(&written, first, call),
         }
-    }
-
-    fn wants_array(&self, name: &str, value: &Value) -> String {
-        format!(
-            "`{name}` is of vectors and matrices, and this is {}",
-            value.shape()
-        )
     }
 
     /// The identity matrix with so many rows.
@@ -236,4 +227,11 @@ impl Translator<'_> {
         );
         self.reject(call, message)
     }
+}
+
+fn wants_array(name: &str, value: &Value) -> String {
+    format!(
+        "`{name}` is of vectors and matrices, and this is {}",
+        value.shape()
+    )
 }

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprMethodCall};
 
 use super::array::arity;
-use super::repetition::without_parentheses;
+use super::repetition::{repeated, without_parentheses};
 use super::{Place, Translator};
 use crate::hints;
 use crate::names::plain;
@@ -40,7 +40,7 @@ impl Translator<'_> {
                 format!("functions here take no type arguments: write `.{name}(…)`"),
             );
         }
-        if let Some(map) = self.repeated(call) {
+        if let Some(map) = repeated(call) {
             return self.repetition(call, map, place);
         }
         if name == "map" {
@@ -76,7 +76,7 @@ impl Translator<'_> {
         let values = self.mapped(call, place)?;
         let elements: Vec<_> = values
             .into_iter()
-            .map(|value| self.as_scalar(value, &call.args))
+            .map(|value| self.as_scalar(&value, &call.args))
             .collect::<Option<_>>()?;
         lagrangian_symbolic::Matrix::new(rows, columns, elements).map(Value::Array)
     }
@@ -148,7 +148,7 @@ impl Translator<'_> {
         let scalars: Vec<_> = values
             .into_iter()
             .zip(arguments)
-            .map(|(value, argument)| self.as_scalar(value, argument))
+            .map(|(value, argument)| self.as_scalar(&value, argument))
             .collect();
         let scalars: Vec<Expression> = scalars.into_iter().collect::<Option<_>>()?;
         match (unary, binary) {

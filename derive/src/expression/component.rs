@@ -55,18 +55,14 @@ impl Translator<'_> {
         let positions: Option<Vec<usize>> = positions;
         let value = positions.and_then(|positions| family.members.get(&positions).cloned());
         let Some(value) = value else {
-            let written: String = member.iter().map(|i| format!("[{i}]")).collect();
+            let written = hints::member(name, &member);
             let message = match (kind, bounds(&family)) {
-                (Kind::Coordinate, _) => format!(
-                    "`{name}{written}` is out of range: there are {} coordinates of this name, from \
-                     `{name}[0]` on",
-                    family.members.len()
-                ),
+                (Kind::Coordinate, _) => hints::beyond(name, &member[0], family.members.len()),
                 (_, Some((first, last))) if family.rank == 1 => format!(
-                    "`{name}{written}` is not defined here: what is defined before is `{name}[{first}]` to \
+                    "`{written}` is not defined here: what is defined before is `{name}[{first}]` to \
                      `{name}[{last}]`"
                 ),
-                _ => format!("`{name}{written}` is not defined here"),
+                _ => format!("`{written}` is not defined here"),
             };
             return self.reject(outer[0], message);
         };

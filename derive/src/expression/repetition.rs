@@ -13,21 +13,21 @@ use crate::value::{Product, Sum, Value};
 /// How often expressions may be repeated in one declaration, all together.
 const MOST_REPETITIONS: usize = 100_000;
 
-impl Translator<'_> {
-    /// Whether a method call ends a repetition, as `.sum()` does in `(0..5).map(|i| …).sum()`.
-    pub(super) fn repeated<'a>(&self, call: &'a ExprMethodCall) -> Option<&'a ExprMethodCall> {
-        if !["sum", "product", "collect"]
-            .iter()
-            .any(|name| call.method == name)
-        {
-            return None;
-        }
-        match &*call.receiver {
-            Expr::MethodCall(map) if map.method == "map" => Some(map),
-            _ => None,
-        }
+/// Whether a method call ends a repetition, as `.sum()` does in `(0..5).map(|i| …).sum()`.
+pub(super) fn repeated(call: &ExprMethodCall) -> Option<&ExprMethodCall> {
+    if !["sum", "product", "collect"]
+        .iter()
+        .any(|name| call.method == name)
+    {
+        return None;
     }
+    match &*call.receiver {
+        Expr::MethodCall(map) if map.method == "map" => Some(map),
+        _ => None,
+    }
+}
 
+impl Translator<'_> {
     /// `range.map(|i| …).sum()`, `.product()` or `.collect()`.
     pub(super) fn repetition(
         &mut self,
@@ -79,9 +79,7 @@ impl Translator<'_> {
 
     /// The values that a closure gives: for each index of a range, or each component of a vector.
     pub(super) fn mapped(&mut self, map: &ExprMethodCall, place: Place) -> Option<Vec<Value>> {
-        let Some((closure, variable)) = self.closure(map) else {
-            return None;
-        };
+        let (closure, variable) = self.closure(map)?;
         let arguments: Vec<Value> = match without_parentheses(&map.receiver) {
             range @ Expr::Range(_) => {
                 let indices = self.indices(range)?;

@@ -1,7 +1,8 @@
 //! Rotations by angles about the axes of a body, and their angular velocities.
 
-use lagrangian_symbolic::{Axis, Expression};
+use lagrangian_symbolic::{Axis, Expression, Matrix};
 use proc_macro2::Ident;
+use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::{Place, Translator};
@@ -91,8 +92,8 @@ impl Translator<'_> {
         let rotation = self.graph.rotation(&factors);
         match wanted {
             Wanted::Rotation => Some(Value::Array(rotation)),
-            Wanted::AngularVelocity => self.velocity(call, call, rotation, false, place),
-            Wanted::AngularVelocityInertial => self.velocity(call, call, rotation, true, place),
+            Wanted::AngularVelocity => self.velocity(call, call, &rotation, false, place),
+            Wanted::AngularVelocityInertial => self.velocity(call, call, &rotation, true, place),
         }
     }
 
@@ -113,7 +114,7 @@ impl Translator<'_> {
         let value = self.translate(argument, Place::Observation)?;
         match value {
             Value::Array(matrix) if matrix.rows() == 3 && matrix.columns() == 3 => {
-                self.velocity(call, argument, matrix, inertial, place)
+                self.velocity(call, argument, &matrix, inertial, place)
             }
             other => {
                 let message = format!(
@@ -128,8 +129,8 @@ impl Translator<'_> {
     fn velocity(
         &mut self,
         call: &ExprCall,
-        argument: &dyn quote::ToTokens,
-        rotation: lagrangian_symbolic::Matrix,
+        argument: &dyn ToTokens,
+        rotation: &Matrix,
         inertial: bool,
         place: Place,
     ) -> Option<Value> {
@@ -137,9 +138,9 @@ impl Translator<'_> {
         self.check_differentiable(call, &value)?;
         let velocity = if inertial {
             self.graph
-                .angular_velocity_inertial(&rotation, self.coordinates)
+                .angular_velocity_inertial(rotation, self.coordinates)
         } else {
-            self.graph.angular_velocity(&rotation, self.coordinates)
+            self.graph.angular_velocity(rotation, self.coordinates)
         };
         let Ok(velocity) = velocity else {
             return self.reject(
