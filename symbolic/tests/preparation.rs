@@ -78,6 +78,20 @@ fn constant_factors_are_gathered() {
 }
 
 #[test]
+fn numbers_in_front_of_terms_join_their_constant_factors() {
+    let (mut graph, [a, _, _, x, y]) = start();
+    let product = graph.multiply(a, x);
+    let sum = graph.sum([(product, Rational::HALF), (y, Rational::MINUS_ONE)]);
+    assert_parts(&graph, &[sum], [0, 1, 0], [1, 1, 0]);
+    // What is used elsewhere without the number is computed once, and multiplied.
+    assert_parts(&graph, &[sum, product], [0, 0, 0], [1, 2, 0]);
+    // Nor is there anything to join where all factors vary.
+    let varying = graph.multiply(x, y);
+    let sum = graph.sum([(varying, Rational::HALF), (y, Rational::ONE)]);
+    assert_parts(&graph, &[sum], [0, 0, 0], [1, 2, 0]);
+}
+
+#[test]
 fn a_division_by_a_constant_is_prepared_as_a_multiplication() {
     let (mut graph, [a, _, _, x, y]) = start();
     let by_parameter = graph.divide(x, a);

@@ -25,7 +25,47 @@ impl Plan {
             self.distribute_constants(roots);
         }
         if passes.has(Pass::Gathering) {
+            self.absorb_coefficients(roots);
             self.gather_constants(roots);
+        }
+    }
+
+    /// Moves numbers in front of terms of a sum to the constants among their factors: ½·w·(a + b) is w·(½·(a + b)),
+    /// with one multiplication less once the constants are known. Only what is used once is changed.
+    fn absorb_coefficients(&mut self, roots: &[Expression]) {
+        let mut constant = vec![false; self.recipes.len()];
+        let order = self.order(roots);
+        for value in &order {
+            constant[*value] = self.is_constant(*value, &constant);
+        }
+        let uses = self.uses(roots);
+        for value in order {
+            let Recipe::Sum(mut terms) = self.recipes[value].clone() else {
+                continue;
+            };
+            if constant[value] {
+                continue;
+            }
+            for (term, coefficient) in &mut terms {
+                let Recipe::Quotient(above, below) = &self.recipes[*term] else {
+                    continue;
+                };
+                let mut factors = above.iter().chain(below);
+                let absorbs = uses[*term] == 1 && factors.any(|x| is_set(&constant, *x));
+                if !absorbs || constant[*term] || coefficient.abs().is_one() {
+                    continue;
+                }
+                let (mut above, below) = (above.clone(), below.clone());
+                above.push(self.push(Recipe::Constant(coefficient.abs()), None));
+                self.recipes[*term] = Recipe::Quotient(above, below);
+                self.expressions[*term] = None;
+                *coefficient = if coefficient.is_negative() {
+                    Rational::MINUS_ONE
+                } else {
+                    Rational::ONE
+                };
+            }
+            self.recipes[value] = Recipe::Sum(terms);
         }
     }
 
