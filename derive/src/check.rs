@@ -144,7 +144,7 @@ fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Forces act on coordinates. That none acts twice on the same one shows when indices are known.
+/// Forces act on coordinates. That none of a clause acts twice on the same one shows when indices are known.
 fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let clauses = &declaration.clauses;
     if clauses.names_unreadable || clauses.coordinates.is_empty() {
@@ -154,7 +154,7 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let coordinates: BTreeSet<String> = coordinates
         .map(|coordinate| plain(&coordinate.name))
         .collect();
-    for force in &clauses.forces {
+    for force in clauses.forces.iter().flatten() {
         let written = plain(&force.name);
         if !coordinates.contains(&written) {
             let names: Vec<&str> = coordinates.iter().map(String::as_str).collect();

@@ -39,7 +39,8 @@ pub(crate) struct Clauses {
     pub(crate) potential: Vec<Clause>,
     pub(crate) lagrangian: Vec<Clause>,
     pub(crate) dissipation: Vec<Clause>,
-    pub(crate) forces: Vec<Named>,
+    /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
+    pub(crate) forces: Vec<Vec<Named>>,
     pub(crate) outputs: Vec<Named>,
     /// What `crate = …` says.
     root: Option<Root>,
@@ -196,7 +197,12 @@ impl Clauses {
                 self.names_unreadable |= read.is_err();
                 read?;
             }
-            "force" => named(&keyword, input, &mut self.forces)?,
+            "force" => {
+                self.forces.push(Vec::new());
+                if let Some(forces) = self.forces.last_mut() {
+                    named(&keyword, input, forces)?;
+                }
+            }
             "output" => named(&keyword, input, &mut self.outputs)?,
             "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),
             "potential" => self.potential.push(Clause::read(keyword, input)?),

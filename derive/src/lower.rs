@@ -224,21 +224,27 @@ impl Translator<'_> {
             .try_fold(zero, |total, value| Some(self.graph.add(total, value?)))
     }
 
-    /// The generalized force of each coordinate.
+    /// The generalized force of each coordinate: the sum of what the clauses say.
     fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
-        let mut forces = vec![None; self.coordinates as usize];
-        let mut understood = true;
-        for force in &declaration.clauses.forces {
-            let done = self.for_each(&force.iterations, &mut |translator| {
-                translator.force(force, &mut forces)
-            });
-            understood &= done.is_some();
-        }
         let zero = self.graph.zero();
-        let forces = forces.into_iter();
-        understood.then(|| forces.map(|force| force.unwrap_or(zero)).collect())
+        let mut totals = vec![zero; self.coordinates as usize];
+        let mut understood = true;
+        for clause in &declaration.clauses.forces {
+            let mut forces = vec![None; totals.len()];
+            for force in clause {
+                let done = self.for_each(&force.iterations, &mut |translator| {
+                    translator.force(force, &mut forces)
+                });
+                understood &= done.is_some();
+            }
+            for (total, force) in totals.iter_mut().zip(forces) {
+                *total = self.graph.add(*total, force.unwrap_or(zero));
+            }
+        }
+        understood.then_some(totals)
     }
 
+    /// Adds one force to those of its clause.
     fn force(&mut self, force: &Named, forces: &mut [Option<Expression>]) -> Option<()> {
         let coordinate = if force.indices.is_empty() {
             self.coordinate(force)
@@ -252,7 +258,8 @@ impl Translator<'_> {
         if place.is_some() {
             return self.reject(
                 &force.name,
-                "this coordinate has a force already: add them up in one expression",
+                "this coordinate has a force already: add them up in one expression, or write another \
+                 `force(…)`, which adds to this one",
             );
         }
         *place = Some(value);

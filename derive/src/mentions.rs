@@ -50,15 +50,16 @@ fn spoken(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
     ];
     let energies = energies.into_iter().flatten();
     let energies = energies.map(|clause| clause.expression.to_token_stream());
-    let lists = [&clauses.definitions, &clauses.forces, &clauses.outputs];
-    let lists = lists.into_iter().flatten().flat_map(|named: &Named| {
+    let lists = [&clauses.definitions, &clauses.outputs];
+    let lists = lists.into_iter().chain(&clauses.forces);
+    let lists = lists.flatten().flat_map(|named: &Named| {
         let indices = named.indices.iter().map(ToTokens::to_token_stream);
         let ranges = named.iterations.iter();
         let ranges = ranges.map(|iteration| iteration.range.to_token_stream());
         let expression = named.expression.to_token_stream();
         indices.chain(ranges).chain([expression])
     });
-    let forces = clauses.forces.iter();
+    let forces = clauses.forces.iter().flatten();
     let forces = forces.map(|force| force.name.to_token_stream());
     energies.chain(lists).chain(forces)
 }
