@@ -136,9 +136,9 @@ impl DrivenPendulum {
             Self::THETA,
             &self.l,
             Self::THETA,
-            &self.torque,
             y,
             x,
+            &self.torque,
             Self::THETA,
         );
     }
