@@ -64,7 +64,7 @@ type Place = Vector3<f64>;
         rate_of_products = dot(r.cross(a).dot(b) * r),
         rate_of_matrix = dot(twice),
         rate_of_inverse = dot(twice.inverse()),
-        nothing = (0..0).map(|i| list[i] * a).sum() + a,
+        nothing = 2 * (0..0).map(|i| list[i] * a).sum() + a,
     ),
 )]
 struct Arrays {
@@ -255,6 +255,34 @@ fn the_time_derivative_of_an_array_is_that_of_its_components() {
         (-a).as_slice(),
         1e-15,
     );
+}
+
+/// A mass in a field whose gradient is a matrix.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(r[2]),
+    kinetic = 0.5 * m[1] * (dot(r[0]).powi(2) + dot(r[1]).powi(2)),
+    potential = j[(0, 1)] * r[0] + k[1][0] * r[1],
+)]
+struct Field {
+    m: [f64; 2],
+    j: Matrix2x3<f64>,
+    k: [[f64; 2]; 2],
+}
+
+#[test]
+fn components_are_printed_by_name_and_index() {
+    let equations = Field::EQUATIONS;
+    assert!(equations.starts_with("q = (r₀, r₁)\n"), "{equations}");
+    assert!(equations.contains("V = k₁₀ r₁ + j₀₁ r₀\n"), "{equations}");
+    assert!(equations.contains("f[r₁] = −k₁₀\n"), "{equations}");
+    let field = Field {
+        m: [0.0, 2.0],
+        j: Matrix2x3::new(0.0, 3.0, 0.0, 0.0, 0.0, 0.0),
+        k: [[0.0, 0.0], [5.0, 0.0]],
+    };
+    let found = field.accelerations(&State::new(0.0, [0.0; 2], [0.0; 2]));
+    assert_close("accelerations", found.as_slice(), &[-1.5, -2.5], 1e-15);
 }
 
 /// A spacecraft whose thrust is a vector that a controller sets.
