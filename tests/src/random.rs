@@ -1,7 +1,6 @@
 //! Numbers that look random and are the same on every run.
 
 use lagrangian::State;
-use nalgebra::SVector;
 
 /// Marsaglia's xorshift with 64 bits, from the seed of his paper.
 #[derive(Clone, Debug)]
@@ -23,29 +22,31 @@ impl Random {
         low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    /// A vector whose components are between two numbers.
-    pub fn vector<const N: usize>(&mut self, low: f64, high: f64) -> SVector<f64, N> {
-        SVector::from_fn(|_, _| self.between(low, high))
+    /// Numbers between two others.
+    pub fn array<const N: usize>(&mut self, low: f64, high: f64) -> [f64; N] {
+        std::array::from_fn(|_| self.between(low, high))
     }
 
     /// A state with angles from −3 to 3 and velocities from −2 to 2, its time from 0 to 1.
     pub fn state<const N: usize>(&mut self) -> State<f64, N> {
         State::new(
             self.between(0.0, 1.0),
-            self.vector(-3.0, 3.0),
-            self.vector(-2.0, 2.0),
+            self.array(-3.0, 3.0),
+            self.array(-2.0, 2.0),
         )
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::SVector;
+
     use super::*;
 
     #[test]
     fn numbers_fill_their_interval() {
         let mut random = Random::default();
-        let numbers: SVector<f64, 1000> = random.vector(-1.0, 3.0);
+        let numbers = SVector::from(random.array::<1000>(-1.0, 3.0));
         assert!(numbers.min() >= -1.0 && numbers.min() < -0.98, "{numbers}");
         assert!(numbers.max() <= 3.0 && numbers.max() > 2.98, "{numbers}");
         assert!((numbers.mean() - 1.0).abs() < 0.1, "{}", numbers.mean());
