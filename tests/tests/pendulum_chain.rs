@@ -276,9 +276,27 @@ fn five_links_move_as_the_reference() {
     figures.finish();
 }
 
+/// The declaration of the example: the attribute with the energies, and the struct.
+#[test]
+fn twenty_links_are_declared_in_eleven_lines() {
+    let example = include_str!("../../examples/n_link_pendulum.rs");
+    let attribute = example.find("#[lagrangian(").expect("an attribute");
+    let declaration = &example[attribute..];
+    let end = declaration.find("\n}\n").expect("the end of the struct");
+    let declaration = &declaration[..end + 2];
+    assert!(
+        declaration.contains("coordinates(theta[20])"),
+        "{declaration}"
+    );
+    assert_eq!(declaration.lines().count(), 11, "{declaration}");
+    assert!(
+        declaration.lines().all(|line| line.len() <= 100),
+        "{declaration}"
+    );
+}
+
 /// A pendulum of which gravity is a number, and one of which it is a parameter.
 #[test]
-#[ignore = "a number stays beside the parameters that it could be gathered with"]
 fn a_number_costs_no_more_than_a_parameter() {
     #[derive(Lagrangian)]
     #[lagrangian(
