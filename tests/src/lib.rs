@@ -4,13 +4,17 @@
 mod closeness;
 mod dual;
 mod figures;
+mod random;
 mod reference;
+mod motion;
 mod model;
 
 pub use closeness::{assert_close, relative_error};
 pub use dual::Dual;
 pub use figures::Figures;
 pub use model::{Law, Observed, Parametrized, rows};
+pub use motion::{Motion, motions};
+pub use random::Random;
 pub use reference::{array, list, near_the_poles, number, numbers, public_cases, references, text};
 
 /// The models of the random Lagrangians, written by the build script; `public_cases!` lists them.
