@@ -331,7 +331,6 @@ fn spellings_in_space_cost_the_same() {
 }
 
 #[test]
-#[ignore = "that a parameter is a symmetric matrix is nowhere written"]
 fn a_tensor_costs_as_much_as_its_six_inertias() {
     assert_costs(
         &ProductsOfInertia::OPERATIONS,

@@ -75,11 +75,28 @@ impl QuasiVelocities {
             inertia[i][j] = graph.add(inertia[i][j], coefficient);
             inertia[j][i] = inertia[i][j];
         }
+        for entry in inertia.iter_mut().flatten() {
+            *entry = kept_whole(graph, *entry);
+        }
         Some(Self {
             forms,
             inertia,
             rest,
         })
+    }
+}
+
+/// A sum with fractions, such as the mean ½(I₁₂ + I₂₁) of a tensor that is not known to be symmetric, stays
+/// one constant: its fractions would be taken out of everything that it occurs in.
+fn kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
+    let has_fractions = match graph.node(inertia) {
+        Node::Sum(terms) => terms.len() > 1 && terms.iter().any(|(_, c)| !c.is_integer()),
+        _ => false,
+    };
+    if has_fractions {
+        graph.whole(inertia)
+    } else {
+        inertia
     }
 }
 
