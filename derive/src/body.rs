@@ -264,7 +264,7 @@ impl<'a> Body<'a> {
             Operand::Constant(number) => Text::atom(constant(self.scalar, number)),
             Operand::Pi => {
                 let functions = self.scalar.functions();
-                Text::atom(quote!(#functions::from_f64(::core::f64::consts::PI)))
+                Text::atom(quote!(#functions::pi()))
             }
         }
     }
@@ -350,11 +350,32 @@ fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
 
 /// The scalar nearest to an exact number.
 pub(crate) fn constant(scalar: &Scalar<'_>, number: &Rational) -> TokenStream {
-    let value = number.to_f64();
+    let functions = scalar.functions();
+    if let Some((numerator, denominator)) = quotient(number) {
+        let (numerator, denominator) = (signed(numerator), signed(denominator));
+        return quote!(#functions::ratio(#numerator, #denominator));
+    }
+    let value = signed(number.to_f64());
+    quote!(#functions::from_f64(#value))
+}
+
+/// Numerator and denominator of a number that `f64` does not have, if it has those.
+#[allow(clippy::cast_precision_loss)] // They are exact.
+fn quotient(number: &Rational) -> Option<(f64, f64)> {
+    const EXACT: u64 = 1 << 53;
+    let (numerator, denominator) = number.to_fraction()?;
+    let exact = [numerator, denominator]
+        .iter()
+        .all(|part| part.unsigned_abs() <= EXACT);
+    let dyadic = denominator.unsigned_abs().is_power_of_two();
+    (exact && !dyadic).then_some((numerator as f64, denominator as f64))
+}
+
+/// The literal of a number, with its sign.
+fn signed(value: f64) -> TokenStream {
     let magnitude = literal(value.abs());
     let sign = (value < 0.0).then(|| quote!(-));
-    let functions = scalar.functions();
-    quote!(#functions::from_f64(#sign #magnitude))
+    quote!(#sign #magnitude)
 }
 
 /// The shortest literal that reads back as `value`, which is not negative.

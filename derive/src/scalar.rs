@@ -6,7 +6,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
-use syn::{Generics, TraitBound, Type, TypeParamBound, WherePredicate, parse_quote};
+use syn::{Generics, PathSegment, TraitBound, Type, TypeParamBound, WherePredicate, parse_quote};
 
 use crate::declaration::Declaration;
 use crate::diagnostics::Diagnostics;
@@ -155,10 +155,14 @@ fn named(ty: &Type) -> Option<&Ident> {
     }
 }
 
+/// Whether a type parameter is bounded by `Scalar`, by any path but that of nalgebra's trait of this name.
 fn is_scalar(generics: &Generics, parameter: &Ident) -> bool {
     bounds(generics, parameter).any(|bound| {
-        let last = bound.path.segments.last();
-        last.is_some_and(|last| last.ident == "Scalar")
+        let segments = &bound.path.segments;
+        let is = |segment: Option<&PathSegment>, name| {
+            segment.is_some_and(|segment| segment.ident == name)
+        };
+        is(segments.last(), "Scalar") && !is(segments.first(), "nalgebra")
     })
 }
 

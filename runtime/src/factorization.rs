@@ -3,23 +3,35 @@
 //! Comes in: the symmetric mass matrix. Goes out: solutions for any number of right-hand sides, and
 //! how much was lost on the way. A positive definite M is factored as L D Lᵀ without pivoting, which
 //! is stable; a regular M that is not (L = ẋ ẏ) takes a cold path with row pivoting. A singular M
-//! gives values that are not finite, and no panic.
+//! gives values that are not finite, and no panic. Lanes do not depend on each other: where no exchange
+//! of rows suits all of them, M is inverted (`inverse.rs`).
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::Scalar;
+use crate::inverse::Inverse;
 
 /// A factored mass matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Factorization<S: Scalar, const N: usize> {
-    /// Below the diagonal the unit lower factor; above it U of the cold path.
+    /// Below the diagonal the unit lower factor; above it U of the cold path. Or the inverse.
     factors: SMatrix<S, N, N>,
     /// The reciprocals of the pivots.
     reciprocals: SVector<S, N>,
     /// Each pivot in relation to what it was before elimination.
     relative_pivots: SVector<S, N>,
-    /// The row that each row of the factors was, where rows were exchanged.
-    rows: Option<[usize; N]>,
+    form: Form<N>,
+}
+
+/// What the factors are those of.
+#[derive(Clone, Copy, Debug)]
+enum Form<const N: usize> {
+    /// L D Lᵀ.
+    Symmetric,
+    /// L U, whose rows were exchanged, with the row of M that each was.
+    Exchanged([usize; N]),
+    /// M⁻¹ itself.
+    Inverse,
 }
 
 /// Right-hand sides that are solved for together.
@@ -59,7 +71,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
                 factors,
                 reciprocals,
                 relative_pivots,
-                rows: None,
+                form: Form::Symmetric,
             }
         } else {
             Self::with_pivoting(&mass)
@@ -70,7 +82,8 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     #[cold]
     #[inline(never)]
     fn with_pivoting(lower: &SMatrix<S, N, N>) -> Self {
-        let mut factors = SMatrix::<S, N, N>::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
+        let full = |i: usize, j: usize| lower[(i.max(j), i.min(j))];
+        let mut factors = SMatrix::<S, N, N>::from_fn(full);
         let scale: SVector<S, N> = SVector::from_fn(|i, _| {
             (0..N).fold(S::zero(), |most, j| most.max(factors[(i, j)].abs()))
         });
@@ -78,16 +91,31 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         let mut reciprocals = SVector::zeros();
         let mut relative_pivots = SVector::zeros();
         for j in 0..N {
-            let weight = |i: usize| (factors[(i, j)] / scale[rows[i]]).abs().smallest();
-            let best =
-                (j + 1..N).fold(j, |best, i| if weight(i) > weight(best) { i } else { best });
+            let weight = |i: usize| (factors[(i, j)] / scale[rows[i]]).abs();
+            let best = (j + 1..N).fold(j, |best, i| {
+                if weight(i).smallest() > weight(best).smallest() {
+                    i
+                } else {
+                    best
+                }
+            });
+            // A lane whose greatest weight is another row's, or that has none.
+            let differs = |i: usize| {
+                let advantage = (weight(i) - weight(best)).largest();
+                advantage > 0.0 || advantage.is_nan()
+            };
+            if (j..N).any(differs)
+                || (weight(best).smallest() == 0.0 && weight(best).largest() > 0.0)
+            {
+                return Self::inverting(&SMatrix::from_fn(full));
+            }
             factors.swap_rows(j, best);
             rows.swap(j, best);
             let pivot = factors[(j, j)];
             reciprocals[j] = S::one() / pivot;
             relative_pivots[rows[j]] = (pivot / scale[rows[j]]).abs();
             // Nothing can be eliminated with nothing: the other rows keep what they have.
-            if pivot.abs().smallest() == 0.0 || pivot.smallest().is_nan() {
+            if pivot.abs().smallest() == 0.0 {
                 relative_pivots[rows[j]] = S::zero();
                 continue;
             }
@@ -104,7 +132,22 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             factors,
             reciprocals,
             relative_pivots,
-            rows: Some(rows),
+            form: Form::Exchanged(rows),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn inverting(mass: &SMatrix<S, N, N>) -> Self {
+        let Inverse {
+            matrix,
+            relative_pivots,
+        } = Inverse::new(mass);
+        Self {
+            factors: matrix,
+            reciprocals: SVector::zeros(),
+            relative_pivots,
+            form: Form::Inverse,
         }
     }
 
@@ -120,9 +163,10 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     #[inline]
     #[must_use]
     pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
-        match self.rows {
-            None => self.solve_symmetric(right),
-            Some(rows) => self.solve_pivoted(right, &rows),
+        match &self.form {
+            Form::Symmetric => self.solve_symmetric(right),
+            Form::Exchanged(rows) => self.solve_pivoted(right, rows),
+            Form::Inverse => self.factors * right,
         }
     }
 

@@ -47,6 +47,7 @@ mod inputs;
 mod outputs;
 mod operations;
 mod factorization;
+mod inverse;
 mod vector_space;
 mod phase;
 mod sample;

@@ -2,6 +2,7 @@
 
 pub use nalgebra::{SMatrix, SVector};
 
+use crate::inverse::greater;
 use crate::{Factorization, Linearization, Scalar};
 
 /// A field's type, as far as scalars can be made from it.
@@ -79,11 +80,8 @@ pub fn relative_pivots<S: Scalar, const N: usize>(
     diagonal: [S; N],
 ) -> SVector<S, N> {
     SVector::from_fn(|i, _| {
-        let left = (pivots[i] / diagonal[i]).abs().smallest();
-        if left < S::machine_epsilon() {
-            S::zero()
-        } else {
-            pivots[i].abs() / magnitudes[i]
-        }
+        let left = (pivots[i] / diagonal[i]).abs();
+        let regular = greater(left, S::from_f64(S::machine_epsilon()));
+        regular * pivots[i].abs() / magnitudes[i]
     })
 }

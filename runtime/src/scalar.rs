@@ -13,7 +13,28 @@ use crate::sine_cosine;
 /// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes.
 ///
 /// Implement it for a type of your own to evaluate every derived model on it. The elementary
-/// functions are those of the declaration language; angles are in radians.
+/// functions are those of the declaration language; angles are in radians. Lanes do not depend on each
+/// other: what one gives is what it gives alone, though rounded otherwise where the mass matrix of
+/// another is not positive definite.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = 0.5 * k * x.powi(2))]
+/// struct Oscillator { m: f64, k: f64 }
+///
+/// /// The acceleration on any scalar: what it carries, x carries into it.
+/// fn acceleration<S: Scalar>(x: S) -> S {
+///     let state = State::new(S::zero(), [x], [S::zero()]);
+///     Oscillator { m: 2.0, k: 3.0 }.accelerations(&state)[Oscillator::X]
+/// }
+///
+/// assert_eq!(acceleration(0.5_f64), -0.75);
+/// assert_eq!(acceleration(0.5_f32), -0.75);
+/// ```
+///
+/// Parameters are of the scalar, too, in a `struct Oscillator<T: Scalar> { m: T, k: T }`.
 #[diagnostic::on_unimplemented(
     message = "models are not evaluated on `{Self}`",
     note = "write real numbers with a point, such as `0.0`; for a type of your own, implement `Scalar`"
@@ -35,6 +56,21 @@ pub trait Scalar:
 {
     /// The scalar nearest to `value`, in every lane, with no derivative part.
     fn from_f64(value: f64) -> Self;
+
+    /// The quotient of two numbers, in every lane: how a constant that `f64` does not have, such as the
+    /// 0.1 of a declaration, reaches the scalar. One of more digits than `f64` divides on its own.
+    #[inline]
+    #[must_use]
+    fn ratio(numerator: f64, denominator: f64) -> Self {
+        Self::from_f64(numerator / denominator)
+    }
+
+    /// π. A scalar of more digits than `f64` has them here.
+    #[inline]
+    #[must_use]
+    fn pi() -> Self {
+        Self::from_f64(core::f64::consts::PI)
+    }
 
     /// The value of a plain number; the smallest over the lanes of several, NaN if one of them is.
     fn smallest(self) -> f64;

@@ -1,11 +1,12 @@
 //! Dual numbers as a scalar of derived models: the scalar that users would write for a type of
 //! theirs.
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use lagrangian::Scalar;
 use num_dual::{Dual64, DualNum};
-use num_traits::{One, Zero};
+
+use crate::arithmetic::arithmetic;
 
 /// A value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +39,7 @@ impl Dual {
 }
 
 macro_rules! operators {
-    ($($operator:ident $function:ident, $assigning:ident $assign:ident;)*) => {$(
+    ($($operator:ident $function:ident)*) => {$(
         impl $operator for Dual {
             type Output = Self;
 
@@ -46,21 +47,10 @@ macro_rules! operators {
                 Self($operator::$function(self.0, other.0))
             }
         }
-
-        impl $assigning for Dual {
-            fn $assign(&mut self, other: Self) {
-                *self = $operator::$function(*self, other);
-            }
-        }
     )*};
 }
 
-operators! {
-    Add add, AddAssign add_assign;
-    Sub sub, SubAssign sub_assign;
-    Mul mul, MulAssign mul_assign;
-    Div div, DivAssign div_assign;
-}
+operators! { Add add Sub sub Mul mul Div div }
 
 impl Neg for Dual {
     type Output = Self;
@@ -70,21 +60,7 @@ impl Neg for Dual {
     }
 }
 
-impl Zero for Dual {
-    fn zero() -> Self {
-        Self::constant(0.0)
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.is_zero()
-    }
-}
-
-impl One for Dual {
-    fn one() -> Self {
-        Self::constant(1.0)
-    }
-}
+arithmetic!(Dual);
 
 macro_rules! forwarded {
     ($($function:ident)*) => {$(

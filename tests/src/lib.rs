@@ -1,8 +1,11 @@
-//! What the tests share: reference values, the models they were computed for, and one way to
-//! compare.
+//! What the tests share: reference values, the models they were computed for, scalars other
+//! than numbers, and one way to compare.
 
 mod closeness;
+mod arithmetic;
 mod dual;
+mod double_double;
+mod lanes;
 mod figures;
 mod random;
 mod reference;
@@ -10,8 +13,10 @@ mod motion;
 mod model;
 
 pub use closeness::{assert_close, relative_error};
+pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use figures::Figures;
+pub use lanes::{LANES, Lanes};
 pub use model::{Law, Observed, Parametrized, rows};
 pub use motion::{Motion, motions};
 pub use random::Random;

@@ -1,0 +1,7 @@
+//! Derived models evaluated on scalars other than `f64`, with parameters of the same scalar.
+
+mod models;
+mod single_precision;
+mod lanes;
+mod double_double;
+mod sensitivities;
