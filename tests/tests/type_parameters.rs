@@ -335,3 +335,55 @@ fn a_macro_may_write_the_parameter() {
     let state = State::new(0.0, [0.5], [1.0]);
     assert!((Falling { m: 2.0 }.accelerations(&state)[Falling::<f64>::X] + 1.0).abs() < 1e-15);
 }
+
+/// A body whose tensor, centre and springs are of any scalar, in arrays and in nalgebra's types.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(r = rotation_zyx(phi, theta, psi), w = angular_velocity(r), angles = [phi, theta, psi]),
+    kinetic = 0.5 * w.dot(inertia * w),
+    potential = m * (r * center).z + 0.5 * (0..3).map(|i| k[i] * angles[i].powi(2)).sum(),
+    force(psi = torque.x),
+    output(spin = r * inertia * w, matrix = r),
+)]
+struct Body<T: Scalar> {
+    m: f64,
+    inertia: nalgebra::Matrix3<T>,
+    center: nalgebra::Vector3<T>,
+    k: [T; 3],
+    #[lagrangian(input)]
+    torque: nalgebra::Vector2<T>,
+}
+
+/// A body with values that every scalar holds exactly.
+fn body<T: Scalar>() -> Body<T> {
+    let number = T::from_f64;
+    let [a, b, c, d] = [2.0, 3.0, 4.0, 0.25].map(number);
+    Body {
+        m: 1.5,
+        inertia: nalgebra::Matrix3::new(a, d, T::zero(), d, b, d, T::zero(), d, c),
+        center: nalgebra::Vector3::new(d, T::zero(), a),
+        k: [a, b, c],
+        torque: nalgebra::Vector2::new(d, b),
+    }
+}
+
+#[test]
+fn arrays_of_a_scalar_give_what_arrays_of_plain_numbers_give() {
+    let state = State::new(0.0, [0.25, 0.5, -0.75], [1.0, -0.5, 0.25]);
+    let single = State::new(0.0_f32, [0.25, 0.5, -0.75], [1.0, -0.5, 0.25]);
+    let double = body::<f64>().accelerations(&state);
+    let found = body::<f32>().accelerations(&single).map(f64::from);
+    assert_close("accelerations", found.as_slice(), double.as_slice(), 1e-5);
+    let spin = body::<f64>().outputs(&state).spin;
+    let found = body::<f32>().outputs(&single).spin.map(f64::from);
+    assert_close("spin", found.as_slice(), spin.as_slice(), 1e-5);
+    let matrix = body::<f64>().outputs(&state).matrix;
+    let identity = nalgebra::Matrix3::<f64>::identity();
+    assert_close(
+        "rotation",
+        (matrix.transpose() * matrix).as_slice(),
+        identity.as_slice(),
+        1e-15,
+    );
+}
