@@ -6,6 +6,7 @@
 
 use crate::algebra::derivative::Tangents;
 use crate::mechanics::model::Energies;
+use crate::mechanics::multiplied_out::Derived;
 use crate::mechanics::structure::{self, Structure};
 use crate::{Expression, Graph, Model, Rational, Symbol};
 
@@ -56,9 +57,19 @@ impl Equations {
         check_momenta(model, &momenta, &mass)?;
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);
-        let inverse_dynamics = inverse_dynamics(&mut model.graph, &mass, &forcing);
         let energy = model.energy(lagrangian, &momenta);
         let structure = structure::analyze(model, lagrangian, &mass, &generalized_forces)?;
+        let derived = Derived {
+            momenta,
+            mass,
+            forcing,
+        };
+        let Derived {
+            momenta,
+            mass,
+            forcing,
+        } = derived.cheapest(model, lagrangian, &generalized_forces);
+        let inverse_dynamics = inverse_dynamics(&mut model.graph, &mass, &forcing);
         Ok(Self {
             lagrangian,
             energy,
@@ -93,7 +104,7 @@ impl Model {
     }
 
     /// fᵢ = ∂L/∂qᵢ − (∂pᵢ/∂q) q̇ − ∂pᵢ/∂t + Qᵢ.
-    fn forcing(
+    pub(crate) fn forcing(
         &mut self,
         lagrangian: Expression,
         momenta: &[Expression],

@@ -5,6 +5,7 @@
 //! pivots are squares themselves. The general top multiplied out gives its angular velocities back, and
 //! (4.5) with I₁ = I₂ becomes (4.7), in which ψ no longer appears.
 
+use crate::mechanics::multiplied_out::linear_part;
 use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
 use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
 
@@ -33,7 +34,7 @@ impl QuasiVelocities {
             .clone()
             .map(|i| indices.clone().map(|j| entry(i, j)).collect())
             .collect();
-        let rest = linear_part(graph, equations);
+        let rest = linear_part(graph, equations.lagrangian, &equations.momenta);
         Some(Self {
             forms,
             inertia,
@@ -108,25 +109,6 @@ fn squares(graph: &mut Graph, mut metric: Matrix) -> Option<Vec<Expression>> {
     }
     let vanishes = |i: &usize| waiting.iter().all(|j| graph.is_zero(metric[*i][*j]));
     waiting.iter().all(vanishes).then_some(forms)
-}
-
-/// What of L is at most linear in the velocities.
-fn linear_part(graph: &mut Graph, equations: &Equations) -> Expression {
-    let zero = graph.zero();
-    let indices = 0..u32::try_from(equations.mass.len()).unwrap_or(0);
-    let still = indices
-        .clone()
-        .map(|i| (Symbol::Velocity(i), zero))
-        .collect();
-    let mut roots = vec![equations.lagrangian];
-    roots.extend(&equations.momenta);
-    let at_rest = graph.substitute(&roots, &still);
-    let mut terms = vec![(at_rest[0], Rational::ONE)];
-    for (i, momentum) in indices.zip(&at_rest[1..]) {
-        let velocity = graph.symbol(Symbol::Velocity(i));
-        terms.push((graph.multiply(*momentum, velocity), Rational::ONE));
-    }
-    graph.sum(terms)
 }
 
 impl Graph {

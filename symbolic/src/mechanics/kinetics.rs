@@ -8,6 +8,7 @@ use crate::mechanics::articulation::Articulation;
 use crate::mechanics::boltzmann_hamel::BoltzmannHamel;
 use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematic_tree::KinematicTree;
+use crate::mechanics::multiplied_out::MOST_COORDINATES;
 use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::solution::{Solution, Way};
 use crate::{Equations, Expression, Graph, Model, Pass};
@@ -39,9 +40,6 @@ pub struct LinearSystem {
 
 /// Where more unknowns than this meet, elimination in numbers costs no more than straight-line code.
 const MOST_NEIGHBOURS: usize = 7;
-
-/// A mass matrix of more rows is not multiplied out.
-const MOST_COORDINATES: u32 = 4;
 
 impl Kinetics {
     /// The kinetics of `model`.
