@@ -153,8 +153,8 @@ impl Translator<'_> {
             Some(Meaning::Family(_, family)) => {
                 let brackets = "[i]".repeat(family.rank);
                 let message = format!(
-                    "`{name}` is a family of {} quantities: write one of them, as in `{name}{brackets}`, or a vector, \
-                     as in `(0..{name}.len()).map(|i| {name}[i]).collect()`",
+                    "`{name}` is a family of {} quantities: write one of them, as in `{name}{brackets}`, or all \
+                     of them, `vector({name})`",
                     family.members.len()
                 );
                 self.reject(name, message)

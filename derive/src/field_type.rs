@@ -1,26 +1,26 @@
 //! The types that parameters and inputs can have.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Expr, GenericArgument, Lit, PathArguments, Type};
 
 use crate::value::Shape;
 
-/// The type of a field, taken apart.
+/// The type of a field, taken apart: a number, a vector or a matrix, or an array of those.
 pub(crate) struct FieldType<'a> {
     /// The type of one component.
     pub(crate) element: &'a Type,
     form: Form,
+    /// The lengths of the arrays around a vector or matrix, from the outermost.
+    lengths: Vec<usize>,
 }
 
-/// How the components are held.
+/// How the components of a quantity are held.
 #[derive(Clone, Copy)]
 enum Form {
     Scalar,
     /// `[f64; N]`, or a vector of nalgebra.
     Vector(usize),
-    /// `[[f64; COLUMNS]; ROWS]`.
-    Rows(usize, usize),
     /// A matrix of nalgebra with so many rows and columns.
     Matrix(usize, usize),
 }
@@ -41,15 +41,12 @@ impl<'a> FieldType<'a> {
             Type::Paren(paren) => Self::read(&paren.elem),
             Type::Array(array) => {
                 let length = length(&array.len)?;
-                let inner = Self::read(&array.elem)?;
-                let form = match inner.form {
-                    Form::Scalar => Form::Vector(length),
-                    Form::Vector(columns) if matches!(&*array.elem, Type::Array(_)) => {
-                        Form::Rows(length, columns)
-                    }
-                    _ => return Err(Unfit::Unknown),
-                };
-                Ok(Self { form, ..inner })
+                let mut inner = Self::read(&array.elem)?;
+                match inner.form {
+                    Form::Scalar => inner.form = Form::Vector(length),
+                    Form::Vector(_) | Form::Matrix(..) => inner.lengths.insert(0, length),
+                }
+                Ok(inner)
             }
             Type::Path(path) => {
                 let last = path.path.segments.last().ok_or(Unfit::Unknown)?;
@@ -57,6 +54,7 @@ impl<'a> FieldType<'a> {
                     PathArguments::None => Ok(Self {
                         element: ty,
                         form: Form::Scalar,
+                        lengths: Vec::new(),
                     }),
                     PathArguments::AngleBracketed(arguments) => {
                         let mut arguments = arguments.args.iter();
@@ -64,7 +62,11 @@ impl<'a> FieldType<'a> {
                             return Err(Unfit::Unknown);
                         };
                         let form = Form::of_nalgebra(&last.ident.to_string(), arguments)?;
-                        Ok(Self { element, form })
+                        Ok(Self {
+                            element,
+                            form,
+                            lengths: Vec::new(),
+                        })
                     }
                     PathArguments::Parenthesized(_) => Err(Unfit::Unknown),
                 }
@@ -73,36 +75,53 @@ impl<'a> FieldType<'a> {
         }
     }
 
+    /// The shape of the field's value, or of each member of an array of vectors or matrices.
     pub(crate) const fn shape(&self) -> Shape {
         match self.form {
             Form::Scalar => Shape::Scalar,
             Form::Vector(rows) => Shape::Array { rows, columns: 1 },
-            Form::Rows(rows, columns) | Form::Matrix(rows, columns) => {
-                Shape::Array { rows, columns }
-            }
+            Form::Matrix(rows, columns) => Shape::Array { rows, columns },
         }
     }
 
-    /// What stands behind a field to read each of its components, column by column.
+    /// How many indices tell the members of an array of vectors or matrices apart; 0 for no such array.
+    pub(crate) const fn rank(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// The indices of the members of an array of vectors or matrices, the last one running fastest; one
+    /// empty list for no such array.
+    pub(crate) fn members(&self) -> Vec<Vec<usize>> {
+        let mut members = vec![Vec::new()];
+        for length in &self.lengths {
+            let longer = |member: &Vec<usize>, i| {
+                let mut longer = member.clone();
+                longer.push(i);
+                longer
+            };
+            members = members
+                .iter()
+                .flat_map(|member| (0..*length).map(move |i| longer(member, i)))
+                .collect();
+        }
+        members
+    }
+
+    /// What stands behind a member to read each of its components, column by column.
     pub(crate) fn accesses(&self) -> Vec<TokenStream> {
-        let literal = proc_macro2::Literal::usize_unsuffixed;
-        let count = self.shape().count();
+        let literal = Literal::usize_unsuffixed;
         let access = |component: usize| match self.form {
             Form::Scalar => TokenStream::new(),
             Form::Vector(_) => {
                 let i = literal(component);
                 quote!([#i])
             }
-            Form::Rows(rows, _) => {
-                let (row, column) = (literal(component % rows), literal(component / rows));
-                quote!([#row][#column])
-            }
             Form::Matrix(rows, _) => {
                 let (row, column) = (literal(component % rows), literal(component / rows));
                 quote!([(#row, #column)])
             }
         };
-        (0..count).map(access).collect()
+        (0..self.shape().count()).map(access).collect()
     }
 }
 

@@ -148,6 +148,7 @@ fn functions() -> impl Iterator<Item = &'static str> {
     of_scalars()
         .chain(array::FUNCTIONS)
         .chain(rotation::FUNCTIONS)
+        .chain(["vector"])
 }
 
 fn of_scalars() -> impl Iterator<Item = &'static str> {
@@ -209,7 +210,7 @@ pub(crate) fn function(name: &str) -> String {
         "magnitude_squared" => "write `v.norm_squared()`",
         "try_inverse" | "inv" => "write `m.inverse()`",
         "det" => "write `m.determinant()`",
-        "matrix" | "vector" => "write `[x, y, z]`, or `[[a, b], [c, d]]` row by row",
+        "matrix" => "write `[[a, b], [c, d]]` row by row",
         "angular_velocity_body" => "`angular_velocity(r)` is in body axes already",
         "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
         _ => {

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::Type;
 use syn::spanned::Spanned as _;
@@ -40,23 +40,32 @@ pub(crate) struct Component {
 }
 
 impl Component {
-    /// The components of a field, column by column; none where its type is none that a parameter can have.
+    /// The components of a field, member by member and column by column; none where its type is none that a
+    /// parameter can have.
     fn of(field: &Field) -> Vec<Self> {
         let Ok(form) = field.form() else {
             return Vec::new();
         };
-        let component = |(i, access)| Self {
-            field: field.name.clone(),
-            label: Label {
-                stem: plain(&field.name),
-                indices: form.shape().index(i).into_iter().collect(),
-            },
-            access,
-            element: form.element.clone(),
-            meant: field.meant.clone(),
-        };
-        let accesses = form.accesses().into_iter().enumerate();
-        accesses.map(component).collect()
+        let accesses = form.accesses();
+        let mut components = Vec::new();
+        for member in form.members() {
+            let places = member.iter().map(|i| Literal::usize_unsuffixed(*i));
+            let place: TokenStream = places.map(|i| quote!([#i])).collect();
+            for (i, access) in accesses.iter().enumerate() {
+                let outer = member.iter().copied().map(Index::One);
+                components.push(Self {
+                    field: field.name.clone(),
+                    label: Label {
+                        stem: plain(&field.name),
+                        indices: outer.chain(form.shape().index(i)).collect(),
+                    },
+                    access: quote!(#place #access),
+                    element: form.element.clone(),
+                    meant: field.meant.clone(),
+                });
+            }
+        }
+        components
     }
 
     /// The expression that reads the component, with the name of the field where it is spoken of.

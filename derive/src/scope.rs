@@ -85,7 +85,18 @@ impl Scope {
             let mut symbols = Symbols::of(kind);
             for field in declaration.fields_with(role) {
                 let meaning = match field.form() {
-                    Ok(form) => Meaning::Quantity(Kind::Field, symbols.value(graph, form.shape())),
+                    Ok(form) if form.rank() == 0 => {
+                        Meaning::Quantity(Kind::Field, symbols.value(graph, form.shape()))
+                    }
+                    Ok(form) => {
+                        let members = form.members().into_iter();
+                        let member = |indices| (indices, symbols.value(graph, form.shape()));
+                        let family = Family {
+                            rank: form.rank(),
+                            members: members.map(member).collect(),
+                        };
+                        Meaning::Family(Kind::Field, Rc::new(family))
+                    }
                     Err(_) => Meaning::Broken,
                 };
                 meanings.insert(plain(&field.name), meaning);
@@ -135,7 +146,7 @@ impl Scope {
     pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Meaning> {
         let written = plain(name);
         let meaning = self.meanings.get(&written)?.clone();
-        if let Meaning::Quantity(Kind::Field, _) = meaning {
+        if let Meaning::Quantity(Kind::Field, _) | Meaning::Family(Kind::Field, _) = meaning {
             self.uses.entry(written).or_insert_with(|| name.clone());
         }
         Some(meaning)
@@ -215,7 +226,10 @@ impl Scope {
     pub(crate) fn suggest(&self, name: &Ident) -> Option<String> {
         let meant = similar(&plain(name), self.meanings.keys().map(String::as_str))?;
         match self.meanings[meant] {
-            Meaning::Quantity(Kind::Field, _) | Meaning::Skipped | Meaning::Output => None,
+            Meaning::Quantity(Kind::Field, _)
+            | Meaning::Family(Kind::Field, _)
+            | Meaning::Skipped
+            | Meaning::Output => None,
             _ => Some(spelled(meant)),
         }
     }

@@ -8,7 +8,7 @@ pub use crate::{
     Lagrangian, Linearization, Observer, Occasion, Outputs, OutputsWith, Phase, Progress, Reason,
     RungeKutta, Sample, Scalar, State, Statistics, Stepper, System, VectorSpace, WithInputs,
 };
-pub use nalgebra::{SMatrix, SVector};
+pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 #[cfg(feature = "alloc")]
 pub use crate::{Interrupted, Trajectory};

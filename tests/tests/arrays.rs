@@ -59,6 +59,9 @@ type Place = Vector3<f64>;
         squares = list.map(|entry| entry.powi(2)),
         collected = (0..4).map(|i| i * list[i + 1]).collect(),
         by_rows = (0..2).map(|i| [table[i][0], table[i][2]]).collect(),
+        member = table[1] + frames[1][0] * ends[1],
+        entry = frames[1][1][(0, 2)],
+        tabled = vector(table),
         velocity = v,
         rate = dot(turned),
         rate_of_products = dot(r.cross(a).dot(b) * r),
@@ -74,6 +77,8 @@ struct Arrays {
     b: SVector<f64, 3>,
     list: [f64; 5],
     table: [[f64; 3]; 2],
+    ends: [Vector3<f64>; 2],
+    frames: [[Matrix3<f64>; 2]; 2],
     m2: Matrix2<f64>,
     m3: Matrix3<f64>,
     n3: SMatrix<f64, 3, 3>,
@@ -89,6 +94,14 @@ fn model() -> Arrays {
         b: Vector3::new(1.5, 0.25, -0.75),
         list: [1.0, -2.0, 3.0, 0.5, 0.125],
         table: [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]],
+        ends: [Vector3::zeros(), Vector3::new(2.0, -1.0, 0.5)],
+        frames: [
+            [Matrix3::zeros(); 2],
+            [
+                Matrix3::new(0.0, 1.0, 0.0, -1.0, 0.5, 0.0, 0.0, 2.0, 1.0),
+                Matrix3::repeat(7.0),
+            ],
+        ],
         m2: Matrix2::new(1.0, 2.0, 3.0, 5.5),
         m3: Matrix3::new(2.0, 1.0, 0.5, -1.0, 3.0, 0.25, 0.75, -0.5, 1.5),
         n3: Matrix3::new(1.0, 0.0, 2.0, -1.0, 1.5, 0.5, 3.0, -2.0, 1.0),
@@ -226,6 +239,11 @@ fn arrays_are_written_and_taken_apart() {
         &found.by_rows,
         &Matrix2::new(1.0, 3.0, 4.0, 6.0),
     );
+    let member = Vector3::new(4.0, 5.0, 6.0) + model.frames[1][0] * model.ends[1];
+    assert_same("member of an array", &found.member, &member);
+    assert_same("entry", &number(found.entry), &number(7.0));
+    let table = SMatrix::<f64, 2, 3>::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
+    assert_same("an array of vectors as rows", &found.tabled, &table);
     assert_same("a sum without terms", &found.nothing, &a);
 }
 
@@ -289,7 +307,7 @@ fn components_are_printed_by_name_and_index() {
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(r[3], angle),
-    define(position = (0..3).map(|i| r[i]).collect()),
+    define(position = vector(r)),
     kinetic = 0.5 * m * dot(position).norm_squared() + 0.5 * m * dot(angle).powi(2),
     force(r[i] = thrust[i] - drag[(i, i)] * dot(r[i]) for i in 0..3, angle = spin),
     output(power = thrust.dot(dot(position)), thrust = thrust),

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprMethodCall};
 
 use super::array::arity;
-use super::repetition::{repeated, without_parentheses};
+use super::repetition::{repeated, stacked, without_parentheses};
 use super::{Place, Translator};
 use crate::hints;
 use crate::names::plain;
@@ -25,6 +25,9 @@ impl Translator<'_> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         if name == "dot" {
             return self.time_derivative(call, &arguments, place);
+        }
+        if name == "vector" {
+            return self.whole_family(call, &arguments, place);
         }
         if let Some(value) = self.rotation(name, call, &arguments, place) {
             return value;
@@ -79,6 +82,54 @@ impl Translator<'_> {
             .map(|value| self.as_scalar(&value, &call.args))
             .collect::<Option<_>>()?;
         lagrangian_symbolic::Matrix::new(rows, columns, elements).map(Value::Array)
+    }
+
+    /// `vector(theta)`: the members of a family as a vector, or as the rows of a matrix.
+    fn whole_family(
+        &mut self,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        place: Place,
+    ) -> Option<Value> {
+        let [argument] = arguments else {
+            let message = "`vector` takes the name of a family: write `vector(theta)`, and `[x, y, z]` for a \
+                           vector of components";
+            return self.reject(call, message);
+        };
+        let name = match without_parentheses(argument) {
+            Expr::Path(path) => path.path.get_ident(),
+            _ => None,
+        };
+        let meaning = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
+        let Some((name, Meaning::Family(kind, family))) = meaning else {
+            // What is a vector already stays one, and what is unknown is reported as such.
+            return match self.translate(argument, place)? {
+                array @ Value::Array(_) => Some(array),
+                other => {
+                    let message = format!("this is {}, and no family", other.shape());
+                    self.reject(argument, message)
+                }
+            };
+        };
+        let counted = (0..family.members.len()).map(|i| vec![i]);
+        if !family.members.keys().cloned().eq(counted) {
+            let message = format!(
+                "the members of `{name}` are not counted from 0 by one index: write which of them, as in \
+                 `(1..5).map(|i| {name}[i]).collect()`"
+            );
+            return self.reject(argument, message);
+        }
+        let values: Vec<Value> = family.members.values().cloned().collect();
+        for value in &values {
+            self.check_accelerations(name, kind, value, place)?;
+        }
+        match stacked(&values) {
+            Ok(matrix) => Some(Value::Array(matrix)),
+            Err(odd) => {
+                let message = hints::rows(values[0].shape(), values[odd].shape());
+                self.reject(argument, message)
+            }
+        }
     }
 
     /// How many members a family has that is spoken of as a whole.

@@ -58,6 +58,10 @@ impl Translator<'_> {
             let written = hints::member(name, &member);
             let message = match (kind, bounds(&family)) {
                 (Kind::Coordinate, _) => hints::beyond(name, &member[0], family.members.len()),
+                (Kind::Field, _) => format!(
+                    "`{written}` is out of range: the array has {} members",
+                    family.members.len()
+                ),
                 (_, Some((first, last))) if family.rank == 1 => format!(
                     "`{written}` is not defined here: what is defined before is `{name}[{first}]` to \
                      `{name}[{last}]`"

@@ -1,0 +1,16 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta[3]),
+    define(h[i] = i * theta[i] for i in 1..3),
+    kinetic = 0.5 * m * (0..3).map(|i| dot(theta[i]).powi(2)).sum(),
+    potential = vector(h).norm(),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}
