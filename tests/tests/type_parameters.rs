@@ -348,11 +348,11 @@ fn a_macro_may_write_the_parameter() {
 )]
 struct Body<T: Scalar> {
     m: f64,
-    inertia: nalgebra::Matrix3<T>,
-    center: nalgebra::Vector3<T>,
+    inertia: Matrix3<T>,
+    center: Vector3<T>,
     k: [T; 3],
     #[lagrangian(input)]
-    torque: nalgebra::Vector2<T>,
+    torque: Vector2<T>,
 }
 
 /// A body with values that every scalar holds exactly.
@@ -361,10 +361,10 @@ fn body<T: Scalar>() -> Body<T> {
     let [a, b, c, d] = [2.0, 3.0, 4.0, 0.25].map(number);
     Body {
         m: 1.5,
-        inertia: nalgebra::Matrix3::new(a, d, T::zero(), d, b, d, T::zero(), d, c),
-        center: nalgebra::Vector3::new(d, T::zero(), a),
+        inertia: Matrix3::new(a, d, T::zero(), d, b, d, T::zero(), d, c),
+        center: Vector3::new(d, T::zero(), a),
         k: [a, b, c],
-        torque: nalgebra::Vector2::new(d, b),
+        torque: Vector2::new(d, b),
     }
 }
 
@@ -379,7 +379,7 @@ fn arrays_of_a_scalar_give_what_arrays_of_plain_numbers_give() {
     let found = body::<f32>().outputs(&single).spin.map(f64::from);
     assert_close("spin", found.as_slice(), spin.as_slice(), 1e-5);
     let matrix = body::<f64>().outputs(&state).matrix;
-    let identity = nalgebra::Matrix3::<f64>::identity();
+    let identity = Matrix3::<f64>::identity();
     assert_close(
         "rotation",
         (matrix.transpose() * matrix).as_slice(),
