@@ -8,7 +8,7 @@ mod angles;
 use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{
-    Instruction, Operand, Operation, Pass, Passes, Phase, Program, Rational, Symbol,
+    Function, Instruction, Operand, Operation, Pass, Passes, Phase, Program, Rational, Symbol,
 };
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -87,6 +87,8 @@ pub(crate) struct Body<'a> {
     locals: Locals<'a>,
     scalar: &'a Scalar<'a>,
     source: &'a dyn Source,
+    /// The methods that compute functions from outside, in the order of declaration.
+    functions: Vec<Ident>,
     symbols: BTreeMap<Symbol, Ident>,
     texts: BTreeMap<usize, Text>,
     /// For each value how often it is used; more than once if a later phase uses it, so that it is not
@@ -101,12 +103,14 @@ impl<'a> Body<'a> {
         locals: Locals<'a>,
         scalar: &'a Scalar<'a>,
         source: &'a dyn Source,
+        functions: Vec<Ident>,
     ) -> Self {
         Self {
             passes,
             locals,
             scalar,
             source,
+            functions,
             symbols: BTreeMap::new(),
             texts: BTreeMap::new(),
             uses: count_uses(program),
@@ -246,8 +250,10 @@ impl<'a> Body<'a> {
                 let (x, y) = (next(), next());
                 (self.call(x, function.name(), &[y.tokens]), Level::Atom)
             }
-            // No declaration has functions from outside.
-            Operation::Application(..) => (TokenStream::new(), Level::Atom),
+            Operation::Application(function, _) => {
+                let arguments: Vec<_> = operands.map(|text| text.tokens).collect();
+                (self.application(*function, &arguments), Level::Atom)
+            }
         };
         Text {
             tokens,
@@ -299,6 +305,14 @@ impl<'a> Body<'a> {
     /// a · b + summand.
     fn fused(&self, a: Text, b: Text, summand: TokenStream) -> TokenStream {
         self.call(a, "mul_add", &[b.tokens, summand])
+    }
+
+    /// A function from outside, on the scalar.
+    fn application(&self, function: Function, arguments: &[TokenStream]) -> TokenStream {
+        let name = self.functions.get(function.index());
+        let scalar = self.scalar;
+        let parameters = scalar.is_every().then(|| quote!(::<#scalar>));
+        quote!(self.#name #parameters(#(#arguments),*))
     }
 
     /// A function of the scalar: as a method, unless that could be another trait's.

@@ -11,8 +11,9 @@ use crate::declaration::{Clause, Declaration, Named};
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field::Role;
 use crate::field_type::Unfit;
+use crate::function;
 use crate::names::{constant, plain};
-use crate::scalar::{self, type_parameter};
+use crate::scalar::{self, Scalar, type_parameter};
 use crate::scope::RESERVED;
 
 /// Checks names, types of fields and the set of clauses.
@@ -20,6 +21,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_field_types(declaration, diagnostics);
     scalar::check(declaration, diagnostics);
     check_names(declaration, diagnostics);
+    function::check(declaration, diagnostics);
     check_constants(declaration, diagnostics);
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
@@ -54,7 +56,8 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 
 /// Whether a type is one of plain numbers, or the scalar of a generic struct.
 fn is_number(declaration: &Declaration, ty: &Type) -> bool {
-    type_parameter(&declaration.generics, ty).is_some() || is_float(ty)
+    let scalar = Scalar::of(declaration);
+    type_parameter(&declaration.generics, ty).is_some() || is_float(ty) || scalar.is(ty)
 }
 
 fn is_float(ty: &Type) -> bool {
@@ -108,7 +111,7 @@ fn first_of_families(definitions: &[Named]) -> Vec<&Ident> {
         .collect()
 }
 
-fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
+pub(crate) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     if RESERVED.iter().any(|reserved| name == reserved) {
         let meaning = match name.to_string().as_str() {
             "t" => "the time",

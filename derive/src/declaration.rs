@@ -10,11 +10,12 @@ use syn::parse::discouraged::Speculative;
 use syn::punctuated::Punctuated;
 use syn::{
     Attribute, Data, DeriveInput, Expr, Fields, Generics, LitInt, MacroDelimiter, Meta, Token,
-    Visibility, token,
+    Type, Visibility, token,
 };
 
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field::{Field, Role};
+use crate::function::Function;
 use crate::root::Root;
 
 /// A struct with its energies.
@@ -34,6 +35,7 @@ pub(crate) struct Declaration {
 #[derive(Default)]
 pub(crate) struct Clauses {
     pub(crate) coordinates: Vec<Coordinate>,
+    pub(crate) functions: Vec<Function>,
     pub(crate) definitions: Vec<Named>,
     pub(crate) kinetic: Vec<Clause>,
     pub(crate) potential: Vec<Clause>,
@@ -42,10 +44,14 @@ pub(crate) struct Clauses {
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
     pub(crate) forces: Vec<Vec<Named>>,
     pub(crate) outputs: Vec<Named>,
+    /// What `scalar = …` says.
+    pub(crate) scalar: Option<Type>,
     /// What `crate = …` says.
     root: Option<Root>,
     /// Whether something could not be read, so that what seems to be missing may stand there.
     pub(crate) unreadable: bool,
+    /// Whether functions could not be read, so that an unknown one may stand there.
+    pub(crate) functions_unreadable: bool,
     /// Whether coordinates or definitions could not be read, so that an unknown name may stand there.
     pub(crate) names_unreadable: bool,
 }
@@ -77,8 +83,9 @@ pub(crate) struct Iteration {
     pub(crate) range: Expr,
 }
 
-const KEYWORDS: [&str; 8] = [
+const KEYWORDS: [&str; 10] = [
     "coordinates",
+    "function",
     "define",
     "kinetic",
     "potential",
@@ -86,6 +93,7 @@ const KEYWORDS: [&str; 8] = [
     "dissipation",
     "force",
     "output",
+    "scalar",
 ];
 
 impl Declaration {
@@ -185,11 +193,36 @@ impl Clauses {
         Ok(())
     }
 
+    fn read_scalar(&mut self, keyword: &Ident, input: ParseStream<'_>) -> syn::Result<()> {
+        let message = "write `scalar = f64`, with the type on which the model is evaluated";
+        if !input.peek(Token![=]) {
+            return Err(syn::Error::new(position(keyword, input), message));
+        }
+        let equals = input.parse::<Token![=]>()?;
+        if input.is_empty() || input.peek(Token![,]) {
+            return Err(syn::Error::new_spanned(equals, message));
+        }
+        let scalar: Type = input
+            .parse()
+            .map_err(|error| syn::Error::new(error.span(), message))?;
+        if self.scalar.is_some() {
+            let message = "the scalar is named already: keep one `scalar = …`";
+            return Err(syn::Error::new(keyword.span(), message));
+        }
+        self.scalar = Some(scalar);
+        Ok(())
+    }
+
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         match keyword.to_string().as_str() {
             "coordinates" => {
                 let read = coordinates(&keyword, input, &mut self.coordinates);
                 self.names_unreadable |= read.is_err();
+                read?;
+            }
+            "function" => {
+                let read = Function::read(&keyword, input, &mut self.functions);
+                self.functions_unreadable |= read.is_err();
                 read?;
             }
             "define" => {
@@ -208,8 +241,11 @@ impl Clauses {
             "potential" => self.potential.push(Clause::read(keyword, input)?),
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),
             "dissipation" => self.dissipation.push(Clause::read(keyword, input)?),
+            "scalar" => self.read_scalar(&keyword, input)?,
             written => {
-                let meant = similar(written, KEYWORDS);
+                // Functions stand in parentheses, and friction is a word of mechanics.
+                let fits = |meant: &&str| *meant != "function" || input.peek(token::Paren);
+                let meant = similar(written, KEYWORDS).filter(fits);
                 let hint = match meant {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => no_clause(),
@@ -240,7 +276,11 @@ impl Clause {
 
 /// `= expression` after a word.
 fn equated(word: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
-    let message = format!("write `{word} = expression`");
+    expression(word, &format!("write `{word} = expression`"), input)
+}
+
+/// `= expression` after a word, or an error that says how to write it.
+pub(crate) fn expression(word: &Ident, message: &str, input: ParseStream<'_>) -> syn::Result<Expr> {
     if !input.peek(Token![=]) {
         return Err(syn::Error::new(position(word, input), message));
     }
@@ -306,7 +346,7 @@ fn family_length(name: &Ident, input: ParseStream<'_>) -> syn::Result<usize> {
 }
 
 /// A name, or an error that says what the name is for.
-fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
+pub(crate) fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
     if input.peek(syn::Ident) || !input.peek(syn::Ident::peek_any) {
         return input
             .parse()
@@ -398,7 +438,7 @@ fn list(
 
 /// Reads what commas separate, up to the end. Where an item cannot be read, reading goes on behind the
 /// next comma, so that one look shows all errors; they are returned together.
-fn separated(
+pub(crate) fn separated(
     input: ParseStream<'_>,
     separator: &str,
     mut read: impl FnMut(ParseStream<'_>) -> syn::Result<()>,

@@ -1,5 +1,7 @@
 //! The whole macro: parse, check, lower, derive the equations, schedule, emit.
 
+use std::collections::BTreeMap;
+
 use lagrangian_symbolic::{Defect, Equations, Model};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -47,6 +49,11 @@ fn implement(
         .map_err(|defect| report(&defect, declaration, lowered, diagnostics))
         .ok()?;
     let methods = Methods::schedule(&mut model, &equations);
+    let undeclared = methods.undeclared(&model.graph);
+    if !undeclared.is_empty() {
+        report_undeclared(&undeclared, declaration, diagnostics);
+        return None;
+    }
     if !methods.verified() {
         let message = "the code for this model would not compute what was derived; this is a defect of \
                        `lagrangian`: please report the declaration";
@@ -60,6 +67,23 @@ fn implement(
         return None;
     }
     Some(Implementation::new(declaration, lowered, &model, &equations, &methods).items())
+}
+
+/// Says which derivatives of functions from outside are missing.
+fn report_undeclared(
+    undeclared: &BTreeMap<(usize, usize), &'static str>,
+    declaration: &Declaration,
+    diagnostics: &mut Diagnostics,
+) {
+    for ((function, argument), needs) in undeclared {
+        let function = &declaration.clauses.functions[*function];
+        let (name, argument) = (&function.name, &function.arguments[*argument]);
+        let message = format!(
+            "{needs} ∂{name}/∂{argument}: add `derivative({argument}) = …` behind the value, or `derivative({argument}) \
+             = 0.0` where that is constant piece by piece"
+        );
+        diagnostics.error(name, message);
+    }
 }
 
 /// The clause in which the equations of motion begin.

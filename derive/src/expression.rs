@@ -4,6 +4,7 @@
 //! errors at the tokens that are not understood. Long sums and products are loops; only nesting
 //! recurses, which the compiler's own parser bounds.
 
+mod application;
 pub(crate) mod array;
 mod call;
 mod chain;
@@ -43,6 +44,8 @@ pub(crate) struct Translator<'a> {
     pub(crate) repetitions: usize,
     /// Whether an index is looked at, where an unknown name is a variable that nobody has bound.
     pub(crate) within_index: bool,
+    /// Whether the derivative of a function is looked at, which knows neither coordinates nor the time.
+    pub(crate) within_derivative: bool,
 }
 
 impl Translator<'_> {
@@ -145,6 +148,7 @@ impl Translator<'_> {
     }
 
     fn name(&mut self, name: &Ident, place: Place) -> Option<Value> {
+        self.check_within_derivative(name)?;
         match self.scope.resolve(name) {
             Some(Meaning::Quantity(kind, value)) => {
                 self.check_accelerations(name, kind, &value, place)?;
@@ -224,7 +228,7 @@ impl Translator<'_> {
             let message = format!("unknown name `{name}`: did you mean `{meant}`?");
             return self.reject(name, message);
         }
-        if hints::is_function(&written) {
+        if hints::is_function(&written) || self.scope.function(name).is_some() {
             return self.reject(name, format!("`{name}` is a function: write `{name}(x)`"));
         }
         self.scope.note_unknown(name);

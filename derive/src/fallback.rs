@@ -12,7 +12,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use crate::check::CONSTANTS;
 use crate::declaration::{Coordinate, Declaration};
-use crate::implementation::{indices, results};
+use crate::implementation::{indices, of_checks, results, signatures, values};
 use crate::lower::Lowered;
 use crate::mentions;
 use crate::names::placed;
@@ -30,6 +30,7 @@ pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream
         fallback.energies(),
         fallback.inputs(),
         fallback.outputs(),
+        fallback.functions(),
     ]
     .into_iter()
     .collect()
@@ -256,5 +257,38 @@ impl<'a> Fallback<'a> {
             self.implement(&interface, Some(scalar), &items)
         });
         quote!(#definition #implementation #with_inputs)
+    }
+
+    fn functions(&self) -> TokenStream {
+        let declaration = self.declaration;
+        if declaration.clauses.functions.is_empty() {
+            return TokenStream::new();
+        }
+        let root = &declaration.root;
+        let name = &declaration.name;
+        let scalar = of_checks(&self.scalar);
+        let generics = if self.scalar.is_every() {
+            declaration.generics.clone()
+        } else {
+            self.scalar.generics(&declaration.generics)
+        };
+        let (generics, _, conditions) = generics.split_for_impl();
+        let (_, arguments, _) = declaration.generics.split_for_impl();
+        let signatures = signatures(declaration);
+        let values = values(declaration, &self.scalar);
+        quote! {
+            #[automatically_derived]
+            impl #generics #name #arguments #conditions { #values }
+
+            #[automatically_derived]
+            impl #generics #root::Functions for #name #arguments #conditions {
+                type Scalar = #scalar;
+                #signatures
+                fn function(&self, _: usize, _: &[#scalar]) -> #scalar { ::core::unreachable!() }
+                fn derivative(
+                    &self, _: usize, _: usize, _: &[#scalar],
+                ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
+            }
+        }
     }
 }

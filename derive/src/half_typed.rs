@@ -8,7 +8,14 @@ use crate::expand::expand;
 
 fn declaration() -> TokenStream {
     quote! {
+        scalar = f64,
         coordinates(theta[3], x),
+        function(slope(v) = self.table.iter().map(|x| x * v).sum::<f64>()),
+        function(
+            stribeck(v, load) = friction::stribeck(v) * load,
+            derivative(v) = slope(v) * load + 0.1 * c * abs(v),
+            derivative(load) = stribeck(v, 1.0),
+        ),
         define(
             r = rotation_zxz(theta[0], theta[1], theta[2]),
             w = angular_velocity(r),
@@ -19,7 +26,7 @@ fn declaration() -> TokenStream {
         kinetic = 0.5 * (0..3).map(|i| m[i] * dot(p[i]).norm_squared()).sum(),
         potential = g * (0..3).map(|i| m[i] * p[i].y).sum(),
         dissipation = 0.5 * c * dot(x).powi(2),
-        force(x = push, theta[i] = -c * dot(theta[i]) for i in 0..3),
+        force(x = push - stribeck(dot(x), m[0] * g), theta[i] = -c * dot(theta[i]) for i in 0..3),
         output(tip = p[2], turned = (r * [0.0, 0.0, l[2]]).z, sensed = dot(dot(x))),
     }
 }
@@ -60,6 +67,7 @@ fn expansion(clauses: &TokenStream) -> String {
         struct Model {
             inertia: Matrix3<f64>, m: [f64; 3], l: [f64; 3], g: f64, c: f64,
             #[lagrangian(input)] push: f64,
+            #[lagrangian(skip)] table: Vec<f64>,
         }
     });
     let written = items.to_string();

@@ -15,14 +15,14 @@ pub(crate) fn syntax(expression: &Expr) -> &'static str {
     match expression {
         Expr::If(_) | Expr::Match(_) => {
             "there are no cases here: write one formula, with `abs`, `signum`, `min` and `max` where it \
-             has corners"
+             has corners, or declare a function of Rust, `function(f(x) = …)`"
         }
         Expr::Block(_) | Expr::Let(_) | Expr::Assign(_) | Expr::Unsafe(_) | Expr::Const(_) => {
             "there are no statements here: name intermediate quantities under `define(name = expression)`"
         }
         Expr::Closure(_) => {
-            "there are no functions of one's own here but in `(0..5).map(|i| …)`: write the expression out, or \
-             name its parts under `define(name = expression)`"
+            "there are no closures here but in `(0..5).map(|i| …)`: name parts of an expression under `define(name = \
+             expression)`, or declare a function, `function(f(x) = …)`"
         }
         Expr::Macro(_) => {
             "macros are not expanded here: write the expression out, or let a macro write the whole struct"
@@ -114,7 +114,10 @@ pub(crate) fn callee(function: &Expr) -> &'static str {
     match function {
         Expr::Paren(inner) => callee(&inner.expr),
         Expr::Closure(_) => syntax(function),
-        Expr::Path(_) => "write the function by its name alone, such as `sin(x)`",
+        Expr::Path(_) => {
+            "write the function by its name alone, such as `sin(x)`; one of Rust is declared before, as \
+             `function(f(x) = path::f(x), derivative(x) = …)`"
+        }
         _ => "parentheses behind an expression are a call: write `*` for a product",
     }
 }
@@ -218,7 +221,7 @@ pub(crate) fn function(name: &str) -> String {
                 Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
                 None => format!(
                     "unknown function `{name}`: write one of `{}`, or one of vectors and matrices such as \
-                     `cross`, `norm` and `rotation_zxz`",
+                     `cross`, `norm` and `rotation_zxz`, or declare it, `function({name}(x) = …)`",
                     of_scalars().collect::<Vec<_>>().join("`, `")
                 ),
             };

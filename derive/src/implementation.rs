@@ -4,26 +4,29 @@ mod constants;
 mod lagrangian;
 mod inputs;
 mod outputs;
+mod functions;
 mod reader;
 mod writer;
 mod parameters;
 
 use lagrangian_symbolic::{Equations, Model};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::body::Body;
 use crate::declaration::Declaration;
 use crate::lower::Lowered;
 use crate::methods::{Method, Methods};
-use crate::names::Locals;
+use crate::names::{Locals, plain};
 use crate::quantities::Component;
 use crate::scalar::Scalar;
+use functions::method_name;
 use parameters::marked_if_unused;
 use reader::{InputsFrom, Reader};
 use writer::Writer;
 
 pub(crate) use constants::indices;
+pub(crate) use functions::{of_checks, signatures, values};
 pub(crate) use outputs::results;
 
 /// Everything about one model that the emitted text depends on.
@@ -63,6 +66,7 @@ impl<'a> Implementation<'a> {
             self.energies(),
             self.inputs(),
             self.outputs(),
+            self.functions(),
         ]
         .into_iter()
         .collect()
@@ -139,16 +143,37 @@ impl<'a> Implementation<'a> {
         inputs: InputsFrom,
         write: impl FnOnce(&mut Writer<'_>) -> T,
     ) -> T {
+        self.writer_of_arguments(method, inputs, &[], write)
+    }
+
+    /// The same for a function whose arguments have these names.
+    fn writer_of_arguments<T>(
+        &self,
+        method: &Method,
+        inputs: InputsFrom,
+        arguments: &[Ident],
+        write: impl FnOnce(&mut Writer<'_>) -> T,
+    ) -> T {
         let reader = Reader {
             implementation: self,
             inputs,
         };
         let graph = &self.model.graph;
-        let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities);
+        let functions = self.declaration.clauses.functions.iter();
+        let functions = functions.map(method_name).collect();
+        let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities)
+            .with_arguments(arguments.iter().map(plain));
         let mut writer = Writer {
             program: &method.program,
             root: &self.declaration.root,
-            body: Body::new(&method.program, graph.passes, locals, &self.scalar, &reader),
+            body: Body::new(
+                &method.program,
+                graph.passes,
+                locals,
+                &self.scalar,
+                &reader,
+                functions,
+            ),
             scalar: &self.scalar,
         };
         write(&mut writer)

@@ -5,6 +5,7 @@ mod diagnostics;
 mod declaration;
 mod field;
 mod field_type;
+mod function;
 mod root;
 mod scalar;
 mod check;

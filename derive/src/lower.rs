@@ -34,6 +34,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         diagnostics,
         repetitions: 0,
         within_index: false,
+        within_derivative: false,
     };
     let parts = translator.parts(declaration);
     let complete = translator.diagnostics.is_empty() && translator.scope.unknown().next().is_none();
@@ -97,6 +98,7 @@ impl Parts {
 impl Translator<'_> {
     fn parts(&mut self, declaration: &Declaration) -> Parts {
         let clauses = &declaration.clauses;
+        self.declare_functions(&clauses.functions);
         for definition in &clauses.definitions {
             self.define(definition);
         }

@@ -1,9 +1,9 @@
-//! Where the declaration speaks of fields, coordinates and definitions, for editors.
+//! Where the declaration speaks of fields, coordinates, functions and definitions, for editors.
 //!
 //! An editor knows what a word in an attribute means if the word, with its place, stands in the emitted
 //! code where the compiler resolves it. The impls read each field once; here every mention stands, in a
 //! method that nobody calls: of a field as the field, of a coordinate as the constant that holds its
-//! index, of a definition as a variable.
+//! index, of a definition or a function as a variable, and of a function's arguments as those of a closure.
 
 use std::collections::BTreeSet;
 
@@ -11,25 +11,30 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use crate::declaration::{Clauses, Declaration, Named};
+use crate::function::Function;
 use crate::names::{constant, placed, plain};
 
 /// The method with all mentions.
 pub(crate) fn method(declaration: &Declaration) -> TokenStream {
     let clauses = &declaration.clauses;
     let mut names = Names::of(declaration);
-    let defined: TokenStream = clauses
-        .definitions
-        .iter()
-        .filter(|definition| names.definitions.contains(&plain(&definition.name)))
-        .filter(|definition| names.once.insert(plain(&definition.name)))
-        .map(|definition| {
-            let name = placed(&plain(&definition.name), &definition.name);
+    let functions = clauses.functions.iter().map(|function| &function.name);
+    let definitions = clauses.definitions.iter();
+    let definitions = definitions.map(|definition| &definition.name);
+    let defined: TokenStream = functions
+        .chain(definitions)
+        .filter(|name| names.is_variable(name) && names.once.insert(plain(name)))
+        .map(|name| {
+            let name = placed(&plain(name), name);
             quote!(let #name = ();)
         })
         .collect();
     let mut mentions = TokenStream::new();
     for tokens in spoken(clauses) {
         names.mention(tokens, &mut mentions);
+    }
+    for function in &clauses.functions {
+        mentions.extend(names.derivatives(function));
     }
     quote! {
         #[doc(hidden)]
@@ -68,6 +73,7 @@ fn spoken(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
 struct Names {
     fields: BTreeSet<String>,
     coordinates: BTreeSet<String>,
+    functions: BTreeSet<String>,
     definitions: BTreeSet<String>,
     /// Definitions that are variables already.
     once: BTreeSet<String>,
@@ -78,6 +84,7 @@ impl Names {
         let Clauses {
             coordinates,
             definitions,
+            functions,
             ..
         } = &declaration.clauses;
         let fields: BTreeSet<String> = declaration
@@ -90,24 +97,54 @@ impl Names {
             .map(|coordinate| plain(&coordinate.name))
             .filter(|name| !fields.contains(name))
             .collect();
-        // A constant or a unit struct of the same name would make a pattern of a variable, and those are
-        // written in capitals; a keyword is no variable.
-        let is_variable = |name: &String| {
-            let capital = name.chars().any(char::is_uppercase);
-            !capital && syn::parse_str::<Ident>(name).is_ok()
-        };
+        let functions = functions.iter().map(|function| plain(&function.name));
         let definitions = definitions
             .iter()
             .map(|definition| plain(&definition.name))
             .filter(|name| !fields.contains(name) && !coordinates.contains(name))
-            .filter(is_variable)
+            .filter(|name| can_be_variable(name))
             .collect();
         Self {
             fields,
             coordinates,
+            functions: functions.filter(|name| can_be_variable(name)).collect(),
             definitions,
             once: BTreeSet::new(),
         }
+    }
+
+    /// Whether there is a variable for a definition or a function.
+    fn is_variable(&self, name: &Ident) -> bool {
+        let name = plain(name);
+        self.definitions.contains(&name) || self.functions.contains(&name)
+    }
+
+    /// What the derivatives of a function mention, as closures of its arguments.
+    fn derivatives(&self, function: &Function) -> TokenStream {
+        let written = function.arguments.iter().map(plain).collect();
+        let inner = Self {
+            fields: &self.fields - &written,
+            coordinates: BTreeSet::new(),
+            functions: self.functions.clone(),
+            definitions: written
+                .into_iter()
+                .filter(|name| can_be_variable(name))
+                .collect(),
+            once: BTreeSet::new(),
+        };
+        let mut once = BTreeSet::new();
+        let arguments = function.arguments.iter();
+        let arguments: Vec<_> = arguments
+            .filter(|argument| inner.definitions.contains(&plain(argument)))
+            .filter(|argument| once.insert(plain(argument)))
+            .map(|argument| placed(&plain(argument), argument))
+            .collect();
+        let mut mentions = TokenStream::new();
+        for derivative in &function.derivatives {
+            mentions.extend(inner.named(&derivative.argument));
+            inner.mention(derivative.expression.to_token_stream(), &mut mentions);
+        }
+        quote!(|#(#arguments: ()),*| (#(#arguments,)* #mentions),)
     }
 
     /// Adds what `tokens` mention. A word behind a point or before parentheses is a function's.
@@ -120,6 +157,10 @@ impl Names {
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
             );
             match &token {
+                TokenTree::Ident(name) if called && self.functions.contains(&plain(name)) => {
+                    let variable = placed(&plain(name), name);
+                    mentions.extend(quote!(#variable,));
+                }
                 TokenTree::Ident(name) if !(behind_a_point || called) => {
                     mentions.extend(self.named(name));
                 }
@@ -146,6 +187,13 @@ impl Names {
         let defined = self.definitions.contains(&written);
         defined.then(|| quote!(#variable,))
     }
+}
+
+/// A constant or a unit struct of the same name would make a pattern of a variable, and those are written in
+/// capitals; a keyword is no variable.
+fn can_be_variable(name: &str) -> bool {
+    let capital = name.chars().any(char::is_uppercase);
+    !capital && syn::parse_str::<Ident>(name).is_ok()
 }
 
 #[cfg(test)]
@@ -191,6 +239,25 @@ mod tests {
             words
         };
         assert_eq!(sorted(&written), sorted(&expected.concat()), "{written}");
+    }
+
+    #[test]
+    fn functions_and_their_arguments_are_mentioned() {
+        let written = mentions(
+            "#[lagrangian(
+                coordinates(x),
+                function(drag(x, Area) = self.c * x, derivative(x) = m * slope(x) * Area, derivative(Area) = 0.0),
+                function(slope(v) = 1.0, derivative(v) = 0.0),
+                kinetic = 0.5 * m * dot(x).powi(2),
+                force(x = -drag(x, m).slope() + drag),
+            )]
+            struct Model { m: f64 }",
+        );
+        // An argument hides the coordinate, and what is no variable is left out.
+        let energies = "&self.m,Self::X,";
+        let forces = "drag,Self::X,&self.m,slope,Self::X,";
+        let derivatives = "|x:()|(x,x,&self.m,slope,x,),|v:()|(v,v,),";
+        assert_eq!(written, [energies, forces, derivatives].concat());
     }
 
     #[test]

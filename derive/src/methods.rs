@@ -1,8 +1,10 @@
 //! Which programs a model's methods are.
 
+use std::collections::BTreeMap;
+
 use lagrangian_symbolic::{
-    Energies, Equations, Expression, Fault, Kinetics, LinearSystem, Model, OperationCount,
-    Prepared, Program, Rational, Symbol,
+    Energies, Equations, Expression, Fault, Function, Graph, Kinetics, LinearSystem, Model,
+    OperationCount, Prepared, Program, Rational, Symbol,
 };
 
 /// A method whose body is one program.
@@ -42,6 +44,17 @@ pub(crate) struct Methods {
     /// T and V, where they were declared.
     pub(crate) energies: Option<[Method; 2]>,
     pub(crate) outputs: Method,
+    /// The declared derivatives of functions from outside.
+    pub(crate) functions: Vec<FunctionDerivative>,
+}
+
+/// A declared derivative of a function from outside.
+pub(crate) struct FunctionDerivative {
+    /// The position of the function.
+    pub(crate) function: usize,
+    /// The position of the argument.
+    pub(crate) argument: usize,
+    pub(crate) method: Method,
 }
 
 /// For more coordinates the relative pivots are those of a factorization in numbers.
@@ -112,8 +125,26 @@ impl Methods {
             directly: linearize.directly,
             energies: energies.map(|energies| energies.map(|energy| method(&[&[energy]]))),
             outputs: method(&[&model.outputs]),
+            functions: function_derivatives(model),
         }
     }
+}
+
+/// The declared derivatives of all functions from outside.
+fn function_derivatives(model: &Model) -> Vec<FunctionDerivative> {
+    let mut derivatives = Vec::new();
+    for function in model.graph.functions() {
+        for argument in 0..model.graph.function_arguments(function).len() {
+            if let Some(derivative) = model.graph.declared_derivative(function, argument) {
+                derivatives.push(FunctionDerivative {
+                    function: function.index(),
+                    argument,
+                    method: Method::schedule(model, &[&[derivative]]),
+                });
+            }
+        }
+    }
+    derivatives
 }
 
 /// The lower triangle of M, then f.
@@ -220,6 +251,31 @@ impl Methods {
             .find(|number| !in_range(number))
     }
 
+    /// Derivatives of functions from outside that are needed and not declared, by the positions of function
+    /// and argument, and what needs them.
+    pub(crate) fn undeclared(&self, graph: &Graph) -> BTreeMap<(usize, usize), &'static str> {
+        let mut undeclared = BTreeMap::new();
+        let counted = self.all().map(|(name, method)| match name {
+            "linearize" => (method, "the derivatives of the accelerations need"),
+            _ => (method, "the equations of motion need"),
+        });
+        let needs = counted.into_iter().chain([
+            (
+                &self.input_jacobian,
+                "the derivatives of the accelerations need",
+            ),
+            (&self.outputs, "an output needs"),
+        ]);
+        for (method, needs) in needs {
+            for function in method.program.functions() {
+                if let Some(missing) = first_undeclared(graph, function) {
+                    undeclared.entry(missing).or_insert(needs);
+                }
+            }
+        }
+        undeclared
+    }
+
     /// Whether every program computes what it was made from.
     pub(crate) fn verified(&self) -> bool {
         self.solves && self.every().all(|method| method.verified)
@@ -229,9 +285,21 @@ impl Methods {
         let energies = self.energies.iter().flatten();
         let counted = self.all().map(|(_, method)| method);
         let others = [&self.input_jacobian, &self.outputs];
+        let derivatives = self.functions.iter().map(|derivative| &derivative.method);
         let methods = counted.into_iter().chain(others).chain(energies);
-        methods.chain(&self.relative_pivots)
+        methods.chain(&self.relative_pivots).chain(derivatives)
     }
+}
+
+/// The declared function, and its argument, whose derivative `function` is or is made of, if that was not
+/// declared.
+fn first_undeclared(graph: &Graph, mut function: Function) -> Option<(usize, usize)> {
+    let mut found = None;
+    while let Some((of, argument)) = graph.undeclared(function) {
+        found = Some((of.index(), argument));
+        function = of;
+    }
+    found
 }
 
 /// Whether a number is neither beyond the largest nor lost below the smallest `f64`.

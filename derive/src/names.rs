@@ -50,6 +50,8 @@ pub(crate) struct Locals<'a> {
     /// The names of variables for what the declaration has a name for.
     definitions: BTreeMap<Expression, String>,
     quantities: &'a Quantities,
+    /// The names of a function's arguments, in one of its derivatives.
+    arguments: Vec<String>,
     taken: BTreeSet<String>,
     counter: usize,
 }
@@ -63,6 +65,7 @@ impl<'a> Locals<'a> {
             "accelerations",
             "prepared",
             "factors",
+            "arguments",
         ];
         let mut definitions = BTreeMap::new();
         for (label, expression) in scope.definitions(graph) {
@@ -75,14 +78,25 @@ impl<'a> Locals<'a> {
             graph,
             definitions,
             quantities,
+            arguments: Vec::new(),
             taken: taken.into_iter().map(str::to_owned).collect(),
             counter: 0,
         }
     }
 
+    /// The same in a derivative of a function whose arguments have these names.
+    pub(crate) fn with_arguments(mut self, names: impl IntoIterator<Item = String>) -> Self {
+        self.arguments.extend(names);
+        self
+    }
+
     /// The variable that holds a symbol.
     pub(crate) fn symbol(&mut self, symbol: Symbol) -> Ident {
-        let name = self.quantities.variable(symbol);
+        let argument = match symbol {
+            Symbol::Argument(i) => self.arguments.get(i as usize).cloned(),
+            _ => None,
+        };
+        let name = argument.unwrap_or_else(|| self.quantities.variable(symbol));
         self.unique(name)
     }
 

@@ -149,7 +149,7 @@ impl Quantities {
             Symbol::Parameter(i) => component(&self.parameters, i),
             Symbol::Input(i) => component(&self.inputs, i),
             Symbol::Prepared(i) => format!("c{i}"),
-            Symbol::Argument(i) => format!("argument{i}"),
+            Symbol::Argument(i) => format!("x{i}"),
         }
     }
 }

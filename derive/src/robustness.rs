@@ -10,6 +10,8 @@ use crate::expand::expand;
 const DECLARATION: &str = r"
     #[lagrangian(
         coordinates(x, theta, r#type, q[3]),
+        function(stribeck(v, load) = self.label(v) * load, derivative(v) = slope(v) * load, derivative(load) = stribeck(v, 1.0)),
+        function(slope(v) = { let w = v; outside::slope(w) }),
         define(
             height = l * cos(theta), speed = dot(height),
             r = rotation_zxz(q[0], q[1], q[2]), w = angular_velocity(r),
@@ -19,8 +21,9 @@ const DECLARATION: &str = r"
         kinetic = 0.5 * w.dot(inertia * w) + (0..3).map(|i| dot(s[i]).powi(2)).sum(),
         potential = -m * g * height + atan2(x, 2.0).powf(1.5) + (r * [0, 0, l]).z,
         dissipation = 0.5 * friction * dot(x).powi(2) / PI,
-        force(x = push - sin(t), theta = r#type, q[i] = -list[i] for i in 0..3),
+        force(x = push - sin(t) - stribeck(dot(x), m), theta = r#type, q[i] = -list[i] for i in 0..3),
         output(height = height, sensed = dot(dot(height)), tip = inertia[(0, 1)] * r.transpose()),
+        scalar = f64,
     )]
     struct Model { m: f64, g: f64, l: f32, friction: f64, inertia: Matrix3<f64>, list: [f64; 3],
         #[lagrangian(input)] push: f64,
@@ -31,7 +34,7 @@ const COUNT: usize = 400;
 
 /// What tokens are replaced with.
 const WORDS: &str = "x theta m push label dot self t PI _ r#loop r#type_dot 0 1e400 -1 2u8 \"text\" 'c' true [] () {} {x} (x) \
-                     coordinates kinetic lagrangian define output skip input crate f64 T K Scalar , = + ^ . :: & ; ! # |";
+                     coordinates kinetic lagrangian define function derivative scalar slope output skip input crate f64 T K Scalar , = + ^ . :: & ; ! # |";
 
 /// A sequence that is the same on each run.
 struct Numbers(u64);

@@ -69,13 +69,14 @@ mod tests {
         dissipation = 0.5 * m * dot(x).powi(2),
         force(x = u * t),
         output(height = dot(dot(theta))),
+        function(bend(x) = x.sin(), derivative(x) = m * cos(x) + bend(x)),
+        dissipation = bend(dot(x)),
     ";
 
     const LAGRANGIAN: &str =
         "lagrangian = dot(x) * dot(theta) + m * t * dot(x), coordinates(x, theta)";
 
-    const UNKNOWN: &str =
-        "coordinates(x), kinetic = dot(x).powi(2), potential = height, output(x = x)";
+    const UNKNOWN: &str = "coordinates(x), kinetic = dot(x).powi(2), potential = height, output(x = x), function(f(x) = x)";
 
     fn expansion(clauses: &str) -> String {
         let declaration = format!(

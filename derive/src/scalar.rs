@@ -2,7 +2,8 @@
 //!
 //! It is decided here and nowhere else. A struct of plain numbers is a model on every scalar, which is then
 //! a parameter of each impl. A struct with fields of a type parameter, `struct Top<T: Scalar>`, is a model
-//! on that one: its parameters may carry derivatives, or differ from lane to lane.
+//! on that one: its parameters may carry derivatives, or differ from lane to lane. And `scalar = f64` makes a
+//! model on that scalar alone, which may use functions that are not of every scalar.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -15,7 +16,7 @@ use crate::root::Root;
 
 /// The scalar of a model's impls. As tokens it is its name.
 pub(crate) struct Scalar<'a> {
-    name: Ident,
+    name: TokenStream,
     owner: Owner,
     root: &'a Root,
 }
@@ -29,6 +30,9 @@ enum Owner {
     Struct,
     /// Of the struct, which bounds it by other traits, too; they may have functions of the same names.
     StructAmongBounds,
+    /// Of nothing: it is the type that `scalar = …` names. Methods of its own may be called as those of the
+    /// trait.
+    Nothing,
     /// Of the struct, which does not bound it by `Scalar`. That is an error; impls beside it do.
     StructUnbounded,
 }
@@ -42,15 +46,16 @@ impl ToTokens for Scalar<'_> {
 impl<'a> Scalar<'a> {
     pub(crate) fn of(declaration: &'a Declaration) -> Self {
         let generics = &declaration.generics;
-        let (name, owner) = match uses(declaration).next() {
-            None => (Ident::new("__S", Span::mixed_site()), Owner::Impl),
-            Some((name, _)) => {
+        let (name, owner) = match (uses(declaration).next(), &declaration.clauses.scalar) {
+            (None, None) => (parameter_of_impls().into_token_stream(), Owner::Impl),
+            (None, Some(named)) => (named.to_token_stream(), Owner::Nothing),
+            (Some((name, _)), _) => {
                 let owner = match (is_scalar(generics, name), bounds(generics, name).count()) {
                     (false, _) => Owner::StructUnbounded,
                     (true, 1) => Owner::Struct,
                     (true, _) => Owner::StructAmongBounds,
                 };
-                (name.clone(), owner)
+                (name.to_token_stream(), owner)
             }
         };
         Self {
@@ -66,7 +71,7 @@ impl<'a> Scalar<'a> {
         let mut generics = declared.clone();
         match self.owner {
             Owner::Impl => generics.params.push(parse_quote!(#name: #root::Scalar)),
-            Owner::Struct | Owner::StructAmongBounds => {}
+            Owner::Struct | Owner::StructAmongBounds | Owner::Nothing => {}
             Owner::StructUnbounded => {
                 let conditions = &mut generics.make_where_clause().predicates;
                 conditions.push(parse_quote!(#name: #root::Scalar));
@@ -78,7 +83,7 @@ impl<'a> Scalar<'a> {
     /// The value on the scalar of what `place` holds, which is of type `ty`.
     pub(crate) fn read(&self, place: &TokenStream, ty: &Type) -> TokenStream {
         let root = self.root;
-        if named(ty).is_some_and(|name| *name == self.name) {
+        if self.is(ty) {
             place.clone()
         } else {
             quote!(#root::__private::parameter(#place))
@@ -92,18 +97,48 @@ impl<'a> Scalar<'a> {
         if self.is_ambiguous() {
             quote!(<#name as #root::Scalar>)
         } else {
-            name.to_token_stream()
+            name.clone()
         }
     }
 
     /// Whether methods of the scalar must be called as functions of the trait.
     pub(crate) fn is_ambiguous(&self) -> bool {
-        self.owner == Owner::StructAmongBounds
+        matches!(self.owner, Owner::StructAmongBounds | Owner::Nothing)
+    }
+
+    /// Whether the impls are on every scalar.
+    pub(crate) fn is_every(&self) -> bool {
+        self.owner == Owner::Impl
+    }
+
+    /// Whether `ty` is the scalar.
+    pub(crate) fn is(&self, ty: &Type) -> bool {
+        self.owner != Owner::Impl && ty.to_token_stream().to_string() == self.name.to_string()
+    }
+
+    /// What the parameter of a struct of results is called, which has one whatever the scalar is.
+    pub(crate) fn of_results(&self) -> TokenStream {
+        match self.owner {
+            Owner::Nothing => parameter_of_impls().into_token_stream(),
+            _ => self.name.clone(),
+        }
     }
 }
 
-/// Checks that the fields' type parameters are one, and a scalar.
+/// What is a parameter of each impl.
+fn parameter_of_impls() -> Ident {
+    Ident::new("__S", Span::mixed_site())
+}
+
+/// Checks that the fields' type parameters are one, and a scalar, and no other than is named.
 pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    if let (Some(named), Some((used, _))) = (&declaration.clauses.scalar, uses(declaration).next())
+        && !is_name(named, used)
+    {
+        let message =
+            format!("parameters are of `{used}`: write `scalar = {used}`, or leave it out");
+        return diagnostics.error(named, message);
+    }
     let mut checked: Vec<&Ident> = Vec::new();
     for (parameter, ty) in uses(declaration) {
         if checked.contains(&parameter) {
@@ -133,9 +168,14 @@ pub(crate) fn type_parameter<'a>(generics: &'a Generics, ty: &Type) -> Option<&'
     parameters.into_iter().find(|parameter| *parameter == name)
 }
 
-/// The type parameters that parameters and inputs are of, in the order of the fields.
+/// The type parameters that parameters and inputs are of, in the order of the fields; then the one that is
+/// named as the scalar.
 fn uses(declaration: &Declaration) -> impl Iterator<Item = (&Ident, &Type)> {
     let fields = declaration.fields.iter();
+    let named = declaration.clauses.scalar.iter().filter_map(|named| {
+        let parameter = type_parameter(&declaration.generics, named)?;
+        Some((parameter, named))
+    });
     fields
         .filter(|field| field.role != Role::Skipped)
         .filter_map(|field| {
@@ -143,6 +183,11 @@ fn uses(declaration: &Declaration) -> impl Iterator<Item = (&Ident, &Type)> {
             let parameter = type_parameter(&declaration.generics, element)?;
             Some((parameter, element))
         })
+        .chain(named)
+}
+
+fn is_name(ty: &Type, name: &Ident) -> bool {
+    named(ty).is_some_and(|named| named == name)
 }
 
 /// The name that a type is, if it is nothing but a name.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use lagrangian_symbolic::{Expression, Graph, Symbol};
+use lagrangian_symbolic::{Expression, Function, Graph, Symbol};
 use proc_macro2::Ident;
 
 use crate::declaration::Declaration;
@@ -56,6 +56,8 @@ pub(crate) struct Family {
 /// Names in their order of declaration, with what they stand for.
 pub(crate) struct Scope {
     meanings: BTreeMap<String, Meaning>,
+    /// The functions from outside.
+    functions: BTreeMap<String, Function>,
     /// Where a field is first spoken of: the emitted code accesses it with that span.
     uses: BTreeMap<String, Ident>,
     /// Names that stand for nothing, wherever they were written.
@@ -63,6 +65,8 @@ pub(crate) struct Scope {
     /// Whether all names of the declaration are here. They are not where coordinates or definitions
     /// could not be read, or where one of them is written for another.
     pub(crate) complete: bool,
+    /// Whether all functions from outside are here.
+    pub(crate) functions_complete: bool,
 }
 
 /// Names that are taken.
@@ -136,8 +140,10 @@ impl Scope {
         }
         Self {
             meanings,
+            functions: BTreeMap::new(),
             uses: BTreeMap::new(),
             unknown: Vec::new(),
+            functions_complete: !clauses.functions_unreadable,
             complete: !clauses.names_unreadable && !clauses.coordinates.is_empty() && !repeated,
         }
     }
@@ -194,6 +200,21 @@ impl Scope {
         {
             *meaning = Meaning::Broken;
         }
+    }
+
+    /// Gives the name of a function its meaning, unless there is one already.
+    pub(crate) fn declare_function(&mut self, name: &Ident, function: Function) {
+        self.functions.entry(plain(name)).or_insert(function);
+    }
+
+    /// The function from outside that is called `name`.
+    pub(crate) fn function(&self, name: &Ident) -> Option<Function> {
+        self.functions.get(&plain(name)).copied()
+    }
+
+    /// The function from outside that was probably meant by an unknown name.
+    pub(crate) fn suggest_function(&self, name: &Ident) -> Option<&str> {
+        similar(&plain(name), self.functions.keys().map(String::as_str))
     }
 
     /// Lets a name stand for something until [`release`](Self::release) gives it back what it stood for.

@@ -26,7 +26,8 @@
 //!
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
 //! - [`trait@Lagrangian`] is what a model can do: mass matrix, forcing, accelerations, momenta, energy,
-//!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`] and [`Energies`] stand beside it.
+//!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`], [`Energies`] and [`Functions`] stand
+//!   beside it.
 //! - [`Dynamics`] is what an [`Integrator`] steps; [`trait@Lagrangian`] enters by its `dynamics`.
 //! - [`Scalar`] is what all of it is generic over.
 //!
@@ -45,6 +46,10 @@ mod lagrangian;
 mod linearization;
 mod inputs;
 mod outputs;
+mod functions;
+mod slope;
+mod derivative_check;
+mod derivative_error;
 mod operations;
 mod factorization;
 mod inverse;
@@ -74,12 +79,15 @@ pub mod prelude;
 pub mod __private;
 
 pub use condition::{AtZero, Condition, When};
+pub use derivative_check::check_derivatives;
+pub use derivative_error::{Arguments, DerivativeError};
 pub use dormand_prince::{Dop853, Dop853Stepper};
 pub use driver::{Driver, Ending, Reason, Unconditional, Unobserved};
 pub use dynamics::{Component, Dynamics};
 pub use equations_of_motion::EquationsOfMotion;
 pub use error::IntegrationError;
 pub use factorization::Factorization;
+pub use functions::{Functions, Signature};
 pub use inputs::{ControlledBy, Inputs, WithInputs};
 pub use integrator::{Integrator, Statistics, Stepper};
 pub use lagrangian::{Energies, Lagrangian};

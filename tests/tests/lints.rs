@@ -137,6 +137,40 @@ struct Quartic;
 )]
 struct Barely;
 
+/// A slider under friction from outside, on every scalar.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    coordinates(x),
+    function(friction(v, load) = v.tanh() * load, derivative(v) = load * slope(v), derivative(load) = tanh(v)),
+    function(slope(v) = v.signum(), derivative(v) = 0.0),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    force(x = -friction(dot(x), m)),
+)]
+pub struct Slider {
+    /// Mass.
+    pub m: f64,
+}
+
+/// A motor with a table of its torque, on one scalar alone.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    scalar = f64,
+    coordinates(angle),
+    function(torque(speed) = self.table.iter().fold(0.0, |sum, x| sum.mul_add(speed, *x)), derivative(speed) = slope(speed)),
+    function(slope(speed) = self.table[0] * 2.0 * speed),
+    function(constant() = self.table[0]),
+    kinetic = 0.5 * inertia * dot(angle).powi(2),
+    force(angle = torque(dot(angle)) * constant()),
+    output(torque = torque(dot(angle))),
+)]
+pub struct Motor {
+    /// Inertia.
+    pub inertia: f64,
+    /// Coefficients.
+    #[lagrangian(skip)]
+    pub table: [f64; 3],
+}
+
 mod hidden {
     //! Models that nobody outside sees.
     use super::Lagrangian;
@@ -188,6 +222,17 @@ fn models_of_all_kinds_pass_all_lints() {
     assert!(Quartic.accelerations(&state)[0] < 0.0);
     assert!(Barely.accelerations(&state)[0].is_finite());
     assert!(hidden::Particle { m: 1.0 }.outputs(&state).p > 0.0);
+
+    let slider = Slider { m: 1.0 };
+    let state = State::new(0.0, [0.0], [1.0]);
+    assert!(slider.linearize(&state).velocity[0] < 0.0);
+    assert!(slider.check_derivatives("slope", [-1.0..=1.0]).is_ok());
+    let motor = Motor {
+        inertia: 1.0,
+        table: [1.0, 0.0, 2.0],
+    };
+    assert!(motor.outputs(&state).torque > 0.0);
+    assert!(motor.check_derivatives("torque", [-1.0..=1.0]).is_ok());
 
     let charge = ChargeInField {
         m: 1.0,

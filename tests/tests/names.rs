@@ -355,3 +355,104 @@ fn parts_may_come_from_a_macro_one_by_one() {
     let state = State::new(0.0, [0.5], [1.0]);
     assert!((Free { m: 3.0 }.momenta(&state)[Free::X] - 3.0).abs() < 1e-15);
 }
+
+/// Functions whose names, and whose arguments' names, are those of other things.
+mod functions {
+    use lagrangian::prelude::*;
+
+    #[derive(Lagrangian)]
+    #[lagrangian(
+        scalar = f64,
+        coordinates(x),
+        function(
+            r#match(state, arguments, x0) = state * arguments + x0 * self.state(),
+            derivative(state) = arguments,
+            derivative(arguments) = state,
+            derivative(x0) = prepared,
+        ),
+        function(mentions(r#type) = r#type * r#type, derivative(r#type) = twice(r#type)),
+        function(twice(x) = twice(x), derivative(x) = twice_by_0()),
+        function(twice_by_0() = 2.0),
+        function(state(q) = { let state = q; self::functions_of_the_user::state(state) }, derivative(q) = 3.0),
+        kinetic = 0.5 * factors * dot(x).powi(2),
+        potential = r#match(x, x, t) + mentions(x) + state(x),
+        force(x = x.r#match(dot(x), 1.0)),
+        output(state = state(x)),
+    )]
+    pub(super) struct Model {
+        pub(super) factors: f64,
+        pub(super) prepared: f64,
+        #[lagrangian(skip)]
+        pub(super) state: f64,
+    }
+
+    impl Model {
+        fn state(&self) -> f64 {
+            self.state
+        }
+    }
+
+    fn twice(x: f64) -> f64 {
+        2.0 * x
+    }
+
+    mod functions_of_the_user {
+        pub(super) fn state(state: f64) -> f64 {
+            3.0 * state
+        }
+    }
+}
+
+#[test]
+fn functions_meet_nothing_of_the_users() {
+    use lagrangian::prelude::*;
+
+    let model = functions::Model {
+        factors: 2.0,
+        prepared: 5.0,
+        state: 5.0,
+    };
+    let state = State::new(4.0, [0.5], [3.0]);
+    // V = x² + 5 t + x² + 3 x, and the force is x ẋ + 5.
+    assert!((model.potential_energy(&state) - 22.0).abs() < 1e-15);
+    assert!((model.accelerations(&state)[0] - (1.5 + 5.0 - 5.0) / 2.0).abs() < 1e-15);
+    assert!((model.outputs(&state).state - 1.5).abs() < 1e-15);
+    let regions = [-1.0..=1.0, -1.0..=1.0, -1.0..=1.0];
+    assert_eq!(model.check_derivatives("match", regions), Ok(()));
+    for function in ["mentions", "twice", "state"] {
+        assert_eq!(model.check_derivatives(function, [-1.0..=1.0]), Ok(()));
+    }
+}
+
+/// A macro that writes functions: `self` and arguments are its own, or its caller's.
+macro_rules! driven {
+    ($name:ident, $argument:ident => $value:expr, $derivative:expr) => {
+        #[derive(lagrangian::Lagrangian)]
+        #[lagrangian(
+                    scalar = f64,
+                    coordinates(x),
+                    function(own(v) = self.gain * v, derivative(v) = m),
+                    function(given($argument) = $value, derivative($argument) = $derivative),
+                    kinetic = 0.5 * m * dot(x).powi(2),
+                    force(x = own(dot(x)) + given(dot(x))),
+                )]
+        struct $name {
+            m: f64,
+            #[lagrangian(skip)]
+            gain: f64,
+        }
+    };
+}
+
+#[test]
+fn a_macro_may_write_functions() {
+    use lagrangian::prelude::*;
+
+    driven!(Driven, speed => speed * speed, 2.0 * speed);
+    let model = Driven { m: 2.0, gain: 2.0 };
+    let state = State::new(0.0, [0.0], [3.0]);
+    assert!((model.accelerations(&state)[0] - 7.5).abs() < 1e-15);
+    for function in ["own", "given"] {
+        assert_eq!(model.check_derivatives(function, [-1.0..=1.0]), Ok(()));
+    }
+}

@@ -151,6 +151,9 @@ impl Translator<'_> {
         call: impl ToTokens,
         place: Place,
     ) -> Option<Value> {
+        if let Some(function) = self.scope.function(name) {
+            return self.application(function, arguments, call, place);
+        }
         let written = name.to_string();
         let unary = Unary::ALL
             .into_iter()
@@ -173,7 +176,7 @@ impl Translator<'_> {
                         format!("`{name}` is no function: write `{name} * (…)` for a product");
                     return self.reject(name, message);
                 }
-                None => return self.reject(name, hints::function(&written)),
+                None => return self.unknown_function(name),
             },
         };
         if arguments.len() != expected {
@@ -208,6 +211,18 @@ impl Translator<'_> {
             _ => self.power(&written, arguments, &scalars),
         }
         .map(Value::Scalar)
+    }
+
+    /// A function that there is not, unless it may stand where something could not be read.
+    fn unknown_function(&mut self, name: &Ident) -> Option<Value> {
+        if !self.scope.functions_complete {
+            return None;
+        }
+        let message = match self.scope.suggest_function(name) {
+            Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
+            None => hints::function(&name.to_string()),
+        };
+        self.reject(name, message)
     }
 
     fn power(

@@ -2,6 +2,7 @@
 
 use syn::{Expr, ExprCall};
 
+use super::application::MADE_OF;
 use super::{Place, Translator};
 use crate::scope::{Kind, Meaning};
 use crate::value::Value;
@@ -48,6 +49,9 @@ impl Translator<'_> {
 
     /// What contains inputs or accelerations has no time derivative here.
     pub(super) fn check_differentiable(&mut self, call: &ExprCall, value: &Value) -> Option<()> {
+        if self.within_derivative {
+            return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
+        }
         let mut components = value.components().iter();
         if components.any(|component| self.graph.contents(*component).has_input()) {
             return self.reject(

@@ -71,8 +71,9 @@ pub(crate) fn results(
     let visibility = &declaration.visibility;
     let results = placed(&format!("{}Outputs", plain(name)), name);
     let documentation = format!("The outputs of [`{name}`].");
+    let scalar = scalar.of_results();
     let fields = outputs.iter().map(|(output, shape)| {
-        let ty = type_of(*shape, scalar, &declaration.root);
+        let ty = type_of(*shape, &scalar, &declaration.root);
         let mut name = (*output).clone();
         name.set_span(hygienic(output));
         let text = format!("The output `{}`.", plain(output));
@@ -95,7 +96,7 @@ pub(crate) fn results(
 }
 
 /// The type of a value.
-fn type_of(shape: Shape, scalar: &Scalar<'_>, root: &Root) -> TokenStream {
+fn type_of(shape: Shape, scalar: &TokenStream, root: &Root) -> TokenStream {
     match shape {
         Shape::Scalar => quote!(#scalar),
         Shape::Array { rows, columns: 1 } => {

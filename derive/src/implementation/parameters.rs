@@ -23,7 +23,7 @@ pub(super) fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> T
 }
 
 /// The names of parameters of emitted methods.
-const PARAMETERS: [&str; 4] = ["state", "inputs", "accelerations", "prepared"];
+const PARAMETERS: [&str; 5] = ["state", "inputs", "accelerations", "prepared", "arguments"];
 
 fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
     tokens.clone().into_iter().any(|token| match token {

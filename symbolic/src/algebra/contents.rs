@@ -68,6 +68,13 @@ impl Contents {
         self.0 & Self::ABSOLUTE_VALUE != 0
     }
 
+    /// Whether there is the time, or what changes with it: not a function's argument, which may or may not.
+    #[must_use]
+    pub const fn varies_in_time(self) -> bool {
+        let constant = Self::PARAMETER | Self::PREPARED | Self::ABSOLUTE_VALUE | Self::ARGUMENT;
+        self.0 & !constant != 0
+    }
+
     /// Whether there is any symbol other than parameters and what is made of them.
     #[must_use]
     pub const fn varies(self) -> bool {

@@ -68,6 +68,23 @@ impl Graph {
         &self.functions[function.index()].name
     }
 
+    /// What the arguments of a function are called, in order.
+    #[must_use]
+    pub fn function_arguments(&self, function: Function) -> &[String] {
+        &self.functions[function.index()].arguments
+    }
+
+    /// ∂f/∂xᵢ in the symbols of the arguments, if it was declared.
+    #[must_use]
+    pub fn declared_derivative(&self, function: Function, argument: usize) -> Option<Expression> {
+        let derivatives = &self.functions[function.index()].derivatives;
+        let derivative = derivatives.get(argument).copied().flatten()?;
+        match self.node(derivative) {
+            Node::Application(of, _) if self.undeclared(*of) == Some((function, argument)) => None,
+            _ => Some(derivative),
+        }
+    }
+
     /// The function and the argument whose derivative `function` is, if it was not declared.
     #[must_use]
     pub fn undeclared(&self, function: Function) -> Option<(Function, usize)> {

@@ -1,0 +1,14 @@
+use lagrangian::prelude::*;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x),
+    function(drag(v) = v * v, derivative(v) = 2.0 * v),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    force(x = -drag(m, dot(x))),
+)]
+struct Model {
+    m: f64,
+}
+
+fn main() {}

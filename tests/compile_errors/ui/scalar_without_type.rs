@@ -1,0 +1,15 @@
+use lagrangian::prelude::*;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x),
+    scalar,
+    scalar =,
+    scalar = 3,
+    kinetic = 0.5 * m * dot(x).powi(2),
+)]
+struct Model {
+    m: f64,
+}
+
+fn main() {}
