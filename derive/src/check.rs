@@ -147,26 +147,31 @@ fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Forces act on coordinates. That none of a clause acts twice on the same one shows when indices are known.
+/// Forces act on coordinates and on what is defined by them. That none of a clause acts twice on the same
+/// coordinate shows when indices are known.
 fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let clauses = &declaration.clauses;
     if clauses.names_unreadable || clauses.coordinates.is_empty() {
         return;
     }
     let coordinates = clauses.coordinates.iter();
-    let coordinates: BTreeSet<String> = coordinates
-        .map(|coordinate| plain(&coordinate.name))
-        .collect();
+    let coordinates = coordinates.map(|coordinate| plain(&coordinate.name));
+    let definitions = clauses.definitions.iter();
+    let definitions = definitions.map(|definition| plain(&definition.name));
+    let coordinates: BTreeSet<String> = coordinates.collect();
+    let names: BTreeSet<String> = coordinates.iter().cloned().chain(definitions).collect();
     for force in clauses.forces.iter().flatten() {
         let written = plain(&force.name);
-        if !coordinates.contains(&written) {
-            let names: Vec<&str> = coordinates.iter().map(String::as_str).collect();
-            let hint = match similar(&written, names.iter().copied()) {
+        if !names.contains(&written) {
+            let hint = match similar(&written, names.iter().map(String::as_str)) {
                 Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("write one of `{}`", names.join("`, `")),
+                None => {
+                    let coordinates: Vec<_> = coordinates.iter().map(String::as_str).collect();
+                    format!("write one of `{}`", coordinates.join("`, `"))
+                }
             };
             let message = format!(
-                "a generalized force acts on a coordinate, and `{written}` is none: {hint}"
+                "a force acts on a coordinate or on a position that is defined, and `{written}` is neither: {hint}"
             );
             diagnostics.error(&force.name, message);
         }

@@ -1,6 +1,8 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
-use lagrangian_symbolic::{Energies, Expression, Graph, Model, Node, Symbol};
+mod forces;
+
+use lagrangian_symbolic::{Energies, Expression, Graph, Model};
 use syn::Expr;
 
 use crate::ablation::passes;
@@ -200,7 +202,7 @@ impl Translator<'_> {
     }
 
     /// The indices of a member of a family, as they stand behind its name.
-    fn member(&mut self, indices: &[Expr]) -> Option<Vec<usize>> {
+    pub(super) fn member(&mut self, indices: &[Expr]) -> Option<Vec<usize>> {
         let indices = indices.iter().map(|written| {
             let index = self.integer(written)?;
             match usize::try_from(index) {
@@ -224,83 +226,6 @@ impl Translator<'_> {
         values
             .into_iter()
             .try_fold(zero, |total, value| Some(self.graph.add(total, value?)))
-    }
-
-    /// The generalized force of each coordinate: the sum of what the clauses say.
-    fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
-        let zero = self.graph.zero();
-        let mut totals = vec![zero; self.coordinates as usize];
-        let mut understood = true;
-        for clause in &declaration.clauses.forces {
-            let mut forces = vec![None; totals.len()];
-            for force in clause {
-                let done = self.for_each(&force.iterations, &mut |translator| {
-                    translator.force(force, &mut forces)
-                });
-                understood &= done.is_some();
-            }
-            for (total, force) in totals.iter_mut().zip(forces) {
-                *total = self.graph.add(*total, force.unwrap_or(zero));
-            }
-        }
-        understood.then_some(totals)
-    }
-
-    /// Adds one force to those of its clause.
-    fn force(&mut self, force: &Named, forces: &mut [Option<Expression>]) -> Option<()> {
-        let coordinate = if force.indices.is_empty() {
-            self.coordinate(force)
-        } else {
-            // What is wrong with an index is wrong with the expression, too.
-            Some(self.coordinate(force)?)
-        };
-        let value = self.scalar(&force.expression, Place::Energy);
-        let (value, coordinate) = (value?, coordinate?);
-        let place = forces.get_mut(coordinate)?;
-        if place.is_some() {
-            return self.reject(
-                &force.name,
-                "this coordinate has a force already: add them up in one expression, or write another \
-                 `force(…)`, which adds to this one",
-            );
-        }
-        *place = Some(value);
-        Some(())
-    }
-
-    /// The coordinate on which a force acts; that there is one of this name has been checked.
-    fn coordinate(&mut self, force: &Named) -> Option<usize> {
-        let name = &force.name;
-        let target = match (self.scope.resolve(name)?, force.indices.as_slice()) {
-            (Meaning::Quantity(_, value), []) => value,
-            (Meaning::Quantity(..), [index, ..]) => {
-                let message = format!("`{name}` is one coordinate: leave out the index");
-                return self.reject(index, message);
-            }
-            (Meaning::Family(_, family), [_]) => {
-                let member = self.member(&force.indices)?;
-                let Some(value) = family.members.get(&member) else {
-                    let message = hints::beyond(name, &member[0], family.members.len());
-                    return self.reject(&force.indices[0], message);
-                };
-                value.clone()
-            }
-            (Meaning::Family(_, family), _) => {
-                let message = format!(
-                    "`{name}` is a family of coordinates: write `{name}[i] = … for i in 0..{}`",
-                    family.members.len()
-                );
-                return self.reject(name, message);
-            }
-            _ => return None,
-        };
-        match target {
-            Value::Scalar(expression) => match self.graph.node(expression) {
-                Node::Symbol(Symbol::Coordinate(i)) => Some(*i as usize),
-                _ => None,
-            },
-            _ => None,
-        }
     }
 
     fn check_velocities(&mut self, clauses: &[Clause], energy: Expression) {

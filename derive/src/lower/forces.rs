@@ -1,0 +1,169 @@
+//! Generalized forces: those that act on coordinates, and those that act on what coordinates move.
+//!
+//! A force F on a position p(q, t) does the work F·δp, so that Qᵢ = F·∂p/∂qᵢ; a torque on an angle that is
+//! made of coordinates likewise.
+
+use lagrangian_symbolic::{Expression, Node, Symbol};
+
+use crate::declaration::{Declaration, Named};
+use crate::expression::{Place, Translator};
+use crate::hints;
+use crate::scope::{Kind, Meaning};
+use crate::value::Value;
+
+/// What a force acts on.
+enum Target {
+    /// The coordinate with this index.
+    Coordinate(usize),
+    /// What is defined as a function of coordinates.
+    Position(Value),
+}
+
+impl Translator<'_> {
+    /// The generalized force of each coordinate: the sum of what the clauses say.
+    pub(super) fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
+        let zero = self.graph.zero();
+        let mut totals = vec![zero; self.coordinates as usize];
+        let mut understood = true;
+        for clause in &declaration.clauses.forces {
+            // Which coordinates have a force in this clause.
+            let mut taken = vec![false; totals.len()];
+            for force in clause {
+                let done = self.for_each(&force.iterations, &mut |translator| {
+                    translator.force(force, &mut taken, &mut totals)
+                });
+                understood &= done.is_some();
+            }
+        }
+        understood.then_some(totals)
+    }
+
+    /// Adds one force to the totals.
+    fn force(
+        &mut self,
+        force: &Named,
+        taken: &mut [bool],
+        totals: &mut [Expression],
+    ) -> Option<()> {
+        let target = if force.indices.is_empty() {
+            self.target(force)
+        } else {
+            // What is wrong with an index is wrong with the expression, too.
+            Some(self.target(force)?)
+        };
+        let value = self.translate(&force.expression, Place::Energy);
+        match target? {
+            Target::Coordinate(i) => {
+                let value = self.as_scalar(&value?, &force.expression)?;
+                if core::mem::replace(taken.get_mut(i)?, true) {
+                    return self.reject(
+                        &force.name,
+                        "this coordinate has a force already: add them up in one expression, or write \
+                         another `force(…)`, which adds to this one",
+                    );
+                }
+                totals[i] = self.graph.add(totals[i], value);
+            }
+            Target::Position(position) => {
+                let work = self.work(force, &value?, &position)?;
+                for (total, work) in totals.iter_mut().zip(work) {
+                    *total = self.graph.add(*total, work);
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// F·∂p/∂qᵢ for each coordinate.
+    fn work(&mut self, force: &Named, value: &Value, position: &Value) -> Option<Vec<Expression>> {
+        let zero = self.graph.zero();
+        if *value == Value::Nothing {
+            return Some(vec![zero; self.coordinates as usize]);
+        }
+        if value.shape() != position.shape() {
+            let message = format!(
+                "`{}` is {}, and so is a force on it: this is {}",
+                force.name,
+                position.shape(),
+                value.shape()
+            );
+            return self.reject(&force.expression, message);
+        }
+        let coordinates: Vec<_> = (0..self.coordinates).map(Symbol::Coordinate).collect();
+        let columns = self.graph.jacobian(position.components(), &coordinates);
+        let mut work = Vec::with_capacity(columns.len());
+        for column in columns {
+            let mut total = zero;
+            for (force, slope) in value.components().iter().zip(column) {
+                let part = self.graph.multiply(*force, slope);
+                total = self.graph.add(total, part);
+            }
+            work.push(total);
+        }
+        Some(work)
+    }
+
+    /// What a force acts on; that there is a coordinate or a definition of this name has been checked.
+    fn target(&mut self, force: &Named) -> Option<Target> {
+        let name = &force.name;
+        let (kind, value) = match (self.scope.resolve(name)?, force.indices.as_slice()) {
+            (Meaning::Quantity(kind, value), []) => (kind, value),
+            (Meaning::Quantity(Kind::Coordinate, _), [index, ..]) => {
+                let message = format!("`{name}` is one coordinate: leave out the index");
+                return self.reject(index, message);
+            }
+            (Meaning::Quantity(..), [index, ..]) => {
+                let message = format!("`{name}` has no index: write the force on the whole of it");
+                return self.reject(index, message);
+            }
+            (Meaning::Family(kind, family), indices) if indices.len() == family.rank => {
+                let member = self.member(indices)?;
+                let Some(value) = family.members.get(&member) else {
+                    let message = match kind {
+                        Kind::Coordinate => hints::beyond(name, &member[0], family.members.len()),
+                        _ => format!("`{}` is not defined", hints::member(name, &member)),
+                    };
+                    return self.reject(&indices[0], message);
+                };
+                (kind, value.clone())
+            }
+            (Meaning::Family(_, family), _) => {
+                let message = format!(
+                    "`{name}` is a family: write `{} = … for i in 0..{}`",
+                    hints::member(name, &vec!["i"; family.rank]),
+                    family.members.len()
+                );
+                return self.reject(name, message);
+            }
+            _ => return None,
+        };
+        if let Value::Scalar(expression) = value
+            && let Node::Symbol(Symbol::Coordinate(i)) = self.graph.node(expression)
+        {
+            return Some(Target::Coordinate(*i as usize));
+        }
+        self.position(force, kind, value).map(Target::Position)
+    }
+
+    /// A function of coordinates that a force can act on.
+    fn position(&mut self, force: &Named, kind: Kind, value: Value) -> Option<Value> {
+        if kind != Kind::Defined {
+            return None;
+        }
+        let name = &force.name;
+        let contains = |wanted: fn(Symbol) -> bool| self.graph.contains(value.components(), wanted);
+        let moving = |symbol| matches!(symbol, Symbol::Velocity(_) | Symbol::Acceleration(_));
+        if contains(moving) {
+            let message = format!(
+                "`{name}` contains velocities: a force acts on a coordinate, or on a position that is made of \
+                 coordinates"
+            );
+            return self.reject(name, message);
+        }
+        if !contains(|symbol| matches!(symbol, Symbol::Coordinate(_))) {
+            let message = format!("no coordinate moves `{name}`: a force on it does no work");
+            return self.reject(name, message);
+        }
+        Some(value)
+    }
+}

@@ -1,0 +1,16 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta, x),
+    define(p = [m, t]),
+    kinetic = 0.5 * m * (dot(theta).powi(2) + dot(x).powi(2)),
+    force(p = [g, l]),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}

@@ -1,0 +1,84 @@
+//! Forces on positions do the work F·δp: the generalized forces are Q = Jᵀ F.
+
+use lagrangian::nalgebra::Matrix2;
+use lagrangian::prelude::*;
+use lagrangian_tests::assert_close;
+
+/// An arm of two links that is pushed at its tip, driven at its elbow against the ground, and slowed down by
+/// the air at both masses.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(shoulder, elbow),
+    define(
+        forearm = shoulder + elbow,
+        p[0] = l[0] * [cos(shoulder), sin(shoulder)],
+        p[1] = p[0] + l[1] * [cos(forearm), sin(forearm)],
+        shaken = p[1] + [0.1 * sin(t), 0.0],
+    ),
+    kinetic = (0..2).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
+    force(shoulder = -stiffness * shoulder),
+    force(shaken = push, forearm = torque),
+    force(p[i] = -drag * dot(p[i]) for i in 0..2),
+    output(tip = p[1], velocity = dot(p[1])),
+)]
+struct Arm {
+    m: [f64; 2],
+    l: [f64; 2],
+    stiffness: f64,
+    drag: f64,
+    #[lagrangian(input)]
+    push: Vector2<f64>,
+    #[lagrangian(input)]
+    torque: f64,
+}
+
+/// The air as a dissipation function instead.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(shoulder, elbow),
+    define(
+        p[0] = l[0] * [cos(shoulder), sin(shoulder)],
+        p[1] = p[0] + l[1] * [cos(shoulder + elbow), sin(shoulder + elbow)],
+    ),
+    kinetic = (0..2).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
+    dissipation = 0.5 * drag * (0..2).map(|i| dot(p[i]).norm_squared()).sum(),
+)]
+struct Slowed {
+    m: [f64; 2],
+    l: [f64; 2],
+    drag: f64,
+}
+
+#[test]
+fn forces_on_positions_do_their_work() {
+    let (m, l, stiffness) = ([1.5, 0.75], [0.5, 0.4], 2.0);
+    let (push, torque) = (Vector2::new(3.0, -1.25), 0.6);
+    let drag = 0.35;
+    let state = State::new(0.3, [0.4, 1.1], [1.7, -0.8]);
+    let [shoulder, elbow] = [state.q[0], state.q[1]];
+    let (sine, cosine) = (shoulder + elbow).sin_cos();
+    let upper = Matrix2::new(-l[0] * shoulder.sin(), 0.0, l[0] * shoulder.cos(), 0.0);
+    let lower = upper + l[1] * Matrix2::new(-sine, -sine, cosine, cosine);
+    let air = Slowed { m, l, drag }.generalized_forces(&state);
+    let slowed = -drag * (upper.transpose() * upper + lower.transpose() * lower) * state.v;
+    assert_close("air", air.as_slice(), slowed.as_slice(), 1e-15);
+    let expected =
+        lower.transpose() * push + Vector2::new(torque - stiffness * shoulder, torque) + slowed;
+    let arm = Arm {
+        m,
+        l,
+        stiffness,
+        drag,
+        push,
+        torque,
+    };
+    let found = arm.generalized_forces(&state);
+    assert_close("Q", found.as_slice(), expected.as_slice(), 1e-15);
+    // The power of the push is F·ṗ.
+    let others = arm
+        .with_inputs([0.0, 0.0, torque])
+        .generalized_forces(&state);
+    let power = (found - others).dot(&state.v);
+    let velocity = arm.outputs(&state).velocity;
+    assert_close("power", &[power], &[push.dot(&velocity)], 1e-14);
+}
