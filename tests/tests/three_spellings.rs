@@ -269,7 +269,6 @@ fn spellings_in_space_agree() {
 }
 
 #[test]
-#[ignore = "the digits that cancel in M are lost: what is turned into space is not seen to be a sum of squares"]
 fn spellings_in_space_agree_near_the_poles() {
     check_in_space(&near_the_poles(), 10.0 * TOLERANCE);
 }
@@ -320,7 +319,6 @@ fn spellings_cost_the_same() {
 }
 
 #[test]
-#[ignore = "what is turned into space is not seen to be a sum of squares"]
 fn spellings_in_space_cost_the_same() {
     assert_costs(
         &InScalars::OPERATIONS,
@@ -331,7 +329,6 @@ fn spellings_in_space_cost_the_same() {
 }
 
 #[test]
-#[ignore = "that a parameter is a symmetric matrix is nowhere written"]
 fn a_tensor_costs_as_much_as_its_six_inertias() {
     assert_costs(
         &ProductsOfInertia::OPERATIONS,

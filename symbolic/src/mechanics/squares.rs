@@ -75,11 +75,30 @@ impl QuasiVelocities {
             inertia[i][j] = graph.add(inertia[i][j], coefficient);
             inertia[j][i] = inertia[i][j];
         }
+        for entry in inertia.iter_mut().flatten() {
+            *entry = mean_kept_whole(graph, *entry);
+        }
         Some(Self {
             forms,
             inertia,
             rest,
         })
+    }
+}
+
+/// An inertia that is a mean of others, kept whole: it is prepared with its number, which is then not
+/// carried into whatever the inertia is a factor of.
+fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
+    let Node::Sum(terms) = graph.node(inertia) else {
+        return inertia;
+    };
+    let is_sum = |x: Expression| matches!(graph.node(x), Node::Sum(_));
+    let is_mean = terms.iter().any(|(_, c)| !c.is_integer())
+        && (terms.len() > 1 || terms.iter().any(|(x, _)| is_sum(*x)));
+    if is_mean {
+        graph.whole(inertia)
+    } else {
+        inertia
     }
 }
 
