@@ -88,7 +88,7 @@ impl QuasiVelocities {
 
 /// An inertia that is a mean of others, kept whole: it is prepared with its number, which is then not
 /// carried into whatever the inertia is a factor of.
-fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
+pub(crate) fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
     let Node::Sum(terms) = graph.node(inertia) else {
         return inertia;
     };
@@ -203,7 +203,10 @@ fn opened(graph: &mut Graph, term: Term) -> Vec<Term> {
 }
 
 /// A sum Σ c·w with constant c, if every term is one.
-fn combination(graph: &mut Graph, sum: Expression) -> Option<Vec<(Expression, Expression)>> {
+pub(crate) fn combination(
+    graph: &mut Graph,
+    sum: Expression,
+) -> Option<Vec<(Expression, Expression)>> {
     let Node::Sum(terms) = graph.node(sum) else {
         return None;
     };
