@@ -3,6 +3,7 @@
 pub(crate) mod axis;
 pub(crate) mod matrix;
 pub(crate) mod factor;
+pub(crate) mod turned_vector;
 pub(crate) mod combination;
 pub(crate) mod matrix_product;
 pub(crate) mod vector_product;

@@ -7,6 +7,7 @@ pub(crate) mod structure;
 pub(crate) mod elimination;
 pub(crate) mod quasi_velocities;
 pub(crate) mod squares;
+pub(crate) mod combined_forms;
 pub(crate) mod inertias;
 pub(crate) mod kinematics;
 pub(crate) mod structure_constants;

@@ -269,7 +269,6 @@ fn spellings_in_space_agree() {
 }
 
 #[test]
-#[ignore = "the digits that cancel in M are lost: what is turned into space is not seen to be a sum of squares"]
 fn spellings_in_space_agree_near_the_poles() {
     check_in_space(&near_the_poles(), 10.0 * TOLERANCE);
 }
@@ -320,7 +319,6 @@ fn spellings_cost_the_same() {
 }
 
 #[test]
-#[ignore = "what is turned into space is not seen to be a sum of squares"]
 fn spellings_in_space_cost_the_same() {
     assert_costs(
         &InScalars::OPERATIONS,

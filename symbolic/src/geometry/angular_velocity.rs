@@ -27,7 +27,7 @@ impl Graph {
         rotation: &Matrix,
         coordinates: u32,
     ) -> Result<Matrix, NoRotation> {
-        let factors = rotation.factors().ok_or(NoRotation::Shape)?;
+        let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
         if let Ok(velocity) = self.composed(&factors, coordinates) {
             return Ok(Matrix::vector(velocity.to_vec()));
         }
@@ -51,11 +51,20 @@ impl Graph {
         // Seen from the body, it is the inertial frame that turns, the other way.
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
         let velocity = opposite.elements().iter().map(|x| self.negate(*x));
-        Ok(Matrix::vector(velocity.collect()))
+        let velocity = Matrix::vector(velocity.collect());
+        // It is the one along the axes of the body, turned.
+        let body = self.angular_velocity(rotation, coordinates)?;
+        let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
+        let parts = self.parts_turned(&factors, &body);
+        Ok(velocity.made_of(parts))
     }
 
     /// The angular velocity of a product of factors.
-    fn composed(&mut self, factors: &[Factor], coordinates: u32) -> Result<Vector, NoRotation> {
+    pub(crate) fn composed(
+        &mut self,
+        factors: &[Factor],
+        coordinates: u32,
+    ) -> Result<Vector, NoRotation> {
         let mut velocity = [self.zero(); 3];
         for factor in factors {
             let own = self.of_factor(*factor, coordinates)?;
@@ -69,6 +78,7 @@ impl Graph {
     fn of_factor(&mut self, factor: Factor, coordinates: u32) -> Result<Vector, NoRotation> {
         match factor {
             Factor::Turn(turn) => Ok(self.of_turn(turn, coordinates)),
+            Factor::Rotation(elements) => Ok(self.of_elements(&elements, coordinates)),
             Factor::Written(elements) => {
                 self.verify_rotation(&elements)?;
                 Ok(self.of_elements(&elements, coordinates))

@@ -33,11 +33,11 @@ impl Graph {
         if others.is_empty() && number.is_one() {
             return Some((*first).clone());
         }
-        Some(Matrix::from_function(
-            first.rows(),
-            first.columns(),
-            |i, j| self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone()))),
-        ))
+        let sum = Matrix::from_function(first.rows(), first.columns(), |i, j| {
+            self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
+        });
+        let parts = self.parts_of_sum(terms);
+        Some(sum.made_of(parts))
     }
 
     /// A matrix with each of its elements multiplied by the same factor.
@@ -45,9 +45,11 @@ impl Graph {
         if factor == self.one() {
             return matrix.clone();
         }
-        Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
+        let scaled = Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
             self.multiply(factor, matrix.at(i, j))
-        })
+        });
+        let parts = self.parts_scaled(matrix, factor);
+        scaled.made_of(parts)
     }
 
     /// The matrix of the products of elements in the same place, unless the shapes differ.
@@ -59,6 +61,8 @@ impl Graph {
     /// The total time derivative of a matrix of a system with `coordinates` degrees of freedom.
     pub fn matrix_time_derivative(&mut self, matrix: &Matrix, coordinates: u32) -> Matrix {
         let derivatives = self.time_derivatives(matrix.elements(), coordinates);
-        Matrix::with_elements(matrix.rows(), matrix.columns(), derivatives)
+        let derivative = Matrix::with_elements(matrix.rows(), matrix.columns(), derivatives);
+        let parts = self.parts_of_derivative(matrix, coordinates);
+        derivative.made_of(parts)
     }
 }

@@ -102,12 +102,8 @@ const fn is_small_square(matrix: &Matrix) -> bool {
     matrix.is_square() && matrix.rows() <= LARGEST_DETERMINANT
 }
 
-/// Whether a matrix is a product of elementary rotations, which goes back by its transpose.
+/// Whether a matrix is a product of rotations, which goes back by its transpose.
 fn is_turn(matrix: &Matrix) -> bool {
     let factors = matrix.known_factors();
-    factors.is_some_and(|factors| {
-        factors
-            .iter()
-            .all(|factor| matches!(factor, Factor::Turn(_)))
-    })
+    factors.is_some_and(|factors| factors.iter().all(Factor::is_rotation))
 }

@@ -1,19 +1,22 @@
 //! The factors of which a matrix of three rows and columns is the product.
 
 use crate::geometry::axis::Axis;
+use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational, Unary};
 
 /// A factor of a product of matrices of three rows and columns.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Factor {
     /// The rotation by an angle about an axis.
     Turn(Turn),
-    /// Any matrix, by its elements, column by column.
+    /// A matrix that is a rotation identically, by its elements, column by column.
+    Rotation([Expression; 9]),
+    /// Any other matrix, by its elements, column by column.
     Written([Expression; 9]),
 }
 
 /// A rotation by an angle about an axis.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Turn {
     pub(crate) axis: Axis,
     pub(crate) angle: Expression,
@@ -29,9 +32,8 @@ impl Factor {
                 reversed: !turn.reversed,
                 ..turn
             }),
-            Self::Written(elements) => {
-                Self::Written(core::array::from_fn(|n| elements[n % 3 * 3 + n / 3]))
-            }
+            Self::Rotation(elements) => Self::Rotation(transposed(&elements)),
+            Self::Written(elements) => Self::Written(transposed(&elements)),
         }
     }
 
@@ -39,8 +41,13 @@ impl Factor {
     pub(crate) fn elements(self, graph: &mut Graph) -> [Expression; 9] {
         match self {
             Self::Turn(turn) => turn.elements(graph),
-            Self::Written(elements) => elements,
+            Self::Rotation(elements) | Self::Written(elements) => elements,
         }
+    }
+
+    /// Whether this is a rotation whatever the values of all symbols are.
+    pub(crate) const fn is_rotation(&self) -> bool {
+        matches!(self, Self::Turn(_) | Self::Rotation(_))
     }
 
     /// The factor times a vector.
@@ -54,7 +61,18 @@ impl Factor {
     fn is_identity(self, graph: &Graph) -> bool {
         match self {
             Self::Turn(turn) => graph.is_zero(turn.angle),
-            Self::Written(elements) => elements == identity(graph),
+            Self::Rotation(elements) | Self::Written(elements) => elements == identity(graph),
+        }
+    }
+
+    /// This and the next factor as one, if that is known without multiplying.
+    fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
+        match (self, next) {
+            (Self::Turn(turn), Self::Turn(next)) => turn.then(next, graph).map(Self::Turn),
+            (Self::Rotation(_), Self::Rotation(_)) if next == self.transpose() => {
+                Some(Self::Rotation(identity(graph)))
+            }
+            _ => None,
         }
     }
 }
@@ -96,6 +114,11 @@ impl Turn {
     }
 }
 
+/// The elements of the transpose.
+fn transposed(elements: &[Expression; 9]) -> [Expression; 9] {
+    core::array::from_fn(|n| elements[n % 3 * 3 + n / 3])
+}
+
 /// The elements of the identity.
 fn identity(graph: &Graph) -> [Expression; 9] {
     core::array::from_fn(|n| {
@@ -108,21 +131,37 @@ fn identity(graph: &Graph) -> [Expression; 9] {
 }
 
 impl Graph {
-    /// The same product with fewer factors: neighbours about one axis are one rotation, and factors that
-    /// do nothing are none.
+    /// The same product with fewer factors: neighbours about one axis are one rotation, rotations and
+    /// their transposes are none, nor are factors that do nothing.
     pub(crate) fn merged(&mut self, factors: impl IntoIterator<Item = Factor>) -> Vec<Factor> {
         let mut merged: Vec<Factor> = Vec::new();
         for mut factor in factors {
-            if let (Some(Factor::Turn(last)), Factor::Turn(turn)) = (merged.last(), factor)
-                && let Some(both) = last.then(turn, self)
+            if let Some(last) = merged.last()
+                && let Some(both) = last.then(factor, self)
             {
                 merged.pop();
-                factor = Factor::Turn(both);
+                factor = both;
             }
             if !factor.is_identity(self) {
                 merged.push(factor);
             }
         }
         merged
+    }
+
+    /// The factors of a matrix of three rows and columns: those that it was made of, or itself.
+    pub(crate) fn matrix_factors(&self, matrix: &Matrix) -> Option<Vec<Factor>> {
+        if let Some(factors) = matrix.known_factors() {
+            return Some(factors.to_vec());
+        }
+        if matrix.shape() != (3, 3) {
+            return None;
+        }
+        let elements = matrix.elements().try_into().ok()?;
+        Some(vec![if self.is_rotation(&elements) {
+            Factor::Rotation(elements)
+        } else {
+            Factor::Written(elements)
+        }])
     }
 }

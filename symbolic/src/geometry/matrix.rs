@@ -2,10 +2,13 @@
 //!
 //! A matrix of three rows and columns that was made as a product remembers its factors: what is cheap
 //! for each of them, such as turning a vector or the angular velocity, is then not done on the elements
-//! of the product. Factors are no part of what a matrix is: two matrices are equal if their elements are.
+//! of the product. A vector remembers how it was turned: what no rotation changes, such as its length, is
+//! then computed before it is turned. What is remembered is no part of what a matrix is: two matrices are
+//! equal if their elements are.
 
 use crate::Expression;
 use crate::geometry::factor::Factor;
+use crate::geometry::turned_vector::TurnedVector;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
 #[derive(Clone, Debug)]
@@ -16,6 +19,8 @@ pub struct Matrix {
     elements: Vec<Expression>,
     /// What this is the product of, if that is known.
     factors: Option<Vec<Factor>>,
+    /// What this vector of three components, a row or a column, is the sum of; empty if unknown.
+    parts: Vec<TurnedVector>,
 }
 
 impl Matrix {
@@ -43,6 +48,7 @@ impl Matrix {
             columns,
             elements,
             factors: None,
+            parts: Vec::new(),
         }
     }
 
@@ -67,6 +73,11 @@ impl Matrix {
             factors: Some(factors),
             ..self
         }
+    }
+
+    /// The same vector, which is the sum of these turned ones.
+    pub(crate) fn with_parts(self, parts: Vec<TurnedVector>) -> Self {
+        Self { parts, ..self }
     }
 
     /// How many rows there are.
@@ -135,6 +146,7 @@ impl Matrix {
         let factors = self.factors.as_ref();
         Self {
             factors: factors.map(|factors| factors.iter().rev().map(Factor::transpose).collect()),
+            parts: self.parts.clone(),
             ..Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
         }
     }
@@ -146,23 +158,19 @@ impl Matrix {
         self.is_square().then(|| Self::vector(along()))
     }
 
-    /// The factors of a matrix of three rows and columns: those that it was made of, or itself.
-    pub(crate) fn factors(&self) -> Option<Vec<Factor>> {
-        let itself = || {
-            Some(vec![Factor::Written(
-                self.elements.as_slice().try_into().ok()?,
-            )])
-        };
-        match &self.factors {
-            Some(factors) => Some(factors.clone()),
-            None if self.shape() == (3, 3) => itself(),
-            None => None,
-        }
-    }
-
     /// The factors that the matrix was made of.
     pub(crate) fn known_factors(&self) -> Option<&[Factor]> {
         self.factors.as_deref()
+    }
+
+    /// The turned vectors that the vector was made of.
+    pub(crate) fn known_parts(&self) -> &[TurnedVector] {
+        &self.parts
+    }
+
+    /// The three elements of a matrix that has three, and so only one row or column.
+    pub(crate) fn components(&self) -> Option<[Expression; 3]> {
+        self.elements().try_into().ok()
     }
 }
 

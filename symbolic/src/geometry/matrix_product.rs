@@ -18,22 +18,50 @@ impl Graph {
         if left.columns() != right.rows() {
             return None;
         }
-        if let (Some(first), Some(second)) = (left.factors(), right.factors()) {
-            return Some(self.product_of_factors(left, right, first, second));
+        if left.shape() == (1, 3) && right.shape() == (3, 1) {
+            let product = self.dot_product(&left.transpose(), right)?;
+            return Some(Matrix::vector(vec![product]));
         }
-        let product = self.product_of_elements(left, right);
-        let in_turn = match (left.known_factors(), right.known_factors()) {
-            (Some(factors), _) => self.turned(factors, right),
-            (None, Some(factors)) => {
-                let back: Vec<_> = factors.iter().rev().map(Factor::transpose).collect();
-                let turned = self.turned(&back, &left.transpose());
-                turned.map(|columns| columns.transpose())
+        match (self.matrix_factors(left), self.matrix_factors(right)) {
+            (Some(first), Some(second)) => {
+                Some(self.product_of_factors(left, right, first, second))
             }
-            (None, None) => None,
-        };
-        let cheaper = in_turn
-            .filter(|in_turn| self.cost(in_turn.elements()) <= self.cost(product.elements()));
-        Some(cheaper.unwrap_or(product))
+            (Some(factors), None) => Some(self.product_with_columns(left, &factors, right)),
+            (None, Some(_)) => {
+                let (matrix, columns) = (right.transpose(), left.transpose());
+                let factors = self.matrix_factors(&matrix)?;
+                let product = self.product_with_columns(&matrix, &factors, &columns);
+                Some(product.transpose())
+            }
+            (None, None) => Some(self.product_of_elements(left, right)),
+        }
+    }
+
+    /// The product of a matrix that has these factors with columns, each in the cheapest way.
+    fn product_with_columns(
+        &mut self,
+        matrix: &Matrix,
+        factors: &[Factor],
+        columns: &Matrix,
+    ) -> Matrix {
+        let mut product = self.product_of_elements(matrix, columns);
+        if let Some(factors) = matrix.known_factors()
+            && let Some(in_turn) = self.turned(factors, columns)
+            && self.cost(in_turn.elements()) <= self.cost(product.elements())
+        {
+            product = in_turn;
+        }
+        if columns.columns() != 1 {
+            return product;
+        }
+        let parts = self.parts_turned(factors, columns);
+        if !columns.known_parts().is_empty() {
+            let sum = self.sum_of_parts(&parts);
+            if self.cost(&sum) < self.cost(product.elements()) {
+                product = Matrix::vector(sum.to_vec());
+            }
+        }
+        product.made_of(parts)
     }
 
     /// A product of square matrices that remembers the factors of both.

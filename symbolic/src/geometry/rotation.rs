@@ -1,5 +1,7 @@
 //! Rotation matrices, and whether a matrix is one.
 
+use crate::decision::residue;
+use crate::decision::trial::Trial;
 use crate::geometry::axis::Axis;
 use crate::geometry::factor::{Factor, Turn};
 use crate::geometry::matrix::Matrix;
@@ -35,6 +37,15 @@ impl Graph {
         });
         let factors = self.merged(factors);
         self.product_of(factors)
+    }
+
+    /// Whether a matrix of nine elements is a rotation whatever the values of all symbols are, parameters
+    /// among them.
+    pub(crate) fn is_rotation(&self, elements: &[Expression; 9]) -> bool {
+        Trial::of(self, elements).holds(|point| {
+            let values = point.evaluate(self, elements)?;
+            Some(has_columns_of_a_rotation(&values, point.p()))
+        })
     }
 
     /// Whether a matrix of nine elements is a rotation, identically in all that it depends on.
@@ -92,4 +103,22 @@ impl Graph {
         let one = self.one();
         (defects, self.subtract(determinant, one))
     }
+}
+
+/// Whether nine numbers, column by column, make a rotation modulo a prime: the columns are orthonormal, and
+/// the last is the vector product of the others.
+fn has_columns_of_a_rotation(values: &[u64], p: u64) -> bool {
+    let product = |i: usize, j: usize| residue::multiply(values[i], values[j], p);
+    let is_orthonormal = (0..3).all(|i| {
+        (i..3).all(|j| {
+            let products = (0..3).map(|k| product(3 * i + k, 3 * j + k));
+            products.fold(0, |sum, x| residue::add(sum, x, p)) == u64::from(i == j)
+        })
+    });
+    let is_right_handed = Axis::ALL.iter().all(|axis| {
+        let [i, j, k] = axis.cycle();
+        let behind = residue::negate(product(k, 3 + j), p);
+        residue::add(product(j, 3 + k), behind, p) == values[6 + i]
+    });
+    is_orthonormal && is_right_handed
 }

@@ -1,6 +1,5 @@
 //! Products of vectors, which may be rows or columns, and what is made of them.
 
-use crate::geometry::axis::Axis;
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
 
@@ -11,7 +10,8 @@ impl Graph {
             return None;
         }
         let pairs = x.elements().iter().copied();
-        Some(self.sum_of_products(pairs.zip(y.elements().iter().copied())))
+        let product = self.sum_of_products(pairs.zip(y.elements().iter().copied()));
+        Some(self.or_along_other_axes(product, x, y))
     }
 
     /// x × y of two rows or two columns of three components.
@@ -19,14 +19,9 @@ impl Graph {
         if x.shape() != y.shape() {
             return None;
         }
-        let (a, b) = (x.components()?, y.components()?);
-        let cross = Axis::ALL.map(|axis| {
-            let [_, j, k] = axis.cycle();
-            let ahead = self.multiply(a[j], b[k]);
-            let behind = self.multiply(a[k], b[j]);
-            self.subtract(ahead, behind)
-        });
-        Some(Matrix::with_elements(x.rows(), x.columns(), cross.to_vec()))
+        let cross = self.cross(x.components()?, y.components()?);
+        let parts = self.parts_of_cross_product(x, y);
+        Some(Matrix::with_elements(x.rows(), x.columns(), cross.to_vec()).made_of(parts))
     }
 
     /// The matrix of all products xᵢ yⱼ of the components of two vectors.
@@ -49,19 +44,20 @@ impl Graph {
     /// The sum of the squares of all elements.
     pub fn norm_squared(&mut self, matrix: &Matrix) -> Expression {
         let squares: Vec<_> = matrix.elements().iter().map(|x| self.square(*x)).collect();
-        self.sum(squares.into_iter().map(|square| (square, Rational::ONE)))
+        let sum = self.sum(squares.into_iter().map(|square| (square, Rational::ONE)));
+        self.or_along_other_axes(sum, matrix, matrix)
+    }
+
+    /// x · y as it is given by the elements, unless other axes are cheaper.
+    fn or_along_other_axes(&mut self, product: Expression, x: &Matrix, y: &Matrix) -> Expression {
+        let other = self.dot_product_of_parts(x, y);
+        let cheaper = other.filter(|other| self.cost(&[*other]) < self.cost(&[product]));
+        cheaper.unwrap_or(product)
     }
 
     /// The length of a vector: the root of the sum of the squares of all elements.
     pub fn norm(&mut self, matrix: &Matrix) -> Expression {
         let square = self.norm_squared(matrix);
         self.square_root(square)
-    }
-}
-
-impl Matrix {
-    /// The three elements of a matrix that has three, and so only one row or column.
-    fn components(&self) -> Option<[Expression; 3]> {
-        self.elements().try_into().ok()
     }
 }

@@ -122,7 +122,10 @@ fn through_quasi_velocities(
     if !passes.has(Pass::QuasiVelocities) {
         return Vec::new();
     }
-    let mut choices: Vec<_> = declared.into_iter().collect();
+    let combined = declared
+        .as_ref()
+        .and_then(|declared| declared.combined(&mut model.graph));
+    let mut choices: Vec<_> = declared.into_iter().chain(combined).collect();
     if model.coordinates <= MOST_COORDINATES && passes.has(Pass::Inertias) {
         choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
     }

@@ -76,7 +76,7 @@ impl QuasiVelocities {
             inertia[j][i] = inertia[i][j];
         }
         for entry in inertia.iter_mut().flatten() {
-            *entry = kept_whole(graph, *entry);
+            *entry = mean_kept_whole(graph, *entry);
         }
         Some(Self {
             forms,
@@ -86,14 +86,16 @@ impl QuasiVelocities {
     }
 }
 
-/// A sum with fractions, such as the mean ½(I₁₂ + I₂₁) of a tensor that is not known to be symmetric, stays
-/// one constant: its fractions would be taken out of everything that it occurs in.
-fn kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
-    let has_fractions = match graph.node(inertia) {
-        Node::Sum(terms) => terms.len() > 1 && terms.iter().any(|(_, c)| !c.is_integer()),
-        _ => false,
+/// An inertia that is a mean of others, kept whole: it is prepared with its number, which is then not
+/// carried into whatever the inertia is a factor of.
+pub(crate) fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
+    let Node::Sum(terms) = graph.node(inertia) else {
+        return inertia;
     };
-    if has_fractions {
+    let is_sum = |x: Expression| matches!(graph.node(x), Node::Sum(_));
+    let is_mean = terms.iter().any(|(_, c)| !c.is_integer())
+        && (terms.len() > 1 || terms.iter().any(|(x, _)| is_sum(*x)));
+    if is_mean {
         graph.whole(inertia)
     } else {
         inertia
@@ -201,7 +203,10 @@ fn opened(graph: &mut Graph, term: Term) -> Vec<Term> {
 }
 
 /// A sum Σ c·w with constant c, if every term is one.
-fn combination(graph: &mut Graph, sum: Expression) -> Option<Vec<(Expression, Expression)>> {
+pub(crate) fn combination(
+    graph: &mut Graph,
+    sum: Expression,
+) -> Option<Vec<(Expression, Expression)>> {
     let Node::Sum(terms) = graph.node(sum) else {
         return None;
     };
