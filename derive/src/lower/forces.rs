@@ -1,7 +1,8 @@
 //! Generalized forces: those that act on coordinates, and those that act on what coordinates move.
 //!
 //! A force F on a position p(q, t) does the work F·δp, so that Qᵢ = F·∂p/∂qᵢ; a torque on an angle that is
-//! made of coordinates likewise.
+//! made of coordinates likewise. A force on a velocity w(q, q̇, t), such as the angular velocity in the axes of
+//! a body, has the power F·w, so that Qᵢ = F·∂w/∂q̇ᵢ.
 
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
@@ -15,8 +16,8 @@ use crate::value::Value;
 enum Target {
     /// The coordinate with this index.
     Coordinate(usize),
-    /// What is defined as a function of coordinates.
-    Position(Value),
+    /// What is defined as a function of coordinates, or of velocities.
+    Moved(Value),
 }
 
 impl Translator<'_> {
@@ -64,8 +65,8 @@ impl Translator<'_> {
                 }
                 totals[i] = self.graph.add(totals[i], value);
             }
-            Target::Position(position) => {
-                let work = self.work(force, &value?, &position)?;
+            Target::Moved(moved) => {
+                let work = self.work(force, &value?, &moved)?;
                 for (total, work) in totals.iter_mut().zip(work) {
                     *total = self.graph.add(*total, work);
                 }
@@ -74,23 +75,28 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// F·∂p/∂qᵢ for each coordinate.
-    fn work(&mut self, force: &Named, value: &Value, position: &Value) -> Option<Vec<Expression>> {
+    /// F·∂p/∂qᵢ for each coordinate, or F·∂w/∂q̇ᵢ.
+    fn work(&mut self, force: &Named, value: &Value, moved: &Value) -> Option<Vec<Expression>> {
         let zero = self.graph.zero();
         if *value == Value::Nothing {
             return Some(vec![zero; self.coordinates as usize]);
         }
-        if value.shape() != position.shape() {
+        if value.shape() != moved.shape() {
             let message = format!(
                 "`{}` is {}, and so is a force on it: this is {}",
                 force.name,
-                position.shape(),
+                moved.shape(),
                 value.shape()
             );
             return self.reject(&force.expression, message);
         }
-        let coordinates: Vec<_> = (0..self.coordinates).map(Symbol::Coordinate).collect();
-        let columns = self.graph.jacobian(position.components(), &coordinates);
+        let symbol = if self.has_velocity(moved) {
+            Symbol::Velocity
+        } else {
+            Symbol::Coordinate
+        };
+        let symbols: Vec<_> = (0..self.coordinates).map(symbol).collect();
+        let columns = self.graph.jacobian(moved.components(), &symbols);
         let mut work = Vec::with_capacity(columns.len());
         for column in columns {
             let mut total = zero;
@@ -142,28 +148,31 @@ impl Translator<'_> {
         {
             return Some(Target::Coordinate(*i as usize));
         }
-        self.position(force, kind, value).map(Target::Position)
+        self.moved(force, kind, value).map(Target::Moved)
     }
 
-    /// A function of coordinates that a force can act on.
-    fn position(&mut self, force: &Named, kind: Kind, value: Value) -> Option<Value> {
+    /// What a force can act on beside a coordinate.
+    fn moved(&mut self, force: &Named, kind: Kind, value: Value) -> Option<Value> {
         if kind != Kind::Defined {
             return None;
         }
         let name = &force.name;
-        let contains = |wanted: fn(Symbol) -> bool| self.graph.contains(value.components(), wanted);
-        let moving = |symbol| matches!(symbol, Symbol::Velocity(_) | Symbol::Acceleration(_));
-        if contains(moving) {
+        if self.has_acceleration(&value) {
             let message = format!(
-                "`{name}` contains velocities: a force acts on a coordinate, or on a position that is made of \
-                 coordinates"
+                "`{name}` contains accelerations: a force acts on a position or a velocity"
             );
             return self.reject(name, message);
         }
-        if !contains(|symbol| matches!(symbol, Symbol::Coordinate(_))) {
+        let moves = |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_));
+        if !self.graph.contains(value.components(), moves) {
             let message = format!("no coordinate moves `{name}`: a force on it does no work");
             return self.reject(name, message);
         }
         Some(value)
+    }
+
+    fn has_velocity(&self, value: &Value) -> bool {
+        let mut components = value.components().iter();
+        components.any(|component| self.graph.contents(*component).has_velocity())
     }
 }
