@@ -164,7 +164,7 @@ fn lengths_and_angles_are_those_before_the_turn() {
 #[test]
 fn sums_and_multiples_are_turned_as_one() {
     let mut graph = Graph::new();
-    let [r, s] = [("zyx", 0), ("yx", 3)].map(|(axes, i)| by_coordinates(&mut graph, axes, i));
+    let [r, s] = [("zyx", 0), ("y", 3)].map(|(axes, i)| by_coordinates(&mut graph, axes, i));
     let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
     let [x, y] = [&a, &b].map(|v| product(&mut graph, &[&r, v]));
     // R a + R b and c R a.
@@ -181,7 +181,7 @@ fn sums_and_multiples_are_turned_as_one() {
     let turned = product(&mut graph, &[&r, &s, &a]);
     let found = sum(&mut graph, &[&turned, &y]);
     let found = graph.norm_squared(&found);
-    let expected = add(apply(&now("yx", 3), numbers(0)), numbers(3));
+    let expected = add(apply(&now("y", 3), numbers(0)), numbers(3));
     assert_is(&graph, found, dot(expected, expected));
     assert!((0..3).all(|i| !contains(&graph, found, Symbol::Coordinate(i))));
 }

@@ -19,10 +19,12 @@ pub(crate) struct TurnedVector {
     pub(crate) vector: [Expression; 3],
 }
 
-/// A sum of more vectors than this belongs to a link of a long chain. It is cheaper along inertial axes,
-/// where the links before it have been computed.
-const MOST_PARTS: usize = 6;
-/// So does one that is turned by more factors than this.
+/// A sum of more vectors than this belongs to a link of a chain. It is cheaper along inertial axes, where
+/// the links before it have been computed; with 6, five links on universal joints took twice the operations.
+const MOST_PARTS: usize = 3;
+/// So does a sum with a vector that is turned by more factors than this.
+const MOST_FACTORS_IN_SUM: usize = 4;
+/// Nor is a single vector remembered that is turned by more factors than this.
 const MOST_FACTORS: usize = 12;
 
 impl Graph {
@@ -192,8 +194,13 @@ impl Graph {
 impl Matrix {
     /// The same vector, which remembers its parts unless they are many or nothing is turned.
     pub(crate) fn made_of(self, parts: Vec<TurnedVector>) -> Self {
+        let most_factors = if parts.len() > 1 {
+            MOST_FACTORS_IN_SUM
+        } else {
+            MOST_FACTORS
+        };
         let is_short = parts.len() <= MOST_PARTS
-            && parts.iter().all(|part| part.rotation.len() <= MOST_FACTORS);
+            && parts.iter().all(|part| part.rotation.len() <= most_factors);
         let is_turned = parts.iter().any(|part| !part.rotation.is_empty());
         if is_short && is_turned {
             self.with_parts(parts)
