@@ -82,3 +82,50 @@ fn forces_on_positions_do_their_work() {
     let velocity = arm.outputs(&state).velocity;
     assert_close("power", &[power], &[push.dot(&velocity)], 1e-14);
 }
+
+/// A rigid body with a torque about its own axes, and with one about those of space; air slows it down.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(yaw, pitch, roll),
+    define(
+        r = rotation_zyx(yaw, pitch, roll),
+        w = angular_velocity(r),
+        w_space = angular_velocity_inertial(r),
+    ),
+    kinetic = 0.5 * w.dot(inertia * w),
+    force(w = torque - drag * w.norm() * w),
+    force(w_space = wind),
+    output(w = w, rate = dot(w), r = r),
+)]
+struct Body {
+    inertia: Matrix3<f64>,
+    torque: Vector3<f64>,
+    wind: Vector3<f64>,
+    drag: f64,
+}
+
+#[test]
+fn forces_on_velocities_give_power_with_them() {
+    let inertia = Matrix3::new(2.0, 0.25, 0.0, 0.25, 3.0, -0.5, 0.0, -0.5, 4.0);
+    let body = Body {
+        inertia,
+        torque: Vector3::new(0.5, -1.0, 2.0),
+        wind: Vector3::new(-0.75, 0.25, 1.5),
+        drag: 0.3,
+    };
+    for q in [[0.4, 0.7, -1.2], [-2.0, -0.3, 0.9]] {
+        let state = State::new(0.0, q, [1.1, -0.6, 0.8]);
+        let BodyOutputs { w, rate, r } = body.outputs(&state);
+        let torque = body.torque - body.drag * w.norm() * w + r.transpose() * body.wind;
+        // Euler's equations (3.5)-(3.7): I ω̇ + ω × Iω = τ in the axes of the body.
+        let found = inertia * rate + w.cross(&(inertia * w));
+        assert_close(
+            "Euler's equations",
+            found.as_slice(),
+            torque.as_slice(),
+            1e-13,
+        );
+        let power = body.generalized_forces(&state).dot(&state.v);
+        assert_close("power", &[power], &[torque.dot(&w)], 1e-13);
+    }
+}
