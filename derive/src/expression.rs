@@ -224,6 +224,9 @@ impl Translator<'_> {
                 format!("unknown name `{name}`: the velocity is written `dot({coordinate})`");
             return self.reject(name, message);
         }
+        if written == "pi" {
+            return self.reject(name, "unknown name `pi`: the number π is `PI`");
+        }
         if let Some(meant) = self.scope.suggest(name) {
             let message = format!("unknown name `{name}`: did you mean `{meant}`?");
             return self.reject(name, message);
@@ -257,6 +260,10 @@ impl Translator<'_> {
                 }
                 Value::Nothing => Value::Nothing,
             }),
+            UnOp::Deref(_) => self.reject(
+                unary.op,
+                "`**` is no power, and there are no references here: write `x.powi(2)`, or `x.powf(1.5)`",
+            ),
             _ => self.reject(
                 unary.op,
                 "only the minus sign stands in front of an expression here",

@@ -114,12 +114,26 @@ pub(crate) fn callee(function: &Expr) -> &'static str {
     match function {
         Expr::Paren(inner) => callee(&inner.expr),
         Expr::Closure(_) => syntax(function),
+        Expr::Path(path) if makes_an_array(path) => {
+            "write the components alone: `[x, y, z]` for a vector, `[[a, b], [c, d]]` for a matrix"
+        }
         Expr::Path(_) => {
             "write the function by its name alone, such as `sin(x)`; one of Rust is declared before, as \
              `function(f(x) = path::f(x), derivative(x) = …)`"
         }
         _ => "parentheses behind an expression are a call: write `*` for a product",
     }
+}
+
+/// Whether this is a function of a type of vectors or matrices, such as `Vector3::new`.
+fn makes_an_array(path: &ExprPath) -> bool {
+    let mut segments = path.path.segments.iter();
+    segments.any(|segment| {
+        let name = segment.ident.to_string();
+        ["Vector", "Matrix", "SVector", "SMatrix"]
+            .iter()
+            .any(|stem| name.starts_with(stem))
+    })
 }
 
 pub(crate) fn path(path: &ExprPath) -> &'static str {
@@ -137,6 +151,7 @@ pub(crate) fn field(field: &ExprField) -> String {
         (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
             format!("fields are written without `self`: write `{member}`")
         }
+        (_, Member::Named(member)) if member == "T" => "write `.transpose()`".to_owned(),
         _ => "fields of fields cannot be used here, but for `v.x`, `v.y`, `v.z` and `v.w` of vectors: make this \
               a field of the struct"
             .to_owned(),
@@ -191,6 +206,7 @@ pub(crate) fn function(name: &str) -> String {
         }
         "sinc" => "write `sin(x) / x`, which has no value at 0",
         "hypot" => "write `(x.powi(2) + y.powi(2)).sqrt()`",
+        "squared_norm" | "norm2" | "magnitude_squared" => "write `v.norm_squared()`",
         "square" | "sq" => "write `x.powi(2)`",
         "sin_cos" => "write `sin(x)` and `cos(x)`; they are computed together",
         "mul_add" => "write `a * b + c`",
@@ -210,7 +226,6 @@ pub(crate) fn function(name: &str) -> String {
             "repeat by an index, as in `(0..5).map(|i| m[i] * x[i]).sum()`"
         }
         "magnitude" | "length" => "the length of a vector is `v.norm()`",
-        "magnitude_squared" => "write `v.norm_squared()`",
         "try_inverse" | "inv" => "write `m.inverse()`",
         "det" => "write `m.determinant()`",
         "matrix" => "write `[[a, b], [c, d]]` row by row",

@@ -49,6 +49,12 @@ impl Translator<'_> {
         if name == "map" {
             return self.map(call, place);
         }
+        if let Some(module) = self.module(&call.receiver)
+            && hints::is_function(&name)
+        {
+            let message = format!("functions are written without `{module}`: write `{name}(…)`");
+            return self.reject(&call.receiver, message);
+        }
         if let (Expr::Range(_), false) = (without_parentheses(&call.receiver), name == "len") {
             let message =
                 format!("write `(0..5).map(|i| …).sum()`, not `.{name}(…)`, behind a range");
@@ -63,6 +69,17 @@ impl Translator<'_> {
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
         self.apply(&call.method, &arguments, call, place)
+    }
+
+    /// The name of a module in which other languages keep their functions.
+    fn module(&mut self, receiver: &Expr) -> Option<Ident> {
+        let Expr::Path(path) = receiver else {
+            return None;
+        };
+        let name = path.path.get_ident()?;
+        let modules = ["np", "numpy", "math", "sp", "sympy", "casadi", "ca", "jnp"];
+        let known = modules.iter().any(|module| name == module);
+        (known && self.scope.resolve(name).is_none()).then(|| name.clone())
     }
 
     /// `v.map(|x| …)` of an array, component by component.
