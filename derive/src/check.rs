@@ -55,7 +55,7 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 /// Whether a type is one of plain numbers, or the scalar of a generic struct.
-fn is_number(declaration: &Declaration, ty: &Type) -> bool {
+pub(crate) fn is_number(declaration: &Declaration, ty: &Type) -> bool {
     let scalar = Scalar::of(declaration);
     type_parameter(&declaration.generics, ty).is_some() || is_float(ty) || scalar.is(ty)
 }

@@ -32,11 +32,17 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let model = lowered.model.take().filter(|_| diagnostics.is_empty());
     let items = model.and_then(|model| implement(&declaration, &lowered, model, &mut diagnostics));
     items.unwrap_or_else(|| {
+        if diagnostics.is_empty() && lowered.scope.unknown().next().is_none() {
+            diagnostics.error(&declaration.name, NOT_UNDERSTOOD);
+        }
         let errors = diagnostics.to_compile_errors();
         let items = fallback::items(&declaration, &lowered);
         quote!(#errors #items)
     })
 }
+
+const NOT_UNDERSTOOD: &str = "this declaration is not understood, and there is no better word for what is wrong \
+                              with it; this is a defect of `lagrangian`: please report the declaration";
 
 /// Derives the equations of motion and writes the impls, unless there is an error.
 fn implement(

@@ -3,10 +3,11 @@
 mod forces;
 
 use lagrangian_symbolic::{Energies, Expression, Graph, Model};
+use proc_macro2::Ident;
 use syn::Expr;
 
 use crate::ablation::passes;
-use crate::declaration::{Clause, Declaration, Named};
+use crate::declaration::{Clause, Declaration, Iteration, Named};
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
 use crate::hints;
@@ -178,6 +179,7 @@ impl Translator<'_> {
     /// Defines one member of a family.
     fn define_member(&mut self, definition: &Named) -> Option<()> {
         let name = &definition.name;
+        self.check_not_bound(name, &definition.iterations)?;
         let indices = self.member(&definition.indices)?;
         if let Some(rank) = self.scope.rank_of_definition(name)
             && rank != indices.len()
@@ -199,6 +201,20 @@ impl Translator<'_> {
         let written = hints::member(name, &indices);
         let message = format!("`{written}` is defined twice: leave one of them out");
         self.reject(&definition.indices[0], message)
+    }
+
+    /// A variable that is called like what is defined, or acted on, for each of its values hides it.
+    fn check_not_bound(&mut self, name: &Ident, iterations: &[Iteration]) -> Option<()> {
+        let hiding = iterations.iter().find(|iteration| iteration.index == *name);
+        match hiding {
+            None => Some(()),
+            Some(iteration) => {
+                let message = format!(
+                    "here `{name}` is the variable: give it another name, as in `for i in 0..5`"
+                );
+                self.reject(&iteration.index, message)
+            }
+        }
     }
 
     /// The indices of a member of a family, as they stand behind its name.

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use lagrangian_symbolic::{Expression, Function, Graph, Symbol};
 use proc_macro2::Ident;
 
+use crate::check::is_number;
 use crate::declaration::Declaration;
 use crate::diagnostics::similar;
 use crate::field::Role;
@@ -89,6 +90,7 @@ impl Scope {
             let mut symbols = Symbols::of(kind);
             for field in declaration.fields_with(role) {
                 let meaning = match field.form() {
+                    Ok(form) if !is_number(declaration, form.element) => Meaning::Broken,
                     Ok(form) if form.rank() == 0 => {
                         Meaning::Quantity(Kind::Field, symbols.value(graph, form.shape()))
                     }

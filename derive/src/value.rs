@@ -185,7 +185,7 @@ impl Product {
             Value::Array(right) => match self.array.take() {
                 None => self.array = Some(right),
                 Some(left) => match graph.matrix_product(&left, &right) {
-                    Some(product) if product.elements().len() == 1 && left.columns() > 1 => {
+                    Some(product) if product.elements().len() == 1 => {
                         self.scalars.push((product.elements()[0], Rational::ONE));
                     }
                     Some(product) => self.array = Some(product),

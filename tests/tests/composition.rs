@@ -111,6 +111,7 @@ fn clauses_of_several_bodies_add_up() {
         even[2 * i] = b[i] for i in 0..3,
         even[1] = x,
         turned[i] = [grid[0][i], even[i]] for i in 0..=2,
+        path[i] = (0..i).map(|k| [b[k], even[k]]).sum() for i in 0..3,
     ),
     kinetic = 0.5 * (0..a.len()).map(|i| dot(a[i]).powi(2)).sum() + 0.5 * dot(x).powi(2)
         + 0.5 * (0..3).map(|i| { dot(b[i]).powi(2) }).sum(),
@@ -122,6 +123,12 @@ fn clauses_of_several_bodies_add_up() {
         none = (2..1).map(|i| b[i]).product(),
         turned = (0..3).map(|i| turned[i]).collect(),
         shadowed = (0..2).map(|x| a[x]).sum() + x,
+        before = (0..3).map(|i| (0..i).map(|j| b[j]).sum()).collect(),
+        corners = (0..3).map(|i| (0..i).map(|j| [b[j], x]).sum()).collect(),
+        origin = path[0].norm() + path[0].x + path[2].norm_squared() + dot(dot(2 * path[0])).norm(),
+        product = ([x] * [x]) + [x].transpose() * [x],
+        single = [[x], [2]][1][0] + [[x, 3]][0][1],
+        lines = [[[1, 2], [3, x]].row(1), [[4, 5]].row(0)],
     ),
 )]
 struct Families {}
@@ -154,6 +161,19 @@ fn members_of_families_are_told_apart_by_indices() {
     // even[0], even[1] and even[2] are b₀, x and b₁.
     let turned = [a[0] + b[0], a[0] + b[1], a[0] + b[2], b[0], x, b[1]];
     assert_close("rows", outputs.turned.as_slice(), &turned, 1e-15);
+    let before = [0.0, b[0], b[0] + b[1]];
+    assert_close("before", outputs.before.as_slice(), &before, 1e-15);
+    let corners = [0.0, b[0], b[0] + b[1], 0.0, x, 2.0 * x];
+    assert_close("corners", outputs.corners.as_slice(), &corners, 1e-15);
+    let origin = (b[0] + b[1]).powi(2) + (b[0] + x).powi(2);
+    let found = [outputs.origin, outputs.product, outputs.single];
+    assert_close("origin", &found, &[origin, 2.0 * x * x, 5.0], 1e-15);
+    assert_close(
+        "lines",
+        outputs.lines.as_slice(),
+        &[3.0, 4.0, x, 5.0],
+        1e-15,
+    );
     // V = x (b₁ − b₀ + b₂ − b₀ + b₂ − b₁), and the forces are b₂ on a₀, 0 on b₂ and t on b₁.
     let gradient = 2.0 * (b[2] - b[0]);
     let expected = [b[2], 0.0, -gradient, 2.0 * x, 4.0, -2.0 * x];

@@ -83,6 +83,26 @@ fn forces_on_positions_do_their_work() {
     assert_close("power", &[power], &[push.dot(&velocity)], 1e-14);
 }
 
+/// A position and a velocity, each with a force of its own.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    define(mixed = [2 * x, 3 * dot(y)]),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    force(mixed = [push, push]),
+)]
+struct Mixed {
+    m: f64,
+    push: f64,
+}
+
+#[test]
+fn each_component_is_a_position_or_a_velocity() {
+    let mixed = Mixed { m: 1.0, push: 0.5 };
+    let forces = mixed.generalized_forces(&State::new(0.0, [1.0, 2.0], [3.0, 4.0]));
+    assert_close("Q", forces.as_slice(), &[1.0, 1.5], 1e-15);
+}
+
 /// A rigid body with a torque about its own axes, and with one about those of space; air slows it down.
 #[derive(Lagrangian)]
 #[lagrangian(

@@ -1,6 +1,6 @@
 //! Vectors and matrices: how they are written, and what is computed with them.
 
-use lagrangian_symbolic::{Matrix, Rational};
+use lagrangian_symbolic::{LARGEST_DETERMINANT, Matrix, Rational};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
@@ -56,13 +56,7 @@ impl Translator<'_> {
         if values.is_empty() {
             return self.reject(array, "write the components: `[x, y, z]`");
         }
-        // A sum without terms is a zero among scalars.
-        let zero = self.graph.zero();
-        let scalar = |value| match value {
-            Value::Nothing => Value::Scalar(zero),
-            other => other,
-        };
-        let values: Vec<Value> = values.into_iter().map(scalar).collect();
+        let values = self.filled(values);
         match stacked(&values) {
             Ok(matrix) => Some(Value::Array(matrix)),
             Err(odd) => {
@@ -109,6 +103,11 @@ impl Translator<'_> {
         if written == "identity" {
             return self.identity(arguments[0]);
         }
+        if values[0] == Value::Nothing
+            && ["norm", "norm_squared", "sum", "dot"].contains(&&*written)
+        {
+            return Some(Value::Nothing);
+        }
         let Value::Array(first) = &values[0] else {
             return self.reject(arguments[0], wants_array(&written, &values[0]));
         };
@@ -127,7 +126,7 @@ impl Translator<'_> {
     fn identity(&mut self, rows: &Expr) -> Option<Value> {
         let written = self.integer(rows)?;
         match usize::try_from(written) {
-            Ok(n) if n > 0 && n * n <= LARGEST => Some(Value::Array(self.graph.identity_matrix(n))),
+            Ok(n @ 1..=100) => Some(Value::Array(self.graph.identity_matrix(n))),
             _ => self.reject(
                 rows,
                 "the identity has from 1 to 100 rows: write `identity(3)`",
@@ -147,8 +146,12 @@ impl Translator<'_> {
     }
 
     fn of_two(&mut self, name: &Ident, first: &Matrix, second: &Matrix) -> Option<Value> {
-        let graph = &mut self.graph;
         let written = name.to_string();
+        if written == "outer" && first.elements().len() > LARGEST / second.elements().len().max(1) {
+            let message = format!("an array has at most {LARGEST} components");
+            return self.reject(name, message);
+        }
+        let graph = &mut self.graph;
         let value = match written.as_str() {
             "dot" => graph.dot_product(first, second).map(Value::Scalar),
             "cross" => graph.cross_product(first, second).map(Value::Array),
@@ -174,7 +177,7 @@ impl Translator<'_> {
     fn of_one(&mut self, name: &str, array: &Matrix, call: &dyn ToTokens) -> Option<Value> {
         let graph = &mut self.graph;
         let square = array.rows() == array.columns();
-        let few = array.rows() <= 4;
+        let few = array.rows() <= LARGEST_DETERMINANT;
         let is_vector = array.columns() == 1;
         let wanted = match name {
             "norm" => return Some(Value::Scalar(graph.norm(array))),
@@ -203,6 +206,7 @@ impl Translator<'_> {
                     return Some(Value::Array(graph.matrix_scaled(array, factor)));
                 }
             }
+            "diagonal" if is_vector && array.rows() > 100 => "a vector of at most 100 components",
             "diagonal" if is_vector => {
                 return graph.diagonal_matrix(array).map(Value::Array);
             }
@@ -213,7 +217,11 @@ impl Translator<'_> {
             "determinant" if square && few => return graph.determinant(array).map(Value::Scalar),
             "inverse" if square && few => match graph.inverse(array) {
                 Ok(inverse) => return Some(Value::Array(inverse)),
-                Err(_) => "a matrix whose determinant does not vanish",
+                Err(_) => {
+                    let message =
+                        "this matrix has no inverse: its determinant vanishes identically";
+                    return self.reject(call, message);
+                }
             },
             "determinant" | "inverse" => "a square matrix of at most 4 rows",
             _ => match graph.cross_matrix(array) {

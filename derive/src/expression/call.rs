@@ -38,9 +38,10 @@ impl Translator<'_> {
     pub(super) fn method(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
         let name = plain(&call.method);
         if let (Some(turbofish), true) = (&call.turbofish, hints::is_function(&name)) {
+            let arguments = if call.args.is_empty() { "" } else { "…" };
             return self.reject(
                 turbofish,
-                format!("functions here take no type arguments: write `.{name}(…)`"),
+                format!("functions here take no type arguments: write `.{name}({arguments})`"),
             );
         }
         if let Some(map) = repeated(call) {
@@ -89,11 +90,14 @@ impl Translator<'_> {
                            `.collect()` behind it";
             return self.reject(&call.method, message);
         }
-        let (rows, columns) = match self.translate(&call.receiver, place)? {
-            Value::Array(array) => (array.rows(), array.columns()),
-            _ => (1, 1),
+        let Value::Array(array) = self.translate(&call.receiver, place)? else {
+            let message = "`map` goes through a range or an array: write `(0..5).map(|i| …)`";
+            return self.reject(&call.receiver, message);
         };
-        let values = self.mapped(call, place)?;
+        let (rows, columns) = (array.rows(), array.columns());
+        let components = array.elements().iter();
+        let components = components.map(|component| Value::Scalar(*component));
+        let values = self.applied(call, components.collect(), place)?;
         let elements: Vec<_> = values
             .into_iter()
             .map(|value| self.as_scalar(&value, &call.args))

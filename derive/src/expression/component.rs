@@ -79,6 +79,9 @@ impl Translator<'_> {
         let Some((first, rest)) = indices.split_first() else {
             return Some(value);
         };
+        if value == Value::Nothing {
+            return Some(Value::Nothing);
+        }
         let Value::Array(array) = &value else {
             let message = format!(
                 "this is {}, which has no components: leave out the index",
@@ -93,6 +96,11 @@ impl Translator<'_> {
                 let column = self.index_below(&pair.elems[1], columns, "columns", array);
                 (row?, column?, rest)
             }
+            (row, [column, rest @ ..]) => {
+                let row = self.index_below(row, rows, "rows", array);
+                let column = self.index_below(column, columns, "columns", array);
+                (row?, column?, rest)
+            }
             (single, rest) if columns == 1 => (
                 self.index_below(single, rows, "components", array)?,
                 0,
@@ -103,11 +111,6 @@ impl Translator<'_> {
                 self.index_below(single, columns, "components", array)?,
                 rest,
             ),
-            (row, [column, rest @ ..]) => {
-                let row = self.index_below(row, rows, "rows", array);
-                let column = self.index_below(column, columns, "columns", array);
-                (row?, column?, rest)
-            }
             (single, []) => {
                 let message = format!(
                     "this is {}, whose entries have two indices: write `m[(i, j)]` for the entry in row i and \
@@ -155,6 +158,7 @@ impl Translator<'_> {
         };
         let value = self.translate(&field.base, place)?;
         match &value {
+            Value::Nothing => return Some(Value::Nothing),
             Value::Array(array) if array.columns() == 1 && array.rows() <= 4 => {
                 if let Some(component) = array.get(position, 0) {
                     return Some(Value::Scalar(component));

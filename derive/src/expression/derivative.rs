@@ -1,5 +1,7 @@
 //! `dot(x)`: the total time derivative.
 
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::application::MADE_OF;
@@ -26,7 +28,7 @@ impl Translator<'_> {
         let value = self.translate(argument, Place::Observation)?;
         let mut components = value.components().iter();
         let varies = components.any(|component| self.graph.contents(*component).varies());
-        if !varies && value != Value::Nothing && !self.is_named(argument) {
+        if !varies && value != Value::Nothing && !self.is_named(argument.to_token_stream()) {
             return self.reject(
                 argument,
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
@@ -87,23 +89,18 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// Whether this is the name of a definition, a member of a family of them, or a variable: one that
-    /// happens to be constant is no mistake.
-    fn is_named(&mut self, expression: &Expr) -> bool {
-        match expression {
-            Expr::Paren(inner) => self.is_named(&inner.expr),
-            Expr::Group(inner) => self.is_named(&inner.expr),
-            Expr::Index(index) => self.is_named(&index.expr),
-            Expr::Path(path) => path.path.get_ident().is_some_and(|name| {
-                matches!(
-                    self.scope.resolve(name),
-                    Some(
-                        Meaning::Quantity(Kind::Defined | Kind::Variable, _)
-                            | Meaning::Family(Kind::Defined, _)
-                    )
+    /// Whether this speaks of a definition or a variable: one that happens to be constant is no mistake.
+    fn is_named(&mut self, tokens: TokenStream) -> bool {
+        tokens.into_iter().any(|token| match token {
+            TokenTree::Group(group) => self.is_named(group.stream()),
+            TokenTree::Ident(name) => matches!(
+                self.scope.resolve(&name),
+                Some(
+                    Meaning::Quantity(Kind::Defined | Kind::Variable, _)
+                        | Meaning::Family(Kind::Defined, _)
                 )
-            }),
+            ),
             _ => false,
-        }
+        })
     }
 }

@@ -64,9 +64,13 @@ impl Translator<'_> {
                 sum.add(value, Rational::ONE)
             };
             if let Err(before) = result {
-                let message = format!(
-                    "the terms have different shapes: one is {before}, and another is {shape}"
-                );
+                let message = if product {
+                    format!("the factors do not fit: {shape} stands behind {before}")
+                } else {
+                    format!(
+                        "the terms have different shapes: one is {before}, and another is {shape}"
+                    )
+                };
                 return self.reject(&call.method, message);
             }
         }
@@ -79,7 +83,6 @@ impl Translator<'_> {
 
     /// The values that a closure gives: for each index of a range, or each component of a vector.
     pub(super) fn mapped(&mut self, map: &ExprMethodCall, place: Place) -> Option<Vec<Value>> {
-        let (closure, variable) = self.closure(map)?;
         let arguments: Vec<Value> = match without_parentheses(&map.receiver) {
             range @ Expr::Range(_) => {
                 let indices = self.indices(range)?;
@@ -103,6 +106,17 @@ impl Translator<'_> {
                 }
             },
         };
+        self.applied(map, arguments, place)
+    }
+
+    /// What the closure of `.map(|i| …)` gives for each of some values.
+    pub(super) fn applied(
+        &mut self,
+        map: &ExprMethodCall,
+        arguments: Vec<Value>,
+        place: Place,
+    ) -> Option<Vec<Value>> {
+        let (closure, variable) = self.closure(map)?;
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let before = variable.map(|name| (name, self.scope.bind(name, argument)));
@@ -210,13 +224,35 @@ impl Translator<'_> {
                 "this range is empty: a vector has components",
             );
         }
-        match stacked(values) {
+        let values = self.filled(values.to_vec());
+        match stacked(&values) {
             Ok(matrix) => Some(Value::Array(matrix)),
             Err(odd) => {
                 let message = hints::rows(values[0].shape(), values[odd].shape());
                 self.reject(&call.method, message)
             }
         }
+    }
+}
+
+impl Translator<'_> {
+    /// The same values with zeros of the others' shape in place of sums without terms.
+    pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
+        let zero = self.graph.zero();
+        let shape = values.iter().find(|value| **value != Value::Nothing);
+        let nothing = match shape {
+            Some(Value::Array(like)) => {
+                let zeros = vec![zero; like.elements().len()];
+                Matrix::new(like.rows(), like.columns(), zeros).map(Value::Array)
+            }
+            _ => None,
+        };
+        let nothing = nothing.unwrap_or(Value::Scalar(zero));
+        let filled = |value| match value {
+            Value::Nothing => nothing.clone(),
+            other => other,
+        };
+        values.into_iter().map(filled).collect()
     }
 }
 
@@ -229,7 +265,7 @@ pub(super) fn stacked(values: &[Value]) -> Result<Matrix, usize> {
         return Err(odd);
     }
     let columns = match &values[0] {
-        Value::Array(vector) if vector.columns() > 1 => return Err(0),
+        Value::Array(matrix) if matrix.columns() > 1 && matrix.rows() > 1 => return Err(0),
         other => other.components().len(),
     };
     let elements =

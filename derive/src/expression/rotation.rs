@@ -1,6 +1,6 @@
 //! Rotations by angles about the axes of a body, and their angular velocities.
 
-use lagrangian_symbolic::{Axis, Expression, Matrix};
+use lagrangian_symbolic::{Axis, Expression, Matrix, NoRotation};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
@@ -142,12 +142,18 @@ impl Translator<'_> {
         } else {
             self.graph.angular_velocity(rotation, self.coordinates)
         };
-        let Ok(velocity) = velocity else {
-            return self.reject(
-                argument,
-                "this is no rotation: its transpose times itself is not the identity, so that it has no \
-                 angular velocity",
-            );
+        let velocity = match velocity {
+            Ok(velocity) => velocity,
+            Err(NoRotation::Reflection) => {
+                let message =
+                    "this is no rotation but reflects, so that it has no angular velocity";
+                return self.reject(argument, message);
+            }
+            Err(_) => {
+                let message = "this is no rotation: its transpose times itself is not the identity, so that it \
+                               has no angular velocity";
+                return self.reject(argument, message);
+            }
         };
         let velocity = Value::Array(velocity);
         self.check_derivative(call, &velocity, place)?;

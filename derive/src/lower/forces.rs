@@ -2,7 +2,7 @@
 //!
 //! A force F on a position p(q, t) does the work F·δp, so that Qᵢ = F·∂p/∂qᵢ; a torque on an angle that is
 //! made of coordinates likewise. A force on a velocity w(q, q̇, t), such as the angular velocity in the axes of
-//! a body, has the power F·w, so that Qᵢ = F·∂w/∂q̇ᵢ.
+//! a body, has the power F·w where w is of first degree in q̇, and Qᵢ = F·∂w/∂q̇ᵢ.
 
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
@@ -46,6 +46,7 @@ impl Translator<'_> {
         taken: &mut [bool],
         totals: &mut [Expression],
     ) -> Option<()> {
+        self.check_not_bound(&force.name, &force.iterations)?;
         let target = if force.indices.is_empty() {
             self.target(force)
         } else {
@@ -90,23 +91,38 @@ impl Translator<'_> {
             );
             return self.reject(&force.expression, message);
         }
-        let symbol = if self.has_velocity(moved) {
+        let mut work = vec![zero; self.coordinates as usize];
+        for (component, along) in value.components().iter().zip(moved.components()) {
+            let slopes = self.slopes(force, *along)?;
+            for (total, slope) in work.iter_mut().zip(slopes) {
+                let part = self.graph.multiply(*component, slope);
+                *total = self.graph.add(*total, part);
+            }
+        }
+        Some(work)
+    }
+
+    /// ∂p/∂qᵢ, or ∂w/∂q̇ᵢ for a velocity, which has to be of first degree in the velocities.
+    fn slopes(&mut self, force: &Named, along: Expression) -> Option<Vec<Expression>> {
+        let is_velocity = self.graph.contents(along).has_velocity();
+        let symbol = if is_velocity {
             Symbol::Velocity
         } else {
             Symbol::Coordinate
         };
         let symbols: Vec<_> = (0..self.coordinates).map(symbol).collect();
-        let columns = self.graph.jacobian(moved.components(), &symbols);
-        let mut work = Vec::with_capacity(columns.len());
-        for column in columns {
-            let mut total = zero;
-            for (force, slope) in value.components().iter().zip(column) {
-                let part = self.graph.multiply(*force, slope);
-                total = self.graph.add(total, part);
-            }
-            work.push(total);
+        let columns = self.graph.jacobian(&[along], &symbols);
+        let slopes: Vec<_> = columns.into_iter().flatten().collect();
+        let linear = |slope: &Expression| !self.graph.contents(*slope).has_velocity();
+        if is_velocity && !slopes.iter().all(linear) {
+            let message = format!(
+                "`{}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
+                 coordinate, a position or a velocity",
+                force.name
+            );
+            return self.reject(&force.name, message);
         }
-        Some(work)
+        Some(slopes)
     }
 
     /// What a force acts on; that there is a coordinate or a definition of this name has been checked.
@@ -169,10 +185,5 @@ impl Translator<'_> {
             return self.reject(name, message);
         }
         Some(value)
-    }
-
-    fn has_velocity(&self, value: &Value) -> bool {
-        let mut components = value.components().iter();
-        components.any(|component| self.graph.contents(*component).has_velocity())
     }
 }

@@ -1,0 +1,15 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta, x),
+    define(h[h] = h * x for h in 0..3),
+    kinetic = 0.5 * m * (dot(theta).powi(2) + dot(x).powi(2)),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}

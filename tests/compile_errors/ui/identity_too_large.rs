@@ -1,0 +1,15 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta, x),
+    kinetic = 0.5 * m * (dot(theta).powi(2) + dot(x).powi(2)),
+    potential = identity(5000000000).trace(),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}
