@@ -277,7 +277,6 @@ impl<'a> Fallback<'a> {
         let signatures = signatures(declaration);
         let values = values(declaration, &self.scalar);
         quote! {
-            #[automatically_derived]
             impl #generics #name #arguments #conditions { #values }
 
             #[automatically_derived]

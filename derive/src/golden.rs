@@ -12,7 +12,7 @@ use proc_macro2::TokenStream;
 
 use crate::expand::expand;
 
-const MODELS: [&str; 2] = ["heavy_top", "driven_pendulum"];
+const MODELS: [&str; 3] = ["heavy_top", "driven_pendulum", "slider"];
 
 fn folder(model: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))

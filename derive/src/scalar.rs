@@ -282,6 +282,32 @@ mod tests {
     }
 
     #[test]
+    fn a_named_scalar_stands_in_the_place_of_a_parameter() {
+        for (declaration, name) in MODELS {
+            let among = expansion(&generic(declaration, name, "T: Scalar + Other"));
+            let named = declaration.replacen("#[lagrangian(", "#[lagrangian(scalar = f64, ", 1);
+            let named = expansion(&named);
+            for (of_parameter, of_type) in [
+                (
+                    "< T as :: lagrangian :: Scalar >",
+                    "< f64 as :: lagrangian :: Scalar >",
+                ),
+                (": T = self .", ": f64 = self ."),
+                (", T >", ", f64 >"),
+            ] {
+                let count = among.matches(of_parameter).count();
+                assert!(count > 0, "{of_parameter}");
+                assert_eq!(named.matches(of_type).count(), count, "{name}: {of_type}");
+            }
+            // Nothing is generic but the struct of outputs, whose field is a number on the scalar.
+            let results = named.split("struct ").nth(1).unwrap_or_default();
+            let generic = results.matches("__S").count();
+            assert_eq!(named.matches("__S").count(), generic, "{name}: {named}");
+            assert!(!named.contains("parameter ("), "{name}: {named}");
+        }
+    }
+
+    #[test]
     fn beside_other_bounds_functions_are_those_of_the_trait() {
         for (declaration, name) in MODELS {
             let alone = expansion(&generic(declaration, name, "T: Scalar"));

@@ -110,6 +110,8 @@ fn what_is_not_declared_is_a_function_of_its_own() {
     };
     assert_eq!(*arguments, [x, y]);
     assert_eq!(graph.undeclared(lift), None);
+    assert_eq!(graph.declared_derivative(lift, 0), Some(constant));
+    assert_eq!(graph.declared_derivative(lift, 1), None);
     assert_eq!(graph.undeclared(function), Some((lift, 1)));
     assert_eq!(graph.function_name(function), "∂lift/∂mach");
     // It is the same wherever it is needed, and has derivatives as any other.

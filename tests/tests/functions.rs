@@ -30,8 +30,9 @@ mod friction {
     coordinates(x),
     function(stribeck(v) = friction::stribeck(v), derivative(v) = slope(v)),
     function(slope(v) = friction::slope(v)),
-    kinetic = 0.5 * m * dot(x).powi(2),
-    potential = 0.5 * k * x.powi(2),
+    function(half() = Scalar::from_f64(0.5)),
+    kinetic = half() * m * dot(x).powi(2),
+    potential = half() * k * x.powi(2),
     force(x = -load * stribeck(dot(x))),
     output(friction = load * stribeck(dot(x)), rate = dot(stribeck(dot(x)))),
 )]

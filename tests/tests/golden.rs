@@ -6,7 +6,8 @@
     unreachable_pub,
     clippy::let_and_return,
     clippy::redundant_static_lifetimes,
-    clippy::too_many_lines
+    clippy::too_many_lines,
+    clippy::unused_self
 )]
 
 use lagrangian::prelude::*;
@@ -17,6 +18,7 @@ mod derived {
 
     include!("../../derive/golden/heavy_top/declaration.rs");
     include!("../../derive/golden/driven_pendulum/declaration.rs");
+    include!("../../derive/golden/slider/declaration.rs");
 }
 
 /// The same structs without the derive, and the committed expansions.
@@ -38,8 +40,16 @@ mod committed {
         pub torque: f64,
     }
 
+    pub struct Slider {
+        pub m: f64,
+        pub k: f64,
+        pub weight: f64,
+        pub width: f64,
+    }
+
     include!("../../derive/golden/heavy_top/expansion.rs");
     include!("../../derive/golden/driven_pendulum/expansion.rs");
+    include!("../../derive/golden/slider/expansion.rs");
 }
 
 /// All that a model computes at a state.
@@ -120,6 +130,41 @@ fn the_committed_heavy_top_computes_what_the_derived_one_does() {
             committed::HeavyTop::PSI
         ],
     );
+}
+
+#[test]
+fn the_committed_slider_computes_what_the_derived_one_does() {
+    macro_rules! slider {
+        ($module:ident) => {
+            $module::Slider {
+                m: 0.7,
+                k: 3.0,
+                weight: 6.9,
+                width: 0.1,
+            }
+        };
+    }
+    let (derived, committed) = (slider!(derived), slider!(committed));
+    let state = State::new(0.0, [0.5], [-0.04]);
+    assert_same(&numbers(&derived, &state), &numbers(&committed, &state));
+    macro_rules! functions {
+        ($model:expr) => {
+            [
+                $model.function(0, &[0.3, 2.0]),
+                $model.derivative(0, 0, &[0.3, 2.0]).unwrap(),
+                $model.derivative(0, 1, &[0.3, 2.0]).unwrap(),
+            ]
+        };
+    }
+    assert_same(&functions!(derived), &functions!(committed));
+    assert!(committed.function(0, &[0.3]).is_nan() && committed.function(2, &[0.3]).is_nan());
+    assert_eq!(committed.derivative(0, 2, &[0.3, 2.0]), None);
+    assert_eq!(committed.derivative(1, 0, &[0.3]), Some(0.0));
+    let region = || [-3.0..=3.0, 0.0..=10.0];
+    assert_eq!(committed.check_derivatives("friction", region()), Ok(()));
+    assert_eq!(derived::Slider::X, committed::Slider::X);
+    assert_eq!(derived::Slider::EQUATIONS, committed::Slider::EQUATIONS);
+    assert_eq!(derived::Slider::OPERATIONS, committed::Slider::OPERATIONS);
 }
 
 #[test]

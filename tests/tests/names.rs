@@ -448,10 +448,10 @@ macro_rules! driven {
 fn a_macro_may_write_functions() {
     use lagrangian::prelude::*;
 
-    driven!(Driven, speed => speed * speed, 2.0 * speed);
+    driven!(Driven, speed => speed * speed * self.gain, 4.0 * speed);
     let model = Driven { m: 2.0, gain: 2.0 };
     let state = State::new(0.0, [0.0], [3.0]);
-    assert!((model.accelerations(&state)[0] - 7.5).abs() < 1e-15);
+    assert!((model.accelerations(&state)[0] - 12.0).abs() < 1e-15);
     for function in ["own", "given"] {
         assert_eq!(model.check_derivatives(function, [-1.0..=1.0]), Ok(()));
     }

@@ -27,7 +27,6 @@ impl Implementation<'_> {
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let interface = self.interface();
         quote! {
-            #[automatically_derived]
             impl #generics #name #arguments #conditions {
                 #values
                 #derivatives

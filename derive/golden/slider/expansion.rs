@@ -1,0 +1,420 @@
+/**# The equations of motion
+
+M q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with
+
+```text
+q = (x)
+T = ½ m ẋ²
+V = ½ k x²
+p[x] = m ẋ
+M[x, x] = m
+Q[x] = −friction(ẋ/width, weight) − 0.1 weight·side(x)
+f[x] = −friction(ẋ/width, weight) − 0.1 weight·side(x) − k x
+```
+
+# Operations
+
+| method | + − | × | ÷ | √ | sin, cos | others |
+|---|---|---|---|---|---|---|
+| `lagrangian` | 1 | 5 | 0 | 0 | 0 | 0 |
+| `energy` | 1 | 5 | 0 | 0 | 0 | 0 |
+| `momenta` | 0 | 1 | 0 | 0 | 0 | 0 |
+| `mass_matrix` | 0 | 0 | 0 | 0 | 0 | 0 |
+| `forcing` | 3 | 3 | 1 | 0 | 0 | 2 |
+| `generalized_forces` | 2 | 2 | 1 | 0 | 0 | 2 |
+| `prepare` | 0 | 1 | 2 | 0 | 0 | 0 |
+| `accelerations` | 3 | 5 | 0 | 0 | 0 | 2 |
+| `inverse_dynamics` | 3 | 4 | 1 | 0 | 0 | 2 |
+| `linearize` | 5 | 10 | 3 | 0 | 0 | 3 |
+*/
+impl Slider {
+    /// The names of the coordinates, in order.
+    pub const COORDINATES: [&'static str; 1usize] = ["x"];
+    ///The index of the coordinate `x`.
+    pub const X: usize = 0usize;
+    /// The equations of motion as they were derived.
+    pub const EQUATIONS: &'static str = "q = (x)\nT = ½ m x\u{307}²\nV = ½ k x²\np[x] = m x\u{307}\nM[x, x] = m\nQ[x] = −friction(x\u{307}/width, weight) − 0.1 weight·side(x)\nf[x] = −friction(x\u{307}/width, weight) − 0.1 weight·side(x) − k x\n";
+    /// The operation counts of the methods.
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
+        lagrangian: ::lagrangian::OperationCount {
+            additions: 1usize,
+            multiplications: 5usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        energy: ::lagrangian::OperationCount {
+            additions: 1usize,
+            multiplications: 5usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        momenta: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 1usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        mass_matrix: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 0usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        forcing: ::lagrangian::OperationCount {
+            additions: 3usize,
+            multiplications: 3usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 2usize,
+        },
+        generalized_forces: ::lagrangian::OperationCount {
+            additions: 2usize,
+            multiplications: 2usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 2usize,
+        },
+        prepare: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 1usize,
+            divisions: 2usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        accelerations: ::lagrangian::OperationCount {
+            additions: 3usize,
+            multiplications: 5usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 2usize,
+        },
+        inverse_dynamics: ::lagrangian::OperationCount {
+            additions: 3usize,
+            multiplications: 4usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 2usize,
+        },
+        linearize: ::lagrangian::OperationCount {
+            additions: 5usize,
+            multiplications: 10usize,
+            divisions: 3usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 3usize,
+        },
+    };
+    #[doc(hidden)]
+    fn __mentions(&self) {
+        let friction = ();
+        let side = ();
+        let _ = (
+            &self.m,
+            Self::X,
+            &self.k,
+            Self::X,
+            friction,
+            Self::X,
+            &self.width,
+            &self.weight,
+            &self.weight,
+            side,
+            Self::X,
+            Self::X,
+            |v: (), load: ()| (v, load, v, load, v, load, friction, v),
+            |x: ()| (x, x),
+        );
+    }
+}
+#[automatically_derived]
+impl ::lagrangian::System<1usize> for Slider {
+    const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
+    const ANGLES: [bool; 1usize] = [false];
+    const IGNORABLE: [bool; 1usize] = [false];
+    const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
+    type Prepared = [__S; 3usize];
+    fn prepare(&self) -> [__S; 3usize] {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        let width: __S = ::lagrangian::__private::parameter(self.width);
+        [__S::from_f64(1.0) / width, k * __S::from_f64(10.0), __S::ratio(1.0, 10.0) / m]
+    }
+    fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
+    }
+    fn energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        __S::from_f64(0.5) * k.mul_add(x * x, m * (x_dot * x_dot))
+    }
+    fn forcing(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
+        let width: __S = ::lagrangian::__private::parameter(self.width);
+        let x0 = -k
+            .mul_add(
+                x,
+                __S::ratio(1.0, 10.0)
+                    .mul_add(
+                        weight * self.__value_of_side::<__S>(x),
+                        self.__value_of_friction::<__S>(x_dot / width, weight),
+                    ),
+            );
+        ::lagrangian::__private::SVector::from([x0])
+    }
+    fn generalized_forces(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
+        let width: __S = ::lagrangian::__private::parameter(self.width);
+        ::lagrangian::__private::SVector::from([
+            -__S::ratio(1.0, 10.0)
+                .mul_add(
+                    weight * self.__value_of_side::<__S>(x),
+                    self.__value_of_friction::<__S>(x_dot / width, weight),
+                ),
+        ])
+    }
+    fn accelerations(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
+        ::lagrangian::Lagrangian::<
+            1usize,
+            __S,
+        >::accelerations_prepared(self, state, &prepared)
+    }
+    fn accelerations_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 3usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
+        let c0: __S = prepared[0];
+        let c1: __S = prepared[1];
+        let c2: __S = prepared[2];
+        let x0 = -(__S::from_f64(10.0)
+            .mul_add(
+                self.__value_of_friction::<__S>(x_dot * c0, weight),
+                x.mul_add(c1, weight * self.__value_of_side::<__S>(x)),
+            ) * c2);
+        ::lagrangian::__private::SVector::from([x0])
+    }
+    fn inverse_dynamics(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let x_ddot: __S = accelerations[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
+        let width: __S = ::lagrangian::__private::parameter(self.width);
+        let x0 = m
+            .mul_add(
+                x_ddot,
+                k
+                    .mul_add(
+                        x,
+                        __S::ratio(1.0, 10.0)
+                            .mul_add(
+                                weight * self.__value_of_side::<__S>(x),
+                                self.__value_of_friction::<__S>(x_dot / width, weight),
+                            ),
+                    ),
+            );
+        ::lagrangian::__private::SVector::from([x0])
+    }
+    fn linearize(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        let x: __S = state.q[0];
+        let x_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
+        let width: __S = ::lagrangian::__private::parameter(self.width);
+        let x0 = __S::from_f64(1.0) / width;
+        let x1 = x_dot * x0;
+        let x2 = __S::from_f64(1.0) / m;
+        let x3 = __S::ratio(1.0, 10.0)
+            * (__S::from_f64(10.0)
+                .mul_add(
+                    k.mul_add(x, self.__value_of_friction::<__S>(x1, weight)),
+                    weight * self.__value_of_side::<__S>(x),
+                ) * x2);
+        let x4 = x1.cosh();
+        ::lagrangian::Linearization {
+            position: ::lagrangian::__private::SMatrix::from([[-(k * x2)]]),
+            velocity: ::lagrangian::__private::SMatrix::from([
+                [-(weight * x0 * x2 / (x4 * x4))],
+            ]),
+            time: ::lagrangian::__private::SVector::from([__S::from_f64(0.0)]),
+        }
+    }
+    fn momenta(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let x_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        ::lagrangian::__private::SVector::from([m * x_dot])
+    }
+    fn mass_matrix(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        ::lagrangian::__private::SMatrix::from([[m]])
+    }
+    fn relative_pivots(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        ::lagrangian::__private::relative_pivots([m], [m.abs()], [m])
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for Slider {
+    fn kinetic_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        let x_dot: __S = state.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        __S::from_f64(0.5) * (m * (x_dot * x_dot))
+    }
+    fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+        let x: __S = state.q[0];
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        __S::from_f64(0.5) * (k * (x * x))
+    }
+}
+impl Slider {
+    #[inline]
+    fn __value_of_friction<AnyScalar: ::lagrangian::Scalar>(
+        &self,
+        v: AnyScalar,
+        load: AnyScalar,
+    ) -> AnyScalar {
+        v.tanh() * load
+    }
+    #[inline]
+    fn __value_of_side<AnyScalar: ::lagrangian::Scalar>(
+        &self,
+        x: AnyScalar,
+    ) -> AnyScalar {
+        x.signum()
+    }
+    #[inline]
+    fn __derivative_of_friction_by_0<__S: ::lagrangian::Scalar>(
+        &self,
+        arguments: [__S; 2usize],
+    ) -> __S {
+        let v: __S = arguments[0];
+        let load: __S = arguments[1];
+        let x0 = v.cosh();
+        load / (x0 * x0)
+    }
+    #[inline]
+    fn __derivative_of_friction_by_1<__S: ::lagrangian::Scalar>(
+        &self,
+        arguments: [__S; 2usize],
+    ) -> __S {
+        let v: __S = arguments[0];
+        self.__value_of_friction::<__S>(v, __S::from_f64(1.0))
+    }
+    #[inline]
+    fn __derivative_of_side_by_0<__S: ::lagrangian::Scalar>(
+        &self,
+        _arguments: [__S; 1usize],
+    ) -> __S {
+        __S::from_f64(0.0)
+    }
+}
+#[automatically_derived]
+impl ::lagrangian::Functions for Slider {
+    type Scalar = ::core::primitive::f64;
+    const FUNCTIONS: &'static [::lagrangian::Signature] = &[
+        ::lagrangian::Signature {
+            name: "friction",
+            arguments: &["v", "load"],
+        },
+        ::lagrangian::Signature {
+            name: "side",
+            arguments: &["x"],
+        },
+    ];
+    fn function(
+        &self,
+        function: usize,
+        arguments: &[::core::primitive::f64],
+    ) -> ::core::primitive::f64 {
+        match (function, arguments) {
+            (0, &[x0, x1]) => self.__value_of_friction(x0, x1),
+            (1, &[x0]) => self.__value_of_side(x0),
+            _ => {
+                <::core::primitive::f64 as ::lagrangian::Scalar>::from_f64(
+                    ::core::primitive::f64::NAN,
+                )
+            }
+        }
+    }
+    fn derivative(
+        &self,
+        function: usize,
+        argument: usize,
+        arguments: &[::core::primitive::f64],
+    ) -> ::core::option::Option<::core::primitive::f64> {
+        match (function, argument, arguments) {
+            (0, 0, &[x0, x1]) => {
+                ::core::option::Option::Some(
+                    self.__derivative_of_friction_by_0([x0, x1]),
+                )
+            }
+            (0, 1, &[x0, x1]) => {
+                ::core::option::Option::Some(
+                    self.__derivative_of_friction_by_1([x0, x1]),
+                )
+            }
+            (1, 0, &[x0]) => {
+                ::core::option::Option::Some(self.__derivative_of_side_by_0([x0]))
+            }
+            _ => ::core::option::Option::None,
+        }
+    }
+}
