@@ -163,13 +163,14 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     for force in clauses.forces.iter().flatten() {
         let written = plain(&force.name);
         if !names.contains(&written) {
-            let hint = match similar(&written, names.iter().map(String::as_str)) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => {
+            let meant = similar(&written, names.iter().map(String::as_str));
+            let hint = meant.map_or_else(
+                || {
                     let coordinates: Vec<_> = coordinates.iter().map(String::as_str).collect();
                     format!("write one of `{}`", coordinates.join("`, `"))
-                }
-            };
+                },
+                |meant| format!("did you mean `{meant}`?"),
+            );
             let message = format!(
                 "a force acts on a coordinate or on a position that is defined, and `{written}` is neither: {hint}"
             );

@@ -215,19 +215,19 @@ impl Translator<'_> {
             "trace" if square => return graph.trace(array).map(Value::Scalar),
             "trace" => "a square matrix",
             "determinant" if square && few => return graph.determinant(array).map(Value::Scalar),
-            "inverse" if square && few => match graph.inverse(array) {
-                Ok(inverse) => return Some(Value::Array(inverse)),
-                Err(_) => {
-                    let message =
-                        "this matrix has no inverse: its determinant vanishes identically";
-                    return self.reject(call, message);
+            "inverse" if square && few => {
+                if let Ok(inverse) = graph.inverse(array) {
+                    return Some(Value::Array(inverse));
                 }
-            },
+                let message = "this matrix has no inverse: its determinant vanishes identically";
+                return self.reject(call, message);
+            }
             "determinant" | "inverse" => "a square matrix of at most 4 rows",
-            _ => match graph.cross_matrix(array) {
+            "cross_matrix" => match graph.cross_matrix(array) {
                 Some(matrix) => return Some(Value::Array(matrix)),
                 None => "a vector of 3 components",
             },
+            _ => "something else",
         };
         let message = format!(
             "`{name}` is of {wanted}, and this is of {}",
