@@ -7,11 +7,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 use syn::Type;
 
-use crate::declaration::{Clause, Declaration, Named};
+use crate::clauses::Clause;
+use crate::declaration::Declaration;
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field::Role;
 use crate::field_type::Unfit;
 use crate::function;
+use crate::named::Named;
 use crate::names::{constant, plain};
 use crate::scalar::{self, Scalar, type_parameter};
 use crate::scope::RESERVED;

@@ -8,7 +8,8 @@ use quote::quote;
 use syn::DeriveInput;
 
 use crate::check::{check, check_whole};
-use crate::declaration::{Clause, Declaration};
+use crate::clauses::Clause;
+use crate::declaration::Declaration;
 use crate::diagnostics::Diagnostics;
 use crate::fallback;
 use crate::implementation::Implementation;

@@ -11,7 +11,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use crate::check::CONSTANTS;
-use crate::declaration::{Coordinate, Declaration};
+use crate::coordinate::Coordinate;
+use crate::declaration::Declaration;
 use crate::implementation::{indices, of_checks, results, signatures, values};
 use crate::lower::Lowered;
 use crate::mentions;

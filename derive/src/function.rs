@@ -9,9 +9,10 @@ use syn::parse::ParseStream;
 use syn::{Expr, token};
 
 use crate::check::refuse_reserved;
-use crate::declaration::{Declaration, expression, position, separated, word};
+use crate::declaration::Declaration;
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field::Role;
+use crate::grammar::{expression, position, separated, word};
 use crate::hints;
 use crate::names::plain;
 use crate::scope::RESERVED;

@@ -3,6 +3,10 @@
 mod expand;
 mod diagnostics;
 mod declaration;
+mod clauses;
+mod coordinate;
+mod named;
+mod grammar;
 mod field;
 mod field_type;
 mod function;

@@ -7,10 +7,12 @@ use proc_macro2::Ident;
 use syn::Expr;
 
 use crate::ablation::passes;
-use crate::declaration::{Clause, Declaration, Iteration, Named};
+use crate::clauses::Clause;
+use crate::declaration::Declaration;
 use crate::diagnostics::Diagnostics;
 use crate::expression::{Place, Translator};
 use crate::hints;
+use crate::named::{Iteration, Named};
 use crate::quantities::Quantities;
 use crate::scope::{Kind, Meaning, Scope};
 use crate::value::{Shape, Value};

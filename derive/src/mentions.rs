@@ -10,8 +10,10 @@ use std::collections::BTreeSet;
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-use crate::declaration::{Clauses, Declaration, Named};
+use crate::clauses::Clauses;
+use crate::declaration::Declaration;
 use crate::function::Function;
+use crate::named::Named;
 use crate::names::{constant, placed, plain};
 
 /// The method with all mentions.

@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{LitStr, Path, Token};
 
-use crate::declaration::position;
+use crate::grammar::position;
 
 /// The path of the crate `lagrangian`.
 pub(crate) struct Root(TokenStream);

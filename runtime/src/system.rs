@@ -5,8 +5,9 @@ pub trait System<const N: usize> {
     /// The names of the coordinates, in order.
     const COORDINATES: [&'static str; N];
 
-    /// Which coordinates are angles: they occur only inside of sine, cosine and tangent, so that the
-    /// motion repeats after a whole turn and their size means nothing to an error estimate.
+    /// Which coordinates are angles: they occur only inside of sine, cosine and tangent, so that their size
+    /// means nothing to an error estimate. Where they are multiplied by whole numbers there, the motion
+    /// repeats after a whole turn.
     const ANGLES: [bool; N] = [false; N];
 
     /// Which coordinates are ignorable: they occur neither in the Lagrangian nor in a force, so that only

@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
 
 use super::{Place, Translator};
-use crate::declaration::Iteration;
 use crate::hints;
+use crate::named::Iteration;
 use crate::scope::RESERVED;
 use crate::value::{Product, Sum, Value};
 

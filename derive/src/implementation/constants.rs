@@ -7,7 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Implementation;
-use crate::declaration::Coordinate;
+use crate::coordinate::Coordinate;
 use crate::documentation;
 use crate::mentions;
 use crate::names::{constant, placed, plain};

@@ -6,9 +6,10 @@
 
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
-use crate::declaration::{Declaration, Named};
+use crate::declaration::Declaration;
 use crate::expression::{Place, Translator};
 use crate::hints;
+use crate::named::Named;
 use crate::scope::{Kind, Meaning};
 use crate::value::Value;
 
