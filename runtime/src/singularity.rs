@@ -91,7 +91,7 @@ impl fmt::Display for Singularity {
         } else {
             f.write_str(
                 "; use coordinates that are regular there, for Euler angles another sequence, \
-                 unless a mass or an inertia is zero",
+                 unless a mass or an inertia is zero or not a number",
             )
         }
     }
