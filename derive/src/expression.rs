@@ -213,11 +213,7 @@ impl Translator<'_> {
         let written = plain(name);
         if self.within_index {
             self.scope.silence(name);
-            let message = format!(
-                "`{name}` stands for no integer here: write `|{name}|` or `for {name} in 0..5` to let it run \
-                 through a range"
-            );
-            return self.reject(name, message);
+            return self.reject(name, hints::no_integer(name));
         }
         if let Some(coordinate) = self.differentiated(&written) {
             let message =

@@ -94,6 +94,24 @@ pub(crate) fn rows(first: Shape, odd: Shape) -> String {
     )
 }
 
+/// For a name that stands for nothing where an integer belongs.
+pub(crate) fn no_integer(name: &Ident) -> String {
+    if name
+        .to_string()
+        .chars()
+        .all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
+    {
+        return format!(
+            "what the constant `{name}` is, the compiler knows later than these equations are derived: write the \
+             number, or `theta.len()`"
+        );
+    }
+    format!(
+        "`{name}` stands for no integer here: write `|{name}|` or `for {name} in 0..5` to let it run through a \
+         range"
+    )
+}
+
 /// A member of a family, as it is written.
 pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
     let indices = indices

@@ -47,6 +47,13 @@ impl Translator<'_> {
             return self.reject(index, message);
         }
         let (outer, inner) = indices.split_at(family.rank);
+        if let Some(Expr::Tuple(pair)) = outer.iter().map(|index| without_parentheses(index)).next()
+        {
+            let message = format!(
+                "the members of `{name}` are told apart by one index in each pair of brackets: write `{name}[i][j]`"
+            );
+            return self.reject(pair, message);
+        }
         let member: Vec<i64> = outer
             .iter()
             .map(|index| self.integer(index))

@@ -1,0 +1,15 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta[3]),
+    kinetic = 0.5 * m * (0..3).map(|i| dot(theta[i]).powi(2)).sum(),
+    potential = (0..N).map(|i| g * theta[i]).sum(),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+fn main() {}
