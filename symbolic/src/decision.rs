@@ -3,4 +3,4 @@
 pub(crate) mod residue;
 pub(crate) mod point;
 pub(crate) mod evaluation;
-pub(crate) mod trial;
+pub(crate) mod identity_test;

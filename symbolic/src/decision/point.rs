@@ -1,11 +1,12 @@
-//! Exact decisions about identities, at random points in modular arithmetic.
+//! Random points, and the values of expressions at them in modular arithmetic.
 //!
-//! An expression that vanishes identically vanishes at every point. One that does not is zero at a
-//! random point modulo a prime of sixty bits with a probability of about its degree over 10¹⁸. Sine,
-//! cosine, exponential and hyperbolic functions are the homomorphisms that they are, so that
-//! sin² + cos² = 1 and all addition theorems hold; square roots and absolute values square to what
-//! they should. Every other function, those from outside among them, is an arbitrary function of the
-//! values of its arguments.
+//! Sine, cosine, exponential and hyperbolic functions are the homomorphisms that they are, so that
+//! sin² + cos² = 1 and all addition theorems hold. Functions with several branches, √u, |u|, signum, min
+//! and max, have two interpretations. *Uninterpreted*, they are arbitrary functions of the values of their
+//! arguments. *By branches*, √u is either of the two roots, |u| is u or −u and signum u is 1 or −1, as the
+//! seed draws it, the same for equal arguments: √u² = u and |u|·signum u = u hold, and nothing that is
+//! true for one sign only. Every other function, those from outside among them, is an arbitrary one.
+//! What follows from values at such points is told in `identity_test.rs`.
 
 use crate::decision::evaluation::Evaluation;
 use crate::decision::residue::{self, Field};
@@ -20,8 +21,8 @@ pub struct Point {
     pub moved: Option<Symbol>,
     /// Whether addition theorems hold, and not only relations between functions of equal arguments.
     addition_theorems: bool,
-    /// Whether numbers without a square root are given one, which then does not square back.
-    invented_roots: bool,
+    /// Whether functions with several branches are arbitrary functions of their arguments.
+    uninterpreted: bool,
 }
 
 /// The image of a number: modulo p, and its logarithm modulo q as far as phases go.
@@ -44,7 +45,7 @@ impl Point {
             seed,
             moved: None,
             addition_theorems: true,
-            invented_roots: false,
+            uninterpreted: false,
         }
     }
 
@@ -65,10 +66,11 @@ impl Point {
         }
     }
 
-    /// The same point, where every number has a square root, if only as a function of it.
-    pub(crate) const fn with_invented_roots(self) -> Self {
+    /// The same point, where functions with several branches are arbitrary ones: square roots do not
+    /// square back, and every number has one.
+    pub(crate) const fn uninterpreted(self) -> Self {
         Self {
-            invented_roots: true,
+            uninterpreted: true,
             ..self
         }
     }
@@ -180,9 +182,61 @@ impl Point {
         }
     }
 
+    /// A square root of `base`, if there is one: either of both, as the seed draws it.
     fn root(self, base: u64) -> Option<u64> {
-        let invented = || self.invented_roots.then(|| self.draw(65, base) % self.p());
-        self.field().square_root(base).or_else(invented)
+        if self.uninterpreted {
+            return Some(self.draw(65, base) % self.p());
+        }
+        let root = self.field().square_root(base)?;
+        let lesser = root.min(residue::negate(root, self.p()));
+        Some(self.signed(lesser, self.draw(66, base)))
+    }
+
+    /// `value`, or its opposite where the last bit of `draw` is set.
+    fn signed(self, value: u64, draw: u64) -> u64 {
+        if draw & 1 == 0 {
+            value
+        } else {
+            residue::negate(value, self.p())
+        }
+    }
+
+    /// |x|, an even function: by branches x or −x.
+    fn absolute_value(self, x: u64) -> u64 {
+        if self.uninterpreted {
+            let lesser = x.min(residue::negate(x, self.p()));
+            return self.draw(67, lesser) % self.p();
+        }
+        residue::multiply(x, self.sign(x), self.p())
+    }
+
+    /// signum x, an odd function: by branches 1 or −1, and 0 at 0.
+    fn sign(self, x: u64) -> u64 {
+        let opposite = residue::negate(x, self.p());
+        let lesser = x.min(opposite);
+        let draw = self.draw(68, lesser);
+        let one = if self.uninterpreted {
+            draw % self.p()
+        } else {
+            self.signed(1, draw)
+        };
+        match x {
+            0 => 0,
+            _ if x == lesser => one,
+            _ => residue::negate(one, self.p()),
+        }
+    }
+
+    /// The greater of two numbers, or the lesser one: ½ (x + y ± |x − y|), symmetric.
+    fn extremum(self, function: Binary, x: u64, y: u64) -> u64 {
+        let p = self.p();
+        let distance = self.absolute_value(residue::add(x, residue::negate(y, p), p));
+        let distance = match function {
+            Binary::Min => residue::negate(distance, p),
+            _ => distance,
+        };
+        let twice = residue::add(residue::add(x, y, p), distance, p);
+        residue::multiply(p.div_ceil(2), twice, p)
     }
 
     pub(crate) fn unary(self, function: Unary, x: Image) -> Option<u64> {
@@ -215,8 +269,8 @@ impl Point {
             Unary::Tan => quotient(odd, residue::multiply(unit, even, self.p()))?,
             Unary::Tanh => quotient(odd, even)?,
             Unary::Exp => phase,
-            Unary::Abs => residue::multiply(x.value, self.field().legendre(x.value), self.p()),
-            Unary::Signum => self.field().legendre(x.value),
+            Unary::Abs => self.absolute_value(x.value),
+            Unary::Signum => self.sign(x.value),
             Unary::Asin
             | Unary::Acos
             | Unary::Atan
@@ -256,16 +310,8 @@ impl Point {
     }
 
     pub(crate) fn binary(self, function: Binary, x: u64, y: u64) -> u64 {
-        let difference = residue::add(x, residue::negate(y, self.p()), self.p());
-        let distance = residue::multiply(difference, self.field().legendre(difference), self.p());
-        let sum = residue::add(x, y, self.p());
-        let half = self.p().div_ceil(2);
         match function {
-            Binary::Max => residue::multiply(half, residue::add(sum, distance, self.p()), self.p()),
-            Binary::Min => {
-                let twice = residue::add(sum, residue::negate(distance, self.p()), self.p());
-                residue::multiply(half, twice, self.p())
-            }
+            Binary::Min | Binary::Max => self.extremum(function, x, y),
             Binary::Atan2 | Binary::Power => {
                 self.draw(192 + function as u64, residue::mix(x, y)) % self.p()
             }

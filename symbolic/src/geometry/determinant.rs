@@ -3,7 +3,7 @@
 //! Determinants are sums of products, without a division, and for that reason limited in size. A larger
 //! matrix is eliminated in numbers.
 
-use crate::decision::trial::Trial;
+use crate::decision::identity_test::IdentityTest;
 use crate::geometry::factor::Factor;
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
@@ -70,7 +70,7 @@ impl Graph {
 
     /// Whether all expressions vanish identically.
     pub(crate) fn vanishes(&self, expressions: &[Expression]) -> bool {
-        Trial::of(self, expressions).holds(|point| {
+        IdentityTest::of(self, expressions).holds(|point| {
             let values = point.evaluate(self, expressions)?;
             Some(values.iter().all(|value| *value == 0))
         })

@@ -1,7 +1,7 @@
 //! Rotation matrices, and whether a matrix is one.
 
 use crate::decision::residue;
-use crate::decision::trial::Trial;
+use crate::decision::identity_test::IdentityTest;
 use crate::geometry::axis::Axis;
 use crate::geometry::factor::{Factor, Turn};
 use crate::geometry::matrix::Matrix;
@@ -42,7 +42,7 @@ impl Graph {
     /// Whether a matrix of nine elements is a rotation whatever the values of all symbols are, parameters
     /// among them.
     pub(crate) fn is_rotation(&self, elements: &[Expression; 9]) -> bool {
-        Trial::of(self, elements).holds(|point| {
+        IdentityTest::of(self, elements).holds(|point| {
             let values = point.evaluate(self, elements)?;
             Some(has_columns_of_a_rotation(&values, point.p()))
         })

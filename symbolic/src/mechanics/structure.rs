@@ -5,7 +5,7 @@
 
 use crate::decision::point::Point;
 use crate::decision::residue;
-use crate::decision::trial::Trial;
+use crate::decision::identity_test::IdentityTest;
 use crate::mechanics::equations::Defect;
 use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 
@@ -39,14 +39,14 @@ pub(crate) fn analyze(
             let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
             determinant(rows.collect(), point.p())
         };
-        let trial = Trial::of(graph, &mass.concat());
+        let test = IdentityTest::of(graph, &mass.concat());
         let vanishes =
             |point: Point| Some(determinant(&point.evaluate(graph, &entries)?, point)? == 0);
-        if trial.holds(vanishes) {
+        if test.holds(vanishes) {
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;
         }
-        let fixed = trial.fixed(graph, &entries, &coordinates, determinant);
+        let fixed = test.fixed(graph, &entries, &coordinates, determinant);
         let depends: Vec<u32> = (0..).zip(fixed).filter(|x| !x.1).map(|x| x.0).collect();
         for i in block {
             singularities[i].clone_from(&depends);
@@ -76,15 +76,15 @@ pub(crate) fn analyze(
 /// Whether `expression` vanishes identically, as far as random points tell.
 pub(crate) fn vanishes(graph: &Graph, expression: Expression) -> bool {
     let roots = [expression];
-    Trial::of(graph, &roots).holds(|point| Some(point.evaluate(graph, &roots)?[0] == 0))
+    IdentityTest::of(graph, &roots).holds(|point| Some(point.evaluate(graph, &roots)?[0] == 0))
 }
 
 /// Whether one of `roots` depends on `symbol`, and not only in its spelling.
 pub(crate) fn depends(graph: &Graph, roots: &[Expression], symbol: Symbol) -> bool {
     roots.iter().any(|root| {
         let roots = [*root];
-        let trial = Trial::of(graph, &roots);
-        !trial.fixed(graph, &roots, &[symbol], |values, _| Some(values[0]))[0]
+        let test = IdentityTest::of(graph, &roots);
+        !test.fixed(graph, &roots, &[symbol], |values, _| Some(values[0]))[0]
     })
 }
 

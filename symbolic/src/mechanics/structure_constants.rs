@@ -5,17 +5,13 @@
 //! trigonometry. Decided at random points in modular arithmetic, where γ is either the same small
 //! rational everywhere or not a constant.
 
-use crate::decision::point::Point;
+use crate::decision::identity_test::IdentityTest;
 use crate::decision::residue;
 use crate::{Expression, Graph, Rational, Symbol};
 
 /// γᵏₐᵦ, as `constants[k][a][b]`.
 pub(crate) type StructureConstants = Vec<Vec<Vec<Rational>>>;
 
-/// Points that must agree.
-const AGREEMENTS: usize = 3;
-/// Points to try until as many are in the domain.
-const ATTEMPTS: u64 = 64;
 /// The largest numerator and denominator that are taken for those of a constant.
 const LARGEST: u64 = 64;
 
@@ -29,22 +25,15 @@ pub(crate) fn structure_constants(
     let mut roots = entries.clone();
     let coordinates: Vec<_> = (0..).map(Symbol::Coordinate).take(size).collect();
     roots.extend(graph.jacobian(&entries, &coordinates).concat());
-    let mut agreed: Option<StructureConstants> = None;
-    let points = (0..ATTEMPTS).map(Point::new);
-    let values = points.filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
-    for (point, values) in values.take(AGREEMENTS) {
-        let found = Commutators {
+    IdentityTest::of(graph, &roots).constant(|point| {
+        let values = point.evaluate(graph, &roots)?;
+        let commutators = Commutators {
             values: &values,
             size,
             p: point.p(),
-        }
-        .constants()?;
-        if agreed.as_ref().is_some_and(|known| *known != found) {
-            return None;
-        }
-        agreed = Some(found);
-    }
-    agreed
+        };
+        Some(commutators.constants())
+    })
 }
 
 /// The values of E and of its derivatives by the coordinates modulo p.

@@ -41,7 +41,7 @@ impl Program {
         let points = (0..ATTEMPTS).map(|seed| {
             Point::new(seed)
                 .without_addition_theorems()
-                .with_invented_roots()
+                .uninterpreted()
         });
         for point in points {
             let expected = point.evaluate(graph, &roots);
