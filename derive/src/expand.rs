@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use lagrangian_symbolic::{Defect, Equations, Model};
+use lagrangian_symbolic::{Defect, Equations, Model, Validator};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
@@ -16,6 +16,7 @@ use crate::implementation::Implementation;
 use crate::lower::{Lowered, lower};
 use crate::methods::Methods;
 use crate::names::plain;
+use crate::validation::warning;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
@@ -52,28 +53,26 @@ fn implement(
     mut model: Model,
     diagnostics: &mut Diagnostics,
 ) -> Option<TokenStream> {
-    let equations = Equations::derive(&mut model)
+    let validator = Validator::new(&model);
+    let mut equations = Equations::derive(&mut model)
         .map_err(|defect| report(&defect, declaration, lowered, diagnostics))
         .ok()?;
-    let methods = Methods::schedule(&mut model, &equations);
+    let mut methods = Methods::schedule(&mut model, &equations);
     let undeclared = methods.undeclared(&model.graph);
     if !undeclared.is_empty() {
         report_undeclared(&undeclared, declaration, diagnostics);
         return None;
     }
-    if !methods.verified() {
-        let message = "the code for this model would not compute what was derived; this is a defect of \
-                       `lagrangian`: please report the declaration";
-        diagnostics.error(&declaration.name, message);
-        return None;
-    }
+    let disagreements = methods.validate(&validator, &mut model, &mut equations);
     if methods.unrepresentable().is_some() {
         let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
                        written here are not: choose units in which numbers are nearer to 1";
         report_at(energy(declaration), message, diagnostics);
         return None;
     }
-    Some(Implementation::new(declaration, lowered, &model, &equations, &methods).items())
+    let items = Implementation::new(declaration, lowered, &model, &equations, &methods).items();
+    let warning = warning(&disagreements, declaration);
+    Some(quote!(#items #warning))
 }
 
 /// Says which derivatives of functions from outside are missing.

@@ -1,6 +1,7 @@
 //! The derive macro of the `lagrangian` crate: words in, words out.
 
 mod expand;
+mod validation;
 mod diagnostics;
 mod declaration;
 mod clauses;

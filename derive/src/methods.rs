@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use lagrangian_symbolic::{
-    Energies, Equations, Expression, Fault, Function, Graph, Kinetics, LinearSystem, Model,
+    Energies, Equations, Expression, Function, Graph, Kinetics, LinearSystem, Model,
     OperationCount, Prepared, Program, Rational, Symbol,
 };
 
@@ -11,8 +11,6 @@ use lagrangian_symbolic::{
 pub(crate) struct Method {
     pub(crate) program: Program,
     pub(crate) count: OperationCount,
-    /// Whether the program computes what it was made from, so far as debug builds look.
-    pub(crate) verified: bool,
 }
 
 /// The programs of everything that is emitted for a model.
@@ -29,8 +27,6 @@ pub(crate) struct Methods {
     pub(crate) accelerations: Method,
     /// The number of pivots before q̈, where q̈ is solved for before any number is known.
     pub(crate) solved: Option<usize>,
-    /// Whether q̈ was found to solve M q̈ = f, so far as debug builds look.
-    pub(crate) solves: bool,
     /// The pivots, their magnitudes and the diagonal of M, where M is eliminated before any number is known.
     pub(crate) relative_pivots: Option<Method>,
     pub(crate) inverse_dynamics: Method,
@@ -81,8 +77,6 @@ impl Methods {
     pub(crate) fn schedule(model: &mut Model, equations: &Equations) -> Self {
         let kinetics = Kinetics::cheapest(model, equations);
         let solution = kinetics.solution.as_ref();
-        let solves = !cfg!(debug_assertions)
-            || solution.is_none_or(|found| found.holds(&model.graph, equations));
         let linearize = Derivatives::of_state(model, &kinetics);
         let input_jacobian = Derivatives::of_inputs(model, &kinetics);
         let few = equations.mass.len() <= MOST_PIVOTS;
@@ -114,7 +108,6 @@ impl Methods {
             mass_matrix: method(&[&equations.mass.concat()]),
             forcing: method(&[&kinetics.forcing]),
             generalized_forces: method(&[&equations.generalized_forces]),
-            solves,
             solved: solution.map(|solution| solution.pivots.len()),
             prepare,
             accelerations,
@@ -276,11 +269,6 @@ impl Methods {
         undeclared
     }
 
-    /// Whether every program computes what it was made from.
-    pub(crate) fn verified(&self) -> bool {
-        self.solves && self.every().all(|method| method.verified)
-    }
-
     fn every(&self) -> impl Iterator<Item = &Method> {
         let energies = self.energies.iter().flatten();
         let counted = self.all().map(|(_, method)| method);
@@ -312,23 +300,16 @@ impl Method {
     fn schedule(model: &Model, groups: &[&[Expression]]) -> Self {
         let program = Program::schedule(&model.graph, groups);
         let count = program.count();
-        let verified = verify(&program, model, groups);
-        Self {
-            program,
-            count,
-            verified,
-        }
+        Self { program, count }
     }
 
     /// What depends on the parameters alone, and the rest.
     fn prepared(model: &Model, outputs: &[Expression]) -> [Self; 2] {
         let whole = Program::schedule_for_preparation(&model.graph, &[outputs]);
-        let verified = verify(&whole, model, &[outputs]);
         let Prepared { before, after } = whole.parted(model.graph.passes);
         [before, after].map(|program| Self {
             count: program.count(),
             program,
-            verified,
         })
     }
 
@@ -342,15 +323,6 @@ impl Method {
         self.count.divisions += n;
         self
     }
-}
-
-/// Whether a program computes what it was made from, so far as debug builds look.
-fn verify(program: &Program, model: &Model, groups: &[&[Expression]]) -> bool {
-    !cfg!(debug_assertions)
-        || matches!(
-            program.verify(&model.graph, groups),
-            Ok(()) | Err(Fault::Undecided)
-        )
 }
 
 /// Expressions with the accelerations 0.

@@ -10,6 +10,7 @@ mod decision;
 mod geometry;
 mod mechanics;
 mod program;
+mod validation;
 mod print;
 
 pub use algebra::contents::Contents;
@@ -36,6 +37,7 @@ pub use print::names::{Letters, Names};
 pub use program::preparation::Prepared;
 pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
 pub use program::verify::Fault;
+pub use validation::{AccelerationProgram, LinearizationProgram, Method, Programs, Validator};
 
 // Unit tests are about the same systems as the tests from outside.
 #[cfg(test)]

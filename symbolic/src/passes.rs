@@ -36,6 +36,8 @@ passes! {
     Pythagoras = "pythagoras",
     /// Multiplying out where that makes an expression cheaper.
     Expansion = "expansion",
+    /// T + V for the energy function, where it is that.
+    TotalEnergy = "total-energy",
     /// Keeping intermediate results whole in what is made of them.
     Whole = "whole",
     /// The accelerations along the tree that quasi-velocities form.
@@ -82,6 +84,9 @@ pub struct Passes {
 }
 
 impl Passes {
+    /// None of them.
+    pub const NONE: Self = Self { off: u32::MAX };
+
     /// Whether `pass` is applied.
     #[must_use]
     pub const fn has(self, pass: Pass) -> bool {

@@ -96,24 +96,24 @@ impl Unary {
         }
     }
 
-    /// The value at `x`, in binary64.
+    /// The value at `x`, in binary64, the same on every host.
     #[must_use]
     pub fn value(self, x: f64) -> f64 {
         match self {
-            Self::Sin => x.sin(),
-            Self::Cos => x.cos(),
-            Self::Tan => x.tan(),
-            Self::Asin => x.asin(),
-            Self::Acos => x.acos(),
-            Self::Atan => x.atan(),
-            Self::Sinh => x.sinh(),
-            Self::Cosh => x.cosh(),
-            Self::Tanh => x.tanh(),
-            Self::Asinh => x.asinh(),
-            Self::Acosh => x.acosh(),
-            Self::Atanh => x.atanh(),
-            Self::Exp => x.exp(),
-            Self::Ln => x.ln(),
+            Self::Sin => libm::sin(x),
+            Self::Cos => libm::cos(x),
+            Self::Tan => libm::tan(x),
+            Self::Asin => libm::asin(x),
+            Self::Acos => libm::acos(x),
+            Self::Atan => libm::atan(x),
+            Self::Sinh => libm::sinh(x),
+            Self::Cosh => libm::cosh(x),
+            Self::Tanh => libm::tanh(x),
+            Self::Asinh => libm::asinh(x),
+            Self::Acosh => libm::acosh(x),
+            Self::Atanh => libm::atanh(x),
+            Self::Exp => libm::exp(x),
+            Self::Ln => libm::log(x),
             Self::Abs => x.abs(),
             Self::Signum if x == 0.0 => 0.0,
             Self::Signum => x.signum(),
@@ -240,14 +240,14 @@ impl Binary {
         }
     }
 
-    /// The value at (`x`, `y`), in binary64.
+    /// The value at (`x`, `y`), in binary64, the same on every host.
     #[must_use]
     pub fn value(self, x: f64, y: f64) -> f64 {
         match self {
-            Self::Atan2 => x.atan2(y),
+            Self::Atan2 => libm::atan2(x, y),
             Self::Min => x.min(y),
             Self::Max => x.max(y),
-            Self::Power => x.powf(y),
+            Self::Power => libm::pow(x, y),
         }
     }
 

@@ -86,10 +86,12 @@ impl IdentityTest {
             uninterpreted: true,
             agreements: AGREEMENTS,
         };
-        let by_branches = (1..=MOST_BRANCHES).contains(&self.branches).then(|| Sample {
-            uninterpreted: false,
-            agreements: AGREEMENTS_PER_CHOICE << self.branches,
-        });
+        let by_branches = (1..=MOST_BRANCHES)
+            .contains(&self.branches)
+            .then(|| Sample {
+                uninterpreted: false,
+                agreements: AGREEMENTS_PER_CHOICE << self.branches,
+            });
         core::iter::once(uninterpreted).chain(by_branches)
     }
 
@@ -203,5 +205,153 @@ impl<'a> Questions<'a> {
                 self.answers[position] = decided.then_some(after == before);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Rational;
+
+    /// Writes an expression of x and y.
+    type Write = fn(&mut Graph, Expression, Expression) -> Expression;
+
+    fn call(graph: &mut Graph, function: Unary, x: Expression) -> Expression {
+        graph.unary(function, x)
+    }
+
+    /// √(2 (1 + cos y)) + sign·2 cos ½y.
+    fn half_angle(graph: &mut Graph, y: Expression, sign: i64) -> Expression {
+        let cos = call(graph, Unary::Cos, y);
+        let sum = graph.add_constant(cos, &Rational::ONE);
+        let twice = graph.scale(sum, &Rational::integer(2));
+        let root = graph.square_root(twice);
+        let half = graph.scale(y, &Rational::HALF);
+        let cos = call(graph, Unary::Cos, half);
+        graph.sum([(root, Rational::ONE), (cos, Rational::integer(2 * sign))])
+    }
+
+    /// √(x² − 12x + 36) + sign·(x − 6).
+    fn root_of_square(graph: &mut Graph, x: Expression, sign: i64) -> Expression {
+        let (one, square) = (graph.one(), graph.square(x));
+        let terms = [(square, 1), (x, -12), (one, 36)];
+        let sum = graph.sum(terms.map(|(x, c)| (x, Rational::integer(c))));
+        let root = graph.square_root(sum);
+        let distance = graph.add_constant(x, &Rational::integer(-6));
+        graph.sum([(root, Rational::ONE), (distance, Rational::integer(sign))])
+    }
+
+    fn vanishes(write: Write) -> bool {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|i| graph.symbol(Symbol::Coordinate(i)));
+        let root = write(&mut graph, x, y);
+        graph.vanishes(&[root])
+    }
+
+    #[test]
+    fn what_holds_for_every_choice_of_branches_is_an_identity() {
+        let identities: [(&str, Write); 5] = [
+            (
+                "(√S + 2 cos)(√S − 2 cos), S = 4 cos²",
+                |graph, _, y| {
+                    let [plus, minus] = [1, -1].map(|sign| half_angle(graph, y, sign));
+                    graph.multiply(plus, minus)
+                },
+            ),
+            ("max + min − x − y", |graph, x, y| {
+                let [max, min] =
+                    [Binary::Max, Binary::Min].map(|function| graph.binary(function, x, y));
+                let terms = [(max, 1), (min, 1), (x, -1), (y, -1)];
+                graph.sum(terms.map(|(x, c)| (x, Rational::integer(c))))
+            }),
+            ("|x| signum x − x", |graph, x, _| {
+                let [size, sign] =
+                    [Unary::Abs, Unary::Signum].map(|function| call(graph, function, x));
+                let product = graph.multiply(size, sign);
+                graph.subtract(product, x)
+            }),
+            ("|x − y| − |y − x|", |graph, x, y| {
+                let there = graph.subtract(x, y);
+                let back = graph.subtract(y, x);
+                let [there, back] = [there, back].map(|x| call(graph, Unary::Abs, x));
+                graph.subtract(there, back)
+            }),
+            (
+                "(√x + √y)² − x − y − 2√x√y",
+                |graph, x, y| {
+                    let [a, b] = [x, y].map(|x| graph.square_root(x));
+                    let sum = graph.add(a, b);
+                    let square = graph.square(sum);
+                    let product = graph.multiply(a, b);
+                    let terms = [(square, 1), (x, -1), (y, -1), (product, -2)];
+                    graph.sum(terms.map(|(x, c)| (x, Rational::integer(c))))
+                },
+            ),
+        ];
+        for (what, write) in identities {
+            assert!(vanishes(write), "{what}");
+        }
+    }
+
+    #[test]
+    fn what_holds_on_some_branches_is_none() {
+        let others: [(&str, Write); 8] = [
+            ("√S + 2 cos", |graph, _, y| half_angle(graph, y, 1)),
+            ("√S − 2 cos", |graph, _, y| half_angle(graph, y, -1)),
+            ("√(x − 6)² + x − 6", |graph, x, _| {
+                root_of_square(graph, x, 1)
+            }),
+            ("√(x − 6)² − x + 6", |graph, x, _| {
+                root_of_square(graph, x, -1)
+            }),
+            ("|x| + x", |graph, x, _| {
+                let size = call(graph, Unary::Abs, x);
+                graph.add(size, x)
+            }),
+            ("max − x", |graph, x, y| {
+                let max = graph.binary(Binary::Max, x, y);
+                graph.subtract(max, x)
+            }),
+            ("signum − 1", |graph, x, _| {
+                let sign = call(graph, Unary::Signum, x);
+                graph.add_constant(sign, &Rational::MINUS_ONE)
+            }),
+            // False for one of sixteen choices only.
+            ("Π (1 + signum (x + k y))", |graph, x, y| {
+                let mut factors = Vec::new();
+                for k in 1..=4 {
+                    let y = graph.scale(y, &Rational::integer(k));
+                    let sum = graph.add(x, y);
+                    let sign = call(graph, Unary::Signum, sum);
+                    factors.push((graph.add_constant(sign, &Rational::ONE), Rational::ONE));
+                }
+                graph.product(factors)
+            }),
+        ];
+        for (what, write) in others {
+            assert!(!vanishes(write), "{what}");
+        }
+    }
+
+    #[test]
+    fn a_value_that_changes_its_sign_with_a_branch_is_no_constant() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Coordinate(0));
+        let sign = graph.unary(Unary::Signum, x);
+        let square = graph.square(sign);
+        let constant = |root: Expression| {
+            IdentityTest::of(&graph, &[root])
+                .constant(|point| Some(Some(point.evaluate(&graph, &[root])?[0])))
+        };
+        assert_eq!(constant(sign), None);
+        assert_eq!(constant(square), Some(1));
+        assert!(
+            !IdentityTest::of(&graph, &[sign]).fixed(
+                &graph,
+                &[sign],
+                &[Symbol::Coordinate(0)],
+                |values, _| Some(values[0])
+            )[0]
+        );
     }
 }

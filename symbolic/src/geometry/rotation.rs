@@ -1,10 +1,11 @@
 //! Rotation matrices, and whether a matrix is one.
 
-use crate::decision::residue;
 use crate::decision::identity_test::IdentityTest;
+use crate::decision::residue;
 use crate::geometry::axis::Axis;
 use crate::geometry::factor::{Factor, Turn};
 use crate::geometry::matrix::Matrix;
+use crate::validation::sample::Sample;
 use crate::{Expression, Graph, Symbol};
 
 /// Why a matrix is no rotation.
@@ -20,6 +21,8 @@ pub enum NoRotation {
 
 /// How far the columns of a matrix of numbers may be from orthonormal: numbers are rounded.
 const ROUNDING: f64 = 1e-6;
+/// Real points at which a matrix with roots must be a rotation.
+const REAL_POINTS: u64 = 64;
 
 impl Graph {
     /// The product R₁ R₂ … of rotations about the axes of a frame: components in a frame that is turned
@@ -51,19 +54,33 @@ impl Graph {
     /// Whether a matrix of nine elements is a rotation, identically in all that it depends on.
     ///
     /// Constant matrices that contain parameters are taken for rotations, since parameters may be such
-    /// that they are; those of numbers alone are rotations up to rounding.
+    /// that they are; those of numbers alone are rotations up to rounding. What is one with the real roots
+    /// and absolute values, though not for every choice of their signs, is one.
     pub(crate) fn verify_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {
         if !elements.iter().any(|x| self.contents(*x).varies()) {
             return self.verify_constant_rotation(elements);
         }
         let (defects, volume) = self.rotation_defects(elements);
-        if !self.vanishes(&defects) {
+        if !self.vanishes(&defects) && !self.is_small(&defects) {
             return Err(NoRotation::Deformation);
         }
-        if !self.vanishes(&[volume]) {
+        if !self.vanishes(&[volume]) && !self.is_small(&[volume]) {
             return Err(NoRotation::Reflection);
         }
         Ok(())
+    }
+
+    /// Whether expressions vanish at random real points, up to rounding.
+    fn is_small(&self, expressions: &[Expression]) -> bool {
+        let points = (0..REAL_POINTS).map(Sample::new);
+        let values = points.map(|sample| self.evaluate(expressions, |symbol| sample.value(symbol)));
+        let mut known = values.filter(|values| values.iter().all(|value| value.is_finite()));
+        known.next().is_some_and(|first| {
+            core::iter::once(first)
+                .chain(known)
+                .flatten()
+                .all(|x| x.abs() < ROUNDING)
+        })
     }
 
     fn verify_constant_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {

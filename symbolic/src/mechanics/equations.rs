@@ -8,7 +8,7 @@ use crate::algebra::derivative::Tangents;
 use crate::mechanics::model::Energies;
 use crate::mechanics::multiplied_out::Derived;
 use crate::mechanics::structure::{self, Structure};
-use crate::{Expression, Graph, Model, Rational, Symbol};
+use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// The equations of motion of a model, as expressions of its graph.
 #[derive(Clone, Debug)]
@@ -136,7 +136,9 @@ impl Model {
             terms.push((product, Rational::ONE));
         }
         let energy = self.graph.sum(terms);
-        if let Energies::Natural { kinetic, potential } = self.energies {
+        if let Energies::Natural { kinetic, potential } = self.energies
+            && self.graph.passes.has(Pass::TotalEnergy)
+        {
             let total = self.graph.add(kinetic, potential);
             let difference = self.graph.subtract(energy, total);
             if structure::vanishes(&self.graph, difference) {

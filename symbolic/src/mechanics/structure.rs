@@ -3,9 +3,9 @@
 //!
 //! All decisions are exact, taken at random points in modular arithmetic.
 
+use crate::decision::identity_test::IdentityTest;
 use crate::decision::point::Point;
 use crate::decision::residue;
-use crate::decision::identity_test::IdentityTest;
 use crate::mechanics::equations::Defect;
 use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 

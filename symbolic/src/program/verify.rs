@@ -38,11 +38,8 @@ impl Program {
     pub fn verify(&self, graph: &Graph, groups: &[&[Expression]]) -> Result<(), Fault> {
         self.verify_order()?;
         let roots = groups.concat();
-        let points = (0..ATTEMPTS).map(|seed| {
-            Point::new(seed)
-                .without_addition_theorems()
-                .uninterpreted()
-        });
+        let points =
+            (0..ATTEMPTS).map(|seed| Point::new(seed).without_addition_theorems().uninterpreted());
         for point in points {
             let expected = point.evaluate(graph, &roots);
             if let (Some(expected), Some(found)) = (expected, self.evaluate_at(point)) {

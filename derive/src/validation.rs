@@ -1,0 +1,409 @@
+//! What is emitted is validated against Lagrange's equations in numbers, in every build.
+//!
+//! A method that disagrees is replaced by the plain one: derived without any pass, and solved
+//! numerically. That it happened is a defect, of which debug builds warn.
+
+use std::collections::BTreeSet;
+
+use lagrangian_symbolic as symbolic;
+use lagrangian_symbolic::{
+    AccelerationProgram, Equations, LinearizationProgram, Model, Passes, Programs, Validator,
+};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote_spanned};
+
+use crate::declaration::Declaration;
+use crate::methods::Methods;
+
+impl Methods {
+    /// Replaces what disagrees with the equations of `validator` by what is derived without any pass, and
+    /// says what it was.
+    pub(crate) fn validate(
+        &mut self,
+        validator: &Validator,
+        model: &mut Model,
+        equations: &mut Equations,
+    ) -> BTreeSet<symbolic::Method> {
+        let disagreements = validator.disagreements(self.programs());
+        if disagreements.is_empty() {
+            return disagreements;
+        }
+        let passes = core::mem::replace(&mut model.graph.passes, Passes::NONE);
+        if let Ok(plain) = Equations::derive(model) {
+            let methods = Self::schedule(model, &plain);
+            *equations = plain;
+            self.replace(methods, &disagreements);
+        }
+        model.graph.passes = passes;
+        disagreements
+    }
+
+    fn replace(&mut self, plain: Self, disagreements: &BTreeSet<symbolic::Method>) {
+        use symbolic::Method;
+
+        let solves = [Method::Accelerations, Method::Linearization];
+        if solves.iter().any(|method| disagreements.contains(method)) {
+            self.prepare = plain.prepare;
+            self.accelerations = plain.accelerations;
+            self.solved = plain.solved;
+            self.relative_pivots = plain.relative_pivots;
+            self.directly = plain.directly;
+            self.linearize = plain.linearize;
+            self.input_jacobian = plain.input_jacobian;
+        }
+        if disagreements.contains(&Method::Energies) {
+            self.energies = plain.energies;
+        }
+        for (method, here, plain) in [
+            (Method::Lagrangian, &mut self.lagrangian, plain.lagrangian),
+            (Method::Energy, &mut self.energy, plain.energy),
+            (Method::Momenta, &mut self.momenta, plain.momenta),
+            (Method::MassMatrix, &mut self.mass_matrix, plain.mass_matrix),
+            (Method::Forcing, &mut self.forcing, plain.forcing),
+            (
+                Method::GeneralizedForces,
+                &mut self.generalized_forces,
+                plain.generalized_forces,
+            ),
+            (
+                Method::InverseDynamics,
+                &mut self.inverse_dynamics,
+                plain.inverse_dynamics,
+            ),
+            (Method::Outputs, &mut self.outputs, plain.outputs),
+        ] {
+            if disagreements.contains(&method) {
+                *here = plain;
+            }
+        }
+    }
+
+    /// The programs as they are validated.
+    fn programs(&self) -> Programs<'_> {
+        let accelerations = &self.accelerations.program;
+        let (state, inputs) = (&self.linearize.program, &self.input_jacobian.program);
+        let energies = self.energies.as_ref();
+        Programs {
+            lagrangian: &self.lagrangian.program,
+            energies: energies.map(|energies| [&energies[0].program, &energies[1].program]),
+            energy: &self.energy.program,
+            momenta: &self.momenta.program,
+            mass_matrix: &self.mass_matrix.program,
+            forcing: &self.forcing.program,
+            generalized_forces: &self.generalized_forces.program,
+            inverse_dynamics: &self.inverse_dynamics.program,
+            preparation: &self.prepare.program,
+            accelerations: match self.solved {
+                Some(pivots) => AccelerationProgram::Solved(accelerations, pivots),
+                None => AccelerationProgram::System(accelerations),
+            },
+            linearization: match self.pivots_of_derivatives() {
+                Some(pivots) => LinearizationProgram::Solved {
+                    state,
+                    inputs,
+                    pivots,
+                },
+                None => LinearizationProgram::System { state, inputs },
+            },
+            outputs: &self.outputs.program,
+        }
+    }
+}
+
+/// Tells in a debug build of the macro that methods had to be replaced: the use of something deprecated, since
+/// macros on stable Rust have no warnings of their own.
+pub(crate) fn warning(
+    disagreements: &BTreeSet<symbolic::Method>,
+    declaration: &Declaration,
+) -> Option<TokenStream> {
+    if !cfg!(debug_assertions) || disagreements.is_empty() {
+        return None;
+    }
+    let methods: Vec<String> = disagreements
+        .iter()
+        .map(|method| format!("{method:?}"))
+        .collect();
+    let note = format!(
+        "the simplified code for {} does not compute what Lagrange's equations say, so that the plain code is used, \
+         which is right and slower; this is a defect of `lagrangian`: please report the declaration",
+        methods.join(", ")
+    );
+    let name = format_ident!("DEFECT_OF_LAGRANGIAN", span = declaration.name.span());
+    Some(quote_spanned! {declaration.name.span()=>
+        const _: () = {
+            #[deprecated(note = #note)]
+            const #name: () = ();
+            #name
+        };
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::check;
+    use crate::diagnostics::Diagnostics;
+    use crate::lower::lower;
+    use lagrangian_symbolic::{Operation, Program};
+    use quote::quote;
+
+    /// The model, what validates it, and its methods.
+    fn derive(declaration: TokenStream) -> (Model, Equations, Validator, Methods) {
+        let mut diagnostics = Diagnostics::default();
+        let input = syn::parse2(declaration).unwrap();
+        let declaration = Declaration::parse(input, &mut diagnostics);
+        check(&declaration, &mut diagnostics);
+        let lowered = lower(&declaration, &mut diagnostics);
+        assert!(diagnostics.is_empty());
+        let mut model = lowered.model.unwrap();
+        let validator = Validator::new(&model);
+        let equations = Equations::derive(&mut model).unwrap();
+        let methods = Methods::schedule(&mut model, &equations);
+        (model, equations, validator, methods)
+    }
+
+    /// A pendulum on a cart on a shaken rail, of every kind of term.
+    fn driven_cart() -> TokenStream {
+        quote! {
+            #[lagrangian(
+                coordinates(x, theta),
+                define(p = [x + l * sin(theta) + a * sin(w * t), -l * cos(theta)]),
+                kinetic = 0.5 * mc * dot(x).powi(2) + 0.5 * m * dot(p).norm_squared(),
+                potential = m * g * p.y + k * abs(x - 2.0).powi(3) + b * x * dot(theta),
+                dissipation = 0.5 * c * dot(theta).powi(2) / (1.0 + x.powi(2)),
+                force(x = u * cos(theta) + sqrt(1.0 + theta.powi(2)), theta = h * u),
+                output(height = p.y, acceleration = dot(dot(p.x))),
+            )]
+            struct Cart {
+                mc: f64, m: f64, l: f64, g: f64, a: f64, w: f64, k: f64, b: f64, c: f64, h: f64,
+                #[lagrangian(input)]
+                u: f64,
+            }
+        }
+    }
+
+    /// A chain of five, which is solved numerically for its derivatives.
+    fn chain() -> TokenStream {
+        quote! {
+            #[lagrangian(
+                coordinates(q[5]),
+                define(
+                    p[0] = [sin(q[0]), -cos(q[0])],
+                    p[i] = p[i - 1] + l[i] * [sin(q[i]), -cos(q[i])] for i in 1..5,
+                ),
+                kinetic = (0..5).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
+                potential = (0..5).map(|i| m[i] * g * p[i].y).sum(),
+                force(q[1] = u),
+            )]
+            struct Chain { m: [f64; 5], l: [f64; 5], g: f64, #[lagrangian(input)] u: f64 }
+        }
+    }
+
+    /// A rigid body, solved through its angular velocity.
+    fn top() -> TokenStream {
+        quote! {
+            #[lagrangian(
+                coordinates(phi, theta, psi),
+                define(r = rotation_zxz(phi, theta, psi), w = angular_velocity(r)),
+                kinetic = 0.5 * (i1 * w.x.powi(2) + i2 * w.y.powi(2) + i3 * w.z.powi(2)),
+                potential = m * g * (r * [0.0, d, l]).z,
+                force(w = [0.0, tau, 0.0]),
+            )]
+            struct Top { i1: f64, i2: f64, i3: f64, m: f64, g: f64, d: f64, l: f64, tau: f64 }
+        }
+    }
+
+    fn models() -> [TokenStream; 3] {
+        [driven_cart(), chain(), top()]
+    }
+
+    #[test]
+    fn what_is_derived_agrees() {
+        for model in models() {
+            let (_, _, validator, methods) = derive(model);
+            assert!(validator.disagreements(methods.programs()).is_empty());
+        }
+    }
+
+    /// The same program with one instruction changed, if it is one that can be.
+    fn altered(program: &Program, position: usize) -> Option<Program> {
+        let mut program = program.clone();
+        let instructions = program
+            .phases
+            .iter_mut()
+            .flat_map(|phase| &mut phase.instructions);
+        let instruction = instructions.into_iter().nth(position)?;
+        instruction.operation = match instruction.operation.clone() {
+            Operation::Add(x, y) => Operation::Subtract(x, y),
+            Operation::Subtract(x, y) => Operation::Add(x, y),
+            Operation::Multiply(x, y) => Operation::Divide(x, y),
+            Operation::Divide(x, y) => Operation::Multiply(x, y),
+            Operation::Negate(x) => Operation::Add(x.clone(), x),
+            _ => return None,
+        };
+        Some(program)
+    }
+
+    /// Every instruction of every method is altered in turn, and every alteration is found.
+    #[test]
+    fn every_altered_instruction_is_found() {
+        for model in models() {
+            let (_, _, validator, methods) = derive(model);
+            let programs = methods.programs();
+            let mut count = 0;
+            let mut alter = |program: &Program, with: &dyn Fn(&Program) -> bool| {
+                for position in 0..program.instructions().count() {
+                    // Some of many: each costs a validation.
+                    if let Some(altered) = altered(program, position)
+                        && (position < 40 || position % 7 == 0)
+                    {
+                        let instruction = program.instructions().nth(position);
+                        assert!(with(&altered), "{position}: {instruction:?}");
+                        count += 1;
+                    }
+                }
+            };
+            let found = |programs: Programs<'_>, method: symbolic::Method| {
+                validator.disagreements(programs).contains(&method)
+            };
+            use symbolic::Method;
+            alter(programs.lagrangian, &|lagrangian| {
+                found(
+                    Programs {
+                        lagrangian,
+                        ..programs
+                    },
+                    Method::Lagrangian,
+                )
+            });
+            alter(programs.energy, &|energy| {
+                found(Programs { energy, ..programs }, Method::Energy)
+            });
+            alter(programs.momenta, &|momenta| {
+                found(
+                    Programs {
+                        momenta,
+                        ..programs
+                    },
+                    Method::Momenta,
+                )
+            });
+            alter(programs.mass_matrix, &|mass_matrix| {
+                found(
+                    Programs {
+                        mass_matrix,
+                        ..programs
+                    },
+                    Method::MassMatrix,
+                )
+            });
+            alter(programs.forcing, &|forcing| {
+                found(
+                    Programs {
+                        forcing,
+                        ..programs
+                    },
+                    Method::Forcing,
+                )
+            });
+            alter(programs.generalized_forces, &|generalized_forces| {
+                found(
+                    Programs {
+                        generalized_forces,
+                        ..programs
+                    },
+                    Method::GeneralizedForces,
+                )
+            });
+            alter(programs.inverse_dynamics, &|inverse_dynamics| {
+                found(
+                    Programs {
+                        inverse_dynamics,
+                        ..programs
+                    },
+                    Method::InverseDynamics,
+                )
+            });
+            alter(programs.outputs, &|outputs| {
+                found(
+                    Programs {
+                        outputs,
+                        ..programs
+                    },
+                    Method::Outputs,
+                )
+            });
+            alter(programs.preparation, &|preparation| {
+                found(
+                    Programs {
+                        preparation,
+                        ..programs
+                    },
+                    Method::Accelerations,
+                )
+            });
+            alter(&methods.accelerations.program, &|program| {
+                let accelerations = match programs.accelerations {
+                    AccelerationProgram::Solved(_, pivots) => {
+                        AccelerationProgram::Solved(program, pivots)
+                    }
+                    AccelerationProgram::System(_) => AccelerationProgram::System(program),
+                };
+                found(
+                    Programs {
+                        accelerations,
+                        ..programs
+                    },
+                    Method::Accelerations,
+                )
+            });
+            for by_inputs in [false, true] {
+                let method = if by_inputs {
+                    &methods.input_jacobian
+                } else {
+                    &methods.linearize
+                };
+                alter(&method.program, &|program| {
+                    let mut linearization = programs.linearization;
+                    match &mut linearization {
+                        LinearizationProgram::Solved { state, inputs, .. }
+                        | LinearizationProgram::System { state, inputs } => {
+                            *(if by_inputs { inputs } else { state }) = program;
+                        }
+                    }
+                    found(
+                        Programs {
+                            linearization,
+                            ..programs
+                        },
+                        Method::Linearization,
+                    )
+                });
+            }
+            assert!(count > 100, "{count}");
+        }
+    }
+
+    /// What was simplified wrongly is replaced by what was derived plainly.
+    #[test]
+    fn what_disagrees_is_replaced() {
+        for model in models() {
+            let (mut model, mut equations, validator, mut methods) = derive(model);
+            let wrong = |program: &Program| {
+                let count = program.instructions().count();
+                (0..count)
+                    .find_map(|position| altered(program, position))
+                    .unwrap()
+            };
+            methods.accelerations.program = wrong(&methods.accelerations.program);
+            methods.forcing.program = wrong(&methods.forcing.program);
+            methods.linearize.program = wrong(&methods.linearize.program);
+            let found = methods.validate(&validator, &mut model, &mut equations);
+            assert!(found.contains(&symbolic::Method::Accelerations));
+            assert!(found.contains(&symbolic::Method::Forcing));
+            assert!(!found.contains(&symbolic::Method::MassMatrix));
+            assert!(validator.disagreements(methods.programs()).is_empty());
+            assert!(methods.solved.is_none());
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Whether programs agree with Lagrange's equations in numbers.
+//!
+//! Numbers that differ by more than 2⁻³⁰ of what they are sums of are judged: both sides are computed again
+//! with every intermediate result perturbed by 2⁻³⁶, and what that changes is what conditioning can
+//! explain. A wrong term is not explained, at whatever point.
+
+use std::collections::BTreeSet;
+
+use crate::validation::changes::Changes;
+use crate::validation::comparison::{Comparison, Comparisons};
+use crate::validation::lagrange::{Balance, Lagrange, Values, Variation};
+use crate::validation::programs::{Method, Programs, Tapes};
+use crate::validation::sample::Sample;
+use crate::validation::square_matrix::SquareMatrix;
+use crate::validation::tape::{Perturbation, Tape};
+use crate::{Model, Symbol};
+
+/// Points in the domain at which programs are compared: each style of [`Sample`] eight times.
+const POINTS: usize = 32;
+/// Points to try until as many are in the domain: roots and logarithms leave out most of them.
+const ATTEMPTS: u64 = 160;
+/// Runs with perturbed results by which a difference is judged.
+const JUDGEMENTS: u64 = 3;
+/// By how much a difference must exceed the changes under perturbation, which are 2¹⁷ times as large as
+/// those by rounding.
+const MARGIN: f64 = 8.0;
+
+/// Lagrange's equations of a model, with which programs are compared.
+pub struct Validator {
+    lagrange: Lagrange,
+    /// Whether second derivatives of functions from outside may depend on their order.
+    has_mixed_derivatives: bool,
+}
+
+impl Validator {
+    /// What the equations of `model` say, before anything is derived from it.
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        let graph = &model.graph;
+        let arguments = |function| graph.function_arguments(function).len();
+        Self {
+            lagrange: Lagrange::new(model),
+            has_mixed_derivatives: graph.functions().any(|function| arguments(function) > 1),
+        }
+    }
+
+    /// The methods whose programs do not compute what the equations say; none where no point is in the
+    /// domain.
+    #[must_use]
+    pub fn disagreements(&self, programs: Programs<'_>) -> BTreeSet<Method> {
+        let mut found = BTreeSet::new();
+        if self.has_mixed_derivatives {
+            return found;
+        }
+        let tapes = Tapes::new(&programs);
+        let mut points = 0;
+        let mut undefined = Vec::new();
+        for number in 0..ATTEMPTS {
+            let sample = Sample::new(number);
+            let Some(comparisons) = self.compare(&tapes, sample, Perturbation(None)) else {
+                continue;
+            };
+            points += 1;
+            let mut doubtful = false;
+            let mut missing = BTreeSet::new();
+            for comparison in &comparisons {
+                if !comparison.difference.is_finite() {
+                    missing.insert(comparison.method);
+                } else if !comparison.is_negligible() && !found.contains(&comparison.method) {
+                    doubtful = true;
+                }
+            }
+            undefined.extend(missing);
+            if doubtful {
+                self.judge(&tapes, sample, &comparisons, &mut found);
+            }
+            if points == POINTS {
+                break;
+            }
+        }
+        // What has no value where the equations have one, at most points.
+        for method in undefined.iter().copied() {
+            let count = undefined.iter().filter(|other| **other == method).count();
+            if 2 * count > points {
+                found.insert(method);
+            }
+        }
+        found
+    }
+
+    /// Finds the differences that perturbed results do not explain.
+    fn judge(
+        &self,
+        tapes: &Tapes,
+        sample: Sample,
+        comparisons: &[Comparison],
+        found: &mut BTreeSet<Method>,
+    ) {
+        let mut explained = vec![0.0_f64; comparisons.len()];
+        for seed in 1..=JUDGEMENTS {
+            let Some(perturbed) = self.compare(tapes, sample, Perturbation(Some(seed))) else {
+                return;
+            };
+            for ((most, before), after) in explained.iter_mut().zip(comparisons).zip(&perturbed) {
+                let change = (after.difference - before.difference).abs();
+                *most = if change.is_finite() {
+                    most.max(change)
+                } else {
+                    f64::INFINITY
+                };
+            }
+        }
+        for (comparison, explained) in comparisons.iter().zip(explained) {
+            let difference = comparison.difference.abs();
+            if !comparison.is_negligible() && difference > MARGIN * explained {
+                found.insert(comparison.method);
+            }
+        }
+    }
+
+    /// All differences at a point; none outside of the domain.
+    fn compare(
+        &self,
+        tapes: &Tapes,
+        sample: Sample,
+        perturbation: Perturbation,
+    ) -> Option<Vec<Comparison>> {
+        let n = self.lagrange.coordinates;
+        let variation = Variation::at(sample, n, self.lagrange.inputs);
+        let solved = tapes.accelerations(sample, n, perturbation);
+        // What does not depend on how accelerations are found is compared at any.
+        let accelerations = solved.as_ref().unwrap_or(&variation.velocities);
+        let lagrange = &self.lagrange;
+        let values = lagrange.values(sample, &variation, accelerations, perturbation)?;
+        let at = |accelerations: &[f64], tape: &Tape| {
+            let symbol = |symbol: Symbol| match symbol {
+                Symbol::Acceleration(i) => accelerations[i as usize],
+                _ => sample.value(symbol),
+            };
+            tape.evaluate(&symbol, perturbation)
+        };
+        let mut comparisons = Comparisons::default();
+        let energy = energy(&values, sample);
+        comparisons.balances(Method::Energy, &at(accelerations, &tapes.energy), &[energy]);
+        for (method, tape, expected) in [
+            (
+                Method::Lagrangian,
+                &tapes.lagrangian,
+                &[values.lagrangian][..],
+            ),
+            (Method::Energies, &tapes.energies, &values.energies),
+            (Method::Momenta, &tapes.momenta, &values.momenta),
+            (
+                Method::GeneralizedForces,
+                &tapes.generalized_forces,
+                &values.generalized_forces,
+            ),
+            (Method::Outputs, &tapes.outputs, &values.outputs),
+        ] {
+            comparisons.values(method, &at(accelerations, tape), expected);
+        }
+        let mass = SquareMatrix::new(at(accelerations, &tapes.mass_matrix), n);
+        let products = mass.times(&variation.velocities);
+        comparisons.against(Method::MassMatrix, &products, &values.mass_products);
+        // f = M q̈ − (M q̈ − f).
+        let mut forcing = mass.times(accelerations);
+        for (balance, residual) in forcing.iter_mut().zip(&values.residuals) {
+            balance.total -= residual.total;
+            balance.size += residual.size;
+        }
+        comparisons.balances(
+            Method::Forcing,
+            &at(accelerations, &tapes.forcing),
+            &forcing,
+        );
+        let mut residuals = products;
+        for (balance, force) in residuals.iter_mut().zip(&forcing) {
+            balance.total -= force.total;
+            balance.size += force.size;
+        }
+        let found = at(&variation.velocities, &tapes.inverse_dynamics);
+        comparisons.balances(Method::InverseDynamics, &found, &residuals);
+        if solved.is_none() {
+            comparisons.undefined(Method::Accelerations);
+            return Some(comparisons.0);
+        }
+        comparisons.vanishing(Method::Accelerations, &values.residuals);
+        let [state, inputs] = &tapes.linearization;
+        let changes = Changes {
+            state: at(accelerations, state),
+            inputs: at(accelerations, inputs),
+            layout: tapes.layout,
+        };
+        let balances = changes.balances(&mass, &values.variations, &variation);
+        comparisons.vanishing(Method::Linearization, &balances);
+        Some(comparisons.0)
+    }
+}
+
+/// The energy function Σ pᵢ q̇ᵢ − L.
+fn energy(values: &Values, sample: Sample) -> Balance {
+    let mut energy = Balance::default();
+    energy.add(-values.lagrangian);
+    for (i, momentum) in (0..).zip(&values.momenta) {
+        energy.add(momentum * sample.value(Symbol::Velocity(i)));
+    }
+    energy
+}

@@ -1,0 +1,103 @@
+//! The change of accelerations along a variation, from the programs for derivatives of q̈.
+
+use crate::validation::lagrange::{Balance, Variation};
+use crate::validation::square_matrix::SquareMatrix;
+
+/// What the programs for derivatives compute.
+#[derive(Clone, Copy)]
+pub(crate) enum Layout {
+    /// Pivots in this number, q̈ (by the state only), columns of ∂q̈/∂x, and columns of ∂(M q̈ − f)/∂x if there
+    /// are pivots.
+    Solved(usize),
+    /// The lower triangle of M, f (by the state only), and columns of ∂(M q̈ − f)/∂x.
+    System,
+}
+
+/// What the programs for derivatives gave at a point.
+pub(crate) struct Changes {
+    pub(crate) state: Vec<f64>,
+    pub(crate) inputs: Vec<f64>,
+    pub(crate) layout: Layout,
+}
+
+impl Changes {
+    /// M δq̈ + δ(M q̈ − f) at fixed q̈, which vanishes; and, where they are computed too, the differences
+    /// of δ(M q̈ − f) to what the equations say.
+    pub(crate) fn balances(
+        &self,
+        mass: &SquareMatrix,
+        variations: &[Balance],
+        variation: &Variation,
+    ) -> Vec<Balance> {
+        let n = variations.len();
+        let triangle = n * (n + 1) / 2;
+        match self.layout {
+            Layout::Solved(pivots) => {
+                let columns = n * variation.state.len();
+                let changes = self.sum(n, [pivots + n, pivots], variation);
+                let mut balances = self.balance(mass, &changes, variations);
+                if pivots > 0 {
+                    let starts = [pivots + n + columns, pivots + n * variation.inputs.len()];
+                    let residuals = self.sum(n, starts, variation);
+                    for (mut balance, expected) in residuals.into_iter().zip(variations) {
+                        balance.total -= expected.total;
+                        balance.size += expected.size;
+                        balances.push(balance);
+                    }
+                }
+                balances
+            }
+            Layout::System => {
+                let residuals = self.sum(n, [triangle + n, triangle], variation);
+                let right: Vec<f64> = residuals.iter().map(|sum| -sum.total).collect();
+                let matrix = SquareMatrix::symmetric(&self.state[..triangle], n);
+                let Some(changes) = matrix.solve(&right) else {
+                    return vec![UNDEFINED];
+                };
+                let exact = |total: f64| Balance {
+                    total,
+                    size: total.abs(),
+                };
+                let changes: Vec<_> = changes.into_iter().map(exact).collect();
+                self.balance(mass, &changes, variations)
+            }
+        }
+    }
+
+    fn balance(
+        &self,
+        mass: &SquareMatrix,
+        changes: &[Balance],
+        variations: &[Balance],
+    ) -> Vec<Balance> {
+        let totals: Vec<f64> = changes.iter().map(|change| change.total).collect();
+        let mut balances = mass.times(&totals);
+        for (balance, variation) in balances.iter_mut().zip(variations) {
+            balance.total += variation.total;
+            balance.size += variation.size;
+        }
+        balances
+    }
+
+    /// Σ column·weight, where the columns begin by the state and by the inputs.
+    fn sum(&self, n: usize, starts: [usize; 2], variation: &Variation) -> Vec<Balance> {
+        let mut sums = vec![Balance::default(); n];
+        let parts = [
+            (&self.state, starts[0], &variation.state),
+            (&self.inputs, starts[1], &variation.inputs),
+        ];
+        for (values, start, weights) in parts {
+            for (j, weight) in weights.iter().enumerate() {
+                for (i, sum) in sums.iter_mut().enumerate() {
+                    sum.add(weight * values[start + j * n + i]);
+                }
+            }
+        }
+        sums
+    }
+}
+
+const UNDEFINED: Balance = Balance {
+    total: f64::NAN,
+    size: f64::NAN,
+};

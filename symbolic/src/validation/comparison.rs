@@ -1,0 +1,68 @@
+//! Differences that should vanish.
+
+use crate::validation::lagrange::Balance;
+use crate::validation::programs::Method;
+
+/// Differences below this part of what is added up need no judgement: 2⁻³⁰.
+const NEGLIGIBLE: f64 = 1.0 / 1_073_741_824.0;
+
+/// A difference that should vanish.
+pub(crate) struct Comparison {
+    pub(crate) method: Method,
+    pub(crate) difference: f64,
+    /// What was added up to it.
+    size: f64,
+}
+
+impl Comparison {
+    pub(crate) fn is_negligible(&self) -> bool {
+        self.difference.abs() <= NEGLIGIBLE * self.size
+    }
+}
+
+/// All differences at one point.
+#[derive(Default)]
+pub(crate) struct Comparisons(pub(crate) Vec<Comparison>);
+
+impl Comparisons {
+    fn push(&mut self, method: Method, difference: f64, size: f64) {
+        self.0.push(Comparison {
+            method,
+            difference,
+            size,
+        });
+    }
+
+    /// Values that should be equal.
+    pub(crate) fn values(&mut self, method: Method, found: &[f64], expected: &[f64]) {
+        for (found, expected) in found.iter().zip(expected) {
+            self.push(method, found - expected, found.abs() + expected.abs());
+        }
+    }
+
+    /// Values that should be equal to sums.
+    pub(crate) fn balances(&mut self, method: Method, found: &[f64], expected: &[Balance]) {
+        for (found, expected) in found.iter().zip(expected) {
+            self.push(method, found - expected.total, found.abs() + expected.size);
+        }
+    }
+
+    /// Sums that should be equal to values.
+    pub(crate) fn against(&mut self, method: Method, found: &[Balance], expected: &[f64]) {
+        for (found, expected) in found.iter().zip(expected) {
+            self.push(method, found.total - expected, found.size + expected.abs());
+        }
+    }
+
+    /// Sums that should vanish.
+    pub(crate) fn vanishing(&mut self, method: Method, balances: &[Balance]) {
+        for balance in balances {
+            self.push(method, balance.total, balance.size);
+        }
+    }
+
+    /// What has no value here.
+    pub(crate) fn undefined(&mut self, method: Method) {
+        self.push(method, f64::NAN, f64::NAN);
+    }
+}

@@ -1,0 +1,374 @@
+//! Hyper-dual numbers x + ẋ ε₁ + x′ ε₂ + ẋ′ ε₁ε₂ with ε₁² = ε₂² = 0 (Fike and Alonso, The development of
+//! hyper-dual numbers for exact second-derivative calculations, 2011).
+//!
+//! What is computed on them has its derivatives along two directions beside its value, and the mixed second
+//! one. Functions come with three derivatives, so that slopes can be computed on them, too.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use crate::{Binary, Unary};
+
+/// A number with derivatives along two directions.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub(crate) struct HyperDual {
+    pub(crate) value: f64,
+    /// Along the first direction.
+    pub(crate) first: f64,
+    /// Along the second direction.
+    pub(crate) second: f64,
+    /// Along both.
+    pub(crate) mixed: f64,
+}
+
+/// f, f′, f″ and f‴ at a number.
+type Derivatives = [f64; 4];
+
+impl HyperDual {
+    pub(crate) const fn constant(value: f64) -> Self {
+        Self {
+            value,
+            first: 0.0,
+            second: 0.0,
+            mixed: 0.0,
+        }
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self == Self::default()
+    }
+
+    pub(crate) const fn is_finite(self) -> bool {
+        self.value.is_finite()
+            && self.first.is_finite()
+            && self.second.is_finite()
+            && self.mixed.is_finite()
+    }
+
+    /// All parts times a number.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        Self {
+            value: self.value * factor,
+            first: self.first * factor,
+            second: self.second * factor,
+            mixed: self.mixed * factor,
+        }
+    }
+
+    /// f(x) by f, f′ and f″ at the value of x.
+    fn lifted(self, f: f64, slope: f64, curvature: f64) -> Self {
+        Self {
+            value: f,
+            first: slope * self.first,
+            second: slope * self.second,
+            mixed: slope * self.mixed + curvature * self.first * self.second,
+        }
+    }
+
+    /// A function of which the value and the partial derivatives are known, at the arguments.
+    pub(crate) fn composed(value: f64, slopes: &[Self], arguments: &[Self]) -> Self {
+        let mut result = Self::constant(value);
+        for (slope, x) in slopes.iter().zip(arguments) {
+            result.first += slope.value * x.first;
+            result.second += slope.value * x.second;
+            result.mixed += slope.value * x.mixed + slope.second * x.first;
+        }
+        result
+    }
+
+    /// 1/x.
+    pub(crate) fn reciprocal(self) -> Self {
+        self.power(-1.0)
+    }
+
+    /// x^k.
+    pub(crate) fn power(self, k: f64) -> Self {
+        let [f, slope, curvature, _] = power_derivatives(self.value, k);
+        self.lifted(f, slope, curvature)
+    }
+
+    /// ∂(x^k)/∂x.
+    pub(crate) fn power_slope(self, k: f64) -> Self {
+        let [_, slope, curvature, third] = power_derivatives(self.value, k);
+        self.lifted(slope, curvature, third)
+    }
+
+    /// f(x).
+    pub(crate) fn unary(self, function: Unary) -> Self {
+        let [f, slope, curvature, _] = derivatives(function, self.value);
+        self.lifted(f, slope, curvature)
+    }
+
+    /// f′(x).
+    pub(crate) fn slope(self, function: Unary) -> Self {
+        let [_, slope, curvature, third] = derivatives(function, self.value);
+        self.lifted(slope, curvature, third)
+    }
+
+    /// f(x, y).
+    pub(crate) fn binary(self, function: Binary, y: Self) -> Self {
+        let value = function.value(self.value, y.value);
+        Self::composed(value, &self.slopes(function, y), &[self, y])
+    }
+
+    /// ∂f/∂x and ∂f/∂y.
+    pub(crate) fn slopes(self, function: Binary, y: Self) -> [Self; 2] {
+        let (zero, one) = (Self::default(), Self::constant(1.0));
+        match function {
+            Binary::Atan2 => {
+                let inverse = (self * self + y * y).reciprocal();
+                [y * inverse, -(self * inverse)]
+            }
+            Binary::Min if self.value < y.value => [one, zero],
+            Binary::Max if self.value > y.value => [one, zero],
+            Binary::Min | Binary::Max => [zero, one],
+            Binary::Power => {
+                // x^y = exp (y ln x).
+                let logarithm = self.unary(Unary::Ln);
+                let power = (y * logarithm).unary(Unary::Exp);
+                [y * power * self.reciprocal(), power * logarithm]
+            }
+        }
+    }
+}
+
+impl Add for HyperDual {
+    type Output = Self;
+
+    fn add(self, y: Self) -> Self {
+        Self {
+            value: self.value + y.value,
+            first: self.first + y.first,
+            second: self.second + y.second,
+            mixed: self.mixed + y.mixed,
+        }
+    }
+}
+
+impl Sub for HyperDual {
+    type Output = Self;
+
+    fn sub(self, y: Self) -> Self {
+        Self {
+            value: self.value - y.value,
+            first: self.first - y.first,
+            second: self.second - y.second,
+            mixed: self.mixed - y.mixed,
+        }
+    }
+}
+
+impl Neg for HyperDual {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.scaled(-1.0)
+    }
+}
+
+impl Mul for HyperDual {
+    type Output = Self;
+
+    fn mul(self, y: Self) -> Self {
+        Self {
+            value: self.value * y.value,
+            first: self.first * y.value + self.value * y.first,
+            second: self.second * y.value + self.value * y.second,
+            mixed: self.mixed * y.value
+                + self.first * y.second
+                + self.second * y.first
+                + self.value * y.mixed,
+        }
+    }
+}
+
+/// x^k by products for integers, and never 0·∞ for the derivatives of a low power at 0.
+pub(crate) fn real_power(x: f64, k: f64) -> f64 {
+    if k == 0.5 {
+        return x.sqrt();
+    }
+    if k == 2.0 {
+        return x * x;
+    }
+    if k == -1.0 {
+        return 1.0 / x;
+    }
+    if k == -0.5 {
+        return 1.0 / x.sqrt();
+    }
+    libm::pow(x, k)
+}
+
+fn power_derivatives(x: f64, k: f64) -> Derivatives {
+    if k == 2.0 {
+        return [x * x, 2.0 * x, 2.0, 0.0];
+    }
+    let mut derivatives = [0.0; 4];
+    let mut factor = 1.0;
+    let mut exponent = k;
+    for derivative in &mut derivatives {
+        if factor != 0.0 {
+            *derivative = factor * real_power(x, exponent);
+        }
+        factor *= exponent;
+        exponent -= 1.0;
+    }
+    derivatives
+}
+
+/// f, f′, f″ and f‴ of the elementary functions: Abramowitz and Stegun, Handbook of Mathematical
+/// Functions (1964), 4.3, 4.4, 4.5 and 4.6.
+fn derivatives(function: Unary, x: f64) -> Derivatives {
+    let f = function.value(x);
+    match function {
+        Unary::Sin => {
+            let cos = libm::cos(x);
+            [f, cos, -f, -cos]
+        }
+        Unary::Cos => {
+            let sin = libm::sin(x);
+            [f, -sin, -f, sin]
+        }
+        Unary::Tan => {
+            let slope = 1.0 + f * f;
+            [f, slope, 2.0 * f * slope, (2.0 + 6.0 * f * f) * slope]
+        }
+        Unary::Asin | Unary::Acos => {
+            let sign = if function == Unary::Asin { 1.0 } else { -1.0 };
+            let square = 1.0 / ((1.0 - x) * (1.0 + x));
+            let slope = sign * square.sqrt();
+            let third = (1.0 + 2.0 * x * x) * square * square;
+            [f, slope, x * square * slope, third * slope]
+        }
+        Unary::Atan => {
+            let slope = 1.0 / (1.0 + x * x);
+            let third = (6.0 * x * x - 2.0) * slope * slope * slope;
+            [f, slope, -2.0 * x * slope * slope, third]
+        }
+        Unary::Sinh => {
+            let cosh = libm::cosh(x);
+            [f, cosh, f, cosh]
+        }
+        Unary::Cosh => {
+            let sinh = libm::sinh(x);
+            [f, sinh, f, sinh]
+        }
+        Unary::Tanh => {
+            let slope = 1.0 - f * f;
+            [f, slope, -2.0 * f * slope, (6.0 * f * f - 2.0) * slope]
+        }
+        Unary::Asinh => {
+            let square = 1.0 / (1.0 + x * x);
+            let slope = square.sqrt();
+            let third = (2.0 * x * x - 1.0) * square * square;
+            [f, slope, -x * square * slope, third * slope]
+        }
+        Unary::Acosh => {
+            let square = 1.0 / ((x - 1.0) * (x + 1.0));
+            let slope = square.sqrt();
+            let third = (2.0 * x * x + 1.0) * square * square;
+            [f, slope, -x * square * slope, third * slope]
+        }
+        Unary::Atanh => {
+            let slope = 1.0 / ((1.0 - x) * (1.0 + x));
+            let third = (2.0 + 6.0 * x * x) * slope * slope * slope;
+            [f, slope, 2.0 * x * slope * slope, third]
+        }
+        Unary::Exp => [f, f, f, f],
+        Unary::Ln => {
+            let slope = 1.0 / x;
+            [f, slope, -slope * slope, 2.0 * slope * slope * slope]
+        }
+        Unary::Abs => [f, Unary::Signum.value(x), 0.0, 0.0],
+        Unary::Signum => [f, 0.0, 0.0, 0.0],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Central differences of each row against the next one, at points inside of all domains.
+    #[test]
+    fn each_derivative_is_the_slope_of_the_one_before() {
+        const STEP: f64 = 1e-5;
+        let points = |function: Unary| match function {
+            Unary::Acosh => [1.3, 1.9, 4.0],
+            Unary::Ln => [0.2, 0.9, 4.0],
+            _ => [-0.7, 0.2, 0.6],
+        };
+        for function in Unary::ALL {
+            for x in points(function) {
+                let (below, above) = (
+                    derivatives(function, x - STEP),
+                    derivatives(function, x + STEP),
+                );
+                let here = derivatives(function, x);
+                for order in 0..3 {
+                    let slope = (above[order] - below[order]) / (2.0 * STEP);
+                    let error = (slope - here[order + 1]).abs();
+                    // The third difference times h²/6, and rounding over h.
+                    assert!(
+                        error < 1e-7 * (1.0 + slope.abs()),
+                        "{} {order} at {x}: {slope} and {}",
+                        function.name(),
+                        here[order + 1]
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn powers_and_functions_of_two_arguments_have_their_slopes() {
+        const STEP: f64 = 1e-5;
+        for k in [-2.0, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0, 7.0] {
+            let [below, here, above] = [-STEP, 0.0, STEP].map(|h| power_derivatives(1.7 + h, k));
+            for order in 0..3 {
+                let slope = (above[order] - below[order]) / (2.0 * STEP);
+                assert!(
+                    (slope - here[order + 1]).abs() < 1e-7 * (1.0 + slope.abs()),
+                    "{k} {order}"
+                );
+            }
+        }
+        let (x, y) = (HyperDual::constant(1.3), HyperDual::constant(0.4));
+        for function in Binary::ALL {
+            let value = |dx: f64, dy: f64| function.value(1.3 + dx, 0.4 + dy);
+            let expected = [
+                (value(STEP, 0.0) - value(-STEP, 0.0)) / (2.0 * STEP),
+                (value(0.0, STEP) - value(0.0, -STEP)) / (2.0 * STEP),
+            ];
+            for (slope, expected) in x.slopes(function, y).iter().zip(expected) {
+                assert!(
+                    (slope.value - expected).abs() < 1e-8,
+                    "{} {expected}",
+                    function.name()
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn mixed_parts_are_second_derivatives() {
+        // x² y along x and y: ∂²/∂x∂y = 2 x.
+        let x = HyperDual {
+            value: 3.0,
+            first: 1.0,
+            ..HyperDual::default()
+        };
+        let y = HyperDual {
+            value: 5.0,
+            second: 1.0,
+            ..HyperDual::default()
+        };
+        let product = x * x * y;
+        assert_eq!(
+            [product.value, product.first, product.second, product.mixed],
+            [45.0, 30.0, 9.0, 6.0]
+        );
+        // sin (x y): ∂²/∂x∂y = cos xy − xy sin xy.
+        let sine = (x * y).unary(Unary::Sin);
+        let expected = 15.0_f64.cos() - 15.0 * 15.0_f64.sin();
+        assert!((sine.mixed - expected).abs() < 1e-13);
+    }
+}

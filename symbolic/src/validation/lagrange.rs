@@ -1,0 +1,267 @@
+//! Lagrange's equations in numbers: d/dt (∂L/∂q̇ᵢ) − ∂L/∂qᵢ − Qᵢ at given accelerations.
+//!
+//! One reverse sweep over L on hyper-dual numbers does it all. The first direction is that of time, (q̇, q̈, 1)
+//! in (q, q̇, t), so that the adjoint of q̇ᵢ is pᵢ with dpᵢ/dt; the second is a variation of state and
+//! inputs at fixed accelerations, which gives what a linearization is made of.
+
+use crate::mechanics::model::Energies;
+use crate::validation::hyper_dual::HyperDual;
+use crate::validation::sample::Sample;
+use crate::validation::tape::{Perturbation, Tape};
+use crate::{Model, Symbol};
+
+/// The energies, the dissipation and the forces of a model as they were first built.
+pub(crate) struct Lagrange {
+    /// T and V, or L; then D; then the forces.
+    tape: Tape,
+    outputs: Tape,
+    pub(crate) coordinates: usize,
+    pub(crate) inputs: usize,
+    energies: usize,
+    dissipates: bool,
+}
+
+/// What the equations give at one point.
+pub(crate) struct Values {
+    pub(crate) lagrangian: f64,
+    /// T and V, if they were declared.
+    pub(crate) energies: Vec<f64>,
+    pub(crate) momenta: Vec<f64>,
+    pub(crate) generalized_forces: Vec<f64>,
+    /// dp/dt − ∂L/∂q − Q.
+    pub(crate) residuals: Vec<Balance>,
+    /// Its change along the variation.
+    pub(crate) variations: Vec<Balance>,
+    /// M w.
+    pub(crate) mass_products: Vec<f64>,
+    pub(crate) outputs: Vec<f64>,
+}
+
+/// A sum that may cancel, and the sizes of its terms.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Balance {
+    pub(crate) total: f64,
+    pub(crate) size: f64,
+}
+
+impl Balance {
+    pub(crate) fn add(&mut self, term: f64) {
+        self.total += term;
+        self.size += term.abs();
+    }
+}
+
+/// What is varied at a point, and how fast.
+pub(crate) struct Variation {
+    /// δq, δq̇ and δt.
+    pub(crate) state: Vec<f64>,
+    /// δu.
+    pub(crate) inputs: Vec<f64>,
+    /// w, a direction of velocities.
+    pub(crate) velocities: Vec<f64>,
+}
+
+impl Variation {
+    pub(crate) fn at(sample: Sample, coordinates: usize, inputs: usize) -> Self {
+        let weights = |kind: u64, count: usize| {
+            let weights = (0..count).map(|index| sample.weight(kind, index));
+            weights.collect()
+        };
+        Self {
+            state: weights(0, 2 * coordinates + 1),
+            inputs: weights(1, inputs),
+            velocities: weights(2, coordinates),
+        }
+    }
+}
+
+impl Lagrange {
+    pub(crate) fn new(model: &Model) -> Self {
+        let energies = match model.energies {
+            Energies::Natural { kinetic, potential } => vec![kinetic, potential],
+            Energies::General(lagrangian) => vec![lagrangian],
+        };
+        let mut roots = energies.clone();
+        roots.push(model.dissipation);
+        roots.extend(&model.forces);
+        Self {
+            tape: Tape::of_expressions(&model.graph, &roots),
+            outputs: Tape::of_expressions(&model.graph, &model.outputs),
+            coordinates: model.coordinates as usize,
+            inputs: model.inputs as usize,
+            energies: energies.len(),
+            dissipates: !model.graph.is_zero(model.dissipation),
+        }
+    }
+
+    /// The values at a point with these accelerations; none outside of the domain.
+    pub(crate) fn values(
+        &self,
+        sample: Sample,
+        variation: &Variation,
+        accelerations: &[f64],
+        perturbation: Perturbation,
+    ) -> Option<Values> {
+        let n = self.coordinates;
+        let symbol = |symbol: Symbol| moving(sample, symbol, variation, accelerations);
+        let values = self.tape.run(&symbol, perturbation);
+        let slots = self.tape.outputs();
+        let at = |position: usize| values[slots[position] as usize];
+        let lagrangian = self.gradient(&values, &self.lagrangian_weights(), perturbation);
+        let dissipation = if self.dissipates {
+            self.gradient(&values, &[(self.energies, 1.0)], perturbation)
+        } else {
+            Gradient::zero(n)
+        };
+        let mut result = Values {
+            lagrangian: 0.0,
+            energies: Vec::new(),
+            momenta: Vec::with_capacity(n),
+            generalized_forces: Vec::with_capacity(n),
+            residuals: Vec::with_capacity(n),
+            variations: Vec::with_capacity(n),
+            mass_products: self.mass_products(sample, &variation.velocities, perturbation),
+            outputs: Vec::new(),
+        };
+        for (position, weight) in self.lagrangian_weights() {
+            let energy = at(position).value;
+            result.lagrangian += weight * energy;
+            if self.energies == 2 {
+                result.energies.push(energy);
+            }
+        }
+        for i in 0..n {
+            let (momentum, slope) = (lagrangian.velocities[i], lagrangian.coordinates[i]);
+            let (force, drag) = (at(self.energies + 1 + i), dissipation.velocities[i]);
+            let parts = [momentum, slope, force, drag];
+            if !parts.iter().all(|part| part.is_finite()) {
+                return None;
+            }
+            let (mut residual, mut change) = (Balance::default(), Balance::default());
+            for (rate, mixed) in [
+                (momentum.first, momentum.mixed),
+                (-slope.value, -slope.second),
+                (-force.value, -force.second),
+                (drag.value, drag.second),
+            ] {
+                residual.add(rate);
+                change.add(mixed);
+            }
+            result.momenta.push(momentum.value);
+            result.generalized_forces.push(force.value - drag.value);
+            result.residuals.push(residual);
+            result.variations.push(change);
+        }
+        let state = |symbol: Symbol| match symbol {
+            Symbol::Acceleration(i) => accelerations[i as usize],
+            _ => sample.value(symbol),
+        };
+        result.outputs = self.outputs.evaluate(&state, perturbation);
+        Some(result)
+    }
+
+    /// L as a sum of roots.
+    fn lagrangian_weights(&self) -> Vec<(usize, f64)> {
+        let weights = [(0, 1.0), (1, -1.0)];
+        weights[..self.energies].to_vec()
+    }
+
+    fn gradient(
+        &self,
+        values: &[HyperDual],
+        weights: &[(usize, f64)],
+        perturbation: Perturbation,
+    ) -> Gradient {
+        let mut gradient = Gradient::zero(self.coordinates);
+        let slots = self.tape.outputs();
+        let mut weighted = Vec::with_capacity(weights.len());
+        for (position, weight) in weights {
+            weighted.push((slots[*position], *weight));
+        }
+        let mut receive = |symbol: Symbol, adjoint: HyperDual| match symbol {
+            Symbol::Coordinate(i) => gradient.coordinates[i as usize] = adjoint,
+            Symbol::Velocity(i) => gradient.velocities[i as usize] = adjoint,
+            _ => {}
+        };
+        self.tape
+            .gradient(values, &weighted, perturbation, &mut receive);
+        gradient
+    }
+
+    /// M w, the change of p where velocities change by w.
+    fn mass_products(
+        &self,
+        sample: Sample,
+        velocities: &[f64],
+        perturbation: Perturbation,
+    ) -> Vec<f64> {
+        let symbol = |symbol: Symbol| {
+            let first = match symbol {
+                Symbol::Velocity(i) => velocities[i as usize],
+                _ => 0.0,
+            };
+            HyperDual {
+                first,
+                ..HyperDual::constant(sample.value(symbol))
+            }
+        };
+        let values = self.tape.run(&symbol, perturbation);
+        let gradient = self.gradient(&values, &self.lagrangian_weights(), perturbation);
+        let momenta = gradient.velocities.iter();
+        momenta.map(|momentum| momentum.first).collect()
+    }
+}
+
+/// The derivatives by coordinates and velocities.
+struct Gradient {
+    coordinates: Vec<HyperDual>,
+    velocities: Vec<HyperDual>,
+}
+
+impl Gradient {
+    fn zero(coordinates: usize) -> Self {
+        let zero = vec![HyperDual::constant(0.0); coordinates];
+        Self {
+            coordinates: zero.clone(),
+            velocities: zero,
+        }
+    }
+}
+
+/// A symbol that moves in time and with the variation.
+fn moving(
+    sample: Sample,
+    symbol: Symbol,
+    variation: &Variation,
+    accelerations: &[f64],
+) -> HyperDual {
+    let n = accelerations.len();
+    let mut number = HyperDual::constant(sample.value(symbol));
+    match symbol {
+        Symbol::Coordinate(i) => {
+            let i = i as usize;
+            // q̇ varies, too.
+            number.first = sample.value(Symbol::Velocity(position(i)));
+            number.second = variation.state[i];
+            number.mixed = variation.state[n + i];
+        }
+        Symbol::Velocity(i) => {
+            number.first = accelerations[i as usize];
+            number.second = variation.state[n + i as usize];
+        }
+        Symbol::Time => {
+            number.first = 1.0;
+            number.second = variation.state[2 * n];
+        }
+        Symbol::Input(i) => number.second = variation.inputs[i as usize],
+        Symbol::Acceleration(_)
+        | Symbol::Parameter(_)
+        | Symbol::Prepared(_)
+        | Symbol::Argument(_) => {}
+    }
+    number
+}
+
+fn position(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
+}

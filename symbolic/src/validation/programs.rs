@@ -1,0 +1,177 @@
+//! The programs that are about to be emitted for a model, as far as they are validated.
+
+use crate::validation::changes::Layout;
+use crate::validation::sample::Sample;
+use crate::validation::square_matrix::SquareMatrix;
+use crate::validation::tape::{Perturbation, Tape};
+use crate::{Program, Symbol};
+
+/// What is validated: one or more programs that stand or fall together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Method {
+    /// L.
+    Lagrangian,
+    /// T and V.
+    Energies,
+    /// The energy function.
+    Energy,
+    /// p.
+    Momenta,
+    /// M.
+    MassMatrix,
+    /// f.
+    Forcing,
+    /// Q.
+    GeneralizedForces,
+    /// M q̈ − f.
+    InverseDynamics,
+    /// q̈, and its derivatives.
+    Accelerations,
+    /// The derivatives of q̈ alone.
+    Linearization,
+    /// Quantities for observers.
+    Outputs,
+}
+
+/// The program for q̈.
+#[derive(Clone, Copy)]
+pub enum AccelerationProgram<'a> {
+    /// As many pivots, then q̈.
+    Solved(&'a Program, usize),
+    /// The lower triangle of M, row by row, then f, up to a common factor.
+    System(&'a Program),
+}
+
+/// The programs for derivatives of q̈ by q, q̇ and t, and by the inputs.
+#[derive(Clone, Copy)]
+pub enum LinearizationProgram<'a> {
+    /// As many pivots and q̈, the columns of ∂q̈/∂x, and those of ∂(M q̈ − f)/∂x if there are pivots; by the
+    /// inputs the same without q̈.
+    Solved {
+        /// By q, q̇ and t.
+        state: &'a Program,
+        /// By the inputs.
+        inputs: &'a Program,
+        /// The number of pivots.
+        pivots: usize,
+    },
+    /// The lower triangle of M and f, and the columns of ∂(M q̈ − f)/∂x, up to a common factor; by the inputs
+    /// the same without f.
+    System {
+        /// By q, q̇ and t.
+        state: &'a Program,
+        /// By the inputs.
+        inputs: &'a Program,
+    },
+}
+
+/// The programs of a model.
+#[derive(Clone, Copy)]
+pub struct Programs<'a> {
+    /// L.
+    pub lagrangian: &'a Program,
+    /// T and V, where they were declared.
+    pub energies: Option<[&'a Program; 2]>,
+    /// The energy function.
+    pub energy: &'a Program,
+    /// p.
+    pub momenta: &'a Program,
+    /// M, row by row.
+    pub mass_matrix: &'a Program,
+    /// f.
+    pub forcing: &'a Program,
+    /// Q.
+    pub generalized_forces: &'a Program,
+    /// M q̈ − f.
+    pub inverse_dynamics: &'a Program,
+    /// What the program for q̈ finds prepared.
+    pub preparation: &'a Program,
+    /// q̈.
+    pub accelerations: AccelerationProgram<'a>,
+    /// Derivatives of q̈.
+    pub linearization: LinearizationProgram<'a>,
+    /// Quantities for observers.
+    pub outputs: &'a Program,
+}
+
+/// The same as tapes.
+pub(crate) struct Tapes {
+    pub(crate) lagrangian: Tape,
+    /// T and V; nothing where they were not declared.
+    pub(crate) energies: Tape,
+    pub(crate) energy: Tape,
+    pub(crate) momenta: Tape,
+    pub(crate) mass_matrix: Tape,
+    pub(crate) forcing: Tape,
+    pub(crate) generalized_forces: Tape,
+    pub(crate) inverse_dynamics: Tape,
+    pub(crate) outputs: Tape,
+    /// By the state and by the inputs.
+    pub(crate) linearization: [Tape; 2],
+    pub(crate) layout: Layout,
+    preparation: Tape,
+    accelerations: Tape,
+    /// The number of pivots before q̈, unless M and f are computed.
+    pivots: Option<usize>,
+}
+
+impl Tapes {
+    pub(crate) fn new(programs: &Programs<'_>) -> Self {
+        let (accelerations, pivots) = match programs.accelerations {
+            AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
+            AccelerationProgram::System(program) => (program, None),
+        };
+        let (linearization, layout) = match programs.linearization {
+            LinearizationProgram::Solved {
+                state,
+                inputs,
+                pivots,
+            } => ([state, inputs], Layout::Solved(pivots)),
+            LinearizationProgram::System { state, inputs } => ([state, inputs], Layout::System),
+        };
+        let energies = programs.energies.iter().flatten();
+        Self {
+            lagrangian: Tape::of_program(programs.lagrangian),
+            energies: Tape::of_programs(energies.copied()),
+            energy: Tape::of_program(programs.energy),
+            momenta: Tape::of_program(programs.momenta),
+            mass_matrix: Tape::of_program(programs.mass_matrix),
+            forcing: Tape::of_program(programs.forcing),
+            generalized_forces: Tape::of_program(programs.generalized_forces),
+            inverse_dynamics: Tape::of_program(programs.inverse_dynamics),
+            outputs: Tape::of_program(programs.outputs),
+            linearization: linearization.map(Tape::of_program),
+            layout,
+            preparation: Tape::of_program(programs.preparation),
+            accelerations: Tape::of_program(accelerations),
+            pivots,
+        }
+    }
+
+    /// The accelerations at a point, if they exist.
+    pub(crate) fn accelerations(
+        &self,
+        sample: Sample,
+        coordinates: usize,
+        perturbation: Perturbation,
+    ) -> Option<Vec<f64>> {
+        let parameters = |symbol: Symbol| sample.value(symbol);
+        let prepared = self.preparation.evaluate(&parameters, perturbation);
+        let symbol = |symbol: Symbol| match symbol {
+            Symbol::Prepared(index) => prepared[index as usize],
+            _ => sample.value(symbol),
+        };
+        let mut outputs = self.accelerations.evaluate(&symbol, perturbation);
+        let accelerations = match self.pivots {
+            Some(pivots) => outputs.split_off(pivots),
+            None => {
+                let (lower, forcing) = outputs.split_at(outputs.len() - coordinates);
+                SquareMatrix::symmetric(lower, coordinates).solve(forcing)?
+            }
+        };
+        accelerations
+            .iter()
+            .all(|x| x.is_finite())
+            .then_some(accelerations)
+    }
+}

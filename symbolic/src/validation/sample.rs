@@ -1,0 +1,86 @@
+//! Random real points: signs, sizes, and numbers that coincide.
+//!
+//! One point in four has numbers near one, one has numbers of many sizes, one has some that are equal, small
+//! integers and halves; in the fourth parameters are negative now and then. All are drawn from a seed by
+//! splitmix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014), another
+//! one than those of the decisions in modular arithmetic.
+
+use crate::Symbol;
+use crate::decision::residue::mix;
+
+/// Apart from all points of the decisions, which count from 0.
+const SEED: u64 = 0x5851_f42d_4c95_7f2d;
+
+/// A random real point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sample {
+    seed: u64,
+    style: Style,
+}
+
+/// What the numbers of a point are like.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Style {
+    NearOne,
+    ManySizes,
+    Coinciding,
+    NegativeParameters,
+}
+
+impl Sample {
+    /// The point with this number.
+    pub(crate) const fn new(number: u64) -> Self {
+        let style = match number % 4 {
+            0 => Style::NearOne,
+            1 => Style::ManySizes,
+            2 => Style::Coinciding,
+            _ => Style::NegativeParameters,
+        };
+        Self {
+            seed: mix(SEED, number),
+            style,
+        }
+    }
+
+    /// The value of a symbol.
+    pub(crate) fn value(self, symbol: Symbol) -> f64 {
+        let word = self.word(symbol);
+        let fraction = fraction(word);
+        let size = match self.style {
+            Style::NearOne | Style::NegativeParameters => 0.3 + 1.9 * fraction,
+            Style::ManySizes => libm::exp2(10.0 * fraction - 5.0),
+            Style::Coinciding => [0.5, 1.0, 1.5, 2.0, 2.5, 3.0][(word % 6) as usize],
+        };
+        let is_negative = match symbol {
+            Symbol::Parameter(_) if self.style == Style::NegativeParameters => word & 0x300 == 0,
+            Symbol::Parameter(_) | Symbol::Prepared(_) => false,
+            _ => word & 0x100 == 0,
+        };
+        if is_negative { -size } else { size }
+    }
+
+    /// A number between −1 and 1 that does not belong to a symbol.
+    pub(crate) fn weight(self, kind: u64, index: usize) -> f64 {
+        2.0 * fraction(mix(mix(self.seed, 1000 + kind), index as u64)) - 1.0
+    }
+
+    fn word(self, symbol: Symbol) -> u64 {
+        let (kind, index) = match symbol {
+            Symbol::Time => (0, 0),
+            Symbol::Coordinate(index) => (1, index),
+            Symbol::Velocity(index) => (2, index),
+            Symbol::Acceleration(index) => (3, index),
+            Symbol::Parameter(index) => (4, index),
+            Symbol::Input(index) => (5, index),
+            Symbol::Prepared(index) => (6, index),
+            Symbol::Argument(index) => (7, index),
+        };
+        mix(mix(self.seed, kind), index.into())
+    }
+}
+
+/// A word as a number from 0 to 1.
+#[allow(clippy::cast_precision_loss)] // Its upper half is enough.
+fn fraction(word: u64) -> f64 {
+    (word >> 32) as f64 / f64::from(u32::MAX)
+}
