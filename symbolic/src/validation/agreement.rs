@@ -191,7 +191,7 @@ impl Validator {
             inputs: at(accelerations, inputs),
             layout: tapes.layout,
         };
-        let balances = changes.balances(&mass, &values.variations, &variation);
+        let balances = changes.balances(&mass, accelerations, &values.variations, &variation);
         comparisons.vanishing(Method::Linearization, &balances);
         Some(comparisons.0)
     }

@@ -21,11 +21,12 @@ pub(crate) struct Changes {
 }
 
 impl Changes {
-    /// M δq̈ + δ(M q̈ − f) at fixed q̈, which vanishes; and, where they are computed too, the differences
-    /// of δ(M q̈ − f) to what the equations say.
+    /// M δq̈ + δ(M q̈ − f) at fixed q̈, which vanishes, and the differences of what else is computed to what the
+    /// equations say: of q̈, or M q̈ − f, and of δ(M q̈ − f).
     pub(crate) fn balances(
         &self,
         mass: &SquareMatrix,
+        accelerations: &[f64],
         variations: &[Balance],
         variation: &Variation,
     ) -> Vec<Balance> {
@@ -36,6 +37,8 @@ impl Changes {
                 let columns = n * variation.state.len();
                 let changes = self.sum(n, [pivots + n, pivots], variation);
                 let mut balances = self.balance(mass, &changes, variations);
+                let found = &self.state[pivots..pivots + n];
+                balances.extend(differences(found, accelerations));
                 if pivots > 0 {
                     let starts = [pivots + n + columns, pivots + n * variation.inputs.len()];
                     let residuals = self.sum(n, starts, variation);
@@ -51,6 +54,13 @@ impl Changes {
                 let residuals = self.sum(n, [triangle + n, triangle], variation);
                 let right: Vec<f64> = residuals.iter().map(|sum| -sum.total).collect();
                 let matrix = SquareMatrix::symmetric(&self.state[..triangle], n);
+                // Both programs compute M.
+                let mut equations = matrix.times(accelerations);
+                let (first, second) = (&self.inputs[..triangle], &self.state[..triangle]);
+                equations.extend(differences(first, second));
+                for (equation, force) in equations.iter_mut().zip(&self.state[triangle..][..n]) {
+                    equation.add(-force);
+                }
                 let Some(changes) = matrix.solve(&right) else {
                     return vec![UNDEFINED];
                 };
@@ -59,7 +69,8 @@ impl Changes {
                     size: total.abs(),
                 };
                 let changes: Vec<_> = changes.into_iter().map(exact).collect();
-                self.balance(mass, &changes, variations)
+                equations.extend(self.balance(mass, &changes, variations));
+                equations
             }
         }
     }
@@ -95,6 +106,18 @@ impl Changes {
         }
         sums
     }
+}
+
+/// Values less those that they should be.
+fn differences(found: &[f64], expected: &[f64]) -> Vec<Balance> {
+    let mut differences = Vec::with_capacity(found.len());
+    for (found, expected) in found.iter().zip(expected) {
+        let mut difference = Balance::default();
+        difference.add(*found);
+        difference.add(-expected);
+        differences.push(difference);
+    }
+    differences
 }
 
 const UNDEFINED: Balance = Balance {

@@ -118,6 +118,8 @@ impl HyperDual {
                 let inverse = (self * self + y * y).reciprocal();
                 [y * inverse, -(self * inverse)]
             }
+            // The mean of both sides, as the derivatives in the table have it.
+            Binary::Min | Binary::Max if self.value == y.value => [Self::constant(0.5); 2],
             Binary::Min if self.value < y.value => [one, zero],
             Binary::Max if self.value > y.value => [one, zero],
             Binary::Min | Binary::Max => [zero, one],
