@@ -221,9 +221,12 @@ impl Tape {
         symbol: &dyn Fn(Symbol) -> N,
         perturbation: Perturbation,
     ) -> Vec<N> {
-        let mut values: Vec<N> = Vec::with_capacity(self.entries.len());
-        for entry in &self.entries {
-            let value = match *entry {
+        let mut results = vec![N::ZERO; self.entries.len()];
+        // Macros run without optimization: a plain loop over slices.
+        let (values, entries) = (&mut results[..], &self.entries[..]);
+        let mut position = 0;
+        while position < entries.len() {
+            let value = match entries[position] {
                 Entry::Symbol(x) => symbol(x),
                 Entry::Constant(x) => N::constant(x),
                 Entry::Add(x, y) => values[x as usize].add(values[y as usize]),
@@ -237,18 +240,19 @@ impl Tape {
                     values[x as usize].binary(function, values[y as usize])
                 }
                 Entry::Apply(function, start, count, has_slopes) => {
-                    let [arguments, slopes] = self.operands(&values, start, count, has_slopes);
+                    let [arguments, slopes] = self.operands(values, start, count, has_slopes);
                     let value = unknown_function(function, &arguments);
                     N::composed(value, &slopes, &arguments)
                 }
             };
-            let is_loaded = matches!(entry, Entry::Symbol(_) | Entry::Constant(_));
-            values.push(match perturbation.0 {
-                Some(_) if !is_loaded => value.scaled(perturbation.factor(values.len())),
+            let is_loaded = matches!(entries[position], Entry::Symbol(_) | Entry::Constant(_));
+            values[position] = match perturbation.0 {
+                Some(_) if !is_loaded => value.scaled(perturbation.factor(position)),
                 _ => value,
-            });
+            };
+            position += 1;
         }
-        values
+        results
     }
 
     /// The arguments of a function from outside, and its slopes if they are known.
@@ -280,11 +284,12 @@ impl Tape {
         receive: &mut dyn FnMut(Symbol, HyperDual),
     ) {
         let mut adjoints = vec![HyperDual::ZERO; self.entries.len()];
+        let (adjoints, entries) = (&mut adjoints[..], &self.entries[..]);
         for (slot, weight) in weights {
             let adjoint = &mut adjoints[*slot as usize];
             *adjoint = *adjoint + HyperDual::constant(*weight);
         }
-        let mut next = self.entries.len();
+        let mut next = entries.len();
         while next > 0 {
             next -= 1;
             let mut adjoint = adjoints[next];
@@ -292,12 +297,12 @@ impl Tape {
                 continue;
             }
             if perturbation.0.is_some() {
-                adjoint = adjoint.scaled(perturbation.factor(self.entries.len() + next));
+                adjoint = adjoint.scaled(perturbation.factor(entries.len() + next));
             }
             let mut add = |slot: Slot, change: HyperDual| {
                 adjoints[slot as usize] = adjoints[slot as usize] + change;
             };
-            match self.entries[next] {
+            match entries[next] {
                 Entry::Symbol(symbol) => receive(symbol, adjoint),
                 Entry::Constant(_) => {}
                 Entry::Add(x, y) => {
