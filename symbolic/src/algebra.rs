@@ -11,6 +11,7 @@ pub(crate) mod pythagoras;
 pub(crate) mod product;
 pub(crate) mod expansion;
 pub(crate) mod call;
+pub(crate) mod circular;
 pub(crate) mod function;
 pub(crate) mod outside;
 pub(crate) mod dependence;
