@@ -198,6 +198,17 @@ macro_rules! elementary {
     )*};
 }
 
+/// Those of the standard library overflow at half of the largest number, and lose digits where acosh begins
+/// and where atanh ends.
+macro_rules! inverse_hyperbolic {
+    ($($name:ident $libm:ident;)*) => {$(
+        #[inline]
+        fn $name(self) -> Self {
+            libm::$libm(self)
+        }
+    )*};
+}
+
 macro_rules! float_scalar {
     ($float:ident, $from:expr, $fma:ident, { $($own:tt)* } $($table:tt)*) => {
         impl Scalar for $float {
@@ -284,6 +295,8 @@ float_scalar! { f64, core::convert::identity, fma,
             sine_cosine::sines_and_cosines(angles)
         }
 
+        inverse_hyperbolic! { asinh asinh; acosh acosh; atanh atanh; }
+
         // What one of them alone does not need, the compiler leaves out.
         #[inline]
         fn sin(self) -> Self {
@@ -298,7 +311,6 @@ float_scalar! { f64, core::convert::identity, fma,
     tan tan();
     asin asin(); acos acos(); atan atan(); atan2 atan2(x);
     sinh sinh(); cosh cosh(); tanh tanh();
-    asinh asinh(); acosh acosh(); atanh atanh();
     exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
 }
 
@@ -311,11 +323,12 @@ float_scalar! { f32, nearest_f32, fmaf,
             #[cfg(not(feature = "std"))]
             return libm::sincosf(self);
         }
+
+        inverse_hyperbolic! { asinh asinhf; acosh acoshf; atanh atanhf; }
     }
     sin sinf(); cos cosf(); tan tanf();
     asin asinf(); acos acosf(); atan atanf(); atan2 atan2f(x);
     sinh sinhf(); cosh coshf(); tanh tanhf();
-    asinh asinhf(); acosh acoshf(); atanh atanhf();
     exp expf(); ln logf(); sqrt sqrtf(); powf powf(exponent);
 }
 

@@ -9,6 +9,7 @@ pub(crate) mod graph;
 pub(crate) mod sum;
 pub(crate) mod pythagoras;
 pub(crate) mod product;
+pub(crate) mod hyperbolic;
 pub(crate) mod expansion;
 pub(crate) mod call;
 pub(crate) mod circular;

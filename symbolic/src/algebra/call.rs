@@ -41,7 +41,10 @@ impl Graph {
                     _ => value,
                 }
             }
-            _ => self.intern(Node::Unary(function, x)),
+            _ => {
+                self.has_hyperbolic |= matches!(function, Unary::Sinh | Unary::Cosh | Unary::Tanh);
+                self.intern(Node::Unary(function, x))
+            }
         }
     }
 

@@ -52,6 +52,9 @@ impl Graph {
             }
             // Where equal bases meet, an exponent may become one that opens: |x|·|x| = x².
             pending = combine_and_take_merged(&mut settled);
+            if pending.is_empty() {
+                pending = self.take_hyperbolic(&mut settled);
+            }
         }
         if let Some((zero, _)) = settled.iter().find(|(base, _)| self.is_zero(*base)) {
             // What divides by zero has no value, 0/0 no more than 1/0, which stands for them all.
