@@ -72,6 +72,16 @@ pub trait Scalar:
         Self::from_f64(core::f64::consts::PI)
     }
 
+    /// The smallest positive number that has all digits: added to a root, it changes nothing but 0.
+    ///
+    /// Emitted code does so where it divides by a root and the quotient has a limit. That of `f32` serves
+    /// every format of at least as many digits, unless those are needed below 10⁻³⁰ or so.
+    #[inline]
+    #[must_use]
+    fn min_positive() -> Self {
+        Self::from_f64(f32::MIN_POSITIVE.into())
+    }
+
     /// The value of a plain number; the smallest over the lanes of several, NaN if one of them is.
     fn smallest(self) -> f64;
 
@@ -165,7 +175,8 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
-    /// The square root.
+    /// The square root. A number that carries derivatives has those of a sum of squares at 0: where its own
+    /// are 0, so are those of the root.
     #[must_use]
     fn sqrt(self) -> Self;
     /// `self` to a real power; NaN where real numbers have none.
@@ -215,6 +226,11 @@ macro_rules! float_scalar {
             #[inline]
             fn from_f64(value: f64) -> Self {
                 $from(value)
+            }
+
+            #[inline]
+            fn min_positive() -> Self {
+                $float::MIN_POSITIVE
             }
 
             #[inline]
