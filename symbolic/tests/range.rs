@@ -103,6 +103,7 @@ const SINGLE: Format = Format {
 };
 
 impl Format {
+    #[allow(clippy::float_cmp)] // Infinities are equal.
     fn accepts(&self, found: f64, expected: f64) -> bool {
         if expected.is_infinite() {
             return found == expected;
@@ -169,7 +170,7 @@ fn closeness_can_fail() {
     }
 }
 
-/// f(x, y) and its derivatives f_x, f_y, f_xx, f_xy, f_yy as a program.
+/// f(x, y), and its derivatives by x, y, x and x, x and y, y and y, as a program.
 fn program_of_two(function: Binary) -> Program {
     let mut graph = Graph::new();
     let [x, y] = [X, Y].map(|symbol| graph.symbol(symbol));

@@ -20,7 +20,7 @@ struct Angle {
 fn turned(function: Unary, quarters: u8) -> (Unary, bool) {
     // cos x = sin(x + ½π).
     let quarters = quarters + u8::from(function == Unary::Cos);
-    let function = if quarters % 2 == 0 {
+    let function = if quarters.is_multiple_of(2) {
         Unary::Sin
     } else {
         Unary::Cos

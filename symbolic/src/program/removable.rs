@@ -184,3 +184,77 @@ impl Orders {
         Some(sum)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether Π xᵢ^kᵢ · S^k has a limit where S is 0, for S = x² + y² of velocities or of coordinates and z
+    /// of the same kind.
+    fn has_limit(of: fn(u32) -> Symbol, powers: [i64; 3], k: &Rational) -> bool {
+        let mut graph = Graph::new();
+        let letters = [0, 1, 2].map(|i| graph.symbol(of(i)));
+        let [x, y, _] = letters.map(|x| graph.square(x));
+        let sum = graph.add(x, y);
+        let factors = letters.into_iter().zip(powers.map(Rational::integer));
+        let product = graph.product(factors.chain([(sum, k.clone())]));
+        let descendants = graph.descendants(&[product]);
+        removable(&graph, &descendants).contains(&(product, sum))
+    }
+
+    #[test]
+    fn what_vanishes_as_fast_as_the_root_has_a_limit() {
+        let minus_half = -&Rational::HALF;
+        for (powers, at_rest, in_place) in [
+            ([2, 0, 0], true, true),
+            ([1, 1, 0], true, true),
+            ([2, 0, 1], true, true),
+            // A unit vector is 0 at rest, and has no value where a place is that of another.
+            ([1, 0, 0], true, false),
+            ([1, 0, 1], true, false),
+            ([0, 0, 0], false, false),
+            ([1, -1, 0], false, false),
+            ([0, 0, 2], false, false),
+        ] {
+            let found = has_limit(Symbol::Velocity, powers, &minus_half);
+            assert_eq!(found, at_rest, "{powers:?}");
+            let found = has_limit(Symbol::Coordinate, powers, &minus_half);
+            assert_eq!(found, in_place, "{powers:?}");
+        }
+        // x/|r|³ is infinite; x |r|^(−½) is 0, and |r|^½ x has no divisor.
+        let powers = [(-3, 2, false), (-1, 4, true), (1, 4, false)];
+        for (numerator, denominator, expected) in powers {
+            let k = Rational::new(numerator, denominator).unwrap();
+            let found = has_limit(Symbol::Coordinate, [1, 0, 0], &k);
+            assert_eq!(found, expected, "{k}");
+        }
+    }
+
+    #[test]
+    fn quadratic_forms_of_velocities_vanish_at_rest() {
+        // S = u² + u v cos q + v²: no sum of squares as it stands.
+        let mut graph = Graph::new();
+        let [q, u, v] = [
+            Symbol::Coordinate(0),
+            Symbol::Velocity(0),
+            Symbol::Velocity(1),
+        ]
+        .map(|symbol| graph.symbol(symbol));
+        let cos = graph.unary(Unary::Cos, q);
+        let mixed = graph.product([u, v, cos].map(|x| (x, Rational::ONE)));
+        let (u2, v2) = (graph.square(u), graph.square(v));
+        let form = graph.sum([u2, mixed, v2].map(|x| (x, Rational::ONE)));
+        let root = graph.square_root(form);
+        let drag = graph.multiply(root, u);
+        let slope = graph.derivative(drag, Symbol::Velocity(1));
+        let descendants = graph.descendants(&[slope]);
+        assert!(!removable(&graph, &descendants).is_empty());
+        // Not with u² + v² + 1, which is nowhere 0, nor with q in place of what vanishes.
+        let shifted = graph.add_constant(form, &Rational::ONE);
+        for (numerator, base) in [(u, shifted), (q, form)] {
+            let quotient = graph.product([(numerator, Rational::ONE), (base, -&Rational::HALF)]);
+            let descendants = graph.descendants(&[quotient]);
+            assert!(removable(&graph, &descendants).is_empty());
+        }
+    }
+}
