@@ -5,7 +5,7 @@ use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Una
 const X: Symbol = Symbol::Coordinate(0);
 
 /// sin kπ/12 for k from 0 to 6, to more digits than binary64 has; by mpmath.
-#[allow(clippy::excessive_precision)]
+#[allow(clippy::approx_constant, clippy::excessive_precision)] // A table of them.
 const SINES: [f64; 7] = [
     0.0,
     0.258_819_045_102_520_762_348_9,

@@ -67,7 +67,8 @@ fn values_and_derivatives_are_finite_and_right_wherever_the_truth_is() {
             count += 1;
             let expected: f64 = expected.parse().unwrap();
             let error = (found - expected).abs();
-            let close = found == expected || error <= 8.0 * epsilon * expected.abs() + negligible;
+            let close = found.total_cmp(&expected).is_eq()
+                || error <= 8.0 * epsilon * expected.abs() + negligible;
             if !close {
                 wrong.push(format!(
                     "{name} {}, {order} at {x:e}: {found:e} for {expected:e}",
