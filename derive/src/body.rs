@@ -272,6 +272,10 @@ impl<'a> Body<'a> {
                 let functions = self.scalar.functions();
                 Text::atom(quote!(#functions::pi()))
             }
+            Operand::MinPositive => {
+                let functions = self.scalar.functions();
+                Text::atom(quote!(#functions::min_positive()))
+            }
         }
     }
 

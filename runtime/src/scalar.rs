@@ -72,6 +72,16 @@ pub trait Scalar:
         Self::from_f64(core::f64::consts::PI)
     }
 
+    /// The smallest positive number that has all digits: added to a root, it changes nothing but 0.
+    ///
+    /// Emitted code does so where it divides by a root and the quotient has a limit. That of `f32` serves
+    /// every format of at least as many digits, unless those are needed below 10⁻³⁰ or so.
+    #[inline]
+    #[must_use]
+    fn min_positive() -> Self {
+        Self::from_f64(f32::MIN_POSITIVE.into())
+    }
+
     /// The value of a plain number; the smallest over the lanes of several, NaN if one of them is.
     fn smallest(self) -> f64;
 
@@ -165,7 +175,8 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
-    /// The square root.
+    /// The square root. A number that carries derivatives has those of a sum of squares at 0: where its own
+    /// are 0, so are those of the root.
     #[must_use]
     fn sqrt(self) -> Self;
     /// `self` to a real power; NaN where real numbers have none.
@@ -198,12 +209,28 @@ macro_rules! elementary {
     )*};
 }
 
+/// Those of the standard library overflow at half of the largest number, and lose digits where acosh begins
+/// and where atanh ends.
+macro_rules! inverse_hyperbolic {
+    ($($name:ident $libm:ident;)*) => {$(
+        #[inline]
+        fn $name(self) -> Self {
+            libm::$libm(self)
+        }
+    )*};
+}
+
 macro_rules! float_scalar {
     ($float:ident, $from:expr, $fma:ident, { $($own:tt)* } $($table:tt)*) => {
         impl Scalar for $float {
             #[inline]
             fn from_f64(value: f64) -> Self {
                 $from(value)
+            }
+
+            #[inline]
+            fn min_positive() -> Self {
+                $float::MIN_POSITIVE
             }
 
             #[inline]
@@ -284,6 +311,8 @@ float_scalar! { f64, core::convert::identity, fma,
             sine_cosine::sines_and_cosines(angles)
         }
 
+        inverse_hyperbolic! { asinh asinh; acosh acosh; atanh atanh; }
+
         // What one of them alone does not need, the compiler leaves out.
         #[inline]
         fn sin(self) -> Self {
@@ -298,7 +327,6 @@ float_scalar! { f64, core::convert::identity, fma,
     tan tan();
     asin asin(); acos acos(); atan atan(); atan2 atan2(x);
     sinh sinh(); cosh cosh(); tanh tanh();
-    asinh asinh(); acosh acosh(); atanh atanh();
     exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
 }
 
@@ -311,11 +339,12 @@ float_scalar! { f32, nearest_f32, fmaf,
             #[cfg(not(feature = "std"))]
             return libm::sincosf(self);
         }
+
+        inverse_hyperbolic! { asinh asinhf; acosh acoshf; atanh atanhf; }
     }
     sin sinf(); cos cosf(); tan tanf();
     asin asinf(); acos acosf(); atan atanf(); atan2 atan2f(x);
     sinh sinhf(); cosh coshf(); tanh tanhf();
-    asinh asinhf(); acosh acoshf(); atanh atanhf();
     exp expf(); ln logf(); sqrt sqrtf(); powf powf(exponent);
 }
 

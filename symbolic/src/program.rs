@@ -2,6 +2,7 @@
 
 pub(crate) mod straight_line;
 pub(crate) mod cost;
+pub(crate) mod removable;
 pub(crate) mod plan;
 pub(crate) mod collecting;
 pub(crate) mod factoring;

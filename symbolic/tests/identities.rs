@@ -240,6 +240,7 @@ fn what_cannot_vanish_by_itself_is_not_decided_by_the_constructors() {
         [
             "sin² + cos² − 1",
             "sin² + cos² − 1 of x² y + x + y",
+            "tanh = sinh/cosh",
             "(√z)² = z"
         ]
     );

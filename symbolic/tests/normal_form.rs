@@ -244,6 +244,27 @@ fn whole_powers_are_distributed_over_products_and_no_others() {
             matches!(graph.node(power), Node::Product(factors) if **factors == [(base, exponent)])
         );
     }
+    // √(4 x² y²) = 2 |x| |y|, (9 x⁻²)^(3/2) = 27 |x|⁻³, and √(2 x²) = √2 |x|.
+    let squares = graph.multiply(square, y2);
+    let squares = graph.scale(squares, &Rational::integer(4));
+    let size_y = graph.unary(Unary::Abs, y);
+    let expected = graph.multiply(size, size_y);
+    let root = graph.square_root(squares);
+    assert_eq!(root, graph.scale(expected, &Rational::integer(2)));
+    let inverse = graph.power(x, &minus_two);
+    let inverse = graph.scale(inverse, &Rational::integer(9));
+    let expected = graph.power(size, &Rational::integer(-3));
+    let power = graph.power(inverse, &ratio(3, 2));
+    assert_eq!(power, graph.scale(expected, &Rational::integer(27)));
+    let double = graph.scale(square, &Rational::integer(2));
+    let two = graph.integer(2);
+    let root_of_two = graph.square_root(two);
+    let expected = graph.multiply(root_of_two, size);
+    assert_eq!(graph.square_root(double), expected);
+    // Of −4 x² there is no root.
+    let negative = graph.scale(square, &Rational::integer(-4));
+    let root = graph.square_root(negative);
+    assert!(matches!(graph.node(root), Node::Product(factors) if factors[0].0 == negative));
     // |x|³ is not x³, and (−x)^½ is no multiple of √x.
     let cubed = graph.power(size, &Rational::integer(3));
     assert_ne!(cubed, cube);

@@ -71,10 +71,17 @@ macro_rules! forwarded {
 }
 
 impl Scalar for Dual {
-    forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt }
+    forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln }
 
     fn from_f64(value: f64) -> Self {
         Self::constant(value)
+    }
+
+    fn sqrt(self) -> Self {
+        if self == Self::constant(0.0) {
+            return self;
+        }
+        Self(DualNum::sqrt(&self.0))
     }
 
     fn smallest(self) -> f64 {

@@ -4,10 +4,16 @@ use crate::algebra::function::Symmetry;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 impl Graph {
-    /// f(x), with the sign of x moved out where f allows it.
+    /// f(x): its exact value where that is known, else with the sign of x moved out where f allows it.
     pub fn unary(&mut self, function: Unary, x: Expression) -> Expression {
         if let Some(value) = self.as_constant(x).and_then(|x| function.exact(x)) {
             return self.constant(&value);
+        }
+        if let Some(value) = self.exact_circular(function, x) {
+            return value;
+        }
+        if let Some(angle) = self.exact_inverse_circular(function, x) {
+            return angle;
         }
         if self.has_minus(x) && function.symmetry() != Symmetry::None {
             let opposite = self.negate(x);
@@ -35,7 +41,10 @@ impl Graph {
                     _ => value,
                 }
             }
-            _ => self.intern(Node::Unary(function, x)),
+            _ => {
+                self.has_hyperbolic |= matches!(function, Unary::Sinh | Unary::Cosh | Unary::Tanh);
+                self.intern(Node::Unary(function, x))
+            }
         }
     }
 
@@ -56,7 +65,11 @@ impl Graph {
                 let (x, y) = (x.min(y), x.max(y));
                 return self.intern(Node::Binary(function, x, y));
             }
-            Binary::Atan2 => {}
+            Binary::Atan2 => {
+                if let Some(angle) = self.exact_atan2(x, y) {
+                    return angle;
+                }
+            }
         }
         self.intern(Node::Binary(function, x, y))
     }

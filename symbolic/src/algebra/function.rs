@@ -122,7 +122,8 @@ impl Unary {
 
     /// The derivative f′(x).
     ///
-    /// The forms are chosen so that nothing cancels: 1 − x² is (1 − x)(1 + x), and tanh′ is cosh⁻².
+    /// The forms are chosen so that nothing cancels: 1 − x² is (1 − x)(1 + x), and tanh′ is cosh⁻². They are
+    /// finite wherever the derivative is, and so are their own derivatives.
     pub fn derivative(self, graph: &mut Graph, x: Expression) -> Expression {
         match self {
             Self::Sin => graph.unary(Self::Cos, x),
@@ -134,9 +135,13 @@ impl Unary {
                 let tan = graph.unary(Self::Tan, x);
                 plus_square(graph, tan)
             }
-            Self::Asin => unit_difference(graph, x, &Rational::HALF),
+            Self::Asin => {
+                let product = unit_difference(graph, x);
+                graph.power(product, &-&Rational::HALF)
+            }
             Self::Acos => {
-                let asin = unit_difference(graph, x, &Rational::HALF);
+                let product = unit_difference(graph, x);
+                let asin = graph.power(product, &-&Rational::HALF);
                 graph.negate(asin)
             }
             Self::Atan => {
@@ -158,7 +163,12 @@ impl Unary {
                 let (below, above) = around_one(graph, x);
                 graph.product([(below, minus_half.clone()), (above, minus_half)])
             }
-            Self::Atanh => unit_difference(graph, x, &Rational::ONE),
+            Self::Atanh => {
+                let product = unit_difference(graph, x);
+                // Kept whole: the derivatives of two factors would cancel at 0.
+                let product = graph.whole(product);
+                graph.power(product, &Rational::MINUS_ONE)
+            }
             Self::Exp => graph.unary(Self::Exp, x),
             Self::Ln => graph.power(x, &Rational::MINUS_ONE),
             Self::Abs => graph.unary(Self::Signum, x),
@@ -271,7 +281,7 @@ impl Binary {
                 let less = graph.add_constant(y, &Rational::MINUS_ONE);
                 let lower = graph.binary(Self::Power, x, less);
                 let whole = graph.binary(Self::Power, x, y);
-                let ln = graph.unary(Unary::Ln, x);
+                let ln = logarithm_or_zero(graph, x);
                 [graph.multiply(y, lower), graph.multiply(whole, ln)]
             }
         }
@@ -294,6 +304,18 @@ fn plus_square(graph: &mut Graph, x: Expression) -> Expression {
     graph.add_constant(square, &Rational::ONE)
 }
 
+/// ln x, and 0 for x = 0, where x^y ln x is 0: ln(x + (1 − signum² x)).
+fn logarithm_or_zero(graph: &mut Graph, x: Expression) -> Expression {
+    let one = graph.one();
+    let sign = graph.unary(Unary::Signum, x);
+    let sign = graph.square(sign);
+    let zero_or_one = graph.subtract(one, sign);
+    // Kept whole, so that x + 1 is not rounded.
+    let zero_or_one = graph.whole(zero_or_one);
+    let guarded = graph.add(x, zero_or_one);
+    graph.unary(Unary::Ln, guarded)
+}
+
 /// x − 1 and x + 1.
 fn around_one(graph: &mut Graph, x: Expression) -> (Expression, Expression) {
     let below = graph.add_constant(x, &Rational::MINUS_ONE);
@@ -301,12 +323,11 @@ fn around_one(graph: &mut Graph, x: Expression) -> (Expression, Expression) {
     (below, above)
 }
 
-/// ((1 − x)(1 + x))^−k.
-fn unit_difference(graph: &mut Graph, x: Expression, k: &Rational) -> Expression {
+/// (1 − x)(1 + x).
+fn unit_difference(graph: &mut Graph, x: Expression) -> Expression {
     let (below, above) = around_one(graph, x);
     let below = graph.negate(below);
-    let product = graph.multiply(below, above);
-    graph.power(product, &-k)
+    graph.multiply(below, above)
 }
 
 /// The shares ½(1 ± signum(x − y)) of both arguments in the greater one.

@@ -121,6 +121,8 @@ pub struct Graph {
     pub(crate) functions: Vec<Outside>,
     /// What sums are multiples of, as far as products have asked.
     pub(crate) splits: Table<Expression, Option<Split>>,
+    /// Whether there is a hyperbolic function.
+    pub(crate) has_hyperbolic: bool,
 }
 
 impl Default for Graph {
@@ -139,6 +141,7 @@ impl Graph {
             contents: Vec::new(),
             functions: Vec::new(),
             splits: Table::default(),
+            has_hyperbolic: false,
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));

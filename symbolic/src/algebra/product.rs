@@ -1,7 +1,7 @@
 //! The normal form of products and of exact powers, Π xᵢ^kᵢ.
 //!
 //! The rules keep the semantics of real numbers: what is rewritten is equal wherever the original has
-//! a value. (√x)² = x and x/x = 1 extend the domain; √(x²) = |x|; (xy)^k = x^k y^k only for integer k;
+//! a value. (√x)² = x and x/x = 1 extend the domain; √(x²y²) = |x| |y|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
 use crate::algebra::sum::{Split, ascends};
@@ -52,6 +52,9 @@ impl Graph {
             }
             // Where equal bases meet, an exponent may become one that opens: |x|·|x| = x².
             pending = combine_and_take_merged(&mut settled);
+            if pending.is_empty() {
+                pending = self.take_hyperbolic(&mut settled);
+            }
         }
         if let Some((zero, _)) = settled.iter().find(|(base, _)| self.is_zero(*base)) {
             // What divides by zero has no value, 0/0 no more than 1/0, which stands for them all.
@@ -79,13 +82,23 @@ impl Graph {
                 let parts = inner.iter().map(|(x, j)| Some((*x, short(j * exponent)?)));
                 Some((Rational::ONE, parts.collect::<Option<_>>()?))
             }
+            Node::Product(_) if self.is_even_product(base) => {
+                // (Π x^j)^k = Π |x|^(jk) for even j.
+                let Node::Product(inner) = self.node(base) else {
+                    return None;
+                };
+                let inner = inner.clone();
+                let parts = inner.iter().map(|(x, j)| {
+                    let exponent = short(j * exponent)?;
+                    Some((self.unary(Unary::Abs, *x), exponent))
+                });
+                Some((Rational::ONE, parts.collect::<Option<_>>()?))
+            }
             Node::Product(inner) => {
-                // Where x^j has a value with a real power, it is not negative, and so is x unless j
-                // is even: (x^j)^k = |x|^(jk) or x^(jk).
+                // Where x^j has a value with a real power, it is not negative, and neither is x:
+                // (x^j)^k = x^(jk).
                 let [(x, j)] = &**inner else { return None };
-                let (x, even, exponent) = (*x, j.is_even(), short(j * exponent)?);
-                let base = if even { self.unary(Unary::Abs, x) } else { x };
-                Some((Rational::ONE, vec![(base, exponent)]))
+                Some((Rational::ONE, vec![(*x, short(j * exponent)?)]))
             }
             Node::Sum(_) if exponent.is_integer() => {
                 let Split {
@@ -105,10 +118,33 @@ impl Graph {
                 parts.push((rest, exponent.clone()));
                 Some((power, parts))
             }
+            Node::Sum(terms) => {
+                // (c·Π x^j)^k = c^k·(Π x^j)^k for even j and c > 0.
+                let [(product, number)] = &**terms else {
+                    return None;
+                };
+                let (product, number) = (*product, number.clone());
+                if number.is_negative() || number.is_long() || !self.is_even_product(product) {
+                    return None;
+                }
+                let number = self.constant(&number);
+                let parts = [number, product].map(|x| (x, exponent.clone()));
+                Some((Rational::ONE, parts.to_vec()))
+            }
             Node::Unary(Unary::Abs, x) if exponent.is_even() => {
                 Some((Rational::ONE, vec![(*x, exponent.clone())]))
             }
             _ => None,
+        }
+    }
+
+    /// Whether an expression is a product of even powers.
+    fn is_even_product(&self, expression: Expression) -> bool {
+        match self.node(expression) {
+            Node::Product(factors) => {
+                factors.len() <= LONGEST_MERGED && factors.iter().all(|(_, k)| k.is_even())
+            }
+            _ => false,
         }
     }
 

@@ -14,6 +14,7 @@ trait Arithmetic {
 
     fn constant(&mut self, value: &Rational) -> Option<Self::Number>;
     fn pi(&mut self) -> Option<Self::Number>;
+    fn min_positive(&mut self) -> Option<Self::Number>;
     fn symbol(&mut self, symbol: Symbol) -> Option<Self::Number>;
     fn add(&mut self, x: Self::Number, y: Self::Number) -> Option<Self::Number>;
     fn negate(&mut self, x: Self::Number) -> Option<Self::Number>;
@@ -86,6 +87,7 @@ fn fetch<A: Arithmetic>(
         Operand::Value(number) => values.get(*number).copied(),
         Operand::Constant(value) => arithmetic.constant(value),
         Operand::Pi => arithmetic.pi(),
+        Operand::MinPositive => arithmetic.min_positive(),
         Operand::Symbol(symbol) => arithmetic.symbol(*symbol),
     }
 }
@@ -143,6 +145,10 @@ impl<F: Fn(Symbol) -> f64, G: Fn(Function, &[f64]) -> f64> Arithmetic for Binary
         Some(core::f64::consts::PI)
     }
 
+    fn min_positive(&mut self) -> Option<f64> {
+        Some(f64::MIN_POSITIVE)
+    }
+
     fn symbol(&mut self, symbol: Symbol) -> Option<f64> {
         Some((self.0)(symbol))
     }
@@ -191,6 +197,10 @@ impl Arithmetic for Graph {
         Some(Self::pi(self))
     }
 
+    fn min_positive(&mut self) -> Option<Expression> {
+        Some(self.zero())
+    }
+
     fn symbol(&mut self, symbol: Symbol) -> Option<Expression> {
         Some(Self::symbol(self, symbol))
     }
@@ -237,6 +247,10 @@ impl Arithmetic for Point {
 
     fn pi(&mut self) -> Option<u64> {
         Some(Self::pi(*self))
+    }
+
+    fn min_positive(&mut self) -> Option<u64> {
+        Some(0)
     }
 
     fn symbol(&mut self, symbol: Symbol) -> Option<u64> {

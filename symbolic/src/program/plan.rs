@@ -7,6 +7,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::program::removable::{Removable, removable};
 use crate::{Binary, Expression, Function, Graph, Node, Pass, Rational, Symbol, Unary};
 
 /// A value of a plan.
@@ -17,6 +18,8 @@ pub(crate) type Value = usize;
 pub(crate) enum Recipe {
     Constant(Rational),
     Pi,
+    /// The smallest positive number with all digits; 0 where numbers are exact.
+    MinPositive,
     Symbol(Symbol),
     /// Σ cᵢ·xᵢ, each x once.
     Sum(Vec<(Value, Rational)>),
@@ -43,6 +46,14 @@ pub(crate) struct Plan {
     /// Values that are made of others but stand for no expression, by what they are.
     roots: BTreeMap<Value, Value>,
     reciprocals: BTreeMap<Value, Value>,
+    positive: BTreeMap<Value, Value>,
+}
+
+/// How a product divides.
+struct Divisors {
+    /// How many products divide by each power, and whether they have a limit where it is 0.
+    uses: BTreeMap<(Expression, Rational, bool), usize>,
+    removable: Removable,
 }
 
 impl Plan {
@@ -54,16 +65,21 @@ impl Plan {
             values: Vec::new(),
             roots: BTreeMap::new(),
             reciprocals: BTreeMap::new(),
+            positive: BTreeMap::new(),
         };
         let descendants = graph.descendants(roots);
-        let shared = shared_divisors(graph, &descendants);
+        let divisors = Divisors::of(graph, &descendants);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         plan.values = vec![Value::MAX; length];
         for expression in descendants {
             let value = match graph.node(expression) {
                 Node::Whole(inner) => plan.value(*inner),
+                Node::Product(factors) => {
+                    let recipe = plan.quotient(expression, factors, &divisors);
+                    plan.push(recipe, Some(expression))
+                }
                 node => {
-                    let recipe = plan.recipe(node, &shared);
+                    let recipe = plan.recipe(node);
                     plan.push(recipe, Some(expression))
                 }
             };
@@ -108,7 +124,8 @@ impl Plan {
         }
     }
 
-    fn recipe(&mut self, node: &Node, shared: &BTreeMap<(Expression, Rational), usize>) -> Recipe {
+    /// How a node is made that is no product.
+    fn recipe(&self, node: &Node) -> Recipe {
         match node {
             Node::Constant(number) => Recipe::Constant(number.clone()),
             Node::Pi => Recipe::Pi,
@@ -117,7 +134,6 @@ impl Plan {
             Node::Sum(terms) => Recipe::Sum(merged(
                 terms.iter().map(|(x, c)| (self.value(*x), c.clone())),
             )),
-            Node::Product(factors) => self.quotient(factors, shared),
             Node::Unary(function, x) => Recipe::Unary(*function, self.value(*x)),
             Node::Binary(function, x, y) => {
                 Recipe::Binary(*function, self.value(*x), self.value(*y))
@@ -126,14 +142,16 @@ impl Plan {
                 let arguments = arguments.iter().map(|x| self.value(*x));
                 Recipe::Application(*function, arguments.collect())
             }
-            Node::Whole(x) => self.recipes[self.value(*x)].clone(),
+            // Those have been made otherwise.
+            Node::Product(_) | Node::Whole(_) => Recipe::Constant(Rational::ZERO),
         }
     }
 
     fn quotient(
         &mut self,
+        product: Expression,
         factors: &[(Expression, Rational)],
-        shared: &BTreeMap<(Expression, Rational), usize>,
+        divisors: &Divisors,
     ) -> Recipe {
         let (mut numerator, mut denominator) = (Vec::new(), Vec::new());
         for (base, exponent) in factors {
@@ -142,16 +160,17 @@ impl Plan {
                 self.push_power(&mut numerator, base_value, exponent);
                 continue;
             }
-            let divides_often = shared
-                .get(&(*base, exponent.clone()))
-                .is_some_and(|uses| *uses > 1);
-            if divides_often {
-                let mut powers = Vec::new();
-                self.push_power(&mut powers, base_value, &-exponent);
+            let mut powers = Vec::new();
+            self.push_power(&mut powers, base_value, &-exponent);
+            let removable = divisors.removable.contains(&(product, *base));
+            if removable {
+                powers = powers.into_iter().map(|x| self.positive(x)).collect();
+            }
+            if divisors.are_shared(*base, exponent, removable) {
                 let reciprocals: Vec<_> = powers.into_iter().map(|x| self.reciprocal(x)).collect();
                 numerator.extend(reciprocals);
             } else {
-                self.push_power(&mut denominator, base_value, &-exponent);
+                denominator.extend(powers);
             }
         }
         numerator.sort_unstable();
@@ -190,6 +209,18 @@ impl Plan {
         root
     }
 
+    /// What is not negative, moved away from 0.
+    fn positive(&mut self, x: Value) -> Value {
+        if let Some(positive) = self.positive.get(&x) {
+            return *positive;
+        }
+        let least = self.push(Recipe::MinPositive, None);
+        let terms = [x, least].map(|value| (value, Rational::ONE));
+        let positive = self.push(Recipe::Sum(terms.to_vec()), None);
+        self.positive.insert(x, positive);
+        positive
+    }
+
     fn reciprocal(&mut self, x: Value) -> Value {
         if let Some(reciprocal) = self.reciprocals.get(&x) {
             return *reciprocal;
@@ -204,7 +235,7 @@ impl Recipe {
     /// Calls `visit` with each operand, as often as it is one.
     pub(crate) fn for_each_operand(&self, mut visit: impl FnMut(Value)) {
         match self {
-            Self::Constant(_) | Self::Pi | Self::Symbol(_) => {}
+            Self::Constant(_) | Self::Pi | Self::MinPositive | Self::Symbol(_) => {}
             Self::Sum(terms) => terms.iter().for_each(|(x, _)| visit(*x)),
             Self::Quotient(numerator, denominator) => {
                 numerator.iter().chain(denominator).for_each(|x| visit(*x));
@@ -229,21 +260,26 @@ pub(crate) fn merged(terms: impl IntoIterator<Item = (Value, Rational)>) -> Vec<
     sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
 }
 
-/// How many products divide by each power.
-fn shared_divisors(
-    graph: &Graph,
-    descendants: &[Expression],
-) -> BTreeMap<(Expression, Rational), usize> {
-    let mut uses = BTreeMap::new();
-    if !graph.passes.has(Pass::Reciprocals) {
-        return uses;
-    }
-    for expression in descendants {
-        if let Node::Product(factors) = graph.node(*expression) {
-            for (x, k) in factors.iter().filter(|(_, k)| k.is_negative()) {
-                *uses.entry((*x, k.clone())).or_default() += 1;
+impl Divisors {
+    fn of(graph: &Graph, descendants: &[Expression]) -> Self {
+        let removable = removable(graph, descendants);
+        let mut uses = BTreeMap::new();
+        if graph.passes.has(Pass::Reciprocals) {
+            for product in descendants {
+                if let Node::Product(factors) = graph.node(*product) {
+                    for (x, k) in factors.iter().filter(|(_, k)| k.is_negative()) {
+                        let has_limit = removable.contains(&(*product, *x));
+                        *uses.entry((*x, k.clone(), has_limit)).or_default() += 1;
+                    }
+                }
             }
         }
+        Self { uses, removable }
     }
-    uses
+
+    /// Whether several products divide by a power.
+    fn are_shared(&self, base: Expression, exponent: &Rational, removable: bool) -> bool {
+        let uses = self.uses.get(&(base, exponent.clone(), removable));
+        uses.is_some_and(|uses| *uses > 1)
+    }
 }

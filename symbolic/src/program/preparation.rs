@@ -184,7 +184,7 @@ impl Plan {
     /// Whether a value is made of parameters and numbers.
     fn is_constant(&self, value: Value, constant: &[bool]) -> bool {
         match &self.recipes[value] {
-            Recipe::Constant(_) | Recipe::Pi => true,
+            Recipe::Constant(_) | Recipe::Pi | Recipe::MinPositive => true,
             Recipe::Symbol(symbol) => matches!(symbol, Symbol::Parameter(_)),
             recipe => {
                 let mut all = true;
@@ -353,7 +353,7 @@ impl Parting {
 
     fn is_constant(&self, operand: &Operand) -> bool {
         match operand {
-            Operand::Constant(_) | Operand::Pi => true,
+            Operand::Constant(_) | Operand::Pi | Operand::MinPositive => true,
             Operand::Symbol(symbol) => matches!(symbol, Symbol::Parameter(_)),
             Operand::Value(value) => matches!(self.places.get(value), Some(Place::Before(_))),
         }

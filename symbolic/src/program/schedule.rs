@@ -120,6 +120,7 @@ impl Scheduler {
         let operand = match self.plan.recipes[value].clone() {
             Recipe::Constant(number) => return Operand::Constant(number),
             Recipe::Pi => return Operand::Pi,
+            Recipe::MinPositive => return Operand::MinPositive,
             Recipe::Symbol(symbol) => return Operand::Symbol(symbol),
             Recipe::Sum(terms) => self.sum(&terms),
             Recipe::Quotient(numerator, denominator) => self.quotient(&numerator, &denominator),

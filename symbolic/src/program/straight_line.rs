@@ -17,6 +17,9 @@ pub enum Operand {
     Constant(Rational),
     /// The number π.
     Pi,
+    /// The smallest positive number that has all digits of its format; 0 where numbers are exact. A divisor
+    /// that is not negative is moved away from 0 by it.
+    MinPositive,
     /// A coordinate, velocity, parameter …
     Symbol(Symbol),
 }

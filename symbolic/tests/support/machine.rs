@@ -24,6 +24,8 @@ fn fetch<N: Number>(operand: &Operand, values: &[N], symbol: &impl Fn(Symbol) ->
         Operand::Value(number) => values[*number],
         Operand::Constant(value) => N::rational(value),
         Operand::Pi => N::pi(),
+        // That of binary32.
+        Operand::MinPositive => N::rational(&Rational::HALF.power(126).unwrap()),
         Operand::Symbol(name) => symbol(*name),
     }
 }

@@ -1,0 +1,163 @@
+//! Products of hyperbolic functions of one argument, so that no quotient overflows.
+//!
+//! With sinh = tanh·cosh, a product sinhʲ tanhᵏ coshˡ is tanhᵃ coshᵇ for a = j + k and b = j + l. Where the
+//! signs of a and b agree, as many of both as there are become sinh: sinh x stays, and sinh x/cosh x is tanh x.
+//! Since |tanh| ≤ 1, what is left does not become ∞/∞: the second derivative of tanh x is −2 tanh x cosh⁻² x,
+//! which is 0 where cosh x is too large for a number, and not sinh x cosh⁻³ x.
+
+use crate::{Expression, Graph, Node, Rational, Unary};
+
+/// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
+type Factors = Vec<(Expression, Rational)>;
+
+/// The functions in the order of [`Powers`].
+const FUNCTIONS: [Unary; 3] = [Unary::Sinh, Unary::Cosh, Unary::Tanh];
+
+/// The exponents of sinh, cosh and tanh.
+type Powers = [Rational; 3];
+
+impl Graph {
+    /// Rewrites the first quotient of hyperbolic functions among sorted factors, if there is one: what it
+    /// becomes is to be multiplied by the factors that are left.
+    pub(crate) fn take_hyperbolic(&mut self, factors: &mut Factors) -> Factors {
+        if !self.has_hyperbolic {
+            return Vec::new();
+        }
+        for position in 0..factors.len() {
+            let Some((_, x)) = self.hyperbolic(&factors[position]) else {
+                continue;
+            };
+            let mut powers = [const { Rational::ZERO }; 3];
+            for factor in factors.iter() {
+                if let Some((function, argument)) = self.hyperbolic(factor)
+                    && argument == x
+                {
+                    powers[function] = factor.1.clone();
+                }
+            }
+            let Some(simpler) = rewritten(&powers).filter(|simpler| *simpler != powers) else {
+                continue;
+            };
+            factors.retain(|factor| {
+                self.hyperbolic(factor)
+                    .is_none_or(|(_, argument)| argument != x)
+            });
+            let parts = FUNCTIONS.into_iter().zip(simpler);
+            let parts = parts.filter(|(_, exponent)| !exponent.is_zero());
+            return parts
+                .map(|(function, exponent)| (self.unary(function, x), exponent))
+                .collect();
+        }
+        Vec::new()
+    }
+
+    /// The position of a hyperbolic function and its argument, if a factor is a power of one that can be
+    /// taken for others: a whole one, or any of cosh, which is positive.
+    fn hyperbolic(&self, (base, exponent): &(Expression, Rational)) -> Option<(usize, Expression)> {
+        let Node::Unary(function, x) = self.node(*base) else {
+            return None;
+        };
+        let position = FUNCTIONS.iter().position(|f| f == function)?;
+        (exponent.is_integer() || *function == Unary::Cosh).then_some((position, *x))
+    }
+}
+
+/// The same product with as few quotients as there can be, unless its exponents are too long.
+fn rewritten([sinh, cosh, tanh]: &Powers) -> Option<Powers> {
+    let (a, b) = (sinh + tanh, sinh + cosh);
+    let (numerator, denominator) = b.to_fraction()?;
+    // The whole part of b, towards zero.
+    let whole = numerator / denominator;
+    let whole_a = a.to_integer()?;
+    let common = if (whole > 0) == (whole_a > 0) {
+        whole.unsigned_abs().min(whole_a.unsigned_abs())
+    } else {
+        0
+    };
+    let common = i64::try_from(common).ok()? * whole_a.signum();
+    let common = Rational::integer(common);
+    Some([common.clone(), &b - &common, &a - &common])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Symbol;
+
+    /// sinhʲ coshᵏ tanhˡ of a coordinate.
+    fn product(graph: &mut Graph, exponents: [i64; 3]) -> Expression {
+        let x = graph.symbol(Symbol::Coordinate(0));
+        let factors = FUNCTIONS.into_iter().zip(exponents);
+        let factors: Factors = factors
+            .map(|(function, k)| (graph.unary(function, x), Rational::integer(k)))
+            .collect();
+        graph.product(factors)
+    }
+
+    #[test]
+    fn quotients_become_tangents() {
+        let mut graph = Graph::new();
+        for (written, expected) in [
+            ([1, -1, 0], [0, 0, 1]),
+            ([1, -3, 0], [0, -2, 1]),
+            ([-1, 1, 0], [0, 0, -1]),
+            ([-2, 1, 0], [-1, 0, -1]),
+            ([3, -1, 0], [2, 0, 1]),
+            ([0, 1, 1], [1, 0, 0]),
+            ([-1, 0, 1], [0, -1, 0]),
+            ([1, 0, -1], [0, 1, 0]),
+            ([2, -1, -1], [1, 0, 0]),
+        ] {
+            let found = product(&mut graph, written);
+            assert_eq!(found, product(&mut graph, expected), "{written:?}");
+            let value = graph.evaluate(&[found], |_| 0.7)[0];
+            let factors = FUNCTIONS.into_iter().zip(written);
+            let direct: f64 = factors
+                .map(|(f, k)| f.value(0.7).powi(i32::try_from(k).unwrap()))
+                .product();
+            assert!((value / direct - 1.0).abs() < 1e-15, "{written:?}");
+        }
+        for stays in [[1, 0, 0], [1, 1, 0], [2, 1, 0], [0, -2, 1], [-1, 0, -1]] {
+            let found = product(&mut graph, stays);
+            let factors = match graph.node(found) {
+                Node::Product(factors) => factors.len(),
+                _ => 1,
+            };
+            let written = stays.iter().filter(|k| **k != 0).count();
+            assert_eq!(factors, written, "{stays:?}");
+        }
+    }
+
+    #[test]
+    fn other_arguments_and_broken_powers_have_their_own() {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|i| graph.symbol(Symbol::Coordinate(i)));
+        let (sinh, other) = (graph.unary(Unary::Sinh, x), graph.unary(Unary::Cosh, y));
+        let quotient = graph.divide(sinh, other);
+        assert!(matches!(graph.node(quotient), Node::Product(factors) if factors.len() == 2));
+        // √sinh x has no value for negative x, where √cosh x has one.
+        let cosh = graph.unary(Unary::Cosh, x);
+        let (root, half) = (graph.square_root(sinh), -&Rational::HALF);
+        let mixed = graph.product([(root, Rational::ONE), (cosh, Rational::MINUS_ONE)]);
+        assert!(matches!(graph.node(mixed), Node::Product(factors) if factors.len() == 2));
+        let tanh = graph.unary(Unary::Tanh, x);
+        let broken = graph.product([(sinh, Rational::ONE), (cosh, &half - &Rational::ONE)]);
+        let expected = graph.product([(tanh, Rational::ONE), (cosh, half)]);
+        assert_eq!(broken, expected);
+    }
+
+    #[test]
+    fn derivatives_do_not_overflow() {
+        let mut graph = Graph::new();
+        for written in [[0, -1, 0], [-1, 0, 0], [0, 0, 1], [0, 0, -1]] {
+            let mut root = product(&mut graph, written);
+            for order in 1..5 {
+                root = graph.derivative(root, Symbol::Coordinate(0));
+                for x in [-800.0, 800.0] {
+                    let value = graph.evaluate(&[root], |_| x)[0];
+                    assert!(value.abs() == 0.0, "{written:?} {order}: {value}");
+                }
+            }
+        }
+    }
+}

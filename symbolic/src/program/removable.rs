@@ -1,0 +1,260 @@
+//! Quotients by roots that have a limit where the root is 0.
+//!
+//! The derivative of |v| v is |v| + v²/|v|: at rest 0/0 in numbers, and 0 in truth. Where |v| is √S, with a sum
+//! of squares S or with an S that is quadratic in the velocities, a numerator is compared with S by how many
+//! factors of both vanish together. A quotient that tends to 0 with S may then be computed with a divisor that
+//! is moved away from 0 by less than its rounding. So may one that stays finite, if S is made of velocities:
+//! v/|v| is 0 at rest as signum is 0 at 0. Of what tends to infinity, such as 1/|r|, nothing is changed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+
+/// Factors of products: (product, base).
+pub(crate) type Removable = BTreeSet<(Expression, Expression)>;
+
+/// By how many factors an expression vanishes at least; `None` if nothing is known.
+type Order = Option<Rational>;
+
+/// The products with a factor S^k, −1 < k < 0, that have a limit where S is 0, and those S.
+pub(crate) fn removable(graph: &Graph, descendants: &[Expression]) -> Removable {
+    let mut removable = Removable::new();
+    for (base, products) in candidates(graph, descendants) {
+        let at_rest = graph.contents(base).has_velocity();
+        for generators in [squares(graph, base), velocities(graph, base)] {
+            if generators.is_empty() {
+                continue;
+            }
+            let orders = Orders::of(graph, base, &products, &generators);
+            // S itself has to vanish as their squares do.
+            if orders.get(base).is_none_or(|order| order < two()) {
+                continue;
+            }
+            let has_limit = |product: &&Expression| {
+                orders
+                    .get(**product)
+                    .is_some_and(|order| !order.is_negative() && (at_rest || !order.is_zero()))
+            };
+            let found = products.iter().filter(has_limit);
+            removable.extend(found.map(|product| (*product, base)));
+        }
+    }
+    removable
+}
+
+fn two() -> Rational {
+    Rational::integer(2)
+}
+
+/// Whether a base with this exponent is a root in a denominator.
+fn divides_by_root(exponent: &Rational) -> bool {
+    exponent.is_negative() && exponent.abs() < Rational::ONE
+}
+
+/// The bases of roots in denominators, with the products whose numerators change.
+fn candidates(graph: &Graph, descendants: &[Expression]) -> BTreeMap<Expression, Vec<Expression>> {
+    let mut candidates: BTreeMap<Expression, Vec<Expression>> = BTreeMap::new();
+    for expression in descendants {
+        let Node::Product(factors) = graph.node(*expression) else {
+            continue;
+        };
+        for (base, _) in factors.iter().filter(|(_, k)| divides_by_root(k)) {
+            let mut others = factors.iter().filter(|(other, _)| other != base);
+            if others.any(|(other, _)| graph.contents(*other).varies()) {
+                candidates.entry(*base).or_default().push(*expression);
+            }
+        }
+    }
+    candidates
+}
+
+/// What is squared in the terms of a sum of squares; nothing if it is none.
+fn squares(graph: &Graph, sum: Expression) -> BTreeSet<Expression> {
+    let mut squares = BTreeSet::new();
+    let Node::Sum(terms) = graph.node(sum) else {
+        return squares;
+    };
+    for (term, coefficient) in terms {
+        let Node::Product(factors) = graph.node(*term) else {
+            return BTreeSet::new();
+        };
+        let even = factors.iter().all(|(_, exponent)| exponent.is_even());
+        if coefficient.is_negative() || !even {
+            return BTreeSet::new();
+        }
+        let squared = factors
+            .iter()
+            .filter(|(base, exponent)| !exponent.is_negative() && graph.contents(*base).varies());
+        squares.extend(squared.map(|(base, _)| *base));
+    }
+    squares
+}
+
+/// The velocities in an expression.
+fn velocities(graph: &Graph, expression: Expression) -> BTreeSet<Expression> {
+    if !graph.contents(expression).has_velocity() {
+        return BTreeSet::new();
+    }
+    let is_velocity = |expression: &Expression| {
+        matches!(graph.node(*expression), Node::Symbol(Symbol::Velocity(_)))
+    };
+    let descendants = graph.descendants(&[expression]);
+    descendants.into_iter().filter(is_velocity).collect()
+}
+
+/// By how many of the generators' factors expressions vanish.
+struct Orders(BTreeMap<Expression, Order>);
+
+impl Orders {
+    fn of(
+        graph: &Graph,
+        base: Expression,
+        products: &[Expression],
+        generators: &BTreeSet<Expression>,
+    ) -> Self {
+        let roots = [products, &[base]].concat();
+        let mut orders = Self(BTreeMap::new());
+        for expression in graph.descendants(&roots) {
+            let order = if generators.contains(&expression) {
+                Some(Rational::ONE)
+            } else {
+                orders.of_node(graph.node(expression))
+            };
+            orders.0.insert(expression, order);
+        }
+        orders
+    }
+
+    fn get(&self, expression: Expression) -> Order {
+        self.0.get(&expression).cloned().flatten()
+    }
+
+    fn of_node(&self, node: &Node) -> Order {
+        match node {
+            Node::Constant(_) | Node::Pi | Node::Symbol(_) | Node::Application(..) => {
+                Some(Rational::ZERO)
+            }
+            Node::Sum(terms) => self.least(terms.iter().map(|(x, _)| *x)),
+            Node::Product(factors) => self.of_product(factors),
+            Node::Whole(x) => self.get(*x),
+            Node::Unary(function, x) => match function {
+                Unary::Sin
+                | Unary::Tan
+                | Unary::Asin
+                | Unary::Atan
+                | Unary::Sinh
+                | Unary::Tanh
+                | Unary::Asinh
+                | Unary::Atanh
+                | Unary::Abs => self.get(*x),
+                Unary::Cos
+                | Unary::Acos
+                | Unary::Cosh
+                | Unary::Acosh
+                | Unary::Exp
+                | Unary::Ln
+                | Unary::Signum => Some(Rational::ZERO),
+            },
+            Node::Binary(Binary::Min | Binary::Max, x, y) => self.least([*x, *y].into_iter()),
+            Node::Binary(Binary::Atan2 | Binary::Power, ..) => Some(Rational::ZERO),
+        }
+    }
+
+    /// The order of a sum.
+    fn least(&self, mut terms: impl Iterator<Item = Expression>) -> Order {
+        let first = terms.next().and_then(|x| self.get(x))?;
+        terms.try_fold(first, |least, x| {
+            let order = self.get(x)?;
+            Some(if order < least { order } else { least })
+        })
+    }
+
+    /// The order of Π xᵢ^kᵢ. In a denominator it is known of roots of quadratic forms alone, which vanish
+    /// no faster.
+    fn of_product(&self, factors: &[(Expression, Rational)]) -> Order {
+        let mut sum = Rational::ZERO;
+        for (base, exponent) in factors {
+            let order = self.get(*base)?;
+            let quadratic = divides_by_root(exponent) && order == two();
+            if exponent.is_negative() && !quadratic && !order.is_zero() {
+                return None;
+            }
+            sum = &sum + &(exponent * &order);
+        }
+        Some(sum)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether Π xᵢ^kᵢ · S^k has a limit where S is 0, for S = x² + y² of velocities or of coordinates and z
+    /// of the same kind.
+    fn has_limit(of: fn(u32) -> Symbol, powers: [i64; 3], k: &Rational) -> bool {
+        let mut graph = Graph::new();
+        let letters = [0, 1, 2].map(|i| graph.symbol(of(i)));
+        let [x, y, _] = letters.map(|x| graph.square(x));
+        let sum = graph.add(x, y);
+        let factors = letters.into_iter().zip(powers.map(Rational::integer));
+        let product = graph.product(factors.chain([(sum, k.clone())]));
+        let descendants = graph.descendants(&[product]);
+        removable(&graph, &descendants).contains(&(product, sum))
+    }
+
+    #[test]
+    fn what_vanishes_as_fast_as_the_root_has_a_limit() {
+        let minus_half = -&Rational::HALF;
+        for (powers, at_rest, in_place) in [
+            ([2, 0, 0], true, true),
+            ([1, 1, 0], true, true),
+            ([2, 0, 1], true, true),
+            // A unit vector is 0 at rest, and has no value where a place is that of another.
+            ([1, 0, 0], true, false),
+            ([1, 0, 1], true, false),
+            ([0, 0, 0], false, false),
+            ([1, -1, 0], false, false),
+            ([0, 0, 2], false, false),
+        ] {
+            let found = has_limit(Symbol::Velocity, powers, &minus_half);
+            assert_eq!(found, at_rest, "{powers:?}");
+            let found = has_limit(Symbol::Coordinate, powers, &minus_half);
+            assert_eq!(found, in_place, "{powers:?}");
+        }
+        // x/|r|³ is infinite; x |r|^(−½) is 0, and |r|^½ x has no divisor.
+        let powers = [(-3, 2, false), (-1, 4, true), (1, 4, false)];
+        for (numerator, denominator, expected) in powers {
+            let k = Rational::new(numerator, denominator).unwrap();
+            let found = has_limit(Symbol::Coordinate, [1, 0, 0], &k);
+            assert_eq!(found, expected, "{k}");
+        }
+    }
+
+    #[test]
+    fn quadratic_forms_of_velocities_vanish_at_rest() {
+        // S = u² + u v cos q + v²: no sum of squares as it stands.
+        let mut graph = Graph::new();
+        let [q, u, v] = [
+            Symbol::Coordinate(0),
+            Symbol::Velocity(0),
+            Symbol::Velocity(1),
+        ]
+        .map(|symbol| graph.symbol(symbol));
+        let cos = graph.unary(Unary::Cos, q);
+        let mixed = graph.product([u, v, cos].map(|x| (x, Rational::ONE)));
+        let (u2, v2) = (graph.square(u), graph.square(v));
+        let form = graph.sum([u2, mixed, v2].map(|x| (x, Rational::ONE)));
+        let root = graph.square_root(form);
+        let drag = graph.multiply(root, u);
+        let slope = graph.derivative(drag, Symbol::Velocity(1));
+        let descendants = graph.descendants(&[slope]);
+        assert!(!removable(&graph, &descendants).is_empty());
+        // Not with u² + v² + 1, which is nowhere 0, nor with q in place of what vanishes.
+        let shifted = graph.add_constant(form, &Rational::ONE);
+        for (numerator, base) in [(u, shifted), (q, form)] {
+            let quotient = graph.product([(numerator, Rational::ONE), (base, -&Rational::HALF)]);
+            let descendants = graph.descendants(&[quotient]);
+            assert!(removable(&graph, &descendants).is_empty());
+        }
+    }
+}
