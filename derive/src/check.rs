@@ -11,7 +11,7 @@ use crate::clauses::Clause;
 use crate::declaration::Declaration;
 use crate::diagnostics::{Diagnostics, similar};
 use crate::field::Role;
-use crate::field_type::Unfit;
+use crate::field_type::{MOST_COMPONENTS, Unfit};
 use crate::function;
 use crate::named::Named;
 use crate::names::{constant, plain};
@@ -50,6 +50,15 @@ fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
             Err(Unfit::Length) => {
                 "the equations are derived for a certain number of components: write it as a number, as in \
                  `[f64; 5]`"
+            }
+            Err(Unfit::TooMany) => {
+                let message = format!(
+                    "a parameter has at most {MOST_COMPONENTS} numbers, each of which is a symbol of the equations: \
+                     mark a larger table `#[lagrangian(skip)]`, and read it by a function from outside, as in \
+                     `function(table(x) = self.table.at(x), derivative(x) = 0.0)`"
+                );
+                diagnostics.error(ty, message);
+                continue;
             }
         };
         diagnostics.error(ty, message);

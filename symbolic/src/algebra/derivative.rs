@@ -3,11 +3,16 @@
 //! Only what contains a symbol is looked at when it is differentiated with respect to it.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use crate::algebra::dependence::Dependence;
 use crate::algebra::hashing::Table;
 use crate::algebra::interner::Interner;
-use crate::{Expression, Graph, Node, Rational, Symbol};
+use crate::{Expression, Graph, Node, Pass, Rational, Symbol};
+
+/// Products of more factors are differentiated as [trees of pairs](Graph::tree_of_pairs). Of fewer, what
+/// the terms of the product rule have in common is found when they are scheduled, and quotients cancel.
+const LONGEST_SIDE_BY_SIDE: usize = 10;
 
 /// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
 pub type Direction = BTreeMap<Symbol, Expression>;
@@ -78,6 +83,11 @@ impl Graph {
                 }
                 self.sum(changes)
             }
+            Node::Product(ref factors)
+                if factors.len() > LONGEST_SIDE_BY_SIDE && self.passes.has(Pass::Whole) =>
+            {
+                self.derivative_of_pairs(expression, derivatives, cofactors)
+            }
             Node::Product(ref factors) => {
                 let mut terms = Vec::new();
                 for (position, (x, exponent)) in factors.iter().enumerate() {
@@ -118,6 +128,37 @@ impl Graph {
         }
     }
 
+    /// The derivative of a long product, by that of each pair in the tree of its factors.
+    fn derivative_of_pairs(
+        &mut self,
+        product: Expression,
+        derivatives: &[Expression],
+        cofactors: &mut Cofactors,
+    ) -> Expression {
+        let mut changes: Table<Expression, Expression> = Table::default();
+        let tree = cofactors.tree(self, product);
+        let mut change = self.zero();
+        for pair in tree.iter() {
+            let inner = match *self.node(*pair) {
+                Node::Whole(inner) => inner,
+                _ => *pair,
+            };
+            let Node::Product(factors) = self.node(inner) else {
+                continue;
+            };
+            let mut terms = Vec::new();
+            for (position, (x, exponent)) in factors.iter().enumerate() {
+                let known = changes.get(x).or(derivatives.get(x.index()));
+                if let Some(change) = known.filter(|change| !self.is_zero(**change)) {
+                    terms.push((position, *change, exponent.clone()));
+                }
+            }
+            change = self.product_rule(inner, terms, cofactors);
+            changes.insert(*pair, change);
+        }
+        change
+    }
+
     /// d Π xᵢ^kᵢ = Σⱼ kⱼ dxⱼ xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, which divides by nothing; of the factors that
     /// change, with their positions, changes and exponents.
     fn product_rule(
@@ -149,6 +190,8 @@ pub(crate) struct Cofactors {
     of: Table<(Expression, usize), usize>,
     /// What became of a list times a change.
     products: Table<(usize, Expression), Expression>,
+    /// Long products as trees of pairs, children before parents.
+    trees: Table<Expression, Rc<[Expression]>>,
 }
 
 impl Cofactors {
@@ -177,6 +220,16 @@ impl Cofactors {
         let value = graph.multiply_factors(others, pending);
         self.products.insert((list, change), value);
         value
+    }
+
+    /// A long product as a tree of pairs, children before parents; itself the last.
+    fn tree(&mut self, graph: &mut Graph, product: Expression) -> Rc<[Expression]> {
+        if let Some(tree) = self.trees.get(&product) {
+            return Rc::clone(tree);
+        }
+        let tree: Rc<[Expression]> = graph.tree_of_pairs(product).into();
+        self.trees.insert(product, Rc::clone(&tree));
+        tree
     }
 
     fn enter(&mut self, graph: &Graph, product: Expression, position: usize) -> usize {

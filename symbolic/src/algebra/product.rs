@@ -4,18 +4,29 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²y²) = |x| |y|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::algebra::sum::{Split, ascends};
-use crate::{Expression, Graph, Node, Rational, Unary};
+use crate::algebra::sum::{Split, ascends, combine};
+use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 
 /// A product of more factors than this stays one factor of the product that contains it, as long sums
 /// do. It is more than a formula written by hand has, so that quotients of those cancel.
 const LONGEST_MERGED: usize = 16;
+
+/// No product has more factors than this, which is what two products merge to: the factors of longer ones
+/// are multiplied [in pairs](Graph::paired).
+const LONGEST: usize = 2 * LONGEST_MERGED;
 
 /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
 type Factors = Vec<(Expression, Rational)>;
 
 /// c·Π xᵢ^kᵢ.
 type Opened = (Rational, Factors);
+
+/// A product of few factors, and the pairs that they are made of, children before parents.
+#[derive(Default)]
+struct Paired {
+    factors: Factors,
+    pairs: Vec<Expression>,
+}
 
 impl Graph {
     /// Π xᵢ^kᵢ of pairs (xᵢ, kᵢ).
@@ -115,6 +126,9 @@ impl Graph {
                     .into_iter()
                     .map(|(x, j)| Some((x, short(&j * exponent)?)));
                 let mut parts = common.collect::<Option<Factors>>()?;
+                if parts.len() > LONGEST_MERGED {
+                    parts = vec![(self.intern_product(parts), Rational::ONE)];
+                }
                 parts.push((rest, exponent.clone()));
                 Some((power, parts))
             }
@@ -148,12 +162,65 @@ impl Graph {
         }
     }
 
-    fn intern_product(&mut self, factors: Vec<(Expression, Rational)>) -> Expression {
+    fn intern_product(&mut self, mut factors: Factors) -> Expression {
+        if factors.len() > LONGEST && self.passes.has(Pass::Whole) {
+            factors = self.paired(factors).factors;
+        }
         match factors.as_slice() {
             [] => self.one(),
             [(x, k)] if k.is_one() => *x,
             _ => self.intern(Node::Product(factors.into())),
         }
+    }
+
+    /// The same product of at most four factors, each a balanced tree of products of two that are kept whole:
+    /// above the fraction bar and below, one of what depends on parameters alone and one of the rest.
+    ///
+    /// A derivative of the tree is as long as the tree, of whatever order; that of n factors side by side has
+    /// n² of them, and the second one n³. (Speelpenning's product; Baur and Strassen, The complexity of
+    /// partial derivatives, 1983.)
+    fn paired(&mut self, factors: Factors) -> Paired {
+        let mut kinds: [Factors; 4] = Default::default();
+        for (x, k) in factors {
+            let kind = 2 * usize::from(self.contents(x).varies()) + usize::from(k.is_negative());
+            kinds[kind].push((x, k));
+        }
+        let mut paired = Paired::default();
+        for mut kind in kinds {
+            while kind.len() > 1 {
+                kind = kind.chunks(2).map(|pair| self.pair(pair)).collect();
+                paired.pairs.extend(kind.iter().map(|(pair, _)| *pair));
+                // A pair may have been a factor already.
+                combine(&mut kind);
+            }
+            paired.factors.extend(kind);
+        }
+        combine(&mut paired.factors);
+        paired
+    }
+
+    /// A long product as a tree: pairs of factors, children before parents, and last the same product of
+    /// these.
+    pub(crate) fn tree_of_pairs(&mut self, product: Expression) -> Vec<Expression> {
+        let factors = self.factors(product);
+        let Paired { mut pairs, factors } = self.paired(factors);
+        pairs.push(self.intern_product(factors));
+        pairs
+    }
+
+    /// Two factors of one kind as one.
+    fn pair(&mut self, pair: &[(Expression, Rational)]) -> (Expression, Rational) {
+        let [(_, first), _] = pair else {
+            return pair[0].clone();
+        };
+        let (sign, powers) = if first.is_negative() {
+            let opposite = pair.iter().map(|(x, k)| (*x, -k));
+            (Rational::MINUS_ONE, opposite.collect::<Box<[_]>>())
+        } else {
+            (Rational::ONE, pair.into())
+        };
+        let product = self.intern(Node::Product(powers));
+        (self.whole(product), sign)
     }
 }
 

@@ -122,7 +122,7 @@ impl Graph {
     }
 
     /// An expression as a product of powers.
-    fn factors(&self, expression: Expression) -> Vec<(Expression, Rational)> {
+    pub(crate) fn factors(&self, expression: Expression) -> Vec<(Expression, Rational)> {
         match self.node(expression) {
             Node::Product(factors) => factors.to_vec(),
             _ => vec![(expression, Rational::ONE)],

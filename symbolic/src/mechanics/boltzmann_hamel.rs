@@ -74,8 +74,23 @@ impl BoltzmannHamel {
         self.kinematics.solve(graph, &self.rates)
     }
 
-    /// ∂q̈/∂x for one symbol, with the accelerations as symbols: E ∂q̈/∂x = ∂(E q̈)/∂x − ∂E/∂x q̈.
-    pub(crate) fn derivative(&self, graph: &mut Graph, symbol: Symbol) -> Vec<Expression> {
+    /// ∂q̈/∂x column by column, with the accelerations as symbols.
+    pub(crate) fn derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
+        let roots = [&*self.rates, &self.kinematics.matrix().concat()].concat();
+        let occurring = graph.symbols(&roots);
+        let mut columns = Vec::with_capacity(symbols.len() * self.rates.len());
+        for symbol in symbols {
+            if occurring.contains(symbol) {
+                columns.extend(self.derivative(graph, *symbol));
+            } else {
+                columns.extend(self.rates.iter().map(|_| graph.zero()));
+            }
+        }
+        columns
+    }
+
+    /// ∂q̈/∂x for one symbol: E ∂q̈/∂x = ∂(E q̈)/∂x − ∂E/∂x q̈.
+    fn derivative(&self, graph: &mut Graph, symbol: Symbol) -> Vec<Expression> {
         let slopes = graph.derivatives(&self.rates, symbol);
         let mut right = Vec::with_capacity(slopes.len());
         for (slope, row) in slopes.into_iter().zip(self.kinematics.matrix()) {

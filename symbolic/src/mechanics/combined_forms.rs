@@ -4,6 +4,8 @@
 //! three quasi-velocities. What is a constant combination of other forms is no quasi-velocity of its own,
 //! but a part of their inertia.
 
+use std::collections::BTreeMap;
+
 use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::squares::{combination, mean_kept_whole};
 use crate::{Expression, Graph, Rational};
@@ -26,37 +28,43 @@ impl QuasiVelocities {
             let combination = combination.unwrap_or_else(|| vec![(graph.one(), k)]);
             rows.push(coefficients(graph, &combination, &kept));
         }
-        let mut inertia = vec![vec![graph.zero(); kept.len()]; kept.len()];
-        for (i, row) in inertia.iter_mut().enumerate() {
-            for (j, entry) in row.iter_mut().enumerate() {
-                *entry = self.combined_inertia(graph, &rows, i, j);
-            }
-        }
         Some(Self {
+            inertia: self.combined_inertia(graph, &rows, kept.len()),
             forms: kept.into_iter().map(|k| self.forms[k]).collect(),
-            inertia,
             rest: self.rest,
         })
     }
 
-    /// The entry of Cᵀ W C, where the rows of C are those of the forms.
+    /// Cᵀ W C of as many rows as are kept, where the rows of C are those of the forms. Most entries of W and
+    /// of C are 0, and only the others are looked at.
     fn combined_inertia(
         &self,
         graph: &mut Graph,
-        rows: &[Vec<Expression>],
-        i: usize,
-        j: usize,
-    ) -> Expression {
-        let mut terms = Vec::new();
+        rows: &[Vec<(usize, Expression)>],
+        kept: usize,
+    ) -> Vec<Vec<Expression>> {
+        let mut terms = vec![vec![Vec::new(); kept]; kept];
         for (first, row) in rows.iter().zip(&self.inertia) {
             for (second, inertia) in rows.iter().zip(row) {
-                let factors = [first[i], *inertia, second[j]];
-                let term = graph.product(factors.map(|x| (x, Rational::ONE)));
-                terms.push((term, Rational::ONE));
+                if graph.is_zero(*inertia) {
+                    continue;
+                }
+                for (i, x) in first {
+                    for (j, y) in second {
+                        let factors = [*x, *inertia, *y];
+                        let term = graph.product(factors.map(|x| (x, Rational::ONE)));
+                        terms[*i][*j].push((term, Rational::ONE));
+                    }
+                }
             }
         }
-        let sum = graph.sum(terms);
-        mean_kept_whole(graph, sum)
+        let mut entry = |terms: Vec<_>| {
+            let sum = graph.sum(terms);
+            mean_kept_whole(graph, sum)
+        };
+        let rows = terms.into_iter();
+        rows.map(|row| row.into_iter().map(&mut entry).collect())
+            .collect()
     }
 
     /// For each form what it is a constant combination of, if that is of forms which are none.
@@ -78,13 +86,22 @@ impl QuasiVelocities {
     }
 }
 
-/// The coefficients of the forms that are kept.
-fn coefficients(graph: &mut Graph, parts: &Combination, kept: &[usize]) -> Vec<Expression> {
-    let mut row = vec![graph.zero(); kept.len()];
-    for (entry, k) in row.iter_mut().zip(kept) {
-        let own = parts.iter().filter(|(_, form)| form == k);
-        *entry = graph.sum(own.map(|(c, _)| (*c, Rational::ONE)));
+/// The coefficients other than 0 of the forms that are kept, with their positions among them.
+fn coefficients(
+    graph: &mut Graph,
+    parts: &Combination,
+    kept: &[usize],
+) -> Vec<(usize, Expression)> {
+    let mut terms: BTreeMap<usize, Vec<(Expression, Rational)>> = BTreeMap::new();
+    for (coefficient, form) in parts {
+        if let Ok(position) = kept.binary_search(form) {
+            let known = terms.entry(position).or_default();
+            known.push((*coefficient, Rational::ONE));
+        }
     }
+    let sums = terms.into_iter().map(|(i, terms)| (i, graph.sum(terms)));
+    let mut row: Vec<_> = sums.collect();
+    row.retain(|(_, coefficient)| !graph.is_zero(*coefficient));
     row
 }
 

@@ -198,7 +198,10 @@ fn check_momenta(
     if !still.is_empty() {
         return Err(Defect::NoVelocity(still));
     }
+    // Few models have momenta that are spelt with an input, and some have many inputs.
+    let spelt = graph.symbols(momenta);
     let inputs: Vec<u32> = (0..model.inputs)
+        .filter(|input| spelt.contains(&Symbol::Input(*input)))
         .filter(|input| structure::depends(graph, momenta, Symbol::Input(*input)))
         .collect();
     if inputs.is_empty() {

@@ -86,12 +86,8 @@ impl Solution {
         inverse_dynamics: &[Expression],
         symbols: &[Symbol],
     ) -> Option<Vec<Expression>> {
-        let mut columns = Vec::new();
         if let Way::QuasiVelocities(way) = &self.way {
-            for symbol in symbols {
-                columns.extend(way.derivative(graph, *symbol));
-            }
-            return Some(columns);
+            return Some(way.derivatives(graph, symbols));
         }
         if inverse_dynamics.len() > MOST_COLUMNS {
             return None;
@@ -100,6 +96,7 @@ impl Solution {
             Way::Tree(way) => way.inverse_dynamics(graph),
             _ => inverse_dynamics.to_vec(),
         };
+        let mut columns = Vec::new();
         for slopes in graph.jacobian(&residuals, symbols) {
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
             columns.extend(match &self.way {
