@@ -46,6 +46,8 @@ pub(crate) struct Translator<'a> {
     pub(crate) within_index: bool,
     /// Whether the derivative of a function is looked at, which knows neither coordinates nor the time.
     pub(crate) within_derivative: bool,
+    /// Whether nothing moves, so that all time derivatives are zero.
+    pub(crate) at_rest: bool,
 }
 
 impl Translator<'_> {

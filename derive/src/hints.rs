@@ -1,6 +1,7 @@
 //! What to write instead of what is not understood.
 
 use core::fmt::Display;
+use core::iter;
 
 use lagrangian_symbolic::{Binary, Unary};
 use proc_macro2::Ident;
@@ -8,6 +9,7 @@ use syn::{BinOp, Expr, ExprField, ExprPath, Member};
 
 use crate::diagnostics::similar;
 use crate::expression::{array, rotation};
+use crate::scope::Family;
 use crate::value::Shape;
 
 /// For expressions that no part of the declaration language looks like.
@@ -120,10 +122,49 @@ pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
     [name.to_string()].into_iter().chain(indices).collect()
 }
 
-/// For a coordinate beyond the last one of its name.
-pub(crate) fn beyond(name: &Ident, index: &impl Display, length: usize) -> String {
+/// What stands for all members of a family, as in `theta[i] = … for i in 0..5`.
+pub(crate) fn every_member(name: &Ident, family: &Family) -> String {
+    let variables: Vec<&str> = ["i", "j", "k"]
+        .into_iter()
+        .chain(iter::repeat("l"))
+        .take(family.rank)
+        .collect();
+    let ranges = variables.iter().enumerate().map(|(position, variable)| {
+        let indices = family
+            .members
+            .keys()
+            .filter_map(|member| member.get(position));
+        let end = indices.max().map_or(0, |last| last + 1);
+        format!(" for {variable} in 0..{end}")
+    });
     format!(
-        "`{name}[{index}]` is out of range: there are {length} coordinates of this name, from `{name}[0]` on"
+        "{} = …{}",
+        member(name, &variables),
+        ranges.collect::<String>()
+    )
+}
+
+/// For a coordinate beyond the last one of its name.
+pub(crate) fn beyond(name: &Ident, indices: &[impl Display], family: &Family) -> String {
+    let written = member(name, indices);
+    match family.members.keys().next_back() {
+        Some(last) if family.rank > 1 => format!(
+            "`{written}` is out of range: the last coordinate of this name is `{}`",
+            member(name, last)
+        ),
+        _ => format!(
+            "`{written}` is out of range: there are {} coordinates of this name, from `{name}[0]` on",
+            family.members.len()
+        ),
+    }
+}
+
+/// For a force on what may be a velocity, or a position to which a velocity is added.
+pub(crate) fn position_and_velocity(name: &Ident) -> String {
+    format!(
+        "`{name}` adds a velocity to what depends on coordinates alone, so that the work of a force on it is not \
+         known: a velocity in a frame that moves is written by `dot`, as in `dot(x) - dot(rate * t) * y`; define a \
+         position and a velocity apart, or write the generalized forces, `force(x = …)`"
     )
 }
 

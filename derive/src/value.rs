@@ -65,6 +65,17 @@ impl Shape {
         }
     }
 
+    /// The value of this shape with all components alike.
+    pub(crate) fn filled(self, component: Expression) -> Value {
+        match self {
+            Self::Scalar => Value::Scalar(component),
+            Self::Array { rows, columns } => {
+                let components = vec![component; rows * columns];
+                Matrix::new(rows, columns, components).map_or(Value::Nothing, Value::Array)
+            }
+        }
+    }
+
     /// The index of a component, counted column by column; none for a scalar.
     pub(crate) const fn index(self, component: usize) -> Option<Index> {
         match self {

@@ -64,7 +64,7 @@ impl Translator<'_> {
         let Some(value) = value else {
             let written = hints::member(name, &member);
             let message = match (kind, bounds(&family)) {
-                (Kind::Coordinate, _) => hints::beyond(name, &member[0], family.members.len()),
+                (Kind::Coordinate, _) => hints::beyond(name, &member, &family),
                 (Kind::Field, _) => format!(
                     "`{written}` is out of range: the array has {} members",
                     family.members.len()
@@ -82,7 +82,7 @@ impl Translator<'_> {
     }
 
     /// The component of a value at indices that stand behind it.
-    fn components(&mut self, value: Value, indices: &[&Expr]) -> Option<Value> {
+    pub(crate) fn components(&mut self, value: Value, indices: &[&Expr]) -> Option<Value> {
         let Some((first, rest)) = indices.split_first() else {
             return Some(value);
         };
