@@ -21,6 +21,7 @@ use crate::scope::RESERVED;
 /// Checks names, types of fields and the set of clauses.
 pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_field_types(declaration, diagnostics);
+    check_coordinate_types(declaration, diagnostics);
     scalar::check(declaration, diagnostics);
     check_names(declaration, diagnostics);
     function::check(declaration, diagnostics);
@@ -29,6 +30,18 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_outputs(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);
+    }
+}
+
+/// The components of a vector of coordinates are numbers of the model.
+fn check_coordinate_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    for coordinate in &declaration.clauses.coordinates {
+        let element = coordinate.element();
+        if let Some(element) = element.filter(|element| !is_number(declaration, element)) {
+            let message =
+                "the components of a coordinate are numbers: leave out their type, as in `Vector3`";
+            diagnostics.error(element, message);
+        }
     }
 }
 
@@ -124,15 +137,40 @@ pub(crate) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The constants that every model has.
-pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
+/// The constants that a model has, with what they are constants of.
+pub(crate) fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
+    let mut constants = BTreeMap::new();
+    let mut add = |names: &[&str], holder: &str| {
+        constants.extend(
+            names
+                .iter()
+                .map(|name| ((*name).to_owned(), holder.to_owned())),
+        );
+    };
+    let always = [
+        "COORDINATES",
+        "OPERATIONS",
+        "EQUATIONS",
+        "ANGLES",
+        "IGNORABLE",
+        "SINGULARITIES",
+    ];
+    add(&always, "a constant of every model");
+    if declaration.fields_with(Role::Input).next().is_some() {
+        add(&["INPUTS"], "a constant of every model with inputs");
+    }
+    if !declaration.clauses.functions.is_empty() {
+        add(
+            &["FUNCTIONS"],
+            "a constant of every model with functions from outside",
+        );
+    }
+    constants
+}
 
 /// Each coordinate becomes a constant of the type, beside those that are always there.
 fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let mut taken: BTreeMap<String, String> = CONSTANTS
-        .into_iter()
-        .map(|name| (name.to_owned(), "a constant of every model".to_owned()))
-        .collect();
+    let mut taken = constants(declaration);
     for coordinate in &declaration.clauses.coordinates {
         let name = &coordinate.name;
         let constant = constant(name);

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::check::CONSTANTS;
+use crate::check::constants;
 use crate::coordinate::Coordinate;
 use crate::declaration::Declaration;
 use crate::implementation::{indices, of_checks, results, signatures, values};
@@ -58,7 +58,7 @@ impl<'a> Fallback<'a> {
         let scope = &lowered.scope;
         let root = &declaration.root;
         let declared = &declaration.clauses.coordinates;
-        let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
+        let mut taken: BTreeSet<String> = constants(declaration).into_keys().collect();
         let coordinates: Vec<_> = indices(declared)
             .filter(|(coordinate, _)| taken.insert(constant(&coordinate.name)))
             .collect();
@@ -126,12 +126,8 @@ impl<'a> Fallback<'a> {
         let names = names.iter().map(ToString::to_string);
         let indices = self.coordinates.iter().map(|(coordinate, indices)| {
             let constant = placed(&constant(&coordinate.name), &coordinate.name);
-            let (indices, length) = (indices.clone(), indices.len());
-            if coordinate.length.is_none() {
-                quote!(#visibility const #constant: usize = #(#indices)*;)
-            } else {
-                quote!(#visibility const #constant: [usize; #length] = [#(#indices),*];)
-            }
+            let (ty, value) = coordinate.constant(indices.start);
+            quote!(#visibility const #constant: #ty = #value;)
         });
         quote! {
             impl #generics #name #arguments #conditions {

@@ -110,13 +110,17 @@ impl Scope {
         }
         let mut symbols = Symbols::of(Symbol::Coordinate);
         for coordinate in &declaration.clauses.coordinates {
-            let meaning = match coordinate.length {
-                None => Meaning::Quantity(Kind::Coordinate, symbols.scalar(graph)),
-                Some(length) => {
-                    let members = (0..length).map(|i| (vec![i], symbols.scalar(graph)));
-                    let members = members.collect();
-                    Meaning::Family(Kind::Coordinate, Rc::new(Family { rank: 1, members }))
-                }
+            let shape = coordinate.shape();
+            let meaning = if coordinate.lengths.is_empty() {
+                Meaning::Quantity(Kind::Coordinate, symbols.value(graph, shape))
+            } else {
+                let members = coordinate.members().into_iter();
+                let member = |indices| (indices, symbols.value(graph, shape));
+                let family = Family {
+                    rank: coordinate.lengths.len(),
+                    members: members.map(member).collect(),
+                };
+                Meaning::Family(Kind::Coordinate, Rc::new(family))
             };
             meanings.insert(plain(&coordinate.name), meaning);
         }

@@ -209,7 +209,7 @@ impl Translator<'_> {
                     let message = format!("`{name}` is one coordinate: leave out the index");
                     return self.reject(index, message);
                 }
-                self.coordinates(value, indices)
+                self.on_coordinates(value, indices)
             }
             (Meaning::Quantity(..), [index, ..]) => {
                 let message = format!("`{name}` has no index: write the force on the whole of it");
@@ -230,7 +230,7 @@ impl Translator<'_> {
                     return self.reject(&indices[0], message);
                 };
                 match inner {
-                    _ if kind == Kind::Coordinate => self.coordinates(value, inner),
+                    _ if kind == Kind::Coordinate => self.on_coordinates(value, inner),
                     [] => {
                         let mut members = family.members.values();
                         let is_velocity = members.any(|member| self.has_velocity(member));
@@ -254,7 +254,7 @@ impl Translator<'_> {
     }
 
     /// A scalar or vector of coordinates, or one of its components.
-    fn coordinates(&mut self, value: Value, indices: &[syn::Expr]) -> Option<Target> {
+    fn on_coordinates(&mut self, value: Value, indices: &[syn::Expr]) -> Option<Target> {
         let indices: Vec<&syn::Expr> = indices.iter().collect();
         let value = self.components(value, &indices)?;
         let index = |component: &Expression| match self.graph.node(*component) {
@@ -302,7 +302,7 @@ impl Translator<'_> {
             && let Node::Symbol(Symbol::Coordinate(_)) = self.graph.node(expression)
             && !is_velocity
         {
-            return self.coordinates(value, &[]);
+            return self.on_coordinates(value, &[]);
         }
         Some(Target::Moved(Moved {
             value,
