@@ -137,35 +137,39 @@ pub(crate) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// The constants of its type that every model has.
+pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
+
+/// The constants of traits that a model has; a constant of the type would hide them.
+const CONSTANTS_OF_SYSTEMS: [&str; 3] = ["ANGLES", "IGNORABLE", "SINGULARITIES"];
+const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
+const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
+
 /// The constants that a model has, with what they are constants of.
-pub(crate) fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
-    let mut constants = BTreeMap::new();
-    let mut add = |names: &[&str], holder: &str| {
-        constants.extend(
-            names
-                .iter()
-                .map(|name| ((*name).to_owned(), holder.to_owned())),
-        );
-    };
-    let always = [
-        "COORDINATES",
-        "OPERATIONS",
-        "EQUATIONS",
-        "ANGLES",
-        "IGNORABLE",
-        "SINGULARITIES",
-    ];
-    add(&always, "a constant of every model");
-    if declaration.fields_with(Role::Input).next().is_some() {
-        add(&["INPUTS"], "a constant of every model with inputs");
-    }
-    if !declaration.clauses.functions.is_empty() {
-        add(
-            &["FUNCTIONS"],
+fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
+    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
+    let has_functions = !declaration.clauses.functions.is_empty();
+    let every = "a constant of every model";
+    let all: [(&[&str], bool, &str); 4] = [
+        (&CONSTANTS, true, every),
+        (&CONSTANTS_OF_SYSTEMS, true, every),
+        (
+            &CONSTANTS_OF_INPUTS,
+            has_inputs,
+            "a constant of every model with inputs",
+        ),
+        (
+            &CONSTANTS_OF_FUNCTIONS,
+            has_functions,
             "a constant of every model with functions from outside",
-        );
-    }
-    constants
+        ),
+    ];
+    let all = all.into_iter().filter(|(_, there, _)| *there);
+    all.flat_map(|(names, _, holder)| {
+        let names = names.iter();
+        names.map(move |name| ((*name).to_owned(), holder.to_owned()))
+    })
+    .collect()
 }
 
 /// Each coordinate becomes a constant of the type, beside those that are always there.

@@ -1,8 +1,8 @@
 //! What is emitted beside errors.
 //!
 //! An impl still stands, so that code which uses the model shows no errors of its own. Names that stand
-//! for nothing are accessed as fields here, where the user wrote them: the compiler then says that there
-//! is no such field, and which there are.
+//! for nothing are accessed as fields here, for rust-analyzer alone: it completes what is half typed by the
+//! names of the fields.
 
 use core::ops::Range;
 use std::collections::BTreeSet;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::check::constants;
+use crate::check::CONSTANTS;
 use crate::coordinate::Coordinate;
 use crate::declaration::Declaration;
 use crate::implementation::{indices, of_checks, results, signatures, values};
@@ -46,7 +46,7 @@ struct Fallback<'a> {
     /// then states of any dimension fit.
     dimension: TokenStream,
     dimension_parameter: Option<TokenStream>,
-    /// Names that stand for nothing, to be looked for among the fields.
+    /// Names that stand for nothing, which an editor may complete to those of fields.
     unknown: Vec<&'a Ident>,
     scalar: Scalar<'a>,
     vector: TokenStream,
@@ -58,7 +58,7 @@ impl<'a> Fallback<'a> {
         let scope = &lowered.scope;
         let root = &declaration.root;
         let declared = &declaration.clauses.coordinates;
-        let mut taken: BTreeSet<String> = constants(declaration).into_keys().collect();
+        let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
         let coordinates: Vec<_> = indices(declared)
             .filter(|(coordinate, _)| taken.insert(constant(&coordinate.name)))
             .collect();
@@ -181,8 +181,9 @@ impl<'a> Fallback<'a> {
         let inverse = format_ident!("inverse_dynamics{suffix}");
         quote! {
             #(#scalars)* #(#vectors)* #linearize
+            #[allow(unexpected_cfgs)]
             fn #forcing(&self, _: #state, #inputs) -> #vector {
-                #(let _ = &self.#fields;)*
+                #(#[cfg(rust_analyzer)] let _ = &self.#fields;)*
                 ::core::unreachable!()
             }
             fn #inverse(&self, _: #state, #inputs _: &#vector) -> #vector { ::core::unreachable!() }

@@ -98,11 +98,7 @@ pub(crate) fn rows(first: Shape, odd: Shape) -> String {
 
 /// For a name that stands for nothing where an integer belongs.
 pub(crate) fn no_integer(name: &Ident) -> String {
-    if name
-        .to_string()
-        .chars()
-        .all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
-    {
+    if is_constant(name) {
         return format!(
             "what the constant `{name}` is, the compiler knows later than these equations are derived: write the \
              number, or `theta.len()`"
@@ -112,6 +108,32 @@ pub(crate) fn no_integer(name: &Ident) -> String {
         "`{name}` stands for no integer here: write `|{name}|` or `for {name} in 0..5` to let it run through a \
          range"
     )
+}
+
+/// Whether a name is written as those of constants are.
+fn is_constant(name: &Ident) -> bool {
+    let written = name.to_string();
+    let mut letters = written.chars();
+    letters.all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
+}
+
+/// How many names an error lists.
+const MOST_NAMES: usize = 10;
+
+/// For a name that stands for nothing, beside those of quantities.
+pub(crate) fn unknown(name: &Ident, known: &[&str]) -> String {
+    if is_constant(name) {
+        return format!(
+            "`{name}` is no field, coordinate or definition, and what a constant of Rust is, the compiler knows \
+             later than these equations are derived: make it a field of the struct, or write its value"
+        );
+    }
+    let known = match known {
+        [one] => format!("there is `{one}`; "),
+        [_, ..] if known.len() <= MOST_NAMES => format!("there are `{}`; ", known.join("`, `")),
+        _ => String::new(),
+    };
+    format!("unknown name `{name}`: {known}make it a field of the struct, or define it")
 }
 
 /// A member of a family, as it is written.

@@ -141,12 +141,13 @@ impl Translator<'_> {
             return Some(vec![zero; self.coordinates as usize]);
         }
         self.check_shape(force, value, moved.value.shape())?;
-        if moved.is_velocity {
-            self.check_velocity(force, moved, totals)?;
-        }
         let mut work = vec![zero; self.coordinates as usize];
-        for (component, along) in value.components().iter().zip(moved.value.components()) {
+        let along = moved.value.components().iter();
+        for (i, (component, along)) in value.components().iter().zip(along).enumerate() {
             let slopes = self.slopes(*along, moved.is_velocity);
+            if moved.is_velocity && self.graph.contents(*along).has_velocity() {
+                self.check_velocity(force, moved, i, &slopes, totals)?;
+            }
             for (total, slope) in work.iter_mut().zip(slopes) {
                 let part = self.graph.multiply(*component, slope);
                 *total = self.graph.add(*total, part);
@@ -173,29 +174,25 @@ impl Translator<'_> {
         &mut self,
         force: &Named,
         moved: &Moved,
+        component: usize,
+        slopes: &[Expression],
         totals: &mut Totals<'_>,
     ) -> Option<()> {
         let name = &force.name;
-        for (i, component) in moved.value.components().iter().enumerate() {
-            if !self.graph.contents(*component).has_velocity() {
-                continue;
-            }
-            let slopes = self.slopes(*component, true);
-            let linear = |slope: &Expression| !self.graph.contents(*slope).has_velocity();
-            if !slopes.iter().all(linear) {
-                let message = format!(
-                    "`{name}` is not linear in the velocities, so that no force gives power with it: a force acts on \
-                     a coordinate, a position or a velocity"
-                );
-                return self.reject(name, message);
-            }
-            let declaration = totals.declaration;
-            let at_rest = totals
-                .at_rest
-                .get_or_insert_with(|| AtRest::new(self, declaration));
-            if at_rest.depends_on_position(name, &moved.member, i) {
-                return self.reject(name, hints::position_and_velocity(name));
-            }
+        let linear = |slope: &Expression| !self.graph.contents(*slope).has_velocity();
+        if !slopes.iter().all(linear) {
+            let message = format!(
+                "`{name}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
+                 coordinate, a position or a velocity"
+            );
+            return self.reject(name, message);
+        }
+        let declaration = totals.declaration;
+        let at_rest = totals
+            .at_rest
+            .get_or_insert_with(|| AtRest::new(self, declaration));
+        if at_rest.depends_on_position(name, &moved.member, component) {
+            return self.reject(name, hints::position_and_velocity(name));
         }
         Some(())
     }
