@@ -1,6 +1,6 @@
 //! The coordinates of a declaration: scalars and vectors, one by one or in families.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 use syn::parse::ParseStream;
 use syn::{LitInt, Token, Type, token};
@@ -125,10 +125,31 @@ pub(crate) fn coordinates(
     input: ParseStream<'_>,
     names: &mut Vec<Coordinate>,
 ) -> syn::Result<()> {
+    let mut within_type = false;
     list(keyword, input, "a comma between coordinates", |input| {
-        names.push(coordinate(input)?);
+        if within_type {
+            // A comma behind `<` that is not closed separates no coordinates.
+            while !input.is_empty() && !input.peek(Token![,]) {
+                input.parse::<TokenTree>()?;
+            }
+            return Ok(());
+        }
+        let ahead = input.fork();
+        names.push(coordinate(input).inspect_err(|_| within_type = opens_type(&ahead))?);
         Ok(())
     })
+}
+
+/// Whether a `<` is not closed in what follows.
+fn opens_type(input: ParseStream<'_>) -> bool {
+    let rest: TokenStream = input.parse().unwrap_or_default();
+    let count = |sign| {
+        let tokens = rest.clone().into_iter();
+        let is =
+            |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == sign);
+        tokens.filter(is).count()
+    };
+    count('<') > count('>')
 }
 
 fn coordinate(input: ParseStream<'_>) -> syn::Result<Coordinate> {

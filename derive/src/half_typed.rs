@@ -19,12 +19,13 @@ fn declaration() -> TokenStream {
         define(
             r = rotation_zxz(theta[0], theta[1], theta[2]),
             w = angular_velocity(r),
+            e = dot(x).powi(2) + dot(s[0]).norm_squared() + dot(s[1].x).powi(2) + dot(s[1][1]).powi(2)
+                + dot(vector(q)).norm_squared(),
             p[0] = [x, 0.0],
             p[i] = p[i - 1] + l[i] * [sin(theta[i]), -cos(theta[i])] for i in 1..3,
         ),
-        kinetic = 0.5 * w.dot(inertia * w),
+        kinetic = 0.5 * (e + w.dot(inertia * w)),
         kinetic = 0.5 * (0..3).map(|i| m[i] * dot(p[i]).norm_squared()).sum(),
-        kinetic = 0.5 * m[0] * (dot(s[0]).norm_squared() + dot(s[1].x).powi(2) + dot(s[1][1]).powi(2)) + dot(vector(q)).norm_squared(),
         potential = g * (0..3).map(|i| m[i] * p[i].y).sum(),
         dissipation = 0.5 * c * dot(x).powi(2),
         force(s[1] = [g, 0.0], q[0][1] = push, s[0].y = c),
