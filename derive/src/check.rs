@@ -21,6 +21,7 @@ use crate::scope::RESERVED;
 /// Checks names, types of fields and the set of clauses.
 pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_field_types(declaration, diagnostics);
+    check_coordinate_types(declaration, diagnostics);
     scalar::check(declaration, diagnostics);
     check_names(declaration, diagnostics);
     function::check(declaration, diagnostics);
@@ -29,6 +30,18 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_outputs(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);
+    }
+}
+
+/// The components of a vector of coordinates are numbers of the model.
+fn check_coordinate_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    for coordinate in &declaration.clauses.coordinates {
+        let element = coordinate.element();
+        if let Some(element) = element.filter(|element| !is_number(declaration, element)) {
+            let message =
+                "the components of a coordinate are numbers: leave out their type, as in `Vector3`";
+            diagnostics.error(element, message);
+        }
     }
 }
 
@@ -133,15 +146,44 @@ pub(crate) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The constants that every model has.
+/// The constants of its type that every model has.
 pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
+
+/// The constants of traits that a model has; a constant of the type would hide them.
+const CONSTANTS_OF_SYSTEMS: [&str; 3] = ["ANGLES", "IGNORABLE", "SINGULARITIES"];
+const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
+const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
+
+/// The constants that a model has, with what they are constants of.
+fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
+    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
+    let has_functions = !declaration.clauses.functions.is_empty();
+    let every = "a constant of every model";
+    let all: [(&[&str], bool, &str); 4] = [
+        (&CONSTANTS, true, every),
+        (&CONSTANTS_OF_SYSTEMS, true, every),
+        (
+            &CONSTANTS_OF_INPUTS,
+            has_inputs,
+            "a constant of every model with inputs",
+        ),
+        (
+            &CONSTANTS_OF_FUNCTIONS,
+            has_functions,
+            "a constant of every model with functions from outside",
+        ),
+    ];
+    let all = all.into_iter().filter(|(_, there, _)| *there);
+    all.flat_map(|(names, _, holder)| {
+        let names = names.iter();
+        names.map(move |name| ((*name).to_owned(), holder.to_owned()))
+    })
+    .collect()
+}
 
 /// Each coordinate becomes a constant of the type, beside those that are always there.
 fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let mut taken: BTreeMap<String, String> = CONSTANTS
-        .into_iter()
-        .map(|name| (name.to_owned(), "a constant of every model".to_owned()))
-        .collect();
+    let mut taken = constants(declaration);
     for coordinate in &declaration.clauses.coordinates {
         let name = &coordinate.name;
         let constant = constant(name);

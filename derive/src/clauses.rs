@@ -141,6 +141,10 @@ impl Clauses {
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),
             "dissipation" => self.dissipation.push(Clause::read(keyword, input)?),
             "scalar" => self.read_scalar(&keyword, input)?,
+            "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"
+            | "multiplier" | "multipliers" => {
+                return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));
+            }
             written => {
                 // Functions stand in parentheses, and friction is a word of mechanics.
                 let fits = |meant: &&str| *meant != "function" || input.peek(token::Paren);
@@ -172,6 +176,11 @@ impl Clause {
         })
     }
 }
+
+const NO_CONSTRAINTS: &str = "there are no constraints yet: choose coordinates that fulfil a holonomic one, \
+                              f(q, t) = 0, or hold it by a stiff spring and damper, or a multiplier of your own, under \
+                              `force`; do not put a nonholonomic one, such as rolling, into the energies, which gives \
+                              wrong equations unless it can be integrated, as that of a disc on a straight line";
 
 fn no_clause() -> String {
     format!("write a clause: one of `{}`", KEYWORDS.join("`, `"))

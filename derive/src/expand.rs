@@ -1,21 +1,18 @@
 //! The whole macro: parse, check, lower, derive the equations, schedule, emit.
 
-use std::collections::BTreeMap;
-
-use lagrangian_symbolic::{Defect, Equations, Model, Validator};
+use lagrangian_symbolic::{Equations, Model, Validator};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
 
 use crate::check::{check, check_whole};
-use crate::clauses::Clause;
 use crate::declaration::Declaration;
+use crate::defects;
 use crate::diagnostics::Diagnostics;
 use crate::fallback;
 use crate::implementation::Implementation;
 use crate::lower::{Lowered, lower};
 use crate::methods::Methods;
-use crate::names::plain;
 use crate::validation::warning;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
@@ -54,106 +51,27 @@ fn implement(
     diagnostics: &mut Diagnostics,
 ) -> Option<TokenStream> {
     let validator = Validator::new(&model);
-    let mut equations = Equations::derive(&mut model)
-        .map_err(|defect| report(&defect, declaration, lowered, diagnostics))
-        .ok()?;
+    let mut equations = match Equations::derive(&mut model) {
+        Ok(equations) => equations,
+        Err(defect) => {
+            defects::report(&defect, declaration, lowered, &model, diagnostics);
+            return None;
+        }
+    };
     let mut methods = Methods::schedule(&mut model, &equations);
     let undeclared = methods.undeclared(&model.graph);
     if !undeclared.is_empty() {
-        report_undeclared(&undeclared, declaration, diagnostics);
+        defects::report_undeclared(&undeclared, declaration, diagnostics);
         return None;
     }
     let disagreements = methods.validate(&validator, &mut model, &mut equations);
     if methods.unrepresentable().is_some() {
         let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
                        written here are not: choose units in which numbers are nearer to 1";
-        report_at(energy(declaration), message, diagnostics);
+        defects::report_at_energy(declaration, message, diagnostics);
         return None;
     }
     let items = Implementation::new(declaration, lowered, &model, &equations, &methods).items();
     let warning = warning(&disagreements, declaration);
     Some(quote!(#items #warning))
-}
-
-/// Says which derivatives of functions from outside are missing.
-fn report_undeclared(
-    undeclared: &BTreeMap<(usize, usize), &'static str>,
-    declaration: &Declaration,
-    diagnostics: &mut Diagnostics,
-) {
-    for ((function, argument), needs) in undeclared {
-        let function = &declaration.clauses.functions[*function];
-        let (name, argument) = (&function.name, &function.arguments[*argument]);
-        let message = format!(
-            "{needs} ∂{name}/∂{argument}: add `derivative({argument}) = …` behind the value, or `derivative({argument}) \
-             = 0.0` where that is constant piece by piece"
-        );
-        diagnostics.error(name, message);
-    }
-}
-
-/// The clause in which the equations of motion begin.
-fn energy(declaration: &Declaration) -> Option<&Clause> {
-    let clauses = &declaration.clauses;
-    clauses.kinetic.first().or(clauses.lagrangian.first())
-}
-
-/// Says why there are no equations of motion, where the declaration can be mended.
-fn report(
-    defect: &Defect,
-    declaration: &Declaration,
-    lowered: &Lowered,
-    diagnostics: &mut Diagnostics,
-) {
-    let clauses = &declaration.clauses;
-    let energy = energy(declaration);
-    let names = |indices: &[u32]| {
-        let names: Vec<String> = indices
-            .iter()
-            .map(|i| format!("`{}`", lowered.quantities.coordinates[*i as usize]))
-            .collect();
-        names.join(", ")
-    };
-    match defect {
-        Defect::NoVelocity(coordinates) => {
-            for i in coordinates {
-                let coordinate = &lowered.quantities.coordinates[*i as usize];
-                let declared = clauses.coordinates.iter();
-                let mut declared = declared.map(|declared| &declared.name);
-                diagnostics.error(
-                    declared.find(|name| plain(name) == coordinate.stem),
-                    format!(
-                        "no energy contains `dot({coordinate})`, so its equation of motion has no acceleration: \
-                         add the kinetic energy of this coordinate, or remove it"
-                    ),
-                );
-            }
-        }
-        Defect::SingularMass(coordinates) => {
-            let message = format!(
-                "the mass matrix is singular everywhere: the velocities of {} occur only in combinations of \
-                 which there are fewer; add the kinetic energy that is missing, or remove a coordinate",
-                names(coordinates)
-            );
-            report_at(energy, &message, diagnostics);
-        }
-        Defect::MomentumOfInput(inputs) => {
-            for i in inputs {
-                let name = &lowered.quantities.inputs[*i as usize].field;
-                diagnostics.error(
-                    lowered.scope.first_use(name).unwrap_or(name),
-                    format!(
-                        "the momenta ∂L/∂q̇ contain the input `{name}`, whose rate of change is unknown: \
-                         make it a coordinate or a function of `t`, or write what it does under `force`"
-                    ),
-                );
-            }
-        }
-    }
-}
-
-fn report_at(energy: Option<&Clause>, message: &str, diagnostics: &mut Diagnostics) {
-    if let Some(clause) = energy {
-        diagnostics.error(&clause.expression, message);
-    }
 }

@@ -46,6 +46,8 @@ pub(crate) struct Translator<'a> {
     pub(crate) within_index: bool,
     /// Whether the derivative of a function is looked at, which knows neither coordinates nor the time.
     pub(crate) within_derivative: bool,
+    /// Whether nothing moves, so that all time derivatives are zero.
+    pub(crate) at_rest: bool,
 }
 
 impl Translator<'_> {
@@ -204,8 +206,7 @@ impl Translator<'_> {
         self.reject(name, message)
     }
 
-    /// A name that stands for nothing. What looks like a misspelt coordinate, definition or function is
-    /// ours to report; anything else may have been a field, and the compiler says so best.
+    /// A name that stands for nothing.
     fn unknown<T>(&mut self, name: &Ident) -> Option<T> {
         if !self.scope.complete {
             return None;
@@ -230,7 +231,10 @@ impl Translator<'_> {
         if hints::is_function(&written) || self.scope.function(name).is_some() {
             return self.reject(name, format!("`{name}` is a function: write `{name}(x)`"));
         }
-        self.scope.note_unknown(name);
+        if self.scope.note_unknown(name) {
+            let message = hints::unknown(name, &self.scope.quantities());
+            return self.reject(name, message);
+        }
         None
     }
 

@@ -1,8 +1,8 @@
 //! What is emitted beside errors.
 //!
 //! An impl still stands, so that code which uses the model shows no errors of its own. Names that stand
-//! for nothing are accessed as fields here, where the user wrote them: the compiler then says that there
-//! is no such field, and which there are.
+//! for nothing are accessed as fields here, for rust-analyzer alone: it completes what is half typed by the
+//! names of the fields.
 
 use core::ops::Range;
 use std::collections::BTreeSet;
@@ -46,7 +46,7 @@ struct Fallback<'a> {
     /// then states of any dimension fit.
     dimension: TokenStream,
     dimension_parameter: Option<TokenStream>,
-    /// Names that stand for nothing, to be looked for among the fields.
+    /// Names that stand for nothing, which an editor may complete to those of fields.
     unknown: Vec<&'a Ident>,
     scalar: Scalar<'a>,
     vector: TokenStream,
@@ -126,12 +126,8 @@ impl<'a> Fallback<'a> {
         let names = names.iter().map(ToString::to_string);
         let indices = self.coordinates.iter().map(|(coordinate, indices)| {
             let constant = placed(&constant(&coordinate.name), &coordinate.name);
-            let (indices, length) = (indices.clone(), indices.len());
-            if coordinate.length.is_none() {
-                quote!(#visibility const #constant: usize = #(#indices)*;)
-            } else {
-                quote!(#visibility const #constant: [usize; #length] = [#(#indices),*];)
-            }
+            let (ty, value) = coordinate.constant(indices.start);
+            quote!(#visibility const #constant: #ty = #value;)
         });
         quote! {
             impl #generics #name #arguments #conditions {
@@ -185,8 +181,9 @@ impl<'a> Fallback<'a> {
         let inverse = format_ident!("inverse_dynamics{suffix}");
         quote! {
             #(#scalars)* #(#vectors)* #linearize
+            #[allow(unexpected_cfgs)]
             fn #forcing(&self, _: #state, #inputs) -> #vector {
-                #(let _ = &self.#fields;)*
+                #(#[cfg(rust_analyzer)] let _ = &self.#fields;)*
                 ::core::unreachable!()
             }
             fn #inverse(&self, _: #state, #inputs _: &#vector) -> #vector { ::core::unreachable!() }

@@ -112,19 +112,7 @@ impl<'a> FieldType<'a> {
     /// The indices of the members of an array of vectors or matrices, the last one running fastest; one
     /// empty list for no such array.
     pub(crate) fn members(&self) -> Vec<Vec<usize>> {
-        let mut members = vec![Vec::new()];
-        for length in &self.lengths {
-            let longer = |member: &Vec<usize>, i| {
-                let mut longer = member.clone();
-                longer.push(i);
-                longer
-            };
-            members = members
-                .iter()
-                .flat_map(|member| (0..*length).map(move |i| longer(member, i)))
-                .collect();
-        }
-        members
+        members(&self.lengths)
     }
 
     /// What stands behind a member to read each of its components, column by column.
@@ -183,6 +171,47 @@ impl Form {
             _ => None,
         };
         form.ok_or(Unfit::Unknown)
+    }
+}
+
+/// All indices below some lengths, the last one running fastest.
+pub(crate) fn members(lengths: &[usize]) -> Vec<Vec<usize>> {
+    let mut members = vec![Vec::new()];
+    for length in lengths {
+        let longer = |member: &Vec<usize>, i| {
+            let mut longer = member.clone();
+            longer.push(i);
+            longer
+        };
+        members = members
+            .iter()
+            .flat_map(|member| (0..*length).map(move |i| longer(member, i)))
+            .collect();
+    }
+    members
+}
+
+/// How many components a vector of nalgebra has, and their type, which may be left out.
+pub(crate) fn vector(ty: &Type) -> Option<(usize, Option<&Type>)> {
+    let path = match ty {
+        Type::Group(group) => return vector(&group.elem),
+        Type::Paren(paren) => return vector(&paren.elem),
+        Type::Path(path) => path,
+        _ => return None,
+    };
+    let last = path.path.segments.last()?;
+    let arguments: Vec<_> = match &last.arguments {
+        PathArguments::None => Vec::new(),
+        PathArguments::AngleBracketed(arguments) => arguments.args.iter().collect(),
+        PathArguments::Parenthesized(_) => return None,
+    };
+    let (element, lengths) = match arguments.as_slice() {
+        [GenericArgument::Type(element), lengths @ ..] => (Some(element), lengths),
+        lengths => (None, lengths),
+    };
+    match Form::of_nalgebra(&last.ident.to_string(), lengths.iter().copied()) {
+        Ok(Form::Vector(rows)) => Some((rows, element)),
+        _ => None,
     }
 }
 

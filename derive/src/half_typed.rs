@@ -9,7 +9,7 @@ use crate::expand::expand;
 fn declaration() -> TokenStream {
     quote! {
         scalar = f64,
-        coordinates(theta[3], x),
+        coordinates(theta[3], x, s[2]: SVector<f64, 2>, q[2][3]),
         function(slope(v) = self.table.iter().map(|x| x * v).sum::<f64>()),
         function(
             stribeck(v, load) = friction::stribeck(v) * load,
@@ -19,13 +19,16 @@ fn declaration() -> TokenStream {
         define(
             r = rotation_zxz(theta[0], theta[1], theta[2]),
             w = angular_velocity(r),
+            e = dot(x).powi(2) + dot(s[0]).norm_squared() + dot(s[1].x).powi(2) + dot(s[1][1]).powi(2)
+                + dot(vector(q)).norm_squared(),
             p[0] = [x, 0.0],
             p[i] = p[i - 1] + l[i] * [sin(theta[i]), -cos(theta[i])] for i in 1..3,
         ),
-        kinetic = 0.5 * w.dot(inertia * w),
+        kinetic = 0.5 * (e + w.dot(inertia * w)),
         kinetic = 0.5 * (0..3).map(|i| m[i] * dot(p[i]).norm_squared()).sum(),
         potential = g * (0..3).map(|i| m[i] * p[i].y).sum(),
         dissipation = 0.5 * c * dot(x).powi(2),
+        force(s[1] = [g, 0.0], q[0][1] = push, s[0].y = c),
         force(x = push - stribeck(dot(x), m[0] * g), theta[i] = -c * dot(theta[i]) for i in 0..3),
         output(tip = p[2], turned = (r * [0.0, 0.0, l[2]]).z, sensed = dot(dot(x))),
     }
@@ -78,9 +81,8 @@ fn expansion(clauses: &TokenStream) -> String {
     written
 }
 
-/// The errors of ours, and the names that the compiler is asked to look for.
 fn errors(expansion: &str) -> usize {
-    expansion.matches("compile_error").count() + expansion.matches("let _ = & self .").count()
+    expansion.matches("compile_error").count()
 }
 
 fn has_impl(expansion: &str) -> bool {

@@ -1,6 +1,7 @@
 //! What to write instead of what is not understood.
 
 use core::fmt::Display;
+use core::iter;
 
 use lagrangian_symbolic::{Binary, Unary};
 use proc_macro2::Ident;
@@ -8,6 +9,7 @@ use syn::{BinOp, Expr, ExprField, ExprPath, Member};
 
 use crate::diagnostics::similar;
 use crate::expression::{array, rotation};
+use crate::scope::Family;
 use crate::value::Shape;
 
 /// For expressions that no part of the declaration language looks like.
@@ -96,11 +98,7 @@ pub(crate) fn rows(first: Shape, odd: Shape) -> String {
 
 /// For a name that stands for nothing where an integer belongs.
 pub(crate) fn no_integer(name: &Ident) -> String {
-    if name
-        .to_string()
-        .chars()
-        .all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
-    {
+    if is_constant(name) {
         return format!(
             "what the constant `{name}` is, the compiler knows later than these equations are derived: write the \
              number, or `theta.len()`"
@@ -112,6 +110,32 @@ pub(crate) fn no_integer(name: &Ident) -> String {
     )
 }
 
+/// Whether a name is written as those of constants are.
+fn is_constant(name: &Ident) -> bool {
+    let written = name.to_string();
+    let mut letters = written.chars();
+    letters.all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
+}
+
+/// How many names an error lists.
+const MOST_NAMES: usize = 10;
+
+/// For a name that stands for nothing, beside those of quantities.
+pub(crate) fn unknown(name: &Ident, known: &[&str]) -> String {
+    if is_constant(name) {
+        return format!(
+            "`{name}` is no field, coordinate or definition, and what a constant of Rust is, the compiler knows \
+             later than these equations are derived: make it a field of the struct, or write its value"
+        );
+    }
+    let known = match known {
+        [one] => format!("there is `{one}`; "),
+        [_, ..] if known.len() <= MOST_NAMES => format!("there are `{}`; ", known.join("`, `")),
+        _ => String::new(),
+    };
+    format!("unknown name `{name}`: {known}make it a field of the struct, or define it")
+}
+
 /// A member of a family, as it is written.
 pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
     let indices = indices
@@ -120,10 +144,49 @@ pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
     [name.to_string()].into_iter().chain(indices).collect()
 }
 
-/// For a coordinate beyond the last one of its name.
-pub(crate) fn beyond(name: &Ident, index: &impl Display, length: usize) -> String {
+/// What stands for all members of a family, as in `theta[i] = … for i in 0..5`.
+pub(crate) fn every_member(name: &Ident, family: &Family) -> String {
+    let variables: Vec<&str> = ["i", "j", "k"]
+        .into_iter()
+        .chain(iter::repeat("l"))
+        .take(family.rank)
+        .collect();
+    let ranges = variables.iter().enumerate().map(|(position, variable)| {
+        let indices = family
+            .members
+            .keys()
+            .filter_map(|member| member.get(position));
+        let end = indices.max().map_or(0, |last| last + 1);
+        format!(" for {variable} in 0..{end}")
+    });
     format!(
-        "`{name}[{index}]` is out of range: there are {length} coordinates of this name, from `{name}[0]` on"
+        "{} = …{}",
+        member(name, &variables),
+        ranges.collect::<String>()
+    )
+}
+
+/// For a coordinate beyond the last one of its name.
+pub(crate) fn beyond(name: &Ident, indices: &[impl Display], family: &Family) -> String {
+    let written = member(name, indices);
+    match family.members.keys().next_back() {
+        Some(last) if family.rank > 1 => format!(
+            "`{written}` is out of range: the last coordinate of this name is `{}`",
+            member(name, last)
+        ),
+        _ => format!(
+            "`{written}` is out of range: there are {} coordinates of this name, from `{name}[0]` on",
+            family.members.len()
+        ),
+    }
+}
+
+/// For a force on what may be a velocity, or a position to which a velocity is added.
+pub(crate) fn position_and_velocity(name: &Ident) -> String {
+    format!(
+        "`{name}` adds a velocity to what depends on coordinates alone, so that the work of a force on it is not \
+         known: a velocity in a frame that moves is written by `dot`, as in `dot(x) - dot(rate * t) * y`; define a \
+         position and a velocity apart, or write the generalized forces, `force(x = …)`"
     )
 }
 

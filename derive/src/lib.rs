@@ -21,6 +21,7 @@ mod expression;
 mod hints;
 mod ablation;
 mod lower;
+mod defects;
 mod methods;
 mod names;
 mod body;

@@ -1,5 +1,6 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
+mod at_rest;
 mod forces;
 
 use lagrangian_symbolic::{Energies, Expression, Graph, Model};
@@ -40,6 +41,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         repetitions: 0,
         within_index: false,
         within_derivative: false,
+        at_rest: false,
     };
     let parts = translator.parts(declaration);
     let complete = translator.diagnostics.is_empty() && translator.scope.unknown().next().is_none();

@@ -1,10 +1,11 @@
 //! Expressions under names, in lists: `name = expression`, or `name[i] = expression for i in 0..5`.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::{Ident, Literal, Span};
 use syn::parse::ParseStream;
 use syn::{Expr, Token, token};
 
 use crate::grammar::{equated, list, word};
+use crate::value::Index;
 
 /// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
 pub(crate) struct Named {
@@ -36,7 +37,14 @@ impl Named {
     fn read(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<Self> {
         let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
         let mut indices = Vec::new();
-        while input.peek(token::Bracket) {
+        loop {
+            if input.peek(Token![.]) && keyword == "force" {
+                indices.push(axis(&name, input)?);
+                continue;
+            }
+            if !input.peek(token::Bracket) {
+                break;
+            }
             let content;
             let bracket = syn::bracketed!(content in input);
             let message =
@@ -61,6 +69,28 @@ impl Named {
             iterations,
         })
     }
+}
+
+/// `.x` behind the name of a vector on which a force acts, as the index that it stands for.
+fn axis(name: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
+    let point: Token![.] = input.parse()?;
+    let axis: Option<Ident> = input.parse()?;
+    let position = axis
+        .as_ref()
+        .and_then(|axis| Index::AXES.iter().position(|name| axis == name));
+    let Some(position) = position else {
+        let message = format!(
+            "write `{name}.x`, `{name}.y`, `{name}.z` or `{name}.w` for a component of a vector"
+        );
+        return Err(match axis {
+            Some(axis) => syn::Error::new(axis.span(), message),
+            None => syn::Error::new(point.span, message),
+        });
+    };
+    let span = axis.map_or(point.span, |axis| axis.span());
+    let mut index = Literal::usize_unsuffixed(position);
+    index.set_span(span);
+    Ok(syn::parse_quote!(#index))
 }
 
 impl Iteration {

@@ -8,6 +8,7 @@ use quote::{quote, quote_spanned};
 use syn::Type;
 use syn::spanned::Spanned as _;
 
+use crate::coordinate::Coordinate;
 use crate::declaration::Declaration;
 use crate::field::{Field, Role};
 use crate::names::plain;
@@ -89,12 +90,7 @@ impl Label {
     /// The name of a local variable: `theta_2`, `inertia_0_1`.
     pub(crate) fn variable(&self) -> String {
         let mut parts = vec![self.stem.clone()];
-        for index in &self.indices {
-            match index {
-                Index::One(i) => parts.push(i.to_string()),
-                Index::Pair { row, column } => parts.extend([row.to_string(), column.to_string()]),
-            }
-        }
+        parts.extend(self.indices.iter().map(|index| index.word()));
         parts.join("_")
     }
 }
@@ -116,16 +112,7 @@ impl Quantities {
         };
         let coordinates = declaration.clauses.coordinates.iter();
         Self {
-            coordinates: coordinates
-                .flat_map(|coordinate| {
-                    let label = |i: Option<usize>| Label {
-                        stem: plain(&coordinate.name),
-                        indices: i.into_iter().map(Index::One).collect(),
-                    };
-                    let indices = 0..coordinate.length.unwrap_or(1);
-                    indices.map(move |i| label(coordinate.length.map(|_| i)))
-                })
-                .collect(),
+            coordinates: coordinates.flat_map(Coordinate::labels).collect(),
             parameters: components(Role::Parameter),
             inputs: components(Role::Input),
         }

@@ -9,7 +9,7 @@ use crate::expand::expand;
 
 const DECLARATION: &str = r"
     #[lagrangian(
-        coordinates(x, theta, r#type, q[3]),
+        coordinates(x, theta, r#type, q[3], p: Vector2, b[2][2]: Vector3<f64>),
         function(stribeck(v, load) = self.label(v) * load, derivative(v) = slope(v) * load, derivative(load) = stribeck(v, 1.0)),
         function(slope(v) = { let w = v; outside::slope(w) }),
         define(
@@ -19,9 +19,10 @@ const DECLARATION: &str = r"
         ),
         kinetic = 0.5 * m * (dot(x).powi(2) + speed.powi(2)) + dot(theta) * dot(r#type),
         kinetic = 0.5 * w.dot(inertia * w) + (0..3).map(|i| dot(s[i]).powi(2)).sum(),
+        kinetic = dot(p).norm_squared() + (0..2).map(|i| (0..2).map(|j| dot(b[i][j]).norm_squared()).sum()).sum(),
         potential = -m * g * height + atan2(x, 2.0).powf(1.5) + (r * [0, 0, l]).z,
         dissipation = 0.5 * friction * dot(x).powi(2) / PI,
-        force(x = push - sin(t) - stribeck(dot(x), m), theta = r#type, q[i] = -list[i] for i in 0..3),
+        force(x = push - sin(t) - stribeck(dot(x), m), theta = r#type, p.x = m, b[1][0] = [m, g, l], q[i] = -list[i] for i in 0..3),
         output(height = height, sensed = dot(dot(height)), tip = inertia[(0, 1)] * r.transpose()),
         scalar = f64,
     )]
@@ -34,7 +35,7 @@ const COUNT: usize = 400;
 
 /// What tokens are replaced with.
 const WORDS: &str = "x theta m push label dot self t PI _ r#loop r#type_dot 0 1e400 -1 2u8 \"text\" 'c' true [] () {} {x} (x) \
-                     coordinates kinetic lagrangian define function derivative scalar slope output skip input crate f64 T K Scalar , = + ^ . :: & ; ! # |";
+                     coordinates kinetic lagrangian define function derivative scalar slope output skip input crate f64 T K Scalar Vector2 SVector p b , = + ^ . :: & ; ! # |";
 
 /// A sequence that is the same on each run.
 struct Numbers(u64);

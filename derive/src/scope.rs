@@ -68,6 +68,8 @@ pub(crate) struct Scope {
     pub(crate) complete: bool,
     /// Whether all functions from outside are here.
     pub(crate) functions_complete: bool,
+    /// Whether there are fields with names, for one of which an unknown name may be meant.
+    names_fields: bool,
 }
 
 /// Names that are taken.
@@ -110,13 +112,17 @@ impl Scope {
         }
         let mut symbols = Symbols::of(Symbol::Coordinate);
         for coordinate in &declaration.clauses.coordinates {
-            let meaning = match coordinate.length {
-                None => Meaning::Quantity(Kind::Coordinate, symbols.scalar(graph)),
-                Some(length) => {
-                    let members = (0..length).map(|i| (vec![i], symbols.scalar(graph)));
-                    let members = members.collect();
-                    Meaning::Family(Kind::Coordinate, Rc::new(Family { rank: 1, members }))
-                }
+            let shape = coordinate.shape();
+            let meaning = if coordinate.lengths.is_empty() {
+                Meaning::Quantity(Kind::Coordinate, symbols.value(graph, shape))
+            } else {
+                let members = coordinate.members().into_iter();
+                let member = |indices| (indices, symbols.value(graph, shape));
+                let family = Family {
+                    rank: coordinate.lengths.len(),
+                    members: members.map(member).collect(),
+                };
+                Meaning::Family(Kind::Coordinate, Rc::new(family))
             };
             meanings.insert(plain(&coordinate.name), meaning);
         }
@@ -146,6 +152,7 @@ impl Scope {
             uses: BTreeMap::new(),
             unknown: Vec::new(),
             functions_complete: !clauses.functions_unreadable,
+            names_fields: declaration.names_fields,
             complete: !clauses.names_unreadable && !clauses.coordinates.is_empty() && !repeated,
         }
     }
@@ -245,21 +252,32 @@ impl Scope {
         )
     }
 
-    /// The quantity other than a field that was probably meant by an unknown name.
+    /// The quantity that was probably meant by an unknown name.
     pub(crate) fn suggest(&self, name: &Ident) -> Option<String> {
         let meant = similar(&plain(name), self.meanings.keys().map(String::as_str))?;
         match self.meanings[meant] {
-            Meaning::Quantity(Kind::Field, _)
-            | Meaning::Family(Kind::Field, _)
-            | Meaning::Skipped
-            | Meaning::Output => None,
+            Meaning::Skipped | Meaning::Output => None,
             _ => Some(spelled(meant)),
         }
     }
 
-    /// Notes a name that stands for nothing: the compiler will look for such a field.
-    pub(crate) fn note_unknown(&mut self, name: &Ident) {
+    /// Notes a name that stands for nothing, which an editor may complete to a field. Says whether it is to be
+    /// reported: once, and only where fields have names.
+    pub(crate) fn note_unknown(&mut self, name: &Ident) -> bool {
+        let is_new = self.unknown.iter().all(|noted| noted != name);
         self.unknown.push(name.clone());
+        is_new && self.names_fields
+    }
+
+    /// The names of fields, coordinates, definitions and variables.
+    pub(crate) fn quantities(&self) -> Vec<&str> {
+        let is_quantity = |meaning: &Meaning| match meaning {
+            Meaning::Quantity(kind, _) | Meaning::Family(kind, _) => *kind != Kind::Reserved,
+            _ => false,
+        };
+        let known = self.meanings.iter();
+        let known = known.filter(|(_, meaning)| is_quantity(meaning));
+        known.map(|(name, _)| name.as_str()).collect()
     }
 
     /// The names that stand for nothing, wherever they were written.

@@ -65,6 +65,17 @@ impl Shape {
         }
     }
 
+    /// The value of this shape with all components alike.
+    pub(crate) fn filled(self, component: Expression) -> Value {
+        match self {
+            Self::Scalar => Value::Scalar(component),
+            Self::Array { rows, columns } => {
+                let components = vec![component; rows * columns];
+                Matrix::new(rows, columns, components).map_or(Value::Nothing, Value::Array)
+            }
+        }
+    }
+
     /// The index of a component, counted column by column; none for a scalar.
     pub(crate) const fn index(self, component: usize) -> Option<Index> {
         match self {
@@ -104,6 +115,22 @@ pub(crate) enum Index {
     One(usize),
     /// `[(row, column)]`.
     Pair { row: usize, column: usize },
+    /// `.x`, `.y`, `.z` or `.w`.
+    Axis(usize),
+}
+
+impl Index {
+    /// The names of the components of vectors.
+    pub(crate) const AXES: [&'static str; 4] = ["x", "y", "z", "w"];
+
+    /// What stands in the name of a variable for the index.
+    pub(crate) fn word(self) -> String {
+        match self {
+            Self::One(i) => i.to_string(),
+            Self::Pair { row, column } => format!("{row}_{column}"),
+            Self::Axis(i) => Self::AXES.get(i).copied().unwrap_or_default().to_owned(),
+        }
+    }
 }
 
 impl fmt::Display for Index {
@@ -111,6 +138,7 @@ impl fmt::Display for Index {
         match self {
             Self::One(i) => write!(f, "[{i}]"),
             Self::Pair { row, column } => write!(f, "[({row}, {column})]"),
+            Self::Axis(_) => write!(f, ".{}", self.word()),
         }
     }
 }

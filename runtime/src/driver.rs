@@ -7,7 +7,8 @@
 use core::marker::PhantomData;
 
 use crate::{
-    Condition, Dynamics, IntegrationError, Integrator, Observer, Sample, Scalar, Statistics,
+    Condition, Dynamics, Initial, IntegrationError, Integrator, Observer, Sample, Scalar,
+    Statistics,
     condition::{AtZero, When},
     integrator::checked_state,
     run::{Run, check_singularity},
@@ -164,7 +165,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
         self,
         dynamics: &D,
-        initial: impl Into<Sample<D::State>>,
+        initial: impl Initial<D::State>,
         end: f64,
     ) -> Result<Ending<D::State>, IntegrationError>
     where
@@ -184,7 +185,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn visit<S: Scalar, D: Dynamics<S> + ?Sized>(
         mut self,
         dynamics: &D,
-        initial: impl Into<Sample<D::State>>,
+        initial: impl Initial<D::State>,
         times: &[f64],
     ) -> Result<Ending<D::State>, IntegrationError>
     where
@@ -192,7 +193,7 @@ impl<I, C, O> Driver<I, C, O> {
         C: Condition<D::State>,
         O: Observer<D::State>,
     {
-        let (ending, result) = self.run(dynamics, &initial.into(), times, &mut |_| {});
+        let (ending, result) = self.run(dynamics, &initial.into_sample(), times, &mut |_| {});
         result.map(|()| ending)
     }
 

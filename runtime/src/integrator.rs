@@ -5,8 +5,8 @@
 //! end.
 
 use crate::{
-    Driver, Dynamics, Ending, IntegrationError, Sample, Scalar, VectorSpace, driver::Unconditional,
-    driver::Unobserved,
+    Driver, Dynamics, Ending, Initial, IntegrationError, Sample, Scalar, VectorSpace,
+    driver::Unconditional, driver::Unobserved,
 };
 #[cfg(feature = "alloc")]
 use crate::{Interrupted, Trajectory};
@@ -49,7 +49,7 @@ pub trait Integrator {
     fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
-        initial: impl Into<Sample<D::State>>,
+        initial: impl Initial<D::State>,
         end: f64,
     ) -> Result<Sample<D::State>, IntegrationError>
     where
@@ -68,7 +68,7 @@ pub trait Integrator {
     fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
-        initial: impl Into<Sample<D::State>>,
+        initial: impl Initial<D::State>,
         times: &[f64],
     ) -> Result<Trajectory<D::State>, Interrupted<D::State>>
     where

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::{Scalar, State, VectorSpace};
+use crate::{IntoVector, Scalar, State, VectorSpace};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: what an integrator
 /// steps. With a time it is a [`State`].
@@ -19,10 +19,10 @@ pub struct Phase<S: Scalar, const N: usize> {
 
 impl<S: Scalar, const N: usize> Phase<S, N> {
     /// The phase with coordinates `q` and velocities `v`, from arrays or vectors.
-    pub fn new(q: impl Into<SVector<S, N>>, v: impl Into<SVector<S, N>>) -> Self {
+    pub fn new(q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
         Self {
-            q: q.into(),
-            v: v.into(),
+            q: q.into_vector(),
+            v: v.into_vector(),
         }
     }
 

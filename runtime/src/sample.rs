@@ -33,6 +33,49 @@ impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {
     }
 }
 
+/// Where an integration begins: a [`Sample`], a pair of a time and a state, or the [`State`] of a mechanical
+/// system with as many coordinates as it has.
+#[diagnostic::on_unimplemented(
+    message = "an integration of `{X}` does not begin at `{Self}`",
+    label = "this is no state of the system",
+    note = "a mechanical system with `N` coordinates begins at a `State<S, N>`, of `N` coordinates and as many \
+            velocities; other dynamics begin at a pair `(t, x)`"
+)]
+pub trait Initial<X> {
+    /// The time and the state.
+    fn into_sample(self) -> Sample<X>;
+}
+
+impl<X> Initial<X> for Sample<X> {
+    fn into_sample(self) -> Self {
+        self
+    }
+}
+
+impl<X: Clone> Initial<X> for &Sample<X> {
+    fn into_sample(self) -> Sample<X> {
+        self.clone()
+    }
+}
+
+impl<X> Initial<X> for (f64, X) {
+    fn into_sample(self) -> Sample<X> {
+        self.into()
+    }
+}
+
+impl<S: Scalar, const N: usize> Initial<Phase<S, N>> for State<S, N> {
+    fn into_sample(self) -> Sample<Phase<S, N>> {
+        self.into()
+    }
+}
+
+impl<S: Scalar, const N: usize> Initial<Phase<S, N>> for &State<S, N> {
+    fn into_sample(self) -> Sample<Phase<S, N>> {
+        self.into()
+    }
+}
+
 impl<X> From<(f64, X)> for Sample<X> {
     fn from((t, x): (f64, X)) -> Self {
         Self { t, x }

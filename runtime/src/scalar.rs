@@ -34,10 +34,15 @@ use crate::sine_cosine;
 /// assert_eq!(acceleration(0.5_f32), -0.75);
 /// ```
 ///
+/// A type of your own is `Copy`, `Debug` and `PartialEq`, from which `nalgebra::Scalar` follows; it has the
+/// operators `+ - * /`, `+= -= *= /=` and the minus sign, and
+/// [`Zero`](crate::num_traits::Zero) and [`One`](crate::num_traits::One), which this crate hands on.
+///
 /// Parameters are of the scalar, too, in a `struct Oscillator<T: Scalar> { m: T, k: T }`.
 #[diagnostic::on_unimplemented(
     message = "models are not evaluated on `{Self}`",
-    note = "write real numbers with a point, such as `0.0`; for a type of your own, implement `Scalar`"
+    note = "write real numbers with a point, such as `0.0`; for a type of your own, implement `Scalar`, the \
+            operators, and `Zero` and `One` of `lagrangian::num_traits`"
 )]
 pub trait Scalar:
     nalgebra::Scalar

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::Scalar;
+use crate::{IntoVector, Scalar};
 
 /// Time, coordinates q and velocities q̇ of a system with `N` degrees of freedom.
 ///
@@ -24,11 +24,11 @@ pub struct State<S: Scalar, const N: usize> {
 
 impl<S: Scalar, const N: usize> State<S, N> {
     /// The state at time `t` with coordinates `q` and velocities `v`, from arrays or vectors.
-    pub fn new(t: S, q: impl Into<SVector<S, N>>, v: impl Into<SVector<S, N>>) -> Self {
+    pub fn new(t: S, q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
         Self {
             t,
-            q: q.into(),
-            v: v.into(),
+            q: q.into_vector(),
+            v: v.into_vector(),
         }
     }
 }

@@ -4,8 +4,8 @@ use alloc::{boxed::Box, vec::Vec};
 use core::fmt;
 
 use crate::{
-    Condition, Driver, Dynamics, Ending, IntegrationError, Integrator, Observer, Phase, Reason,
-    Sample, Scalar, State, Statistics,
+    Condition, Driver, Dynamics, Ending, Initial, IntegrationError, Integrator, Observer, Phase,
+    Reason, Sample, Scalar, State, Statistics,
 };
 
 /// The samples of a motion, in the order of the times that were asked for, and how it ended.
@@ -120,7 +120,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
         mut self,
         dynamics: &D,
-        initial: impl Into<Sample<D::State>>,
+        initial: impl Initial<D::State>,
         times: &[f64],
     ) -> Result<Trajectory<D::State>, Interrupted<D::State>>
     where
@@ -130,7 +130,7 @@ impl<I, C, O> Driver<I, C, O> {
     {
         let mut samples = Vec::with_capacity(times.len());
         let mut collect = |sample: &Sample<D::State>| samples.push(sample.clone());
-        let (ending, result) = self.run(dynamics, &initial.into(), times, &mut collect);
+        let (ending, result) = self.run(dynamics, &initial.into_sample(), times, &mut collect);
         let trajectory = Trajectory { samples, ending };
         match result {
             Ok(()) => Ok(trajectory),

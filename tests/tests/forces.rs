@@ -83,24 +83,100 @@ fn forces_on_positions_do_their_work() {
     assert_close("power", &[power], &[push.dot(&velocity)], 1e-14);
 }
 
-/// A position and a velocity, each with a force of its own.
+/// A bead on a rod that is turned, seen along the rod and across it.
 #[derive(Lagrangian)]
 #[lagrangian(
-    coordinates(x, y),
-    define(mixed = [2 * x, 3 * dot(y)]),
-    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
-    force(mixed = [push, push]),
+    coordinates(x),
+    define(v = [dot(x), rate * x]),
+    kinetic = 0.5 * m * v.norm_squared(),
+    force(v = push),
 )]
-struct Mixed {
+struct Bead {
     m: f64,
-    push: f64,
+    rate: f64,
+    push: Vector2<f64>,
 }
 
 #[test]
-fn each_component_is_a_position_or_a_velocity() {
-    let mixed = Mixed { m: 1.0, push: 0.5 };
-    let forces = mixed.generalized_forces(&State::new(0.0, [1.0, 2.0], [3.0, 4.0]));
-    assert_close("Q", forces.as_slice(), &[1.0, 1.5], 1e-15);
+fn what_contains_a_velocity_is_a_velocity_as_a_whole() {
+    let bead = Bead {
+        m: 1.5,
+        rate: 2.0,
+        push: Vector2::new(3.0, 5.0),
+    };
+    let forces = bead.generalized_forces(&State::new(0.0, [0.7], [0.3]));
+    // The hand that turns the rod holds against the push across it.
+    assert_close("Q", forces.as_slice(), &[3.0], 1e-15);
+}
+
+/// Velocities in frames that move: each is A(q, t) q̇ + b(q, t).
+#[derive(Lagrangian, Clone)]
+#[lagrangian(
+    coordinates(theta, x, y),
+    define(
+        r = rotation_z(rate * t.powi(2)) * rotation_y(theta),
+        w = angular_velocity(r),
+        carried = dot(r * [x, y, length]),
+        belt = dot(x) + pull + [speed, 2.0][0],
+        by_hand = [dot(x) - dot(rate * t) * y, dot(y) + dot(rate * t) * x],
+        slider[0] = rate * x,
+        slider[i] = x * y * dot(y) for i in 1..3,
+    ),
+    kinetic = 0.5 * w.dot(inertia * w) + 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
+    force(w = torque, carried = push + drag * carried, belt = pull * x),
+    force(by_hand = [3.0, pull]),
+    force(slider[i] = 0.5 + i for i in 0..2),
+    output(w = w, carried = carried, belt = belt, by_hand = by_hand),
+)]
+struct Carried {
+    inertia: Matrix3<f64>,
+    rate: f64,
+    speed: f64,
+    length: f64,
+    drag: f64,
+    torque: Vector3<f64>,
+    push: Vector3<f64>,
+    #[lagrangian(input)]
+    pull: f64,
+}
+
+#[test]
+fn frames_that_move_do_not_take_part_in_virtual_power() {
+    let model = Carried {
+        inertia: Matrix3::new(2.0, 0.25, 0.0, 0.25, 3.0, -0.5, 0.0, -0.5, 4.0),
+        rate: 2.0,
+        speed: 0.6,
+        length: 0.8,
+        drag: -0.4,
+        torque: Vector3::new(3.0, 5.0, 7.0),
+        push: Vector3::new(-1.0, 0.75, 2.0),
+        pull: 1.25,
+    };
+    let state = State::new(0.3, [0.7, 0.4, -0.9], [1.1, -0.6, 0.8]);
+    let [_, x, y] = <[f64; 3]>::from(state.q);
+    // Velocities are of first degree in q̇: differences give their slopes exactly.
+    let expected = [0, 1, 2].map(|i| {
+        let [mut ahead, mut behind] = [state; 2];
+        ahead.v[i] += 0.5;
+        behind.v[i] -= 0.5;
+        let [ahead, behind] = [ahead, behind].map(|state| model.outputs(&state));
+        let carried = model.outputs(&state).carried;
+        let own = if i == 2 { 1.5 * x * y } else { 0.0 };
+        model.torque.dot(&(ahead.w - behind.w))
+            + (model.push + model.drag * carried).dot(&(ahead.carried - behind.carried))
+            + model.pull * x * (ahead.belt - behind.belt)
+            + Vector2::new(3.0, model.pull).dot(&(ahead.by_hand - behind.by_hand))
+            + own
+    });
+    let found = model.generalized_forces(&state);
+    assert_close("Q", found.as_slice(), &expected, 1e-14);
+    // About the axis of the hinge the torque is the component along it.
+    let torque = |y: f64| {
+        let mut model = model.clone();
+        model.torque.y = y;
+        model.generalized_forces(&state)[Carried::THETA]
+    };
+    assert_close("hinge", &[torque(5.0) - torque(0.0)], &[5.0], 1e-14);
 }
 
 /// A rigid body with a torque about its own axes, and with one about those of space; air slows it down.

@@ -7,7 +7,7 @@ use super::repetition::without_parentheses;
 use super::{Place, Translator};
 use crate::hints;
 use crate::scope::{Family, Kind, Meaning};
-use crate::value::Value;
+use crate::value::{Index, Value};
 
 impl Translator<'_> {
     /// `theta[i]`, `m[(i, j)]`, `rows[i][j]`.
@@ -64,7 +64,7 @@ impl Translator<'_> {
         let Some(value) = value else {
             let written = hints::member(name, &member);
             let message = match (kind, bounds(&family)) {
-                (Kind::Coordinate, _) => hints::beyond(name, &member[0], family.members.len()),
+                (Kind::Coordinate, _) => hints::beyond(name, &member, &family),
                 (Kind::Field, _) => format!(
                     "`{written}` is out of range: the array has {} members",
                     family.members.len()
@@ -82,7 +82,7 @@ impl Translator<'_> {
     }
 
     /// The component of a value at indices that stand behind it.
-    fn components(&mut self, value: Value, indices: &[&Expr]) -> Option<Value> {
+    pub(crate) fn components(&mut self, value: Value, indices: &[&Expr]) -> Option<Value> {
         let Some((first, rest)) = indices.split_first() else {
             return Some(value);
         };
@@ -156,7 +156,7 @@ impl Translator<'_> {
     /// `v.x`, `v.y`, `v.z`, `v.w`.
     pub(super) fn field(&mut self, field: &ExprField, place: Place) -> Option<Value> {
         let position = match &field.member {
-            Member::Named(name) => ["x", "y", "z", "w"].iter().position(|axis| name == axis),
+            Member::Named(name) => Index::AXES.iter().position(|axis| name == axis),
             Member::Unnamed(_) => None,
         };
         let is_self = matches!(&*field.base, Expr::Path(base) if base.path.is_ident("self"));

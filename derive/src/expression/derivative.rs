@@ -26,6 +26,10 @@ impl Translator<'_> {
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
         let value = self.translate(argument, Place::Observation)?;
+        if self.at_rest {
+            let zero = self.graph.zero();
+            return Some(value.shape().filled(zero));
+        }
         let mut components = value.components().iter();
         let varies = components.any(|component| self.graph.contents(*component).varies());
         if !varies && value != Value::Nothing && !self.is_named(argument.to_token_stream()) {

@@ -8,7 +8,7 @@ use super::{Place, Translator};
 use crate::hints;
 use crate::named::Iteration;
 use crate::scope::RESERVED;
-use crate::value::{Product, Sum, Value};
+use crate::value::{Product, Shape, Sum, Value};
 
 /// How often expressions may be repeated in one declaration, all together.
 const MOST_REPETITIONS: usize = 100_000;
@@ -239,15 +239,8 @@ impl Translator<'_> {
     /// The same values with zeros of the others' shape in place of sums without terms.
     pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
         let zero = self.graph.zero();
-        let shape = values.iter().find(|value| **value != Value::Nothing);
-        let nothing = match shape {
-            Some(Value::Array(like)) => {
-                let zeros = vec![zero; like.elements().len()];
-                Matrix::new(like.rows(), like.columns(), zeros).map(Value::Array)
-            }
-            _ => None,
-        };
-        let nothing = nothing.unwrap_or(Value::Scalar(zero));
+        let like = values.iter().find(|value| **value != Value::Nothing);
+        let nothing = like.map_or(Shape::Scalar, Value::shape).filled(zero);
         let filled = |value| match value {
             Value::Nothing => nothing.clone(),
             other => other,

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::{Place, Translator};
-use crate::value::Value;
+use crate::value::{Shape, Value};
 
 /// Examples of the functions, one for each kind.
 pub(crate) const FUNCTIONS: [&str; 8] = [
@@ -136,6 +136,14 @@ impl Translator<'_> {
     ) -> Option<Value> {
         let value = Value::Array(rotation.clone());
         self.check_differentiable(call, &value)?;
+        if self.at_rest {
+            let of_three = Shape::Array {
+                rows: 3,
+                columns: 1,
+            };
+            let zero = self.graph.zero();
+            return Some(of_three.filled(zero));
+        }
         let velocity = if inertial {
             self.graph
                 .angular_velocity_inertial(rotation, self.coordinates)

@@ -10,7 +10,7 @@ use super::Implementation;
 use crate::coordinate::Coordinate;
 use crate::documentation;
 use crate::mentions;
-use crate::names::{constant, placed, plain};
+use crate::names::{constant, placed};
 use crate::root::Root;
 
 impl Implementation<'_> {
@@ -30,18 +30,9 @@ impl Implementation<'_> {
         let indices = indices(&self.declaration.clauses.coordinates);
         let indices = indices.map(|(coordinate, indices)| {
             let constant = placed(&constant(&coordinate.name), &coordinate.name);
-            let name = plain(&coordinate.name);
-            if coordinate.length.is_none() {
-                let text = format!("The index of the coordinate `{name}`.");
-                return quote!(#[doc = #text] #visibility const #constant: usize = #(#indices)*;);
-            }
-            let length = indices.len();
-            let text =
-                format!("The indices of the coordinates `{name}[0]`, `{name}[1]` and so on.");
-            quote! {
-                #[doc = #text]
-                #visibility const #constant: [usize; #length] = [#(#indices),*];
-            }
+            let text = coordinate.documentation();
+            let (ty, value) = coordinate.constant(indices.start);
+            quote!(#[doc = #text] #visibility const #constant: #ty = #value;)
         });
         // A lifetime of the struct stands in its impl but once.
         let lifetimes = self.declaration.generics.lifetimes().next().is_some();
@@ -101,7 +92,7 @@ pub(crate) fn indices(
 ) -> impl Iterator<Item = (&Coordinate, Range<usize>)> {
     coordinates.iter().scan(0, |next, coordinate| {
         let start = *next;
-        *next += coordinate.length.unwrap_or(1);
+        *next += coordinate.count();
         Some((coordinate, start..*next))
     })
 }

@@ -1,35 +1,57 @@
 //! Generalized forces: those that act on coordinates, and those that act on what coordinates move.
 //!
 //! A force F on a position p(q, t) does the work F·δp, so that Qᵢ = F·∂p/∂qᵢ; a torque on an angle that is
-//! made of coordinates likewise. A force on a velocity w(q, q̇, t), such as the angular velocity in the axes of
-//! a body, has the power F·w where w is of first degree in q̇, and Qᵢ = F·∂w/∂q̇ᵢ.
+//! made of coordinates likewise. A force on a velocity w = A(q, t) q̇ + b(q, t), such as the angular velocity in
+//! the axes of a body, has the power F·w, of which F·b is that of what drives the frame, and Q = Aᵀ F: the
+//! principle of virtual power (Jourdain, 1909). What contains a velocity anywhere is a velocity as a whole.
 
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
+use super::at_rest::AtRest;
 use crate::declaration::Declaration;
 use crate::expression::{Place, Translator};
 use crate::hints;
 use crate::named::Named;
-use crate::scope::{Kind, Meaning};
-use crate::value::Value;
+use crate::scope::{Family, Kind, Meaning};
+use crate::value::{Shape, Value};
 
 /// What a force acts on.
 enum Target {
-    /// The coordinate with this index.
-    Coordinate(usize),
+    /// The coordinates with these indices, which are those of one scalar or vector.
+    Coordinates(Vec<usize>, Shape),
     /// What is defined as a function of coordinates, or of velocities.
-    Moved(Value),
+    Moved(Moved),
+}
+
+/// What is defined as a function of coordinates, or of velocities.
+struct Moved {
+    value: Value,
+    /// The indices by which a family tells it apart.
+    member: Vec<usize>,
+    is_velocity: bool,
+}
+
+/// The generalized forces so far.
+struct Totals<'a> {
+    declaration: &'a Declaration,
+    forces: Vec<Expression>,
+    /// What is defined, while nothing moves; read when it is asked for.
+    at_rest: Option<AtRest>,
 }
 
 impl Translator<'_> {
     /// The generalized force of each coordinate: the sum of what the clauses say.
     pub(super) fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
         let zero = self.graph.zero();
-        let mut totals = vec![zero; self.coordinates as usize];
+        let mut totals = Totals {
+            declaration,
+            forces: vec![zero; self.coordinates as usize],
+            at_rest: None,
+        };
         let mut understood = true;
         for clause in &declaration.clauses.forces {
             // Which coordinates have a force in this clause.
-            let mut taken = vec![false; totals.len()];
+            let mut taken = vec![false; totals.forces.len()];
             for force in clause {
                 let done = self.for_each(&force.iterations, &mut |translator| {
                     translator.force(force, &mut taken, &mut totals)
@@ -37,16 +59,11 @@ impl Translator<'_> {
                 understood &= done.is_some();
             }
         }
-        understood.then_some(totals)
+        understood.then_some(totals.forces)
     }
 
     /// Adds one force to the totals.
-    fn force(
-        &mut self,
-        force: &Named,
-        taken: &mut [bool],
-        totals: &mut [Expression],
-    ) -> Option<()> {
+    fn force(&mut self, force: &Named, taken: &mut [bool], totals: &mut Totals<'_>) -> Option<()> {
         self.check_not_bound(&force.name, &force.iterations)?;
         let target = if force.indices.is_empty() {
             self.target(force)
@@ -56,20 +73,22 @@ impl Translator<'_> {
         };
         let value = self.translate(&force.expression, Place::Energy);
         match target? {
-            Target::Coordinate(i) => {
-                let value = self.as_scalar(&value?, &force.expression)?;
-                if core::mem::replace(taken.get_mut(i)?, true) {
-                    return self.reject(
-                        &force.name,
-                        "this coordinate has a force already: add them up in one expression, or write \
-                         another `force(…)`, which adds to this one",
-                    );
+            Target::Coordinates(indices, shape) => {
+                let components = self.generalized(force, value?, shape)?;
+                for (i, component) in indices.into_iter().zip(components) {
+                    if core::mem::replace(taken.get_mut(i)?, true) {
+                        return self.reject(
+                            &force.name,
+                            "this coordinate has a force already: add them up in one expression, or write \
+                             another `force(…)`, which adds to this one",
+                        );
+                    }
+                    totals.forces[i] = self.graph.add(totals.forces[i], component);
                 }
-                totals[i] = self.graph.add(totals[i], value);
             }
             Target::Moved(moved) => {
-                let work = self.work(force, &value?, &moved)?;
-                for (total, work) in totals.iter_mut().zip(work) {
+                let work = self.work(force, &value?, &moved, totals)?;
+                for (total, work) in totals.forces.iter_mut().zip(work) {
                     *total = self.graph.add(*total, work);
                 }
             }
@@ -77,24 +96,58 @@ impl Translator<'_> {
         Some(())
     }
 
+    /// The components of a force on a scalar or vector of coordinates.
+    fn generalized(
+        &mut self,
+        force: &Named,
+        value: Value,
+        shape: Shape,
+    ) -> Option<Vec<Expression>> {
+        if shape == Shape::Scalar {
+            return Some(vec![self.as_scalar(&value, &force.expression)?]);
+        }
+        let zero = self.graph.zero();
+        let value = match value {
+            Value::Nothing => shape.filled(zero),
+            other => other,
+        };
+        self.check_shape(force, &value, shape)?;
+        Some(value.components().to_vec())
+    }
+
+    /// A force has the shape of what it acts on.
+    fn check_shape(&mut self, force: &Named, value: &Value, shape: Shape) -> Option<()> {
+        if value.shape() == shape {
+            return Some(());
+        }
+        let message = format!(
+            "`{}` is {shape}, and so is a force on it: this is {}",
+            force.name,
+            value.shape()
+        );
+        self.reject(&force.expression, message)
+    }
+
     /// F·∂p/∂qᵢ for each coordinate, or F·∂w/∂q̇ᵢ.
-    fn work(&mut self, force: &Named, value: &Value, moved: &Value) -> Option<Vec<Expression>> {
+    fn work(
+        &mut self,
+        force: &Named,
+        value: &Value,
+        moved: &Moved,
+        totals: &mut Totals<'_>,
+    ) -> Option<Vec<Expression>> {
         let zero = self.graph.zero();
         if *value == Value::Nothing {
             return Some(vec![zero; self.coordinates as usize]);
         }
-        if value.shape() != moved.shape() {
-            let message = format!(
-                "`{}` is {}, and so is a force on it: this is {}",
-                force.name,
-                moved.shape(),
-                value.shape()
-            );
-            return self.reject(&force.expression, message);
-        }
+        self.check_shape(force, value, moved.value.shape())?;
         let mut work = vec![zero; self.coordinates as usize];
-        for (component, along) in value.components().iter().zip(moved.components()) {
-            let slopes = self.slopes(force, *along)?;
+        let along = moved.value.components().iter();
+        for (i, (component, along)) in value.components().iter().zip(along).enumerate() {
+            let slopes = self.slopes(*along, moved.is_velocity);
+            if moved.is_velocity && self.graph.contents(*along).has_velocity() {
+                self.check_velocity(force, moved, i, &slopes, totals)?;
+            }
             for (total, slope) in work.iter_mut().zip(slopes) {
                 let part = self.graph.multiply(*component, slope);
                 *total = self.graph.add(*total, part);
@@ -103,9 +156,8 @@ impl Translator<'_> {
         Some(work)
     }
 
-    /// ∂p/∂qᵢ, or ∂w/∂q̇ᵢ for a velocity, which has to be of first degree in the velocities.
-    fn slopes(&mut self, force: &Named, along: Expression) -> Option<Vec<Expression>> {
-        let is_velocity = self.graph.contents(along).has_velocity();
+    /// ∂p/∂qᵢ, or ∂w/∂q̇ᵢ.
+    fn slopes(&mut self, along: Expression, is_velocity: bool) -> Vec<Expression> {
         let symbol = if is_velocity {
             Symbol::Velocity
         } else {
@@ -113,63 +165,120 @@ impl Translator<'_> {
         };
         let symbols: Vec<_> = (0..self.coordinates).map(symbol).collect();
         let columns = self.graph.jacobian(&[along], &symbols);
-        let slopes: Vec<_> = columns.into_iter().flatten().collect();
+        columns.into_iter().flatten().collect()
+    }
+
+    /// A velocity is of first degree in q̇, and what it contains beside q̇ comes from time derivatives, too: else
+    /// it may be a position to which a velocity is added.
+    fn check_velocity(
+        &mut self,
+        force: &Named,
+        moved: &Moved,
+        component: usize,
+        slopes: &[Expression],
+        totals: &mut Totals<'_>,
+    ) -> Option<()> {
+        let name = &force.name;
         let linear = |slope: &Expression| !self.graph.contents(*slope).has_velocity();
-        if is_velocity && !slopes.iter().all(linear) {
+        if !slopes.iter().all(linear) {
             let message = format!(
-                "`{}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
-                 coordinate, a position or a velocity",
-                force.name
+                "`{name}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
+                 coordinate, a position or a velocity"
             );
-            return self.reject(&force.name, message);
+            return self.reject(name, message);
         }
-        Some(slopes)
+        let declaration = totals.declaration;
+        let at_rest = totals
+            .at_rest
+            .get_or_insert_with(|| AtRest::new(self, declaration));
+        if at_rest.depends_on_position(name, &moved.member, component) {
+            return self.reject(name, hints::position_and_velocity(name));
+        }
+        Some(())
     }
 
     /// What a force acts on; that there is a coordinate or a definition of this name has been checked.
     fn target(&mut self, force: &Named) -> Option<Target> {
         let name = &force.name;
-        let (kind, value) = match (self.scope.resolve(name)?, force.indices.as_slice()) {
-            (Meaning::Quantity(kind, value), []) => (kind, value),
-            (Meaning::Quantity(Kind::Coordinate, _), [index, ..]) => {
-                let message = format!("`{name}` is one coordinate: leave out the index");
-                return self.reject(index, message);
+        match (self.scope.resolve(name)?, force.indices.as_slice()) {
+            (Meaning::Quantity(Kind::Coordinate, value), indices) => {
+                if let (Value::Scalar(_), [index, ..]) = (&value, indices) {
+                    let message = format!("`{name}` is one coordinate: leave out the index");
+                    return self.reject(index, message);
+                }
+                self.on_coordinates(value, indices)
             }
             (Meaning::Quantity(..), [index, ..]) => {
                 let message = format!("`{name}` has no index: write the force on the whole of it");
-                return self.reject(index, message);
+                self.reject(index, message)
             }
-            (Meaning::Family(kind, family), indices) if indices.len() == family.rank => {
-                let member = self.member(indices)?;
-                let Some(value) = family.members.get(&member) else {
+            (Meaning::Quantity(kind, value), []) => {
+                let is_velocity = self.has_velocity(&value);
+                self.moved(force, kind, value, Vec::new(), is_velocity)
+            }
+            (Meaning::Family(kind, family), indices) if indices.len() >= family.rank => {
+                let (outer, inner) = indices.split_at(family.rank);
+                let member = self.member(outer)?;
+                let Some(value) = family.members.get(&member).cloned() else {
                     let message = match kind {
-                        Kind::Coordinate => hints::beyond(name, &member[0], family.members.len()),
+                        Kind::Coordinate => hints::beyond(name, &member, &family),
                         _ => format!("`{}` is not defined", hints::member(name, &member)),
                     };
                     return self.reject(&indices[0], message);
                 };
-                (kind, value.clone())
+                match inner {
+                    _ if kind == Kind::Coordinate => self.on_coordinates(value, inner),
+                    [] => {
+                        let mut members = family.members.values();
+                        let is_velocity = members.any(|member| self.has_velocity(member));
+                        self.moved(force, kind, value, member, is_velocity)
+                    }
+                    _ => self.reject_family(force, &family),
+                }
             }
-            (Meaning::Family(_, family), _) => {
-                let message = format!(
-                    "`{name}` is a family: write `{} = … for i in 0..{}`",
-                    hints::member(name, &vec!["i"; family.rank]),
-                    family.members.len()
-                );
-                return self.reject(name, message);
-            }
-            _ => return None,
-        };
-        if let Value::Scalar(expression) = value
-            && let Node::Symbol(Symbol::Coordinate(i)) = self.graph.node(expression)
-        {
-            return Some(Target::Coordinate(*i as usize));
+            (Meaning::Family(_, family), _) => self.reject_family(force, &family),
+            _ => None,
         }
-        self.moved(force, kind, value).map(Target::Moved)
+    }
+
+    fn reject_family<T>(&mut self, force: &Named, family: &Family) -> Option<T> {
+        let name = &force.name;
+        let message = format!(
+            "`{name}` is a family: write `{}`",
+            hints::every_member(name, family)
+        );
+        self.reject(name, message)
+    }
+
+    /// A scalar or vector of coordinates, or one of its components.
+    fn on_coordinates(&mut self, value: Value, indices: &[syn::Expr]) -> Option<Target> {
+        let indices: Vec<&syn::Expr> = indices.iter().collect();
+        let value = self.components(value, &indices)?;
+        let index = |component: &Expression| match self.graph.node(*component) {
+            Node::Symbol(Symbol::Coordinate(i)) => Some(*i as usize),
+            _ => None,
+        };
+        let indices = value.components().iter().map(index);
+        Some(Target::Coordinates(
+            indices.collect::<Option<_>>()?,
+            value.shape(),
+        ))
+    }
+
+    fn has_velocity(&self, value: &Value) -> bool {
+        let mut components = value.components().iter();
+        components.any(|component| self.graph.contents(*component).has_velocity())
     }
 
     /// What a force can act on beside a coordinate.
-    fn moved(&mut self, force: &Named, kind: Kind, value: Value) -> Option<Value> {
+    fn moved(
+        &mut self,
+        force: &Named,
+        kind: Kind,
+        value: Value,
+        member: Vec<usize>,
+        is_velocity: bool,
+    ) -> Option<Target> {
         if kind != Kind::Defined {
             return None;
         }
@@ -185,6 +294,17 @@ impl Translator<'_> {
             let message = format!("no coordinate moves `{name}`: a force on it does no work");
             return self.reject(name, message);
         }
-        Some(value)
+        // Another name of a coordinate.
+        if let Value::Scalar(expression) = value
+            && let Node::Symbol(Symbol::Coordinate(_)) = self.graph.node(expression)
+            && !is_velocity
+        {
+            return self.on_coordinates(value, &[]);
+        }
+        Some(Target::Moved(Moved {
+            value,
+            member,
+            is_velocity,
+        }))
     }
 }

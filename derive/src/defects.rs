@@ -1,0 +1,164 @@
+//! Why there are no equations of motion, where the declaration can be mended.
+
+use std::collections::BTreeMap;
+
+use lagrangian_symbolic::{Defect, Energies, Model, Symbol};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::ToTokens;
+
+use crate::clauses::Clause;
+use crate::coordinate::Coordinate;
+use crate::declaration::Declaration;
+use crate::diagnostics::Diagnostics;
+use crate::implementation::indices;
+use crate::lower::Lowered;
+
+/// Says which derivatives of functions from outside are missing.
+pub(crate) fn report_undeclared(
+    undeclared: &BTreeMap<(usize, usize), &'static str>,
+    declaration: &Declaration,
+    diagnostics: &mut Diagnostics,
+) {
+    for ((function, argument), needs) in undeclared {
+        let function = &declaration.clauses.functions[*function];
+        let (name, argument) = (&function.name, &function.arguments[*argument]);
+        let message = format!(
+            "{needs} ∂{name}/∂{argument}: add `derivative({argument}) = …` behind the value, or `derivative({argument}) \
+             = 0.0` where that is constant piece by piece"
+        );
+        diagnostics.error(name, message);
+    }
+}
+
+/// The clause in which the equations of motion begin.
+fn energy(declaration: &Declaration) -> Option<&Clause> {
+    let clauses = &declaration.clauses;
+    clauses.kinetic.first().or(clauses.lagrangian.first())
+}
+
+/// An error of the energies.
+pub(crate) fn report_at_energy(
+    declaration: &Declaration,
+    message: &str,
+    diagnostics: &mut Diagnostics,
+) {
+    if let Some(clause) = energy(declaration) {
+        diagnostics.error(&clause.expression, message);
+    }
+}
+
+/// Says why there are no equations of motion.
+pub(crate) fn report(
+    defect: &Defect,
+    declaration: &Declaration,
+    lowered: &Lowered,
+    model: &Model,
+    diagnostics: &mut Diagnostics,
+) {
+    match defect {
+        Defect::NoVelocity(coordinates) => {
+            for (coordinate, range) in indices(&declaration.clauses.coordinates) {
+                let missing = |i: &usize| coordinates.iter().any(|still| *still as usize == *i);
+                let missing: Vec<usize> = range.clone().filter(missing).collect();
+                if !missing.is_empty() {
+                    let velocities = velocities(coordinate, &missing, lowered);
+                    let occur = missing.iter().any(|i| occurs(model, *i));
+                    let spoken = spoken(declaration, &coordinate.name, &velocities);
+                    let message = without_inertia(&velocities, occur);
+                    match spoken.filter(|_| occur) {
+                        Some(velocity) => diagnostics.error(velocity, message),
+                        None => diagnostics.error(&coordinate.name, message),
+                    }
+                }
+            }
+        }
+        Defect::SingularMass(coordinates) => {
+            let names = coordinates.iter();
+            let names = names.map(|i| format!("`{}`", lowered.quantities.coordinates[*i as usize]));
+            let message = format!(
+                "the mass matrix is singular everywhere: the velocities of {} occur only in combinations of \
+                 which there are fewer; add the kinetic energy that is missing, or remove a coordinate",
+                names.collect::<Vec<_>>().join(", ")
+            );
+            report_at_energy(declaration, &message, diagnostics);
+        }
+        Defect::MomentumOfInput(inputs) => {
+            for i in inputs {
+                let name = &lowered.quantities.inputs[*i as usize].field;
+                diagnostics.error(
+                    lowered.scope.first_use(name).unwrap_or(name),
+                    format!(
+                        "the momenta ∂L/∂q̇ contain the input `{name}`, whose rate of change is unknown: \
+                         make it a coordinate or a function of `t`, or write what it does under `force`"
+                    ),
+                );
+            }
+        }
+    }
+}
+
+/// The velocities of the coordinates of one name that are `missing`, as they are written.
+fn velocities(coordinate: &Coordinate, missing: &[usize], lowered: &Lowered) -> Vec<String> {
+    let is_one = coordinate.lengths.is_empty();
+    if is_one && missing.len() == coordinate.count() {
+        return vec![format!("dot({})", coordinate.name)];
+    }
+    let labels = missing.iter().map(|i| &lowered.quantities.coordinates[*i]);
+    labels.map(|label| format!("dot({label})")).collect()
+}
+
+/// Whether the energies contain the velocity of a coordinate.
+fn occurs(model: &Model, coordinate: usize) -> bool {
+    let energies = match model.energies {
+        Energies::Natural { kinetic, potential } => vec![kinetic, potential],
+        Energies::General(lagrangian) => vec![lagrangian],
+    };
+    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(i) if i as usize == coordinate);
+    model.graph.contains(&energies, is_velocity)
+}
+
+/// Where the energies speak of some velocities, or of all coordinates of that name, if they do so in these words.
+fn spoken(declaration: &Declaration, name: &Ident, velocities: &[String]) -> Option<TokenStream> {
+    let whole = format!("dot({name})");
+    let is_meant = |written: &str| written == whole || velocities.iter().any(|one| one == written);
+    let clauses = &declaration.clauses;
+    let mut energies = clauses.kinetic.iter().chain(&clauses.lagrangian);
+    energies.find_map(|clause| velocity(clause.expression.to_token_stream(), &is_meant))
+}
+
+/// The first call of `dot` that is meant in an expression.
+fn velocity(tokens: TokenStream, is_meant: &dyn Fn(&str) -> bool) -> Option<TokenStream> {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    tokens.iter().enumerate().find_map(|(i, token)| {
+        let TokenTree::Group(group) = token else {
+            return None;
+        };
+        let call = i.checked_sub(1).map(|before| &tokens[before..=i]);
+        let call: TokenStream = call.into_iter().flatten().cloned().collect();
+        let written = call.to_string().replace(' ', "");
+        if is_meant(&written) {
+            Some(call)
+        } else {
+            velocity(group.stream(), is_meant)
+        }
+    })
+}
+
+/// For velocities in which the energies are not of second degree.
+fn without_inertia(velocities: &[String], occur: bool) -> String {
+    let all = match velocities {
+        [first, _, .., last] => format!("`{first}` to `{last}`"),
+        few => format!("`{}`", few.join("` or `")),
+    };
+    if occur {
+        format!(
+            "the energies contain {all} only linearly, so the equation of motion has no acceleration: a kinetic \
+             energy contains the square, as in `0.5 * m * dot(x).powi(2)` or `0.5 * m * dot(p).norm_squared()`"
+        )
+    } else {
+        format!(
+            "no energy contains {all}, so its equation of motion has no acceleration: add the kinetic \
+             energy of this coordinate, or remove it"
+        )
+    }
+}

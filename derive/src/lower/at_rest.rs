@@ -1,0 +1,68 @@
+//! What is left of definitions while nothing moves: the same declaration with all time derivatives zero.
+//!
+//! Of a velocity nothing is left that depends on the coordinates: what a frame in motion adds to it comes from
+//! a time derivative, too. Of the sum of a position and a velocity, the position is. The two differ in how they
+//! are written, not in what they are: hence the definitions are read once more, in a graph of their own.
+
+use core::mem;
+
+use lagrangian_symbolic::{Graph, Symbol};
+use proc_macro2::Ident;
+
+use crate::declaration::Declaration;
+use crate::expression::Translator;
+use crate::scope::{Meaning, Scope};
+
+/// The definitions of a declaration while nothing moves.
+pub(super) struct AtRest {
+    graph: Graph,
+    scope: Scope,
+}
+
+impl AtRest {
+    /// Reads the definitions, of which all have been understood before.
+    pub(super) fn new(translator: &mut Translator<'_>, declaration: &Declaration) -> Self {
+        let mut graph = Graph::new();
+        let scope = Scope::new(declaration, &mut graph);
+        let mut at_rest = Self { graph, scope };
+        // What has a value only in motion has no power at rest; that is no error of the user's.
+        let before = mem::take(translator.diagnostics);
+        let repetitions = mem::take(&mut translator.repetitions);
+        at_rest.exchange(translator);
+        translator.at_rest = true;
+        translator.declare_functions(&declaration.clauses.functions);
+        for definition in &declaration.clauses.definitions {
+            translator.define(definition);
+        }
+        translator.at_rest = false;
+        at_rest.exchange(translator);
+        translator.repetitions = repetitions;
+        *translator.diagnostics = before;
+        at_rest
+    }
+
+    fn exchange(&mut self, translator: &mut Translator<'_>) {
+        mem::swap(&mut self.graph, &mut translator.graph);
+        mem::swap(&mut self.scope, &mut translator.scope);
+    }
+
+    /// Whether a component of what is defined depends on coordinates while nothing moves, as far as is known.
+    pub(super) fn depends_on_position(
+        &mut self,
+        name: &Ident,
+        member: &[usize],
+        component: usize,
+    ) -> bool {
+        let value = match self.scope.resolve(name) {
+            Some(Meaning::Quantity(_, value)) => Some(value),
+            Some(Meaning::Family(_, family)) => family.members.get(member).cloned(),
+            _ => None,
+        };
+        let Some(component) = value.and_then(|value| value.components().get(component).copied())
+        else {
+            return true;
+        };
+        let is_coordinate = |symbol| matches!(symbol, Symbol::Coordinate(_));
+        self.graph.contains(&[component], is_coordinate)
+    }
+}
