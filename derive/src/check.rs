@@ -127,22 +127,32 @@ pub(crate) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
 /// The constants that every model has.
 pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
 
-/// Each coordinate becomes a constant of the type, beside those that are always there.
+/// The constant that every model with inputs has.
+pub(crate) const NAMES_OF_INPUTS: &str = "INPUTS";
+
+/// Each coordinate and each input becomes a constant of the type, beside those that are always there.
 fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut taken: BTreeMap<String, String> = CONSTANTS
         .into_iter()
         .map(|name| (name.to_owned(), "a constant of every model".to_owned()))
         .collect();
-    for coordinate in &declaration.clauses.coordinates {
-        let name = &coordinate.name;
+    let inputs: Vec<_> = declaration.fields_with(Role::Input).collect();
+    if !inputs.is_empty() {
+        let holder = "a constant of every model with inputs";
+        taken.insert(NAMES_OF_INPUTS.to_owned(), holder.to_owned());
+    }
+    let coordinates = declaration.clauses.coordinates.iter();
+    let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
+    let inputs = inputs.into_iter().map(|field| (&field.name, "input"));
+    for (name, quantity) in coordinates.chain(inputs) {
         let constant = constant(name);
         let kind = format!("the index of `{name}`");
-        // The same coordinate twice is reported as such.
+        // The same name twice is reported as such.
         if let Some(holder) = taken.insert(constant.clone(), kind.clone())
             && holder != kind
         {
             let message = format!(
-                "this coordinate's index is the constant `{constant}`, which is {holder}: rename the coordinate"
+                "this {quantity}'s index is the constant `{constant}`, which is {holder}: rename the {quantity}"
             );
             diagnostics.error(name, message);
         }
@@ -209,7 +219,7 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 /// The methods of models, for which no output is named.
-const METHODS: [&str; 20] = [
+const METHODS: [&str; 22] = [
     "lagrangian",
     "energy",
     "momenta",
@@ -228,7 +238,9 @@ const METHODS: [&str; 20] = [
     "inputs",
     "input_jacobian",
     "with_inputs",
+    "input_matrix",
     "controlled_by",
+    "with_controller",
     "outputs",
 ];
 

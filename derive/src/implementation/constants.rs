@@ -43,6 +43,7 @@ impl Implementation<'_> {
                 #visibility const #constant: [usize; #length] = [#(#indices),*];
             }
         });
+        let inputs = self.input_constants();
         // A lifetime of the struct stands in its impl but once.
         let lifetimes = self.declaration.generics.lifetimes().next().is_some();
         let lints = lifetimes.then(|| quote!(#[allow(single_use_lifetimes)]));
@@ -53,6 +54,7 @@ impl Implementation<'_> {
                 /// The names of the coordinates, in order.
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #(#indices)*
+                #inputs
                 /// The equations of motion as they were derived.
                 #visibility const EQUATIONS: &'static str = #equations;
                 /// The operation counts of the methods.
