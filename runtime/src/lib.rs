@@ -27,9 +27,10 @@
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
 //! - [`trait@Lagrangian`] is what a model can do: mass matrix, forcing, accelerations, momenta, energy,
 //!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`], [`Energies`] and [`Functions`] stand
-//!   beside it.
+//!   beside it. A [`Plant`] is controlled by a law, with or without states of its own.
 //! - [`Dynamics`] is what an [`Integrator`] steps; [`trait@Lagrangian`] enters by its `dynamics`.
-//! - [`Scalar`] is what all of it is generic over.
+//! - [`Scalar`] is what all of it is generic over: `f64`, `f32`, [`Lanes`], [`DoubleDouble`], and dual
+//!   numbers with the feature `num-dual`.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -110,7 +111,7 @@ pub use phase::Phase;
 pub use plant::Plant;
 pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
 pub use sample::Sample;
-pub use scalar::Scalar;
+pub use scalar::{DoubleDouble, Lanes, Scalar};
 pub use singularity::Singularity;
 pub use state::State;
 pub use system::System;

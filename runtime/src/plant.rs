@@ -7,12 +7,12 @@ use crate::{ControlledBy, Inputs, IntoVector, Scalar, State, WithController};
 /// A plant: a system whose `U` inputs a controller sets. `#[derive(Lagrangian)]` implements it for every
 /// model with inputs.
 ///
-/// A law is evaluated wherever the derivative is: at every stage of every step, at the time and the state of
-/// the stage, as a continuous controller would be. Nothing holds its value in between. It must therefore be
-/// a function of its arguments alone; what a controller remembers is a state of its own, which
-/// [`with_controller`](Self::with_controller) integrates. The steps of an adaptive method become short
-/// where a law jumps or has a corner. For a sampled controller, whose inputs are held from one instant to the next, integrate from
-/// instant to instant under [`with_inputs`](Inputs::with_inputs).
+/// A law is evaluated wherever the derivative is: at every stage of every step, those that are rejected
+/// included, at the time and the state of the stage. It acts as a continuous controller; nothing holds its
+/// value in between. So it is a function of its arguments alone; what a controller remembers is a state of its own, which
+/// [`with_controller`](Self::with_controller) integrates. Where a law jumps or has a corner, the steps of an
+/// adaptive method become short. Inputs of a sampled controller, held from one instant to the next, are set
+/// between integrations under [`with_inputs`](Inputs::with_inputs), from instant to instant.
 ///
 /// The law is evaluated on [`Scalar`](Self::Scalar); on another one,
 /// [`ControlledBy::new`] and [`WithController::new`] take it, with the types of its arguments written.

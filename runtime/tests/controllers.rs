@@ -46,6 +46,7 @@ const DERIVATIVE: f64 = 3.0;
 const WANTED: f64 = 0.7;
 
 /// The input and the derivative of the integral of the error.
+#[allow(clippy::trivially_copy_pass_by_ref)] // Laws take their states by reference, however many.
 fn pid(state: &State<f64, 1>, integral: &SVector<f64, 1>) -> (f64, f64) {
     let error = WANTED - state.q[Spring::X];
     let force = PROPORTIONAL * error + INTEGRAL * integral[0] - DERIVATIVE * state.v[Spring::X];
