@@ -102,6 +102,23 @@ fn functions_of_two_arguments_have_twice_the_digits() {
     );
 }
 
+/// Near 1, at arguments of which `f64` has only the first part.
+#[test]
+fn logarithms_keep_their_digits_near_one() {
+    let power_of_two = |n: i32| libm::ldexp(1.0, n);
+    let next = DoubleDouble::new(1.0, power_of_two(-60));
+    assert_is(next.ln(), "8.673617379884035468298040484328213668081e-19");
+    assert_is(
+        next.acosh(),
+        "0.000000001317089015965438493247580866420150864708",
+    );
+    let near = DoubleDouble::new(1.0 + power_of_two(-20), power_of_two(-75));
+    assert_is(
+        near.ln(),
+        "0.0000009536738616591882603781698731353287684561",
+    );
+}
+
 #[test]
 fn powers_and_roots_are_those_of_real_numbers() {
     assert_is(number(-2.0).powf(number(3.0)), "-8");
