@@ -42,7 +42,7 @@ use super::arithmetic::arithmetic;
 /// let pendulum = Pendulum { l: number("0.1")?, g: number("9.81")? };
 /// let state = State::new(number("0")?, [number("0.3")?], [number("0")?]);
 /// // −(g/l) sin θ
-/// let expected = number("-28.990532273477412317831965170152")?;
+/// let expected = number("-28.99053227347741231783196515170119")?;
 /// let error = pendulum.accelerations(&state)[0] - expected;
 /// assert!(error.to_f64().abs() < 1e-29);
 /// # Ok::<(), core::num::ParseFloatError>(())
