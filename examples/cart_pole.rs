@@ -41,7 +41,7 @@ fn main() -> Result<(), IntegrationError> {
     let feedback = |state: &State<f64, 2>| {
         let (x, theta) = (state.q[CartPole::X], state.q[CartPole::THETA]);
         let (x_dot, theta_dot) = (state.v[CartPole::X], state.v[CartPole::THETA]);
-        [2.6758 * x + 35.4849 * theta + 4.0647 * x_dot + 7.5324 * theta_dot].into()
+        2.6758 * x + 35.4849 * theta + 4.0647 * x_dot + 7.5324 * theta_dot
     };
 
     // The law is evaluated at every stage of every step, as a continuous controller would be.
@@ -55,7 +55,7 @@ fn main() -> Result<(), IntegrationError> {
         println!(
             "{:7.1} {x:7.3} {theta:12.3} {:10.3}",
             state.t,
-            feedback(&state)[0]
+            feedback(&state)
         );
     }
     Ok(())

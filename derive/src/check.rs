@@ -151,7 +151,7 @@ pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS
 
 /// The constants of traits that a model has; a constant of the type would hide them.
 const CONSTANTS_OF_SYSTEMS: [&str; 3] = ["ANGLES", "IGNORABLE", "SINGULARITIES"];
-const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
+pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
 const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
 
 /// The constants that a model has, with what they are constants of.
@@ -181,19 +181,22 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
     .collect()
 }
 
-/// Each coordinate becomes a constant of the type, beside those that are always there.
+/// Each coordinate and each input becomes a constant of the type, beside those that are always there.
 fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut taken = constants(declaration);
-    for coordinate in &declaration.clauses.coordinates {
-        let name = &coordinate.name;
+    let coordinates = declaration.clauses.coordinates.iter();
+    let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
+    let inputs = declaration.fields_with(Role::Input);
+    let inputs = inputs.map(|field| (&field.name, "input"));
+    for (name, quantity) in coordinates.chain(inputs) {
         let constant = constant(name);
         let kind = format!("the index of `{name}`");
-        // The same coordinate twice is reported as such.
+        // The same name twice is reported as such.
         if let Some(holder) = taken.insert(constant.clone(), kind.clone())
             && holder != kind
         {
             let message = format!(
-                "this coordinate's index is the constant `{constant}`, which is {holder}: rename the coordinate"
+                "this {quantity}'s index is the constant `{constant}`, which is {holder}: rename the {quantity}"
             );
             diagnostics.error(name, message);
         }
@@ -260,7 +263,7 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 }
 
 /// The methods of models, for which no output is named.
-const METHODS: [&str; 20] = [
+const METHODS: [&str; 22] = [
     "lagrangian",
     "energy",
     "momenta",
@@ -279,7 +282,9 @@ const METHODS: [&str; 20] = [
     "inputs",
     "input_jacobian",
     "with_inputs",
+    "input_matrix",
     "controlled_by",
+    "with_controller",
     "outputs",
 ];
 

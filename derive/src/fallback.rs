@@ -10,10 +10,12 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::check::CONSTANTS;
+use crate::check::{CONSTANTS, CONSTANTS_OF_INPUTS};
 use crate::coordinate::Coordinate;
 use crate::declaration::Declaration;
-use crate::implementation::{indices, of_checks, results, signatures, values};
+use crate::implementation::{
+    Indices, indices, input_indices, of_checks, results, signatures, values,
+};
 use crate::lower::Lowered;
 use crate::mentions;
 use crate::names::placed;
@@ -42,6 +44,8 @@ struct Fallback<'a> {
     lowered: &'a Lowered,
     /// Those with constants of their own.
     coordinates: Vec<(&'a Coordinate, Range<usize>)>,
+    /// The same of inputs.
+    inputs: Vec<(&'a Ident, Indices)>,
     /// How many coordinates there are. Where the declaration does not say it, a parameter of the impls:
     /// then states of any dimension fit.
     dimension: TokenStream,
@@ -59,8 +63,14 @@ impl<'a> Fallback<'a> {
         let root = &declaration.root;
         let declared = &declaration.clauses.coordinates;
         let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
+        if !lowered.quantities.inputs.is_empty() {
+            taken.extend(CONSTANTS_OF_INPUTS.map(str::to_owned));
+        }
         let coordinates: Vec<_> = indices(declared)
             .filter(|(coordinate, _)| taken.insert(constant(&coordinate.name)))
+            .collect();
+        let inputs = input_indices(&lowered.quantities.inputs)
+            .filter(|(field, _)| taken.insert(constant(field)))
             .collect();
         let certain = scope.complete && coordinates.len() == declared.len();
         let (dimension, dimension_parameter) = if certain {
@@ -80,6 +90,7 @@ impl<'a> Fallback<'a> {
             declaration,
             lowered,
             coordinates,
+            inputs,
             vector: quote!(#root::__private::SVector<#scalar, #dimension>),
             state: quote!(&#root::State<#scalar, #dimension>),
             dimension,
@@ -129,12 +140,24 @@ impl<'a> Fallback<'a> {
             let (ty, value) = coordinate.constant(indices.start);
             quote!(#visibility const #constant: #ty = #value;)
         });
+        let u = self.lowered.quantities.inputs.len();
+        let labels = self.lowered.quantities.inputs.iter();
+        let labels = labels.map(|input| input.label.to_string());
+        let inputs = (u > 0).then(|| {
+            let indices = self.inputs.iter();
+            let indices = indices.map(|(field, indices)| indices.constant(field));
+            quote! {
+                #visibility const INPUTS: [&'static str; #u] = [#(#labels),*];
+                #(#visibility const #indices;)*
+            }
+        });
         quote! {
             impl #generics #name #arguments #conditions {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #visibility const EQUATIONS: &'static str = "";
                 #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
                 #(#indices)*
+                #inputs
                 #mentions
             }
         }
@@ -219,7 +242,15 @@ impl<'a> Fallback<'a> {
                 -> #root::__private::SMatrix<#scalar, #n, #u> { ::core::unreachable!() }
         };
         let interface = quote!(#root::Inputs<#n, #u, #scalar>);
-        self.implement(&interface, Some(scalar), &items)
+        let inputs = self.implement(&interface, Some(scalar), &items);
+        let of_parameters = self.scalar.of_parameters();
+        let scalar = (!self.scalar.is_every()).then_some(&self.scalar);
+        let plant = self.implement(
+            &quote!(#root::Plant<#n, #u>),
+            scalar,
+            &quote!(type Scalar = #of_parameters;),
+        );
+        quote!(#inputs #plant)
     }
 
     fn outputs(&self) -> TokenStream {

@@ -27,6 +27,7 @@ use writer::Writer;
 
 pub(crate) use constants::indices;
 pub(crate) use functions::{of_checks, signatures, values};
+pub(crate) use inputs::{Indices, input_indices};
 pub(crate) use outputs::results;
 
 /// Everything about one model that the emitted text depends on.

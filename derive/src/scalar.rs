@@ -116,6 +116,14 @@ impl<'a> Scalar<'a> {
         self.owner != Owner::Impl && ty.to_token_stream().to_string() == self.name.to_string()
     }
 
+    /// The scalar of the parameters: `f64` for those of plain numbers, whose impls are on every scalar.
+    pub(crate) fn of_parameters(&self) -> TokenStream {
+        match self.owner {
+            Owner::Impl => quote!(::core::primitive::f64),
+            _ => self.name.clone(),
+        }
+    }
+
     /// What the parameter of a struct of results is called, which has one whatever the scalar is.
     pub(crate) fn of_results(&self) -> TokenStream {
         match self.owner {
@@ -271,6 +279,7 @@ mod tests {
             let plain = expansion(declaration);
             let expected = without_conversions(&plain)
                 .replace("__S", "T")
+                .replace(":: core :: primitive :: f64", "T")
                 .replace("impl < T : :: lagrangian :: Scalar >", "impl")
                 .replace("impl ", "impl < T : Scalar > ")
                 .replace(&format!("{name} {{"), &format!("{name} < T > {{"));

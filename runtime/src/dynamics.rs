@@ -30,7 +30,8 @@ use crate::{Scalar, Singularity, VectorSpace};
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not something that an integrator steps",
-    note = "a model enters as `&model.dynamics()`, or as `&model.controlled_by(…)` under a control law"
+    note = "a model enters as `&model.dynamics()`, or under a control law as `&model.controlled_by(…)` or \
+            `&model.with_controller(…)`, whose law returns as many numbers as there are inputs"
 )]
 pub trait Dynamics<S: Scalar = f64> {
     /// The state x.
@@ -69,6 +70,8 @@ pub enum Component {
     Coordinate(&'static str),
     /// The velocity of the coordinate of that name.
     Velocity(&'static str),
+    /// The state of that index of a controller.
+    Controller(usize),
     /// A component without a name.
     Index(usize),
 }
@@ -78,6 +81,7 @@ impl fmt::Display for Component {
         match self {
             Self::Coordinate(name) => write!(f, "the coordinate {name}"),
             Self::Velocity(name) => write!(f, "the velocity of {name}"),
+            Self::Controller(index) => write!(f, "state {index} of the controller"),
             Self::Index(index) => write!(f, "component {index} of the state"),
         }
     }

@@ -4,10 +4,7 @@ use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use crate::{
-    Component, ControlledBy, Dynamics, Inputs, Lagrangian, Phase, Scalar, Singularity, State,
-    System,
-};
+use crate::{Component, Dynamics, Lagrangian, Phase, Scalar, Singularity, State, System};
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
 /// [`Lagrangian::dynamics`].
@@ -79,46 +76,10 @@ where
     }
 }
 
-/// The control law is evaluated wherever the derivative is: at every stage of every step.
-impl<M, C, S, const N: usize, const U: usize> Dynamics<S> for ControlledBy<'_, M, C, S, N, U>
-where
-    M: Inputs<N, U, S> + ?Sized,
-    C: Fn(&State<S, N>) -> SVector<S, U>,
-    S: Scalar,
-{
-    type State = Phase<S, N>;
-
-    #[inline]
-    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
-        let state = x.at(t);
-        let inputs = (self.law)(&state);
-        Phase {
-            q: x.v,
-            v: self
-                .model
-                .accelerations_prepared_with(&state, &inputs, &self.prepared),
-        }
-    }
-
-    #[inline]
-    fn magnitude(&self, x: &Phase<S, N>) -> Phase<S, N> {
-        magnitude::<M, S, N>(x)
-    }
-
-    #[inline]
-    fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), least_pivot)
-    }
-
-    fn component(&self, index: usize) -> Component {
-        component::<M, N>(index)
-    }
-}
-
 /// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle, which is the same after a whole turn; and for
 /// one that is ignorable what it moves in a unit of time, if that is more than 1, wherever it is.
 #[inline]
-fn magnitude<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
+pub(crate) fn magnitude<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
 where
     M: System<N> + ?Sized,
     S: Scalar,
@@ -139,7 +100,7 @@ where
 
 /// The coordinate with the smallest relative pivot, if that is below `least_pivot`.
 #[inline]
-fn singularity<M, S, const N: usize>(
+pub(crate) fn singularity<M, S, const N: usize>(
     model: &M,
     state: &State<S, N>,
     least_pivot: f64,
@@ -189,7 +150,7 @@ where
     )
 }
 
-fn component<M: System<N> + ?Sized, const N: usize>(index: usize) -> Component {
+pub(crate) fn component<M: System<N> + ?Sized, const N: usize>(index: usize) -> Component {
     let names = Structure::<M, N>::COORDINATES;
     let coordinate = names.get(index);
     let velocity = index.checked_sub(N).and_then(|i| names.get(i));

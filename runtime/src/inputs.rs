@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::linearization::below_zeros;
 use crate::{Lagrangian, Linearization, Outputs, OutputsWith, Scalar, State, System};
 
 /// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
@@ -61,24 +62,29 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
         self.input_jacobian_with(state, &self.inputs())
     }
 
+    /// The input matrix B = (0; ∂q̈/∂u) in ẋ = A x + B u, where x = (q, q̇) and u are deviations from this
+    /// state and these inputs. It has `D` = 2 `N` rows.
+    ///
+    /// A is the [`state_matrix`](Linearization::state_matrix) of
+    /// [`linearize_with`](Self::linearize_with), where both are shown.
+    fn input_matrix_with<const D: usize>(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+    ) -> SMatrix<S, D, U> {
+        below_zeros(&self.input_jacobian_with(state, inputs))
+    }
+
+    /// The input matrix B at the inputs that the fields have.
+    fn input_matrix<const D: usize>(&self, state: &State<S, N>) -> SMatrix<S, D, U> {
+        below_zeros(&self.input_jacobian(state))
+    }
+
     /// The same system under other inputs, held constant.
     fn with_inputs(&self, inputs: impl Into<SVector<S, U>>) -> WithInputs<'_, Self, S, U> {
         WithInputs {
             model: self,
             inputs: inputs.into(),
-        }
-    }
-
-    /// The same system under a control law u(t, q, q̇), evaluated wherever its motion is: at every
-    /// stage of every step.
-    fn controlled_by<C>(&self, law: C) -> ControlledBy<'_, Self, C, S, N, U>
-    where
-        C: Fn(&State<S, N>) -> SVector<S, U>,
-    {
-        ControlledBy {
-            model: self,
-            prepared: self.prepare(),
-            law,
         }
     }
 }
@@ -88,18 +94,6 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
 pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
     model: &'a M,
     inputs: SVector<S, U>,
-}
-
-/// A model under a control law; see [`Inputs::controlled_by`].
-#[derive(Debug)]
-pub struct ControlledBy<'a, M, C, S, const N: usize, const U: usize>
-where
-    M: Inputs<N, U, S> + ?Sized,
-    S: Scalar,
-{
-    pub(crate) model: &'a M,
-    pub(crate) prepared: M::Prepared,
-    pub(crate) law: C,
 }
 
 impl<M, S, const N: usize, const U: usize> System<N> for WithInputs<'_, M, S, U>

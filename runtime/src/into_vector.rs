@@ -21,7 +21,9 @@ use crate::Scalar;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector of {K} components of type `{S}`",
     label = "{K} components of type `{S}` are expected",
-    note = "write an array `[{S}; {K}]` or an `SVector<{S}, {K}>`; real numbers have a point, such as `0.0`"
+    note = "write an array `[{S}; {K}]` or an `SVector<{S}, {K}>`, for one component also the number; real \
+            numbers have a point, such as `0.0`; a controller gives the inputs and the derivatives of its states \
+            as a pair"
 )]
 pub trait IntoVector<S: Scalar, const K: usize> {
     /// The vector of these numbers.

@@ -27,9 +27,10 @@
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
 //! - [`trait@Lagrangian`] is what a model can do: mass matrix, forcing, accelerations, momenta, energy,
 //!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`], [`Energies`] and [`Functions`] stand
-//!   beside it.
+//!   beside it. A [`Plant`] is controlled by a law, with or without states of its own.
 //! - [`Dynamics`] is what an [`Integrator`] steps; [`trait@Lagrangian`] enters by its `dynamics`.
-//! - [`Scalar`] is what all of it is generic over.
+//! - [`Scalar`] is what all of it is generic over: `f64`, `f32`, [`Lanes`], [`DoubleDouble`], and dual
+//!   numbers with the feature `num-dual`.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -46,6 +47,8 @@ mod system;
 mod lagrangian;
 mod linearization;
 mod inputs;
+mod into_vector;
+mod plant;
 mod outputs;
 mod functions;
 mod slope;
@@ -60,6 +63,9 @@ mod sample;
 mod dynamics;
 mod singularity;
 mod equations_of_motion;
+mod augmented_phase;
+mod controlled_by;
+mod with_controller;
 mod integrator;
 mod compensated;
 mod runge_kutta;
@@ -79,7 +85,9 @@ pub mod prelude;
 #[path = "private.rs"]
 pub mod __private;
 
+pub use augmented_phase::AugmentedPhase;
 pub use condition::{AtZero, Condition, When};
+pub use controlled_by::ControlledBy;
 pub use derivative_check::check_derivatives;
 pub use derivative_error::{Arguments, DerivativeError};
 pub use dormand_prince::{Dop853, Dop853Stepper};
@@ -89,7 +97,7 @@ pub use equations_of_motion::EquationsOfMotion;
 pub use error::IntegrationError;
 pub use factorization::Factorization;
 pub use functions::{Functions, Signature};
-pub use inputs::{ControlledBy, Inputs, WithInputs};
+pub use inputs::{Inputs, WithInputs};
 pub use integrator::{Integrator, Statistics, Stepper};
 pub use into_vector::IntoVector;
 pub use lagrangian::{Energies, Lagrangian};
@@ -102,12 +110,14 @@ pub use observer::{Observer, Occasion, Progress};
 pub use operations::{OperationCount, Operations};
 pub use outputs::{Outputs, OutputsWith};
 pub use phase::Phase;
+pub use plant::Plant;
 pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
 pub use sample::{Initial, Sample};
-pub use scalar::Scalar;
+pub use scalar::{DoubleDouble, Lanes, Scalar};
 pub use singularity::Singularity;
 pub use state::State;
 pub use system::System;
 #[cfg(feature = "alloc")]
 pub use trajectory::{Interrupted, Trajectory};
 pub use vector_space::VectorSpace;
+pub use with_controller::WithController;

@@ -4,13 +4,23 @@
 //! vanishes, a step that is too long) is in this crate, and looks at a scalar only through
 //! [`Scalar::smallest`] and [`Scalar::largest`], so that SIMD lanes and dual numbers fit.
 
+mod arithmetic;
+mod double_double;
+#[cfg(feature = "num-dual")]
+mod dual;
+mod lanes;
+
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
 use crate::sine_cosine;
 
-/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes.
+pub use double_double::DoubleDouble;
+pub use lanes::Lanes;
+
+/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes. Those that
+/// are there are listed [below](#scalars).
 ///
 /// Implement it for a type of your own to evaluate every derived model on it. The elementary
 /// functions are those of the declaration language; angles are in radians. Lanes do not depend on each
@@ -39,6 +49,42 @@ use crate::sine_cosine;
 /// [`Zero`](crate::num_traits::Zero) and [`One`](crate::num_traits::One), which this crate hands on.
 ///
 /// Parameters are of the scalar, too, in a `struct Oscillator<T: Scalar> { m: T, k: T }`.
+///
+/// # Scalars
+///
+/// | type | what it is for | |
+/// |---|---|---|
+/// | `f64`, `f32` | one number | |
+/// | [`Lanes<L>`](Lanes) | `L` numbers at once: parameter studies, ensembles | |
+/// | [`DoubleDouble`] | 32 digits: reference values, differences that `f64` rounds away | |
+/// | `num_dual::Dual64` | the derivative in one direction | feature `num-dual` |
+/// | `num_dual::DualSVec64<N>` | the gradient with respect to `N` quantities | feature `num-dual` |
+/// | `num_dual::Dual2_64`, `HyperDual64` | second derivatives, in one direction or two | feature `num-dual` |
+///
+/// Dual numbers differentiate with respect to whatever brings a derivative in: a parameter, an initial
+/// value, the time, an input. An integration differentiates the steps that it takes; those of an adaptive
+/// method are chosen by the values alone. A motion that knows how it depends on a mass and on a length:
+///
+#[cfg_attr(feature = "num-dual", doc = "```")]
+#[cfg_attr(not(feature = "num-dual"), doc = "```ignore")]
+/// use lagrangian::prelude::*;
+/// use num_dual::DualSVec64;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = 0.5 * k * x.powi(2))]
+/// struct Oscillator<T: Scalar> { m: T, k: T }
+///
+/// type Dual = DualSVec64<2>;
+/// let oscillator = Oscillator { m: Dual::from_re(2.0).derivative(0), k: Dual::from_re(8.0).derivative(1) };
+/// let start = State::new(Dual::from_f64(0.0), [Dual::from_f64(1.0)], [Dual::from_f64(0.0)]);
+/// let end = RungeKutta::classical(1e-3).integrate_to(&oscillator.dynamics(), start, 1.0)?;
+///
+/// // x = cos ωt, ω² = k/m = 4; ∂x/∂m = t sin ωt ω/(2 m), ∂x/∂k = −t sin ωt ω/(2 k).
+/// let gradient = end.x.q[0].eps.0.unwrap_or_default();
+/// assert!((gradient[0] - 0.5 * 2.0_f64.sin()).abs() < 1e-9);
+/// assert!((gradient[1] + 0.125 * 2.0_f64.sin()).abs() < 1e-9);
+/// # Ok::<(), IntegrationError>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "models are not evaluated on `{Self}`",
     note = "write real numbers with a point, such as `0.0`; for a type of your own, implement `Scalar`, the \

@@ -4,8 +4,8 @@ use alloc::{boxed::Box, vec::Vec};
 use core::fmt;
 
 use crate::{
-    Condition, Driver, Dynamics, Ending, Initial, IntegrationError, Integrator, Observer, Phase,
-    Reason, Sample, Scalar, State, Statistics,
+    AugmentedPhase, Condition, Driver, Dynamics, Ending, Initial, IntegrationError, Integrator,
+    Observer, Phase, Reason, Sample, Scalar, State, Statistics,
 };
 
 /// The samples of a motion, in the order of the times that were asked for, and how it ended.
@@ -63,7 +63,17 @@ impl<X> Trajectory<X> {
 impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>> {
     /// The samples as states of the mechanical system.
     pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
-        self.samples.iter().map(Sample::state)
+        self.samples.iter().map(Sample::<Phase<S, N>>::state)
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Trajectory<AugmentedPhase<S, N, K>> {
+    /// The samples as states of the mechanical system; those of the controller are in
+    /// [`samples`](Self::samples).
+    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
+        self.samples
+            .iter()
+            .map(Sample::<AugmentedPhase<S, N, K>>::state)
     }
 }
 

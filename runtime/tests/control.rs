@@ -81,6 +81,10 @@ impl Inputs<1, 1> for Spring {
     }
 }
 
+impl Plant<1, 1> for Spring {
+    type Scalar = f64;
+}
+
 /// The same spring with the force sin(3 t) as a part of the model.
 struct Forced(Spring);
 
@@ -162,14 +166,29 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
 fn a_law_in_the_state_closes_the_loop() {
     // m ẍ = −k x − d ẋ with d = 2 m δ, ω² = k/m − δ²: x = e^(−δt)(cos ωt + (δ/ω) sin ωt).
     let delta = 0.5;
-    let law = |state: &State<f64, 1>| SVector::from([-2.0 * SPRING.m * delta * state.v[0]]);
+    let controlled = SPRING.controlled_by(|state| -2.0 * SPRING.m * delta * state.v[0]);
     let end = Dop853::new()
-        .integrate_to(&SPRING.controlled_by(law), initial(), 1.7)
+        .integrate_to(&controlled, initial(), 1.7)
         .unwrap();
     let omega = (SPRING.k / SPRING.m - delta * delta).sqrt();
     let (s, c) = (omega * end.t).sin_cos();
     let exact = (-delta * end.t).exp() * (c + delta / omega * s);
     assert_close(end.x.q[0], exact, 1e-9);
+}
+
+#[test]
+fn a_law_returns_a_number_an_array_or_a_vector() {
+    let end = |controlled: &dyn Dynamics<State = Phase<f64, 1>>| {
+        let fixed = RungeKutta::classical(0.05);
+        fixed.integrate_to(controlled, initial(), 1.0).unwrap()
+    };
+    let number = SPRING.controlled_by(|state| (3.0 * state.t).sin());
+    let array = SPRING.controlled_by(|state| [(3.0 * state.t).sin()]);
+    let vector = SPRING.controlled_by(|state| SVector::from([(3.0 * state.t).sin()]));
+    let expected = end(&Forced(SPRING));
+    assert_eq!([end(&number), end(&array), end(&vector)], [expected; 3]);
+    let state = State::new(0.5, [1.0], [0.0]);
+    assert_eq!(number.inputs(&state), SVector::from([1.5_f64.sin()]));
 }
 
 #[test]

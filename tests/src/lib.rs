@@ -4,8 +4,6 @@
 mod closeness;
 mod arithmetic;
 mod dual;
-mod double_double;
-mod lanes;
 mod figures;
 mod random;
 mod reference;
@@ -13,10 +11,9 @@ mod motion;
 mod model;
 
 pub use closeness::{assert_close, relative_error};
-pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use figures::Figures;
-pub use lanes::{LANES, Lanes};
+pub use lagrangian::DoubleDouble;
 pub use model::{Law, Observed, Parametrized, rows};
 pub use motion::{Motion, motions};
 pub use random::Random;

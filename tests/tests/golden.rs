@@ -206,6 +206,10 @@ fn the_committed_pendulum_computes_what_the_derived_one_does() {
         committed::DrivenPendulum::THETA
     );
     assert_eq!(
+        derived::DrivenPendulum::TORQUE,
+        committed::DrivenPendulum::TORQUE
+    );
+    assert_eq!(
         derived::DrivenPendulum::OPERATIONS,
         committed::DrivenPendulum::OPERATIONS
     );

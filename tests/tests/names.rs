@@ -30,9 +30,10 @@ mod fields {
         pub(super) cos_theta: f64,
         pub(super) theta_dot: f64,
         pub(super) x_dot: f64,
-        pub(super) u: f64,
-        #[lagrangian(input)]
+        // No input: the names of the inputs are the constant `INPUTS`.
         pub(super) inputs: f64,
+        #[lagrangian(input)]
+        pub(super) u: f64,
     }
 }
 

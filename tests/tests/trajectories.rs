@@ -124,7 +124,7 @@ where
 {
     let model = M::with(&|name| system["params"].get(name).map_or(f64::NAN, number));
     let law = |state: &State<f64, N>| SVector::from(model.inputs_at(state.t));
-    integrate(&model.controlled_by(law), system, |state, sample| {
+    integrate(&ControlledBy::new(&model, law), system, |state, sample| {
         let mut comparisons = compare(&model, state, sample);
         comparisons.extend(compare_forces(
             &model.with_inputs(law(&reference_state(sample))),

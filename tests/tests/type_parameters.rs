@@ -169,6 +169,8 @@ fn what_is_known_of_the_model_is_known_for_every_scalar() {
         <Driven<f32> as Inputs<2, 1, f32>>::INPUTS,
         <Plain as Inputs<2, 1>>::INPUTS
     );
+    assert_eq!(<Driven>::INPUTS, Plain::INPUTS);
+    assert_eq!((<Driven>::TORQUE, Plain::TORQUE), (0, 0));
 }
 
 #[test]
@@ -184,13 +186,19 @@ fn a_control_law_is_of_the_scalar() -> Result<(), IntegrationError> {
     };
     let start = State::new(0.0, [0.4, -0.9], [0.0, 0.0]);
     let method = RungeKutta::classical(1e-3);
-    let law = |state: &State<f32, 2>| SVector::from([-state.v[0]]);
-    let end = method.integrate_to(&driven.controlled_by(law), start, 1.0)?;
+    let damped = driven.controlled_by(|state| -state.v[0].sin());
+    let end = method.integrate_to(&damped, start, 1.0)?;
+    // The fields are plain numbers, on which laws are of f64 unless they say otherwise.
+    let law = |state: &State<f32, 2>| -state.v[0].sin();
+    let other = ControlledBy::new(&PLAIN, law);
+    let other = method.integrate_to(&other, start, 1.0)?;
     let start = State::new(0.0, [0.4, -0.9], [0.0, 0.0]);
-    let law = |state: &State<f64, 2>| SVector::from([-state.v[0]]);
-    let expected = method.integrate_to(&PLAIN.controlled_by(law), start, 1.0)?;
-    let found = end.state().q.map(f64::from);
-    assert_close("q", found.as_slice(), expected.state().q.as_slice(), 1e-5);
+    let damped = PLAIN.controlled_by(|state| -state.v[0].sin());
+    let expected = method.integrate_to(&damped, start, 1.0)?;
+    for found in [end, other] {
+        let found = found.state().q.map(f64::from);
+        assert_close("q", found.as_slice(), expected.state().q.as_slice(), 1e-5);
+    }
     Ok(())
 }
 

@@ -34,6 +34,10 @@ impl DrivenPendulum {
     pub const COORDINATES: [&'static str; 1usize] = ["theta"];
     ///The index of the coordinate `theta`.
     pub const THETA: usize = 0usize;
+    /// The names of the inputs, in order.
+    pub const INPUTS: [&'static str; 1usize] = ["torque"];
+    ///The index of the input `torque`.
+    pub const TORQUE: usize = 0usize;
     /// The equations of motion as they were derived.
     pub const EQUATIONS: &'static str = "q = (θ)\nx = l sin θ\ny = −l cos θ\nT = ½ m l² θ\u{307}²\nV = −m g l cos θ\np[θ] = m l² θ\u{307}\nM[θ, θ] = m l²\nQ[θ] = torque − friction·θ\u{307}\nf[θ] = torque − friction·θ\u{307} − m g l sin θ\n";
     /// The operation counts of the methods.
@@ -316,7 +320,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for DrivenPe
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Inputs<1usize, 1usize, __S>
 for DrivenPendulum {
-    const INPUTS: [&'static str; 1usize] = ["torque"];
+    const INPUTS: [&'static str; 1usize] = Self::INPUTS;
     fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1usize> {
         <::lagrangian::__private::SVector<
             __S,
@@ -465,6 +469,10 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         ::lagrangian::__private::SMatrix::from([[__S::from_f64(1.0) / (m * (l * l))]])
     }
+}
+#[automatically_derived]
+impl ::lagrangian::Plant<1usize, 1usize> for DrivenPendulum {
+    type Scalar = ::core::primitive::f64;
 }
 ///The outputs of [`DrivenPendulum`].
 #[derive(

@@ -34,6 +34,7 @@ impl Implementation<'_> {
             let (ty, value) = coordinate.constant(indices.start);
             quote!(#[doc = #text] #visibility const #constant: #ty = #value;)
         });
+        let inputs = self.input_constants();
         // A lifetime of the struct stands in its impl but once.
         let lifetimes = self.declaration.generics.lifetimes().next().is_some();
         let lints = lifetimes.then(|| quote!(#[allow(single_use_lifetimes)]));
@@ -44,6 +45,7 @@ impl Implementation<'_> {
                 /// The names of the coordinates, in order.
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #(#indices)*
+                #inputs
                 /// The equations of motion as they were derived.
                 #visibility const EQUATIONS: &'static str = #equations;
                 /// The operation counts of the methods.

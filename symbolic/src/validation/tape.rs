@@ -149,6 +149,7 @@ impl Tape {
             Operand::Value(number) => return values[*number],
             Operand::Constant(value) => Entry::Constant(value.to_f64()),
             Operand::Pi => Entry::Constant(core::f64::consts::PI),
+            Operand::MinPositive => Entry::Constant(f64::MIN_POSITIVE),
             Operand::Symbol(symbol) => Entry::Symbol(*symbol),
         };
         if let Some(slot) = loaded.get(operand) {

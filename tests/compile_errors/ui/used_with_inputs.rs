@@ -22,6 +22,9 @@ fn main() {
     println!("{}", pushed.accelerations(&state)[CartPole::X]);
     println!("{}", model.input_jacobian(&state));
     let controlled = model.controlled_by(|state: &State<f64, 2>| SVector::from([-state.q[1]]));
+    println!("{}", controlled.inputs(&state)[CartPole::PUSH]);
+    let _ = model.with_controller(|state, z| (z[0], [state.q[1].sin()]));
+    println!("{:?} {}", CartPole::INPUTS, model.input_matrix::<4>(&state));
     let end = Dop853::new().integrate_to(&controlled, state, 1.0);
     println!("{:?}", end.map(|end| end.state()));
 }

@@ -38,7 +38,7 @@ fn it_moves_as_the_references() {
             push: 0.0,
         };
         let [amplitude, w] = motion.parameters(["f0", "w"]);
-        let law = |state: &State<f64, 2>| [amplitude * (w * state.t).sin()].into();
+        let law = |state: &State<f64, 2>| amplitude * (w * state.t).sin();
         motion.compare(
             "cart and pole",
             &model.controlled_by(law),

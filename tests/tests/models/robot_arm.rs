@@ -63,7 +63,7 @@ fn it_moves_as_the_references() {
         let [k1, k2, k3, w] = motion.parameters(["k1", "k2", "k3", "w"]);
         let law = |state: &State<f64, 3>| {
             let (sin, cos) = (w * state.t).sin_cos();
-            [k1 * sin, k2 * cos, k3].into()
+            [k1 * sin, k2 * cos, k3]
         };
         motion.compare("arm", &model.controlled_by(law), 1e-10, &mut figures);
     }

@@ -142,7 +142,7 @@ fn with_one_wheel_it_moves_as_the_references() {
             torque: 0.0,
         };
         let [k0, frequency] = motion.parameters(["k0", "w"]);
-        let law = |state: &State<f64, 4>| [k0 * (frequency * state.t).sin()].into();
+        let law = |state: &State<f64, 4>| k0 * (frequency * state.t).sin();
         motion.compare("one wheel", &model.controlled_by(law), 1e-10, &mut figures);
     }
     figures.finish();

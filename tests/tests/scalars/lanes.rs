@@ -2,12 +2,16 @@
 
 use lagrangian::Factorization;
 use lagrangian::prelude::*;
-use lagrangian_tests::{LANES, Lanes, assert_close};
+use lagrangian_tests::assert_close;
 
 use crate::models::{
     BentPendulum, DampedCart, DoublePendulum, Gearbox, HeavyTop, Joined, Numbered, between,
     everything, gearing, parameters, state,
 };
+
+const LANES: usize = 8;
+
+type Lanes = lagrangian::Lanes<LANES>;
 
 /// Numbers of which each lane has its own.
 fn lanes<const P: usize>(of_lane: impl Fn(usize) -> [f64; P]) -> [Lanes; P] {

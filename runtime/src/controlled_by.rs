@@ -1,0 +1,87 @@
+//! A system under a control law without memory.
+
+use nalgebra::SVector;
+
+use crate::equations_of_motion::{component, magnitude, singularity};
+use crate::{Component, Dynamics, Inputs, IntoVector, Phase, Scalar, Singularity, State};
+
+/// A system under the static feedback u = law(t, q, q̇); made by
+/// [`Plant::controlled_by`](crate::Plant::controlled_by).
+///
+/// What depends on the parameters alone is computed when it is made.
+#[derive(Debug)]
+pub struct ControlledBy<'a, M, C, S, const N: usize, const U: usize>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    model: &'a M,
+    prepared: M::Prepared,
+    law: C,
+}
+
+impl<'a, M, C, S, const N: usize, const U: usize> ControlledBy<'a, M, C, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    /// The model under a law on any scalar on which the model is evaluated, such as
+    /// `|state: &State<f32, 2>| …`.
+    pub fn new<R>(model: &'a M, law: C) -> Self
+    where
+        C: Fn(&State<S, N>) -> R,
+        R: IntoVector<S, U>,
+    {
+        Self {
+            model,
+            prepared: model.prepare(),
+            law,
+        }
+    }
+
+    /// The inputs u that the law sets at a state.
+    #[inline]
+    pub fn inputs<R>(&self, state: &State<S, N>) -> SVector<S, U>
+    where
+        C: Fn(&State<S, N>) -> R,
+        R: IntoVector<S, U>,
+    {
+        (self.law)(state).into_vector()
+    }
+}
+
+impl<M, C, R, S, const N: usize, const U: usize> Dynamics<S> for ControlledBy<'_, M, C, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    C: Fn(&State<S, N>) -> R,
+    R: IntoVector<S, U>,
+    S: Scalar,
+{
+    type State = Phase<S, N>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+        let state = x.at(t);
+        let inputs = self.inputs(&state);
+        Phase {
+            q: x.v,
+            v: self
+                .model
+                .accelerations_prepared_with(&state, &inputs, &self.prepared),
+        }
+    }
+
+    #[inline]
+    fn magnitude(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        magnitude::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), least_pivot)
+    }
+
+    fn component(&self, index: usize) -> Component {
+        component::<M, N>(index)
+    }
+}

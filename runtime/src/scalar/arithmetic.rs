@@ -1,0 +1,41 @@
+//! What of a scalar's arithmetic follows from its operations.
+
+/// Implements the assigning operators, zero and one for a scalar, generic over `generics`, that has the
+/// other operators and `from_f64`.
+macro_rules! arithmetic {
+    ([$($generics:tt)*] $scalar:ty) => {
+        arithmetic! { [$($generics)*] $scalar: AddAssign add_assign + }
+        arithmetic! { [$($generics)*] $scalar: SubAssign sub_assign - }
+        arithmetic! { [$($generics)*] $scalar: MulAssign mul_assign * }
+        arithmetic! { [$($generics)*] $scalar: DivAssign div_assign / }
+
+        impl<$($generics)*> num_traits::Zero for $scalar {
+            #[inline]
+            fn zero() -> Self {
+                $crate::Scalar::from_f64(0.0)
+            }
+
+            #[inline]
+            fn is_zero(&self) -> bool {
+                *self == Self::zero()
+            }
+        }
+
+        impl<$($generics)*> num_traits::One for $scalar {
+            #[inline]
+            fn one() -> Self {
+                $crate::Scalar::from_f64(1.0)
+            }
+        }
+    };
+    ([$($generics:tt)*] $scalar:ty: $assigning:ident $assign:ident $operator:tt) => {
+        impl<$($generics)*> core::ops::$assigning for $scalar {
+            #[inline]
+            fn $assign(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    };
+}
+
+pub(super) use arithmetic;

@@ -1,0 +1,248 @@
+//! The elementary functions: Taylor series of a reduced argument, or one step of Newton's method from the
+//! function of `f64`, which doubles its digits.
+
+use num_traits::{One as _, Zero as _};
+
+use super::constants::{HALF_PI, INVERSE_FACTORIALS, LN_2, PI};
+use super::{DoubleDouble, two_product};
+use crate::Scalar;
+
+impl DoubleDouble {
+    /// self · 2ⁿ, which is exact.
+    fn times_power_of_two(self, n: i32) -> Self {
+        Self::finite(libm::ldexp(self.high, n), libm::ldexp(self.low, n))
+    }
+
+    /// Σ sᵏ xⁱ/i! over i = 2k + `first`, which is 0 or 1, for the `sign` s and |x| ≤ 1.
+    fn series(self, first: usize, sign: f64) -> Self {
+        let square = self * self * Self::from(sign);
+        let coefficients = INVERSE_FACTORIALS.iter().skip(first).step_by(2).rev();
+        let sum = coefficients.fold(Self::zero(), |sum, &(high, low)| {
+            sum * square + Self { high, low }
+        });
+        if first == 0 { sum } else { sum * self }
+    }
+
+    /// The whole number k and the rest in x = k · step + rest, |rest| about half a step, for a step in
+    /// three parts. The first difference is exact.
+    fn reduced(self, step: [f64; 3]) -> (f64, Self) {
+        let [first, second, third] = step;
+        let k = libm::round(self.high / first);
+        let product = |part: f64| {
+            let (high, low) = two_product(k, part);
+            Self::finite(high, low)
+        };
+        let rest = self - product(first) - product(second);
+        (k, rest - Self::from(k * third))
+    }
+
+    /// One step of Newton's method for function(y) = self, from a value with the digits of `f64`.
+    fn refined(
+        self,
+        from: f64,
+        function: impl Fn(Self) -> Self,
+        slope: impl Fn(Self) -> Self,
+    ) -> Self {
+        let y = Self::from(from);
+        let slope = slope(y);
+        if slope.is_zero() || !from.is_finite() {
+            return y;
+        }
+        y + (self - function(y)) / slope
+    }
+
+    /// √(1 − x²).
+    fn complement(self) -> Self {
+        ((Self::one() - self) * (Self::one() + self)).sqrt()
+    }
+
+    fn is_whole(self) -> bool {
+        libm::trunc(self.high).to_bits() == self.high.to_bits()
+            && libm::trunc(self.low).to_bits() == self.low.to_bits()
+    }
+
+    /// Whether a whole number is odd.
+    fn is_odd(self) -> bool {
+        let odd = |part: f64| libm::fabs(libm::fmod(part, 2.0)) > 0.5;
+        odd(self.high) != odd(self.low)
+    }
+}
+
+impl Scalar for DoubleDouble {
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        Self::from(value)
+    }
+
+    #[inline]
+    fn ratio(numerator: f64, denominator: f64) -> Self {
+        Self::from(numerator) / Self::from(denominator)
+    }
+
+    #[inline]
+    fn pi() -> Self {
+        PI
+    }
+
+    #[inline]
+    fn smallest(self) -> f64 {
+        self.high
+    }
+
+    #[inline]
+    fn largest(self) -> f64 {
+        self.high
+    }
+
+    #[inline]
+    fn machine_epsilon() -> f64 {
+        f64::EPSILON * f64::EPSILON
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (quarters, rest) = self.reduced(HALF_PI);
+        let (sine, cosine) = (rest.series(1, -1.0), rest.series(0, -1.0));
+        let quadrant = quarters - 4.0 * libm::floor(quarters / 4.0);
+        if quadrant < 0.5 {
+            (sine, cosine)
+        } else if quadrant < 1.5 {
+            (cosine, -sine)
+        } else if quadrant < 2.5 {
+            (-sine, -cosine)
+        } else {
+            (-cosine, sine)
+        }
+    }
+
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    fn tan(self) -> Self {
+        let (sine, cosine) = self.sin_cos();
+        sine / cosine
+    }
+
+    fn asin(self) -> Self {
+        self.atan2(self.complement())
+    }
+
+    fn acos(self) -> Self {
+        self.complement().atan2(self)
+    }
+
+    fn atan(self) -> Self {
+        self.atan2(Self::one())
+    }
+
+    /// From the angle of `f64`, turned by what is left: its tangent is the angle but for a cube.
+    fn atan2(self, x: Self) -> Self {
+        let angle = Self::from(Scalar::atan2(self.high, x.high));
+        if (self.is_zero() && x.is_zero()) || !self.is_finite() || !x.is_finite() {
+            return angle;
+        }
+        let (sine, cosine) = angle.sin_cos();
+        angle + (self * cosine - x * sine) / (x * cosine + self * sine)
+    }
+
+    fn sinh(self) -> Self {
+        if self.high.abs() < 1.0 {
+            return self.series(1, 1.0);
+        }
+        let growing = self.exp();
+        (growing - growing.recip()).times_power_of_two(-1)
+    }
+
+    fn cosh(self) -> Self {
+        let growing = self.exp();
+        (growing + growing.recip()).times_power_of_two(-1)
+    }
+
+    fn tanh(self) -> Self {
+        // Beyond it is ±1 to all digits, and the exponential overflows.
+        if self.high.abs() > 40.0 {
+            return self.signum();
+        }
+        self.sinh() / self.cosh()
+    }
+
+    fn asinh(self) -> Self {
+        self.refined(Scalar::asinh(self.high), Self::sinh, Self::cosh)
+    }
+
+    /// 2 arsinh √((x − 1)/2), which keeps its digits near 1.
+    fn acosh(self) -> Self {
+        let root = (self - Self::one()).times_power_of_two(-1).sqrt();
+        root.asinh().times_power_of_two(1)
+    }
+
+    fn atanh(self) -> Self {
+        let slope = |y: Self| (y.cosh() * y.cosh()).recip();
+        self.refined(Scalar::atanh(self.high), Self::tanh, slope)
+    }
+
+    fn exp(self) -> Self {
+        if self.high.abs() > 700.0 || self.high.is_nan() {
+            // What is left is of `f64` alone, near the largest and the least of its numbers.
+            return Self::from(Scalar::exp(self.high));
+        }
+        let (twos, rest) = self.reduced(LN_2);
+        #[allow(clippy::cast_possible_truncation)] // A whole number between −1011 and 1011.
+        let twos = twos as i32;
+        (rest.series(1, 1.0) + rest.series(0, 1.0)).times_power_of_two(twos)
+    }
+
+    /// 2 artanh((x − 1)/(x + 1)) near 1, where it keeps its digits.
+    fn ln(self) -> Self {
+        let from_one = self - Self::one();
+        if from_one.high.abs() < 0.25 {
+            let quotient = from_one / (self + Self::one());
+            return quotient.atanh().times_power_of_two(1);
+        }
+        self.refined(Scalar::ln(self.high), Self::exp, Self::exp)
+    }
+
+    fn sqrt(self) -> Self {
+        let slope = |y: Self| y.times_power_of_two(1);
+        self.refined(Scalar::sqrt(self.high), |y| y * y, slope)
+    }
+
+    fn powf(self, exponent: Self) -> Self {
+        let power = || (self.abs().ln() * exponent).exp();
+        if self.is_zero() || !self.is_finite() || !exponent.is_finite() {
+            Self::from(Scalar::powf(self.high, exponent.high))
+        } else if !self.is_negative() {
+            power()
+        } else if !exponent.is_whole() {
+            Self::from(f64::NAN)
+        } else if exponent.is_odd() {
+            -power()
+        } else {
+            power()
+        }
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        if self.is_negative() { -self } else { self }
+    }
+
+    #[inline]
+    fn signum(self) -> Self {
+        Self::from(Scalar::signum(self.high))
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+}

@@ -1,0 +1,96 @@
+//! The dual numbers of the crate `num-dual` as scalars. Needs the feature `num-dual`.
+
+use num_dual::{Dual2_64, Dual64, DualNum, DualSVec64, HyperDual64};
+
+use super::Scalar;
+
+macro_rules! forwarded {
+    ($($function:ident)*) => {$(
+        #[inline]
+        fn $function(self) -> Self {
+            DualNum::$function(&self)
+        }
+    )*};
+}
+
+/// Implements [`Scalar`] for a type of dual numbers, given what tells whether all its derivatives are zero.
+macro_rules! dual_scalar {
+    ([$($generics:tt)*] $dual:ty, $is_constant:expr) => {
+        impl<$($generics)*> Scalar for $dual {
+            forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt }
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                Self::from_re(value)
+            }
+
+            #[inline]
+            fn smallest(self) -> f64 {
+                self.re
+            }
+
+            #[inline]
+            fn largest(self) -> f64 {
+                self.re
+            }
+
+            #[inline]
+            fn machine_epsilon() -> f64 {
+                f64::EPSILON
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                DualNum::sin_cos(&self)
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                DualNum::atan2(&self, x)
+            }
+
+            // A constant exponent is the case with a value for every base that real numbers allow.
+            #[inline]
+            fn powf(self, exponent: Self) -> Self {
+                let is_constant: fn(&Self) -> bool = $is_constant;
+                if is_constant(&exponent) {
+                    DualNum::powf(&self, exponent.re)
+                } else {
+                    DualNum::powd(&self, exponent)
+                }
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                self * Scalar::signum(self)
+            }
+
+            #[inline]
+            fn signum(self) -> Self {
+                Self::from_re(Scalar::signum(self.re))
+            }
+
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                if other.re < self.re { other } else { self }
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                if other.re > self.re { other } else { self }
+            }
+        }
+    };
+}
+
+/// Whether numbers are all zero.
+fn vanish<'a>(derivatives: impl IntoIterator<Item = &'a f64>) -> bool {
+    derivatives
+        .into_iter()
+        .all(|derivative| derivative.abs() <= 0.0)
+}
+
+dual_scalar! { [] Dual64, |x| vanish([&x.eps]) }
+dual_scalar! { [] Dual2_64, |x| vanish([&x.v1, &x.v2]) }
+dual_scalar! { [] HyperDual64, |x| vanish([&x.eps1, &x.eps2, &x.eps1eps2]) }
+dual_scalar! { [const N: usize] DualSVec64<N>, |x| x.eps.0.as_ref().is_none_or(vanish) }

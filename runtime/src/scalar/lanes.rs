@@ -1,0 +1,197 @@
+//! Several numbers beside each other.
+
+use core::array;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Scalar, arithmetic::arithmetic};
+
+/// `L` numbers of `f64`, on each of which everything is done as on one alone: models with parameters of
+/// their own, or motions that begin elsewhere, computed at once.
+///
+/// The operations are written so that the compiler makes vector instructions of them where the target has
+/// them; sines and cosines of all lanes are computed together. 4 or 8 lanes suit most processors, with
+/// `-C target-cpu=native`. The bits of a lane are those of `f64` as long as no lane takes the others to
+/// another factorization ([`Scalar`]).
+///
+/// Time is one for all lanes, and so are the steps of an integration: an adaptive method takes those that
+/// the most demanding lane wants.
+///
+/// ```
+/// use lagrangian::prelude::*;
+/// use lagrangian::Lanes;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * (l * dot(theta)).powi(2),
+///     potential = -g * l * cos(theta),
+/// )]
+/// struct Pendulum<T: Scalar> { l: T, g: T }
+///
+/// // Four lengths at once.
+/// let lengths = [0.5, 1.0, 1.5, 2.0];
+/// let pendulums = Pendulum { l: Lanes(lengths), g: Lanes::from_f64(9.81) };
+/// let start = State::new(Lanes::from_f64(0.0), [Lanes::from_f64(0.3)], [Lanes::from_f64(0.0)]);
+/// let method = RungeKutta::classical(0.01);
+/// let end = method.integrate_to(&pendulums.dynamics(), start, 1.0)?;
+///
+/// for (lane, l) in lengths.into_iter().enumerate() {
+///     let alone = Pendulum { l, g: 9.81 };
+///     let start = State::new(0.0, [0.3], [0.0]);
+///     let alone = method.integrate_to(&alone.dynamics(), start, 1.0)?;
+///     assert_eq!(end.x.q[0].lane(lane), alone.x.q[0]);
+/// }
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lanes<const L: usize>(pub [f64; L]);
+
+impl<const L: usize> Lanes<L> {
+    /// The numbers of the lanes, which are counted from 0.
+    #[inline]
+    #[must_use]
+    pub fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
+        Self(array::from_fn(number))
+    }
+
+    /// The number of one lane; not a number where there is no such lane.
+    #[inline]
+    #[must_use]
+    pub fn lane(self, lane: usize) -> f64 {
+        self.0.get(lane).copied().unwrap_or(f64::NAN)
+    }
+
+    #[inline]
+    fn both(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+        Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
+    }
+
+    /// The lane that `keep` keeps against all others, and `first` against them all; NaN if a lane is.
+    #[inline]
+    fn extreme(self, first: f64, keep: impl Fn(f64, f64) -> f64) -> f64 {
+        self.0.into_iter().fold(first, |kept, lane| {
+            // A number that is none is neither kept nor given up by `f64::min` and `f64::max`.
+            if lane.is_nan() || kept.is_nan() {
+                f64::NAN
+            } else {
+                keep(kept, lane)
+            }
+        })
+    }
+}
+
+impl<const L: usize> From<[f64; L]> for Lanes<L> {
+    fn from(numbers: [f64; L]) -> Self {
+        Self(numbers)
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident $function:ident)*) => {$(
+        impl<const L: usize> $operator for Lanes<L> {
+            type Output = Self;
+
+            #[inline]
+            fn $function(self, other: Self) -> Self {
+                self.both(other, $operator::$function)
+            }
+        }
+    )*};
+}
+
+operators! { Add add Sub sub Mul mul Div div }
+
+impl<const L: usize> Neg for Lanes<L> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self(self.0.map(Neg::neg))
+    }
+}
+
+arithmetic! { [const L: usize] Lanes<L> }
+
+macro_rules! lane_by_lane {
+    ($($unary:ident)*; $($binary:ident)*) => {
+        $(
+            #[inline]
+            fn $unary(self) -> Self {
+                Self(self.0.map(Scalar::$unary))
+            }
+        )*
+        $(
+            #[inline]
+            fn $binary(self, other: Self) -> Self {
+                self.both(other, Scalar::$binary)
+            }
+        )*
+    };
+}
+
+impl<const L: usize> Scalar for Lanes<L> {
+    lane_by_lane! {
+        tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt abs signum;
+        atan2 powf min max
+    }
+
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        Self([value; L])
+    }
+
+    #[inline]
+    fn smallest(self) -> f64 {
+        self.extreme(f64::INFINITY, f64::min)
+    }
+
+    #[inline]
+    fn largest(self) -> f64 {
+        self.extreme(f64::NEG_INFINITY, f64::max)
+    }
+
+    #[inline]
+    fn machine_epsilon() -> f64 {
+        f64::EPSILON
+    }
+
+    #[inline]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        Self::from_fn(|lane| Scalar::mul_add(self.0[lane], factor.0[lane], summand.0[lane]))
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sines, cosines) = Scalar::sines_and_cosines(self.0);
+        (Self(sines), Self(cosines))
+    }
+
+    #[inline]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    #[inline]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lanes, Scalar};
+
+    #[test]
+    fn a_lane_that_is_no_number_is_the_smallest_and_the_largest() {
+        for odd in 0..3 {
+            let lanes = Lanes::<3>::from_fn(|lane| if lane == odd { f64::NAN } else { 1.0 });
+            assert!(lanes.smallest().is_nan() && lanes.largest().is_nan());
+            assert!(!lanes.is_finite());
+        }
+        let lanes = Lanes([2.0, -3.0, 0.5]);
+        assert_eq!((lanes.smallest(), lanes.largest()), (-3.0, 2.0));
+        assert!(lanes.is_finite());
+        assert!(!Lanes([1.0, f64::INFINITY]).is_finite());
+        assert!(lanes.lane(3).is_nan());
+    }
+}

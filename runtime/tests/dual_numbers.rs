@@ -1,0 +1,233 @@
+//! The dual numbers of `num-dual`, against what the derive differentiates and against differences.
+#![cfg(feature = "num-dual")]
+
+use lagrangian::DoubleDouble;
+use lagrangian::prelude::*;
+use num_dual::{Dual2_64, Dual64, DualSVec64, HyperDual64};
+
+/// A pendulum on a cart, with functions of several kinds.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, theta),
+    define(px = x + l * sin(theta), py = -l * cos(theta)),
+    kinetic = 0.5 * cart * dot(x).powi(2) + 0.5 * bob * (dot(px).powi(2) + dot(py).powi(2)),
+    potential = bob * g * py + sqrt(1.0 + x.powi(2)),
+    force(x = push * exp(-0.1 * t) - tanh(dot(x)), theta = 0.01 * atan2(dot(x), 2.0)),
+)]
+struct HangingBob<T: Scalar> {
+    cart: T,
+    bob: T,
+    l: T,
+    g: T,
+    #[lagrangian(input)]
+    push: T,
+}
+
+fn hanging_bob<T: Scalar>() -> HangingBob<T> {
+    let [cart, bob, l, g, push] = [1.5, 0.5, 0.75, 9.75, 2.0].map(T::from_f64);
+    HangingBob {
+        cart,
+        bob,
+        l,
+        g,
+        push,
+    }
+}
+
+const T: f64 = 0.5;
+const Q: [f64; 2] = [0.3, -0.7];
+const V: [f64; 2] = [1.25, 0.6];
+
+fn state<S: Scalar>() -> State<S, 2> {
+    State::new(S::from_f64(T), Q.map(S::from_f64), V.map(S::from_f64))
+}
+
+#[track_caller]
+fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
+    let error = (found - expected).abs();
+    assert!(
+        error <= tolerance,
+        "{what}: {found} is not {expected}: {error:e}"
+    );
+}
+
+#[test]
+fn accelerations_carry_what_linearize_gives() {
+    let linearization = hanging_bob::<f64>().linearize(&state());
+    let jacobian = hanging_bob::<f64>().input_jacobian(&state());
+    let derivatives = |model: &HangingBob<Dual64>, state: &State<Dual64, 2>| {
+        let accelerations = model.accelerations(state);
+        accelerations.map(|acceleration| acceleration.eps)
+    };
+    for j in 0..2 {
+        let mut moved = state::<Dual64>();
+        moved.q[j] = moved.q[j].derivative();
+        let by_position = derivatives(&hanging_bob(), &moved);
+        let mut moved = state::<Dual64>();
+        moved.v[j] = moved.v[j].derivative();
+        let by_velocity = derivatives(&hanging_bob(), &moved);
+        for i in 0..2 {
+            assert_close(
+                "by position",
+                by_position[i],
+                linearization.position[(i, j)],
+                1e-13,
+            );
+            assert_close(
+                "by velocity",
+                by_velocity[i],
+                linearization.velocity[(i, j)],
+                1e-13,
+            );
+        }
+    }
+    let mut moved = state::<Dual64>();
+    moved.t = moved.t.derivative();
+    let by_time = derivatives(&hanging_bob(), &moved);
+    let mut pushed = hanging_bob::<Dual64>();
+    pushed.push = pushed.push.derivative();
+    let by_input = derivatives(&pushed, &state());
+    for i in 0..2 {
+        assert_close("by time", by_time[i], linearization.time[i], 1e-13);
+        assert_close("by input", by_input[i], jacobian[i], 1e-13);
+    }
+}
+
+#[test]
+fn a_gradient_is_as_many_derivatives_at_once() {
+    let mut moved = state::<DualSVec64<4>>();
+    for j in 0..2 {
+        moved.q[j] = moved.q[j].derivative(j);
+        moved.v[j] = moved.v[j].derivative(2 + j);
+    }
+    let linearization = hanging_bob::<f64>().linearize(&state());
+    let accelerations = hanging_bob::<DualSVec64<4>>().accelerations(&moved);
+    for i in 0..2 {
+        let gradient = accelerations[i].eps.0.expect("it depends on the state");
+        for j in 0..2 {
+            assert_close(
+                "by position",
+                gradient[j],
+                linearization.position[(i, j)],
+                1e-13,
+            );
+            assert_close(
+                "by velocity",
+                gradient[2 + j],
+                linearization.velocity[(i, j)],
+                1e-13,
+            );
+        }
+    }
+}
+
+/// Mᵢⱼ = ∂²L/∂q̇ᵢ∂q̇ⱼ, by hyper-dual numbers, and by those of one direction on the diagonal.
+#[test]
+fn the_mass_matrix_is_the_hessian_of_the_lagrangian() {
+    let mass = hanging_bob::<f64>().mass_matrix(&state());
+    for i in 0..2 {
+        for j in 0..2 {
+            let mut moved = state::<HyperDual64>();
+            moved.v[i] = moved.v[i].derivative1();
+            moved.v[j] = HyperDual64 {
+                eps2: 1.0,
+                ..moved.v[j]
+            };
+            let found = hanging_bob::<HyperDual64>().lagrangian(&moved).eps1eps2;
+            assert_close("mass", found, mass[(i, j)], 1e-14);
+        }
+        let mut moved = state::<Dual2_64>();
+        moved.v[i] = moved.v[i].derivative();
+        let found = hanging_bob::<Dual2_64>().lagrangian(&moved).v2;
+        assert_close("mass", found, mass[(i, i)], 1e-14);
+    }
+}
+
+/// A motion differentiated by a parameter, against the difference of two motions in twice the digits.
+#[test]
+fn a_motion_carries_its_sensitivity() -> Result<(), IntegrationError> {
+    fn end<S: Scalar>(bob: S) -> Result<SVector<S, 2>, IntegrationError> {
+        let model = HangingBob {
+            bob,
+            ..hanging_bob()
+        };
+        let method = RungeKutta::classical(0.02);
+        let end = method.integrate_to(&model.dynamics(), state(), T + 1.0)?;
+        Ok(end.x.q)
+    }
+    let h = DoubleDouble::from(1e-10);
+    let (more, less) = (
+        end(DoubleDouble::from(0.5) + h)?,
+        end(DoubleDouble::from(0.5) - h)?,
+    );
+    let found = end(Dual64::from_re(0.5).derivative())?;
+    for i in 0..2 {
+        let expected = ((more[i] - less[i]) / (h + h)).to_f64();
+        assert_close("bob", found[i].eps, expected, 1e-13);
+    }
+    Ok(())
+}
+
+/// The functions of the declaration language, of one number and of two.
+fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
+    let two = S::from_f64(2.0);
+    let half = S::from_f64(0.5);
+    vec![
+        ("sin", x.sin()),
+        ("cos", x.cos()),
+        ("sin of both", x.sin_cos().0),
+        ("cos of both", x.sin_cos().1),
+        ("tan", x.tan()),
+        ("asin", x.asin()),
+        ("acos", x.acos()),
+        ("atan", x.atan()),
+        ("sinh", x.sinh()),
+        ("cosh", x.cosh()),
+        ("tanh", x.tanh()),
+        ("asinh", x.asinh()),
+        ("acosh", (x + two).acosh()),
+        ("atanh", x.atanh()),
+        ("exp", x.exp()),
+        ("ln", (x + two).ln()),
+        ("sqrt", (x + two).sqrt()),
+        ("abs", (x * x).abs()),
+        ("abs of a negative", (-(x * x)).abs()),
+        ("signum", (x + two).signum()),
+        ("atan2", x.atan2(x * x - half)),
+        ("atan2 behind", (x * half).atan2(x - two)),
+        ("power", (x + two).powf(half)),
+        ("power of a negative", (x - two).powf(S::from_f64(3.0))),
+        ("power to a variable", (x + two).powf(x * x)),
+        ("min", (x * x).min(x - two)),
+        ("max", (x * x).max(x - two)),
+        ("quotient", x / (x * x + half)),
+        ("fused", x.mul_add(x, half)),
+    ]
+}
+
+#[test]
+fn functions_carry_their_derivatives() {
+    for at in [-0.75, -0.3, 0.1, 0.6] {
+        let h = DoubleDouble::from(1e-9);
+        let x = DoubleDouble::from(at);
+        let [less, middle, more] = [x - h, x, x + h].map(functions);
+        let first = functions(Dual64::from_re(at).derivative());
+        let gradient = functions(DualSVec64::<2>::from_re(at).derivative(1));
+        let second = functions(Dual2_64::from_re(at).derivative());
+        let mixed = functions(HyperDual64::new(at, 1.0, 1.0, 0.0));
+        for (k, (name, value)) in middle.iter().enumerate() {
+            let (less, more) = (less[k].1, more[k].1);
+            let value = value.to_f64();
+            let slope = ((more - less) / (h + h)).to_f64();
+            let bend = ((more - middle[k].1 - (middle[k].1 - less)) / (h * h)).to_f64();
+            assert_close(name, first[k].1.re, value, 1e-14);
+            assert_close(name, first[k].1.eps, slope, 1e-13);
+            let of_second = gradient[k].1.eps.0.map_or(0.0, |eps| eps[1]);
+            assert_close(name, of_second, slope, 1e-13);
+            assert_close(name, second[k].1.v1, slope, 1e-13);
+            assert_close(name, second[k].1.v2, bend, 1e-11);
+            assert_close(name, mixed[k].1.eps1, slope, 1e-13);
+            assert_close(name, mixed[k].1.eps1eps2, bend, 1e-11);
+        }
+    }
+}
