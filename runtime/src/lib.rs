@@ -79,7 +79,7 @@ pub mod prelude;
 #[path = "private.rs"]
 pub mod __private;
 
-pub use condition::{AtZero, Condition, When};
+pub use condition::{AtZero, Condition, Crossing, Met, When};
 pub use derivative_check::check_derivatives;
 pub use derivative_error::{Arguments, DerivativeError};
 pub use dormand_prince::{Dop853, Dop853Stepper};

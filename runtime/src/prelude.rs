@@ -4,10 +4,10 @@
 //! matrices in which they speak.
 
 pub use crate::{
-    ControlledBy, Dop853, Driver, Dynamics, Ending, Energies, Functions, Inputs, IntegrationError,
-    Integrator, Lagrangian, Linearization, Observer, Occasion, Outputs, OutputsWith, Phase,
-    Progress, Reason, RungeKutta, Sample, Scalar, State, Statistics, Stepper, System, VectorSpace,
-    WithInputs,
+    ControlledBy, Crossing, Dop853, Driver, Dynamics, Ending, Energies, Functions, Inputs,
+    IntegrationError, Integrator, Lagrangian, Linearization, Observer, Occasion, Outputs,
+    OutputsWith, Phase, Progress, Reason, RungeKutta, Sample, Scalar, State, Statistics, Stepper,
+    System, VectorSpace, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
