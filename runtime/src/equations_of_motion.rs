@@ -13,6 +13,42 @@ use crate::{
 /// [`Lagrangian::dynamics`].
 ///
 /// What depends on the parameters alone is computed when it is made.
+///
+/// # Many motions at once
+///
+/// Integrations do not change it, so that threads share it. A parallel iterator, such as rayon's
+/// `amplitudes.par_iter().map(|amplitude| …)`, does the same as the threads here:
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let dynamics = pendulum.dynamics();
+/// let swing = &|amplitude: f64| {
+///     let start = State::new(0.0, [amplitude], [0.0]);
+///     Dop853::new().integrate_to(&dynamics, start, 10.0)
+/// };
+/// let amplitudes = [0.5, 1.0, 1.5, 2.0];
+/// let ends = std::thread::scope(|scope| {
+///     let threads = amplitudes.map(|amplitude| scope.spawn(move || swing(amplitude)));
+///     threads.map(|thread| thread.join().expect("an integration does not panic"))
+/// });
+/// for (end, amplitude) in ends.into_iter().zip(amplitudes) {
+///     assert_eq!(end?, swing(amplitude)?);
+/// }
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// A model on a scalar of several lanes integrates several motions in one thread, with the steps of the
+/// one that needs the shortest.
 #[derive(Debug)]
 pub struct EquationsOfMotion<'a, M, S, const N: usize>
 where

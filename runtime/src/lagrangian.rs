@@ -55,6 +55,9 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     ///
+    /// As first-order equations x = (q, q̇), ẋ = A x + B u near an equilibrium, they are the lower rows of A, below
+    /// (0 1); those of B, below 0, are [`Inputs::input_jacobian`](crate::Inputs::input_jacobian).
+    ///
     /// For more than a few coupled coordinates they are solved for with a factorization of M in numbers.
     /// Near a singularity of M they then lose as much as [`Factorization`]'s relative pivots say.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
