@@ -129,10 +129,10 @@ impl Crossing {
 
 /// The last value that has a sign.
 fn signed(before: f64, after: f64) -> f64 {
-    if after > 0.0 || after < 0.0 {
-        after
-    } else {
+    if after.is_nan() || after == 0.0 {
         before
+    } else {
+        after
     }
 }
 

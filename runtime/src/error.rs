@@ -139,36 +139,12 @@ impl fmt::Display for IntegrationError {
                 step,
                 component,
                 relative_only,
-            } => {
-                let time = Written(time);
-                write!(f, "the step {step:e} is too small at t = {time}")?;
-                match component {
-                    Some(component) => {
-                        write!(f, ": {component} does not meet the tolerance there")?
-                    }
-                    None => f.write_str(" to advance the time: set a longer one")?,
-                }
-                if relative_only {
-                    f.write_str("; set an absolute tolerance, unless it is far from zero")?;
-                }
-                Ok(())
-            }
+            } => write_too_small(f, (time, step), component, relative_only),
             Self::VanishingInertia {
                 time,
                 step,
                 singularity,
-            } => {
-                let (time, coordinate) = (Written(time), singularity.coordinate());
-                write!(
-                    f,
-                    "the step {step:e} is too small at t = {time}: {coordinate} moves too fast, since its \
-                     inertia has nearly vanished"
-                )?;
-                singularity.write_coordinates(f)?;
-                f.write_str(
-                    "; use coordinates that are regular there, for Euler angles another sequence",
-                )
-            }
+            } => write_vanishing(f, (time, step), &singularity),
             Self::TooManySteps { time, limit } => {
                 write!(
                     f,
@@ -208,6 +184,41 @@ impl fmt::Display for IntegrationError {
             ),
         }
     }
+}
+
+/// That no step meets the tolerance, and what to do about it.
+fn write_too_small(
+    f: &mut fmt::Formatter<'_>,
+    (time, step): (f64, f64),
+    component: Option<Component>,
+    relative_only: bool,
+) -> fmt::Result {
+    let time = Written(time);
+    write!(f, "the step {step:e} is too small at t = {time}")?;
+    match component {
+        Some(component) => write!(f, ": {component} does not meet the tolerance there")?,
+        None => f.write_str(" to advance the time: set a longer one")?,
+    }
+    if relative_only {
+        f.write_str("; set an absolute tolerance, unless it is far from zero")?;
+    }
+    Ok(())
+}
+
+/// That a coordinate moves too fast, and where.
+fn write_vanishing(
+    f: &mut fmt::Formatter<'_>,
+    (time, step): (f64, f64),
+    singularity: &Singularity,
+) -> fmt::Result {
+    let (time, coordinate) = (Written(time), singularity.coordinate());
+    write!(
+        f,
+        "the step {step:e} is too small at t = {time}: {coordinate} moves too fast, since its inertia \
+         has nearly vanished"
+    )?;
+    singularity.write_coordinates(f)?;
+    f.write_str("; use coordinates that are regular there, for Euler angles another sequence")
 }
 
 impl core::error::Error for IntegrationError {}
