@@ -2,30 +2,78 @@
 
 use crate::driver::Unconditional;
 
-/// A condition on which a [`Driver`](crate::Driver) stops; made by
-/// [`Driver::stop_when`](crate::Driver::stop_when) and
-/// [`Driver::stop_at_zero`](crate::Driver::stop_at_zero).
+/// A condition on which a [`Driver`](crate::Driver) stops, or several; made by
+/// [`Driver::stop_when`](crate::Driver::stop_when), [`Driver::stop_at_zero`](crate::Driver::stop_at_zero)
+/// and [`Driver::stop_at_crossing`](crate::Driver::stop_at_crossing).
 pub trait Condition<X> {
     /// Whether to find out where within a step the condition is first met.
     const LOCATED: bool;
 
-    /// The value on which it depends, at the time and state given.
-    fn value(&mut self, t: f64, x: &X) -> f64;
+    /// On what it depends.
+    type Value: Copy;
 
-    /// Whether it is met by the value `after`, where it was `before` at the start of the step. At
-    /// the start of the motion the two are the same.
-    fn met(&self, before: f64, after: f64) -> bool;
+    /// The value at the time and state given.
+    fn value(&mut self, t: f64, x: &X) -> Self::Value;
+
+    /// What is met by the value `after`, where it was `before`. At the start of the motion the two are the
+    /// same.
+    fn met(&self, before: Self::Value, after: Self::Value) -> Met;
+
+    /// What is met within the resolution of time after the start.
+    fn met_on_departure(&self, before: Self::Value, after: Self::Value) -> Met {
+        self.met(before, after)
+    }
+
+    /// The value to compare the next with: `after`, unless that tells nothing.
+    fn remembered(&self, before: Self::Value, after: Self::Value) -> Self::Value {
+        let _ = before;
+        after
+    }
+}
+
+/// Which of the conditions to stop on are met: one, or the first 64 of several.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Met(u64);
+
+impl Met {
+    /// Those of the conditions, counted from 0, for which `met` holds.
+    #[must_use]
+    pub fn of(conditions: impl Iterator<Item = bool>) -> Self {
+        let bits = (0..u64::BITS).zip(conditions);
+        Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
+    }
+
+    /// Whether any condition is.
+    #[must_use]
+    pub fn any(self) -> bool {
+        self.0 != 0
+    }
+
+    /// Whether the condition of that index is.
+    #[must_use]
+    pub fn contains(self, index: usize) -> bool {
+        let shifted = u32::try_from(index)
+            .ok()
+            .and_then(|i| self.0.checked_shr(i));
+        shifted.is_some_and(|bits| bits & 1 == 1)
+    }
+
+    /// The conditions that are met here or there.
+    #[must_use]
+    pub(crate) fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
 }
 
 impl<X> Condition<X> for Unconditional {
     const LOCATED: bool = false;
 
-    fn value(&mut self, _: f64, _: &X) -> f64 {
-        0.0
-    }
+    type Value = ();
 
-    fn met(&self, _: f64, _: f64) -> bool {
-        false
+    fn value(&mut self, _: f64, _: &X) {}
+
+    fn met(&self, (): (), (): ()) -> Met {
+        Met::default()
     }
 }
 
@@ -36,28 +84,118 @@ pub struct When<F>(pub F);
 impl<X, F: FnMut(f64, &X) -> bool> Condition<X> for When<F> {
     const LOCATED: bool = false;
 
-    fn value(&mut self, t: f64, x: &X) -> f64 {
-        f64::from(u8::from((self.0)(t, x)))
-    }
+    type Value = bool;
 
-    fn met(&self, _: f64, after: f64) -> bool {
-        after > 0.0
-    }
-}
-
-/// That a function of time and state changes its sign.
-#[derive(Clone, Copy, Debug)]
-pub struct AtZero<F>(pub F);
-
-impl<X, F: FnMut(f64, &X) -> f64> Condition<X> for AtZero<F> {
-    const LOCATED: bool = true;
-
-    fn value(&mut self, t: f64, x: &X) -> f64 {
+    fn value(&mut self, t: f64, x: &X) -> bool {
         (self.0)(t, x)
     }
 
-    /// A motion that begins at zero leaves it first.
-    fn met(&self, before: f64, after: f64) -> bool {
-        (before > 0.0 && after <= 0.0) || (before < 0.0 && after >= 0.0)
+    fn met(&self, _: bool, after: bool) -> Met {
+        Met::of([after].into_iter())
+    }
+}
+
+/// In which direction a function crosses zero in the course of an integration, also of one that runs
+/// backwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Crossing {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// In one direction or the other.
+    Either,
+}
+
+impl Crossing {
+    /// Whether zero is crossed, or arrived at, between two values. From zero nothing is crossed: a motion that
+    /// begins there leaves it first. What is no number has no sign.
+    fn between(self, before: f64, after: f64) -> bool {
+        let rises = before < 0.0 && after >= 0.0;
+        let falls = before > 0.0 && after <= 0.0;
+        match self {
+            Self::Rising => rises,
+            Self::Falling => falls,
+            Self::Either => rises || falls,
+        }
+    }
+
+    /// The same between the start and the next instant that time resolves. Where the direction does not matter, it is
+    /// taken for the zero on which the motion began.
+    fn on_departure(self, before: f64, after: f64) -> bool {
+        self != Self::Either && self.between(before, after)
+    }
+}
+
+/// The last value that has a sign.
+fn signed(before: f64, after: f64) -> f64 {
+    if after.is_nan() || after == 0.0 {
+        before
+    } else {
+        after
+    }
+}
+
+/// That a function of time and state crosses zero, or one of several functions: `crossing` is a [`Crossing`]
+/// of one value, or an array of them for an array of values.
+#[derive(Clone, Copy, Debug)]
+pub struct AtZero<F, C = Crossing> {
+    /// The function.
+    pub function: F,
+    /// In which direction it crosses.
+    pub crossing: C,
+}
+
+impl<X, F: FnMut(f64, &X) -> f64> Condition<X> for AtZero<F, Crossing> {
+    const LOCATED: bool = true;
+
+    type Value = f64;
+
+    fn value(&mut self, t: f64, x: &X) -> f64 {
+        (self.function)(t, x)
+    }
+
+    fn met(&self, before: f64, after: f64) -> Met {
+        Met::of([self.crossing.between(before, after)].into_iter())
+    }
+
+    fn met_on_departure(&self, before: f64, after: f64) -> Met {
+        Met::of([self.crossing.on_departure(before, after)].into_iter())
+    }
+
+    fn remembered(&self, before: f64, after: f64) -> f64 {
+        signed(before, after)
+    }
+}
+
+impl<X, F, const K: usize> Condition<X> for AtZero<F, [Crossing; K]>
+where
+    F: FnMut(f64, &X) -> [f64; K],
+{
+    const LOCATED: bool = {
+        assert!(K <= 64, "at most 64 conditions at a time");
+        true
+    };
+
+    type Value = [f64; K];
+
+    fn value(&mut self, t: f64, x: &X) -> [f64; K] {
+        (self.function)(t, x)
+    }
+
+    fn met(&self, before: [f64; K], after: [f64; K]) -> Met {
+        let values = before.into_iter().zip(after);
+        let crossings = self.crossing.iter().zip(values);
+        Met::of(crossings.map(|(crossing, (before, after))| crossing.between(before, after)))
+    }
+
+    fn met_on_departure(&self, before: [f64; K], after: [f64; K]) -> Met {
+        let values = before.into_iter().zip(after);
+        let crossings = self.crossing.iter().zip(values);
+        Met::of(crossings.map(|(crossing, (before, after))| crossing.on_departure(before, after)))
+    }
+
+    fn remembered(&self, before: [f64; K], after: [f64; K]) -> [f64; K] {
+        core::array::from_fn(|i| signed(before[i], after[i]))
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::equations_of_motion::{component, magnitude, singularity};
+use crate::equations_of_motion::{component, magnitude, singularity, vanishing_inertia};
 use crate::{Component, Dynamics, Inputs, IntoVector, Phase, Scalar, Singularity, State};
 
 /// A system under the static feedback u = law(t, q, q̇); made by
@@ -79,6 +79,10 @@ where
     #[inline]
     fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
         singularity(self.model, &x.at(t), least_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        vanishing_inertia(self.model, &x.at(t))
     }
 
     fn component(&self, index: usize) -> Component {

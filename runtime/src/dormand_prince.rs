@@ -17,7 +17,7 @@ use crate::{
 use coefficients::{MATRIX, NODES, WEIGHTS};
 use dense_output::DenseOutput;
 pub(crate) use step_control::Tolerance;
-use step_control::{Attempt, StepControl};
+use step_control::{Attempt, StepControl, too_small};
 
 /// Stages of the method, without the derivative at the end of the step, which is the first stage of
 /// the next.
@@ -33,7 +33,9 @@ const ALL_STAGES: usize = 16;
 /// |xᵢ| before and after the step, and 1 for a coordinate that is an angle
 /// ([`Dynamics::magnitude`]).
 ///
-/// Unless told otherwise both tolerances are 10⁻¹⁰. The integration ends near a singularity of the
+/// Unless told otherwise both tolerances are 10⁻¹⁰. One of them may be zero: a motion without an absolute
+/// tolerance may start from rest, but one with a component that comes near to zero and is not exactly zero
+/// takes ever smaller steps. The integration ends near a singularity of the
 /// mass matrix where the estimated relative error of the accelerations exceeds the relative
 /// tolerance ([`Driver::allowed_loss`](crate::Driver::allowed_loss)).
 ///
@@ -318,7 +320,8 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
                 proposed.copysign(remaining)
             };
             let (state, attempt) = self.attempt(dynamics, h);
-            if control.accepts(&attempt, h.abs()) {
+            let crawls = control.crawls(h, remaining);
+            if !crawls && control.accepts(&attempt, h.abs()) {
                 self.accept(dynamics, state, h, lands.then_some(target));
                 self.control = Some(control);
                 return Ok(());
@@ -327,12 +330,11 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
                 self.statistics.rejected += 1;
             }
             let least = self.method.minimal_step * f64::EPSILON * self.clock.time().abs();
-            if control.step() <= least.max(f64::MIN_POSITIVE) {
+            if crawls || control.step() <= least.max(f64::MIN_POSITIVE) {
                 attempt.finite?;
-                return Err(IntegrationError::StepTooSmall {
-                    time: self.clock.time(),
-                    step: control.step(),
-                });
+                let here = (self.clock.time(), self.state.value());
+                let (step, tolerance) = (control.step(), self.method.tolerance);
+                return Err(too_small(dynamics, here, step, &self.stages, tolerance));
             }
         }
     }

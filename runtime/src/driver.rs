@@ -7,8 +7,8 @@
 use core::marker::PhantomData;
 
 use crate::{
-    Condition, Dynamics, Initial, IntegrationError, Integrator, Observer, Sample, Scalar,
-    Statistics,
+    Condition, Crossing, Dynamics, Initial, IntegrationError, Integrator, Met, Observer, Sample,
+    Scalar, Statistics,
     condition::{AtZero, When},
     integrator::checked_state,
     run::{Run, check_singularity},
@@ -42,6 +42,8 @@ pub struct Ending<X> {
     pub last: Sample<X>,
     /// Why it is the last.
     pub reason: Reason,
+    /// Which conditions to stop on were met there; none unless they are the reason.
+    pub met: Met,
     /// What it has cost.
     pub statistics: Statistics,
 }
@@ -77,6 +79,45 @@ pub struct Ending<X> {
 /// assert_eq!(ending.reason, Reason::Condition);
 /// assert!((ending.last.t - 2.0).abs() < 1e-9);
 /// assert!((fastest - 20.0).abs() < 1e-9);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// # Going on after a stop
+///
+/// Change the state where the motion stopped, or the model, and integrate from there. The zero on which the new
+/// motion begins is not found again. Where a velocity is reversed, tell in which direction the function
+/// crosses: a ball bounces where its height falls through zero.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(height),
+///     kinetic = 0.5 * m * dot(height).powi(2),
+///     potential = m * g * height,
+/// )]
+/// struct Ball { m: f64, g: f64 }
+///
+/// let ball = Ball { m: 0.1, g: 10.0 };
+/// let method = Dop853::new();
+/// let mut state = State::new(0.0, [5.0], [0.0]);
+/// let mut bounces = 0;
+/// loop {
+///     let driver = method.driver().stop_at_crossing(
+///         Crossing::Falling,
+///         |_, x: &Phase<f64, 1>| x.q[Ball::HEIGHT],
+///     );
+///     let ending = driver.integrate_to(&ball.dynamics(), state, 2.995)?;
+///     state = ending.last.state();
+///     if ending.reason != Reason::Condition {
+///         break;
+///     }
+///     state.v[Ball::HEIGHT] *= -0.5;
+///     bounces += 1;
+/// }
+/// // It falls for 1 s and flies for 1 s, ½ s, ¼ s, …: the ninth bounce is at t = 3 − 2⁻⁷.
+/// assert_eq!((bounces, state.t), (9, 2.995));
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -128,11 +169,27 @@ impl<I, C, O> Driver<I, C, O> {
         self.with_condition(When(condition))
     }
 
-    /// Stops where `function(t, x)` changes its sign. It is seen if the signs at the two ends of a
-    /// step differ; where within the step is found by bisection.
+    /// Stops where `function(t, x)` crosses zero in either direction, as
+    /// [`stop_at_crossing`](Self::stop_at_crossing) does.
     #[must_use]
     pub fn stop_at_zero<F>(self, function: F) -> Driver<I, AtZero<F>, O> {
-        self.with_condition(AtZero(function))
+        self.stop_at_crossing(Crossing::Either, function)
+    }
+
+    /// Stops where `function(t, x)` crosses zero in the direction of `crossing`, or arrives there. Of several
+    /// conditions, `function` gives an array of values and `crossing` is as long an array;
+    /// [`Ending::met`] tells which were met.
+    ///
+    /// A crossing is seen if the signs at the two ends of a step differ; where within the step is found by
+    /// bisection, and the state is that just after it. A zero without change of sign is not seen, nor are two
+    /// within one step: shorten the steps by the method's maximal step. Where the function is not a
+    /// number, or zero for a while, the sign before is remembered.
+    ///
+    /// A motion that begins on a zero leaves it first, to whichever side. See
+    /// [how to go on](Driver#going-on-after-a-stop).
+    #[must_use]
+    pub fn stop_at_crossing<F, K>(self, crossing: K, function: F) -> Driver<I, AtZero<F, K>, O> {
+        self.with_condition(AtZero { function, crossing })
     }
 
     fn with_condition<E>(self, condition: E) -> Driver<I, E, O> {
@@ -214,6 +271,7 @@ impl<I, C, O> Driver<I, C, O> {
         let mut ending = Ending {
             last: initial.clone(),
             reason: Reason::Error,
+            met: Met::default(),
             statistics: Statistics::default(),
         };
         let result = self.begin(dynamics, initial, times).and_then(|stepper| {

@@ -57,6 +57,13 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
+    /// The coordinate whose inertia has nearly vanished at a state, so that it moves too fast for any step, if
+    /// there is one; asked for where no step is small enough.
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        let _ = (t, x);
+        None
+    }
+
     /// What the component of that index is called in error messages.
     fn component(&self, index: usize) -> Component {
         Component::Index(index)

@@ -2,14 +2,52 @@
 
 use core::marker::PhantomData;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
-use crate::{Component, Dynamics, Lagrangian, Phase, Scalar, Singularity, State, System};
+use crate::{
+    Component, Dynamics, Factorization, Lagrangian, Phase, Scalar, Singularity, State, System,
+};
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
 /// [`Lagrangian::dynamics`].
 ///
 /// What depends on the parameters alone is computed when it is made.
+///
+/// # Many motions at once
+///
+/// Integrations do not change it, so that threads share it. A parallel iterator, such as rayon's
+/// `amplitudes.par_iter().map(|amplitude| …)`, does the same as the threads here:
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let dynamics = pendulum.dynamics();
+/// let swing = &|amplitude: f64| {
+///     let start = State::new(0.0, [amplitude], [0.0]);
+///     Dop853::new().integrate_to(&dynamics, start, 10.0)
+/// };
+/// let amplitudes = [0.5, 1.0, 1.5, 2.0];
+/// let ends = std::thread::scope(|scope| {
+///     let threads = amplitudes.map(|amplitude| scope.spawn(move || swing(amplitude)));
+///     threads.map(|thread| thread.join().expect("an integration does not panic"))
+/// });
+/// for (end, amplitude) in ends.into_iter().zip(amplitudes) {
+///     assert_eq!(end?, swing(amplitude)?);
+/// }
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// A model on a scalar of several lanes integrates several motions in one thread, with the steps of the
+/// one that needs the shortest.
 #[derive(Debug)]
 pub struct EquationsOfMotion<'a, M, S, const N: usize>
 where
@@ -69,6 +107,10 @@ where
     #[inline]
     fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
         singularity(self.model, &x.at(t), least_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        vanishing_inertia(self.model, &x.at(t))
     }
 
     fn component(&self, index: usize) -> Component {
@@ -137,17 +179,75 @@ where
         .fold((0, f64::INFINITY), |least, (i, size)| {
             if size < least.1 { (i, size) } else { least }
         });
+    named::<M, S, N>(coordinate, least, state)
+}
+
+/// A coordinate, and those that make its block of the mass matrix singular.
+fn named<M, S, const N: usize>(
+    coordinate: usize,
+    relative_pivot: f64,
+    state: &State<S, N>,
+) -> Singularity
+where
+    M: System<N> + ?Sized,
+    S: Scalar,
+{
     let dependencies = Structure::<M, N>::SINGULARITIES
         .get(coordinate)
         .copied()
         .unwrap_or_default();
     Singularity::new(
-        least,
+        relative_pivot,
         coordinate,
         Structure::<M, N>::COORDINATES,
         dependencies,
         |i| state.q.get(i).map_or(f64::NAN, |value| value.smallest()),
     )
+}
+
+/// An inertia that is this small in relation to what it is elsewhere has nearly vanished.
+const VANISHING: f64 = 1e-6;
+
+/// How far away elsewhere is, in each of the coordinates on which an inertia depends.
+const ELSEWHERE: [f64; 3] = [-1.0, 0.5, 1.0];
+
+/// The coordinate whose inertia is the smallest in relation to what it is elsewhere, if it has nearly vanished.
+#[cold]
+pub(crate) fn vanishing_inertia<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let here = inertias(model, state);
+    let ratios = (0..N).map(|i| {
+        let elsewhere = ELSEWHERE.map(|distance| {
+            let mut moved = *state;
+            for j in M::SINGULARITIES[i] {
+                moved.q[*j] += S::from_f64(distance);
+            }
+            inertias(model, &moved)[i].smallest()
+        });
+        let most = elsewhere.into_iter().fold(0.0, f64::max);
+        (i, here[i].smallest() / most)
+    });
+    let least = ratios.fold((0, VANISHING), |least, (i, ratio)| {
+        if ratio < least.1 { (i, ratio) } else { least }
+    });
+    (least.1 < VANISHING).then(|| named::<M, S, N>(least.0, least.1, state))
+}
+
+/// The size of the inertia of each coordinate where the others are free, 1 / (M⁻¹)ᵢᵢ.
+fn inertias<M, S, const N: usize>(model: &M, state: &State<S, N>) -> SVector<S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let unit = SMatrix::<S, N, N>::from_fn(|i, j| if i == j { S::one() } else { S::zero() });
+    let inverse = Factorization::new(model.mass_matrix(state)).solve(&unit);
+    SVector::from_fn(|i, _| S::one() / inverse[(i, i)].abs())
 }
 
 pub(crate) fn component<M: System<N> + ?Sized, const N: usize>(index: usize) -> Component {

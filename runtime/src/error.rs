@@ -51,6 +51,20 @@ pub enum IntegrationError {
         time: f64,
         /// The size of the step that was to be taken next.
         step: f64,
+        /// The component whose error is the largest in relation to the tolerance; none for fixed steps.
+        component: Option<Component>,
+        /// Whether there is no absolute tolerance, so that a component near zero is allowed no error.
+        relative_only: bool,
+    },
+    /// A coordinate moves too fast for any step, because its inertia has nearly vanished: the coordinates are
+    /// singular nearby.
+    VanishingInertia {
+        /// The time reached.
+        time: f64,
+        /// The size of the step that was to be taken next.
+        step: f64,
+        /// Which coordinates make it so; its relative pivot is the inertia in relation to that elsewhere.
+        singularity: Singularity,
     },
     /// The limit on the number of steps was reached before the end.
     TooManySteps {
@@ -120,11 +134,17 @@ impl fmt::Display for IntegrationError {
                  {estimated_loss:.1e}",
                 Written(time)
             ),
-            Self::StepTooSmall { time, step } => write!(
-                f,
-                "the step {step:e} is too small at t = {}: the tolerance cannot be met there",
-                Written(time)
-            ),
+            Self::StepTooSmall {
+                time,
+                step,
+                component,
+                relative_only,
+            } => write_too_small(f, (time, step), component, relative_only),
+            Self::VanishingInertia {
+                time,
+                step,
+                singularity,
+            } => write_vanishing(f, (time, step), &singularity),
             Self::TooManySteps { time, limit } => {
                 write!(
                     f,
@@ -164,6 +184,41 @@ impl fmt::Display for IntegrationError {
             ),
         }
     }
+}
+
+/// That no step meets the tolerance, and what to do about it.
+fn write_too_small(
+    f: &mut fmt::Formatter<'_>,
+    (time, step): (f64, f64),
+    component: Option<Component>,
+    relative_only: bool,
+) -> fmt::Result {
+    let time = Written(time);
+    write!(f, "the step {step:e} is too small at t = {time}")?;
+    match component {
+        Some(component) => write!(f, ": {component} does not meet the tolerance there")?,
+        None => f.write_str(" to advance the time: set a longer one")?,
+    }
+    if relative_only {
+        f.write_str("; set an absolute tolerance, unless it is far from zero")?;
+    }
+    Ok(())
+}
+
+/// That a coordinate moves too fast, and where.
+fn write_vanishing(
+    f: &mut fmt::Formatter<'_>,
+    (time, step): (f64, f64),
+    singularity: &Singularity,
+) -> fmt::Result {
+    let (time, coordinate) = (Written(time), singularity.coordinate());
+    write!(
+        f,
+        "the step {step:e} is too small at t = {time}: {coordinate} moves too fast, since its inertia \
+         has nearly vanished"
+    )?;
+    singularity.write_coordinates(f)?;
+    f.write_str("; use coordinates that are regular there, for Euler angles another sequence")
 }
 
 impl core::error::Error for IntegrationError {}

@@ -2,36 +2,35 @@
 //!
 //! Comes in: the symmetric mass matrix. Goes out: solutions for any number of right-hand sides, and
 //! how much was lost on the way. A positive definite M is factored as L D Lᵀ without pivoting, which
-//! is stable; a regular M that is not (L = ẋ ẏ) takes a cold path with row pivoting. A singular M
-//! gives values that are not finite, and no panic. Lanes do not depend on each other: where no exchange
-//! of rows suits all of them, M is inverted (`inverse.rs`).
+//! is stable; a regular M that is not (L = ẋ ẏ) takes a cold path with exchange of rows (`pivoting.rs`). A
+//! singular M gives values that are not finite, and no panic. Lanes do not depend on each other.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::Scalar;
-use crate::inverse::Inverse;
+use crate::lanewise::{Lanewise, greater};
+use crate::pivoting::{self, Pivoted};
 
 /// A factored mass matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Factorization<S: Scalar, const N: usize> {
-    /// Below the diagonal the unit lower factor; above it U of the cold path. Or the inverse.
+    /// Below the diagonal the unit lower factor; above it U of the cold path.
     factors: SMatrix<S, N, N>,
     /// The reciprocals of the pivots.
     reciprocals: SVector<S, N>,
-    /// Each pivot in relation to what it was before elimination.
+    /// In lanes that are positive definite, each pivot in relation to what it was before elimination; 0 in
+    /// the others.
     relative_pivots: SVector<S, N>,
-    form: Form<N>,
+    form: Form<S, N>,
 }
 
 /// What the factors are those of.
 #[derive(Clone, Copy, Debug)]
-enum Form<const N: usize> {
+enum Form<S, const N: usize> {
     /// L D Lᵀ.
     Symmetric,
-    /// L U, whose rows were exchanged, with the row of M that each was.
-    Exchanged([usize; N]),
-    /// M⁻¹ itself.
-    Inverse,
+    /// L U, whose rows were exchanged, with the exchanges.
+    Exchanged(SVector<S, N>),
 }
 
 /// Right-hand sides that are solved for together.
@@ -66,97 +65,58 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             relative_pivots[j] = pivot / mass[(j, j)];
             definite &= pivot.smallest() > 0.0;
         }
-        if definite {
-            Self {
-                factors,
-                reciprocals,
-                relative_pivots,
-                form: Form::Symmetric,
-            }
-        } else {
-            Self::with_pivoting(&mass)
-        }
-    }
-
-    /// The cold path: L U with exchange of rows, for a matrix that is not positive definite.
-    #[cold]
-    #[inline(never)]
-    fn with_pivoting(lower: &SMatrix<S, N, N>) -> Self {
-        let full = |i: usize, j: usize| lower[(i.max(j), i.min(j))];
-        let mut factors = SMatrix::<S, N, N>::from_fn(full);
-        let scale: SVector<S, N> = SVector::from_fn(|i, _| {
-            (0..N).fold(S::zero(), |most, j| most.max(factors[(i, j)].abs()))
-        });
-        let mut rows: [usize; N] = core::array::from_fn(|i| i);
-        let mut reciprocals = SVector::zeros();
-        let mut relative_pivots = SVector::zeros();
-        for j in 0..N {
-            let weight = |i: usize| (factors[(i, j)] / scale[rows[i]]).abs();
-            let best = (j + 1..N).fold(j, |best, i| {
-                if weight(i).smallest() > weight(best).smallest() {
-                    i
-                } else {
-                    best
-                }
-            });
-            // A lane whose greatest weight is another row's, or that has none.
-            let differs = |i: usize| {
-                let advantage = (weight(i) - weight(best)).largest();
-                advantage > 0.0 || advantage.is_nan()
-            };
-            if (j..N).any(differs)
-                || (weight(best).smallest() == 0.0 && weight(best).largest() > 0.0)
-            {
-                return Self::inverting(&SMatrix::from_fn(full));
-            }
-            factors.swap_rows(j, best);
-            rows.swap(j, best);
-            let pivot = factors[(j, j)];
-            reciprocals[j] = S::one() / pivot;
-            relative_pivots[rows[j]] = (pivot / scale[rows[j]]).abs();
-            // Nothing can be eliminated with nothing: the other rows keep what they have.
-            if pivot.abs().smallest() == 0.0 {
-                relative_pivots[rows[j]] = S::zero();
-                continue;
-            }
-            for i in j + 1..N {
-                let multiplier = factors[(i, j)] * reciprocals[j];
-                factors[(i, j)] = multiplier;
-                for k in j + 1..N {
-                    let change = multiplier * factors[(j, k)];
-                    factors[(i, k)] -= change;
-                }
-            }
-        }
-        Self {
+        let symmetric = Self {
             factors,
             reciprocals,
             relative_pivots,
-            form: Form::Exchanged(rows),
+            form: Form::Symmetric,
+        };
+        if definite {
+            symmetric
+        } else {
+            symmetric.with_pivoting(&mass)
+        }
+    }
+
+    /// The cold path, for a matrix that is not positive definite in every lane.
+    #[cold]
+    #[inline(never)]
+    fn with_pivoting(&self, lower: &SMatrix<S, N, N>) -> Self {
+        let full = SMatrix::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
+        let positive = self.reciprocals.iter();
+        let definite = positive.fold(S::one(), |all, pivot| all * greater(*pivot, S::zero()));
+        let Pivoted {
+            factors,
+            reciprocals,
+            exchanges,
+        } = Pivoted::new(full);
+        Self {
+            factors,
+            reciprocals,
+            relative_pivots: self.relative_pivots.or(SVector::zeros(), definite),
+            form: Form::Exchanged(exchanges),
+        }
+    }
+
+    /// For each coordinate, how much is left of a relative accuracy of 1: the pivot in relation to the diagonal
+    /// entry of a positive definite matrix, and the reciprocal of (|M⁻¹| |M|)ᵢᵢ (Bauer, 1963) of another. NaN
+    /// or 0 if M is singular. Neither depends on the units of the coordinates.
+    #[inline]
+    #[must_use]
+    pub fn relative_pivots(&self) -> SVector<S, N> {
+        match &self.form {
+            Form::Symmetric => self.relative_pivots,
+            Form::Exchanged(_) => self.reciprocal_conditions(),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn inverting(mass: &SMatrix<S, N, N>) -> Self {
-        let Inverse {
-            matrix,
-            relative_pivots,
-        } = Inverse::new(mass);
-        Self {
-            factors: matrix,
-            reciprocals: SVector::zeros(),
-            relative_pivots,
-            form: Form::Inverse,
-        }
-    }
-
-    /// For each row, the pivot in relation to what it was before elimination: the diagonal entry of
-    /// a positive definite matrix, the largest entry of the row of another. NaN or 0 if singular.
-    #[inline]
-    #[must_use]
-    pub fn relative_pivots(&self) -> SVector<S, N> {
-        self.relative_pivots
+    fn reciprocal_conditions(&self) -> SVector<S, N> {
+        let conditions = pivoting::reciprocal_conditions(&self.factors);
+        let pivots = self.relative_pivots.iter();
+        let definite = pivots.fold(S::one(), |all, pivot| all * greater(*pivot, S::zero()));
+        self.relative_pivots.or(conditions, definite)
     }
 
     /// The solutions X of M X = B, column by column.
@@ -165,8 +125,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
         match &self.form {
             Form::Symmetric => self.solve_symmetric(right),
-            Form::Exchanged(rows) => self.solve_pivoted(right, rows),
-            Form::Inverse => self.factors * right,
+            Form::Exchanged(exchanges) => self.solve_pivoted(right, exchanges),
         }
     }
 
@@ -219,26 +178,9 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     fn solve_pivoted<const K: usize>(
         &self,
         right: &SMatrix<S, N, K>,
-        rows: &[usize; N],
+        exchanges: &SVector<S, N>,
     ) -> SMatrix<S, N, K> {
-        let lu = &self.factors;
-        let mut x = SMatrix::from_fn(|i, column| right[(rows[i], column)]);
-        for column in 0..K {
-            for i in 0..N {
-                for k in 0..i {
-                    let change = lu[(i, k)] * x[(k, column)];
-                    x[(i, column)] -= change;
-                }
-            }
-            for i in (0..N).rev() {
-                for k in i + 1..N {
-                    let change = lu[(i, k)] * x[(k, column)];
-                    x[(i, column)] -= change;
-                }
-                x[(i, column)] *= self.reciprocals[i];
-            }
-        }
-        x
+        pivoting::solve(&self.factors, &self.reciprocals, exchanges, right)
     }
 }
 

@@ -55,14 +55,20 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     ///
+    /// As first-order equations x = (q, q̇), ẋ = A x + B u near an equilibrium, they are the lower rows of A, below
+    /// (0 1); those of B, below 0, are [`Inputs::input_jacobian`](crate::Inputs::input_jacobian).
+    ///
     /// For more than a few coupled coordinates they are solved for with a factorization of M in numbers.
     /// Near a singularity of M they then lose as much as [`Factorization`]'s relative pivots say.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
-    /// For each coordinate, the pivot of the mass matrix's factorization relative to what its rounding
-    /// error is proportional to: near 1 if nothing is lost, 0 or not a number if M is singular. Its
-    /// inverse estimates the factor by which the rounding errors of M grow in
-    /// [`accelerations`](Self::accelerations); those of the forcing are not part of it.
+    /// For each coordinate, how much is left of a relative accuracy of 1 where M q̈ = f is solved: near 1 if
+    /// nothing is lost, 0 or not a number if M is singular. Its inverse estimates the factor by which the
+    /// rounding errors of M grow in [`accelerations`](Self::accelerations); those of the forcing are not
+    /// part of it.
+    ///
+    /// Where M is positive definite it is the pivot of the factorization of M relative to what its rounding error is
+    /// proportional to; where M is indefinite and regular, as for ẋ ẏ, the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state)).relative_pivots()
     }

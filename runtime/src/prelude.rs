@@ -4,8 +4,8 @@
 //! matrices in which they speak.
 
 pub use crate::{
-    AugmentedPhase, ControlledBy, Dop853, Driver, Dynamics, Ending, Energies, Functions, Inputs,
-    IntegrationError, Integrator, Lagrangian, Linearization, Observer, Occasion, Outputs,
+    AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Ending, Energies, Functions,
+    Inputs, IntegrationError, Integrator, Lagrangian, Linearization, Observer, Occasion, Outputs,
     OutputsWith, Phase, Plant, Progress, Reason, RungeKutta, Sample, Scalar, State, Statistics,
     Stepper, System, VectorSpace, WithController, WithInputs,
 };

@@ -2,7 +2,7 @@
 
 pub use nalgebra::{SMatrix, SVector};
 
-use crate::inverse::greater;
+use crate::lanewise::{Lanewise, greater};
 use crate::{Factorization, Linearization, Scalar};
 
 /// A field's type, as far as scalars can be made from it.
@@ -31,10 +31,10 @@ pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
     field.on()
 }
 
-/// What was computed with these pivots if all are positive; what `otherwise` gives if not, because M is
-/// indefinite or singular there.
+/// What was computed with these pivots, in each lane in which all are positive; what `otherwise` gives in
+/// another, because M is indefinite or singular there.
 #[inline]
-pub fn if_positive<S: Scalar, T, const K: usize>(
+pub fn if_positive<S: Scalar, T: Lanewise<S>, const K: usize>(
     pivots: [S; K],
     computed: T,
     otherwise: impl FnOnce() -> T,
@@ -42,14 +42,20 @@ pub fn if_positive<S: Scalar, T, const K: usize>(
     if pivots.into_iter().all(|pivot| pivot.smallest() > 0.0) {
         computed
     } else {
-        cold(otherwise)
+        cold(pivots, computed, otherwise)
     }
 }
 
 #[cold]
 #[inline(never)]
-fn cold<T>(compute: impl FnOnce() -> T) -> T {
-    compute()
+fn cold<S: Scalar, T: Lanewise<S>, const K: usize>(
+    pivots: [S; K],
+    computed: T,
+    otherwise: impl FnOnce() -> T,
+) -> T {
+    let positive = |all, pivot| all * greater(pivot, S::zero());
+    let definite = pivots.into_iter().fold(S::one(), positive);
+    computed.or(otherwise(), definite)
 }
 
 /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.
@@ -71,17 +77,23 @@ pub fn linearization<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// Each pivot in relation to what its rounding error is proportional to, and 0 where M is singular to
-/// working precision: where elimination has left less than the machine epsilon of a diagonal entry.
+/// Where M is positive definite, each pivot in relation to what its rounding error is proportional to; else
+/// what a factorization of M in numbers says. 0 where M is singular to working precision: where elimination
+/// has left less than the machine epsilon of a diagonal entry.
 #[inline]
 pub fn relative_pivots<S: Scalar, const N: usize>(
     pivots: [S; N],
     magnitudes: [S; N],
     diagonal: [S; N],
+    mass: impl FnOnce() -> SMatrix<S, N, N>,
 ) -> SVector<S, N> {
-    SVector::from_fn(|i, _| {
+    let epsilon = S::from_f64(S::machine_epsilon());
+    let computed = SVector::from_fn(|i, _| {
         let left = (pivots[i] / diagonal[i]).abs();
-        let regular = greater(left, S::from_f64(S::machine_epsilon()));
-        regular * pivots[i].abs() / magnitudes[i]
+        greater(left, epsilon) * pivots[i].abs() / magnitudes[i]
+    });
+    if_positive(pivots, computed, || {
+        let found = Factorization::new(mass()).relative_pivots();
+        found.map(|pivot| greater(pivot, epsilon) * pivot)
     })
 }

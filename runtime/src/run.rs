@@ -3,9 +3,12 @@
 use core::{marker::PhantomData, ops::ControlFlow};
 
 use crate::{
-    Condition, Dynamics, Ending, IntegrationError, Observer, Occasion, Progress, Reason, Sample,
-    Scalar, Stepper,
+    Condition, Dynamics, Ending, IntegrationError, Met, Observer, Occasion, Progress, Reason,
+    Sample, Scalar, Stepper,
 };
+
+/// Times are told apart with certainty if they differ by so many machine epsilons of them and of the step.
+const RESOLUTION: f64 = 100.0;
 
 /// An integration under way.
 pub(crate) struct Run<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
@@ -38,17 +41,21 @@ where
         self.ending.statistics = self.stepper.statistics();
         let mut value = self.condition.value(self.start, self.stepper.state());
         let mut reason = self.samples_until(self.start).err();
-        if reason.is_none() && self.condition.met(value, value) {
+        let met = self.condition.met(value, value);
+        if reason.is_none() && met.any() {
+            self.ending.met = met;
             reason = Some(Reason::Condition);
         }
+        let mut departing = C::LOCATED;
         while reason.is_none() && self.stepper.time() - self.end != 0.0 {
             self.step()?;
             self.check_regular()?;
-            let before = value;
-            value = self
-                .condition
-                .value(self.stepper.time(), self.stepper.state());
-            reason = self.visit_step(before, value).err();
+            let mut visited = Ok(());
+            if departing {
+                visited = self.depart(&mut value);
+                departing = false;
+            }
+            reason = visited.and_then(|()| self.visit_step(&mut value)).err();
         }
         self.ending.statistics = self.stepper.statistics();
         self.ending.reason = reason.unwrap_or(Reason::Completed);
@@ -88,23 +95,74 @@ where
         result
     }
 
-    /// Samples, condition and observer for the step just taken; the reason to end, if there is one.
-    fn visit_step(&mut self, before: f64, after: f64) -> Result<(), Reason> {
-        let met = self.condition.met(before, after);
-        if met && C::LOCATED {
-            let stop = self.locate(before, after);
-            self.samples_until(stop.t)?;
-            self.ending.last = stop;
-            self.show(Occasion::Step)?;
-            return Err(Reason::Condition);
+    /// The condition's value at the first instant after the start that time resolves. The start may stand on a zero,
+    /// such as one at which the motion was stopped before, and the sign there may be on either side of it.
+    ///
+    /// K. L. Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180 (1980);
+    /// the instant is that of A. C. Hindmarsh et al., SUNDIALS, ACM TOMS **31** (2005) 363–396.
+    fn depart(&mut self, value: &mut C::Value) -> Result<(), Reason> {
+        let instant = self.after(self.start);
+        if instant - self.stepper.time() == 0.0 {
+            return Ok(());
         }
-        self.samples_until(self.stepper.time())?;
-        self.ending.last = Sample {
+        let there = self.at(instant);
+        let after = self.condition.value(instant, &there.x);
+        let met = self.condition.met_on_departure(*value, after);
+        if met.any() {
+            return self.stop(*value, there, met);
+        }
+        *value = self.condition.remembered(*value, after);
+        Ok(())
+    }
+
+    /// The first instant after a time within the last step that is told apart from it with certainty; at most
+    /// the end of the step.
+    fn after(&self, t: f64) -> f64 {
+        let end = self.stepper.time();
+        let step = end - self.stepper.previous_time();
+        let resolution = RESOLUTION * f64::EPSILON * (t.abs() + step.abs());
+        if resolution < (end - t).abs() {
+            t + resolution.copysign(step)
+        } else {
+            end
+        }
+    }
+
+    /// Samples, condition and observer for the step just taken; the reason to end, if there is one.
+    fn visit_step(&mut self, value: &mut C::Value) -> Result<(), Reason> {
+        let there = Sample {
             t: self.stepper.time(),
             x: self.stepper.state().clone(),
         };
+        let after = self.condition.value(there.t, &there.x);
+        let met = self.condition.met(*value, after);
+        if met.any() && C::LOCATED {
+            return self.stop(*value, there, met);
+        }
+        *value = self.condition.remembered(*value, after);
+        self.samples_until(there.t)?;
+        self.ending.last = there;
         self.show(Occasion::Step)?;
-        if met { Err(Reason::Condition) } else { Ok(()) }
+        if met.any() {
+            self.ending.met = met;
+            return Err(Reason::Condition);
+        }
+        Ok(())
+    }
+
+    /// Stops where the condition, whose value was `before` at some time in the last step, is first met; at the
+    /// latest `there`.
+    fn stop(&mut self, before: C::Value, there: Sample<D::State>, met: Met) -> Result<(), Reason> {
+        let (stop, met) = self.locate(before, there, met);
+        // What is met at the same time, as far as time tells, is met together.
+        let instant = self.after(stop.t);
+        let next = self.at(instant);
+        let value = self.condition.value(instant, &next.x);
+        self.samples_until(stop.t)?;
+        self.ending.last = stop;
+        self.show(Occasion::Step)?;
+        self.ending.met = met.or(self.condition.met(before, value));
+        Err(Reason::Condition)
     }
 
     /// Visits the sample times up to `t` within the last step.
@@ -132,16 +190,14 @@ where
         Sample { t, x }
     }
 
-    /// Where in the last step the condition's value, `before` at its start, changes its sign.
-    fn locate(&mut self, before: f64, after: f64) -> Sample<D::State> {
-        let mut there = Sample {
-            t: self.stepper.time(),
-            x: self.stepper.state().clone(),
-        };
+    /// Where in the last step the condition, whose value was `before`, is first met, by bisection, and what of it.
+    fn locate(
+        &mut self,
+        before: C::Value,
+        mut there: Sample<D::State>,
+        mut met: Met,
+    ) -> (Sample<D::State>, Met) {
         let mut here = self.stepper.previous_time();
-        if after == 0.0 {
-            return there;
-        }
         // A step has fewer than 2⁶⁴ numbers between its ends unless one of them is near zero.
         for _ in 0..64 {
             let middle = here + 0.5 * (there.t - here);
@@ -150,13 +206,14 @@ where
             }
             let sample = self.at(middle);
             let value = self.condition.value(middle, &sample.x);
-            if self.condition.met(before, value) {
-                there = sample;
+            let found = self.condition.met(before, value);
+            if found.any() {
+                (there, met) = (sample, found);
             } else {
                 here = middle;
             }
         }
-        there
+        (there, met)
     }
 
     fn show(&mut self, occasion: Occasion) -> Result<(), Reason> {

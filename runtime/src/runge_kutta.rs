@@ -235,6 +235,8 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
                 return Err(IntegrationError::StepTooSmall {
                     time: clock.time(),
                     step: h.abs(),
+                    component: None,
+                    relative_only: false,
                 });
             }
             clock.advance(h);

@@ -24,8 +24,8 @@ pub use lanes::Lanes;
 ///
 /// Implement it for a type of your own to evaluate every derived model on it. The elementary
 /// functions are those of the declaration language; angles are in radians. Lanes do not depend on each
-/// other: what one gives is what it gives alone, though rounded otherwise where the mass matrix of
-/// another is not positive definite.
+/// other: what one gives is what it gives alone, though rounded otherwise where M is factored in numbers
+/// and that of another lane is not positive definite.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -239,10 +239,10 @@ pub trait Scalar:
     /// −1, 0 or 1. Unlike [`f64::signum`], it is 0 at 0, where |x| has no slope.
     #[must_use]
     fn signum(self) -> Self;
-    /// The lesser of two numbers.
+    /// The lesser of two numbers; in lanes, the other one where one of them is no number.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The greater of two numbers.
+    /// The greater of two numbers; in lanes, the other one where one of them is no number.
     #[must_use]
     fn max(self, other: Self) -> Self;
 }

@@ -62,6 +62,19 @@ impl Singularity {
         names.zip(self.values)
     }
 
+    /// Where it is, as the end of a clause.
+    pub(crate) fn write_coordinates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, (name, value)) in self.coordinates().enumerate() {
+            let separator = if i == 0 { " where" } else { "," };
+            write!(f, "{separator} {name} = {}", Written(value))?;
+        }
+        let left_out = self.dependencies.len().saturating_sub(REPORTED);
+        if left_out > 0 {
+            write!(f, " and {left_out} more")?;
+        }
+        Ok(())
+    }
+
     fn name(&self, index: usize) -> &'static str {
         self.names.get(index).copied().unwrap_or("?")
     }
@@ -75,14 +88,7 @@ impl fmt::Display for Singularity {
             f,
             "the mass matrix is singular or nearly so (relative pivot {pivot:.1e} at {coordinate})"
         )?;
-        for (i, (name, value)) in self.coordinates().enumerate() {
-            let separator = if i == 0 { " where" } else { "," };
-            write!(f, "{separator} {name} = {}", Written(value))?;
-        }
-        let left_out = self.dependencies.len().saturating_sub(REPORTED);
-        if left_out > 0 {
-            write!(f, " and {left_out} more")?;
-        }
+        self.write_coordinates(f)?;
         if self.dependencies.is_empty() {
             f.write_str(
                 "; it is so whatever the coordinates are: look for a parameter such as a mass or \

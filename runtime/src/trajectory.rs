@@ -5,7 +5,7 @@ use core::fmt;
 
 use crate::{
     AugmentedPhase, Condition, Driver, Dynamics, Ending, Initial, IntegrationError, Integrator,
-    Observer, Phase, Reason, Sample, Scalar, State, Statistics,
+    Met, Observer, Phase, Reason, Sample, Scalar, State, Statistics,
 };
 
 /// The samples of a motion, in the order of the times that were asked for, and how it ended.
@@ -51,6 +51,12 @@ impl<X> Trajectory<X> {
     #[must_use]
     pub fn reason(&self) -> Reason {
         self.ending.reason
+    }
+
+    /// Which conditions to stop on were met at its end.
+    #[must_use]
+    pub fn met(&self) -> Met {
+        self.ending.met
     }
 
     /// What it has cost.

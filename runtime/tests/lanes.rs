@@ -3,8 +3,9 @@
 mod common;
 
 use common::{Pendulum, assert_close};
-use lagrangian::Lanes;
 use lagrangian::prelude::*;
+use lagrangian::{Factorization, Lanes};
+use nalgebra::{SMatrix, SVector};
 
 const PENDULUM: Pendulum = Pendulum {
     m: 1.0,
@@ -87,4 +88,125 @@ fn a_lane_that_is_not_finite_is_an_error_and_lanes_have_one_time() {
         matches!(error, IntegrationError::NonFiniteTime { .. }),
         "{error}"
     );
+}
+
+/// What the first lane gives beside any other, and what it gives alone, to the last bit where it is not
+/// positive definite and to rounding where it is.
+#[track_caller]
+fn assert_alike(beside: f64, alone: f64) {
+    assert_eq!(beside.is_finite(), alone.is_finite(), "{beside}, {alone}");
+    assert_eq!(beside.is_nan(), alone.is_nan(), "{beside}, {alone}");
+    if alone.is_finite() {
+        assert_close(beside, alone, 1e-14 * alone.abs().max(1.0));
+    }
+}
+
+/// Mass matrices of three rows: definite, indefinite, to be exchanged, and singular in four ways.
+const MASSES: [[[f64; 3]; 3]; 9] = [
+    [[2.0, 0.5, 0.1], [0.5, 3.0, 0.2], [0.1, 0.2, 1.0]],
+    [[-2.0, 0.5, 0.1], [0.5, 3.0, 0.2], [0.1, 0.2, 1.0]],
+    [[0.0, 0.5, 0.0], [0.5, 0.0, 0.0], [0.0, 0.0, 1.0]],
+    [[0.0, 0.0, 1.0], [0.0, 1.0, 0.3], [1.0, 0.3, 0.0]],
+    [[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    [[0.0, 0.0, 0.0], [0.0, 2.0, 0.5], [0.0, 0.5, 1.0]],
+    [[2.0, 0.5, 0.0], [0.5, 1.0, 0.0], [0.0, 0.0, 0.0]],
+    [[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [3.0, 6.0, 9.0]],
+    [[0.0; 3]; 3],
+];
+
+#[test]
+fn a_lane_is_factored_as_it_is_alone() {
+    let right = SVector::from([1.0, -2.0, 0.5]);
+    for first in MASSES {
+        for second in MASSES {
+            let [one, other] = [first, second].map(SMatrix::<f64, 3, 3>::from);
+            let together = Factorization::new(one.zip_map(&other, |x, y| Lanes([x, y])));
+            let alone = Factorization::new(one);
+            let found = together.solve(&right.map(|x| Lanes([x; 2])));
+            for (found, expected) in found.iter().zip(&alone.solve(&right)) {
+                assert_alike(found.0[0], *expected);
+            }
+            let found = together.relative_pivots();
+            for (found, expected) in found.iter().zip(&alone.relative_pivots()) {
+                assert_eq!(found.0[0].to_bits(), expected.to_bits());
+            }
+        }
+    }
+}
+
+/// ½ a ẋ² + b ẋ ẏ + ½ c ẏ² of three parameters, with a potential and an input.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    kinetic = 0.5 * a * dot(x).powi(2) + b * dot(x) * dot(y) + 0.5 * c * dot(y).powi(2),
+    potential = k * x * sin(y),
+    force(y = pull),
+)]
+struct Coupled<T: Scalar> {
+    a: T,
+    b: T,
+    c: T,
+    k: T,
+    #[lagrangian(input)]
+    pull: T,
+}
+
+/// Everything that is solved for with the mass matrix.
+fn solved<S: Scalar>([a, b, c]: [S; 3]) -> Vec<S> {
+    let [k, pull] = [1.5, 0.25].map(S::from_f64);
+    let model = Coupled { a, b, c, k, pull };
+    let state = State::new(S::zero(), [0.3, 0.7].map(S::from_f64), [S::zero(); 2]);
+    let linear = model.linearize(&state);
+    let mut numbers: Vec<S> = model.accelerations(&state).iter().copied().collect();
+    numbers.extend(linear.position.iter());
+    numbers.extend(linear.velocity.iter());
+    numbers.extend(model.input_jacobian(&state).iter());
+    numbers.extend(model.relative_pivots(&state).iter());
+    numbers
+}
+
+/// What is emitted holds where the pivots are positive, lane by lane.
+#[test]
+fn a_lane_of_a_derived_model_gives_what_it_gives_alone() {
+    let masses = [
+        [2.0, 0.5, 1.0],
+        [0.5, 2.0, 1.0],
+        [0.0, 1.5, 0.0],
+        [-1.0, 0.5, -3.0],
+        [1.0, 1.0, 1.0],
+        [0.0, 0.0, 1.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0],
+        // All digits of a lane that is nearly singular are kept beside one that is indefinite.
+        [1e-9, 0.0, 1.0],
+    ];
+    for first in masses {
+        for second in masses {
+            let both = [0, 1, 2].map(|i| Lanes([first[i], second[i]]));
+            for (found, expected) in solved(both).iter().zip(&solved(first)) {
+                // Zeros may differ in their signs, and what is no number has many forms.
+                let [found, expected] = [found.0[0], *expected].map(|x| x + 0.0);
+                assert_eq!(found.is_nan(), expected.is_nan(), "{first:?}, {second:?}");
+                assert!(
+                    found.to_bits() == expected.to_bits() || found.is_nan(),
+                    "{found} for {expected}: {first:?}, {second:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Of a component that is exactly zero in one lane the other lane's error counts, also without an absolute
+/// tolerance.
+#[test]
+fn a_lane_at_rest_needs_no_absolute_tolerance() {
+    let method = Dop853::new().absolute_tolerance(0.0);
+    let initial = State::new(Lanes::zero(), [Lanes([0.0, 0.5])], [Lanes([0.0, 0.0])]);
+    let driver = method.driver().maximal_steps(200);
+    let end = driver.integrate_to(&PENDULUM.dynamics(), initial, 1.0);
+    let end = end.unwrap().last.state();
+    assert_close(end.q[0].0[0], 0.0, 0.0);
+    let alone =
+        Dop853::new().integrate_to(&PENDULUM.dynamics(), State::new(0.0, [0.5], [0.0]), 1.0);
+    assert_close(end.q[0].0[1], alone.unwrap().x.q[0], 1e-8);
 }

@@ -293,12 +293,17 @@ for DrivenPendulum {
     }
     fn relative_pivots(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = m * (l * l);
-        ::lagrangian::__private::relative_pivots([x0], [x0.abs()], [x0])
+        ::lagrangian::__private::relative_pivots(
+            [x0],
+            [x0.abs()],
+            [x0],
+            || ::lagrangian::Lagrangian::<1usize, __S>::mass_matrix(self, state),
+        )
     }
 }
 #[automatically_derived]

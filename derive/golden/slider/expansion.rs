@@ -305,10 +305,15 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     }
     fn relative_pivots(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
-        ::lagrangian::__private::relative_pivots([m], [m.abs()], [m])
+        ::lagrangian::__private::relative_pivots(
+            [m],
+            [m.abs()],
+            [m],
+            || ::lagrangian::Lagrangian::<1usize, __S>::mass_matrix(self, state),
+        )
     }
 }
 #[automatically_derived]

@@ -73,12 +73,14 @@ impl Writer<'_> {
 
     fn factors_of_mass_matrix(&self, n: usize) -> TokenStream {
         let root = self.root;
+        let mass = self.mass_matrix(n);
+        quote!(#root::Factorization::new(#mass))
+    }
+
+    fn mass_matrix(&self, n: usize) -> TokenStream {
+        let root = self.root;
         let scalar = self.scalar;
-        quote! {
-            #root::Factorization::new(
-                #root::Lagrangian::<#n, #scalar>::mass_matrix(self, state)
-            )
-        }
+        quote!(#root::Lagrangian::<#n, #scalar>::mass_matrix(self, state))
     }
 
     /// The derivatives of the accelerations, solved for before any number is known.
@@ -115,11 +117,13 @@ impl Writer<'_> {
         }
     }
 
+    /// The relative pivots where all pivots are positive; else those of M in numbers.
     pub(super) fn relative_pivots(&mut self, n: usize) -> TokenStream {
         let root = self.root;
         let (statements, outputs) = self.phase(0);
         let lists = outputs.chunks(n.max(1)).map(|list| quote!([#(#list),*]));
-        quote!(#statements #root::__private::relative_pivots(#(#lists),*))
+        let mass = self.mass_matrix(n);
+        quote!(#statements #root::__private::relative_pivots(#(#lists,)* || #mass))
     }
 
     /// Solves M q̈ = f, then M ∂q̈/∂x = −∂(M q̈ − f)/∂x.

@@ -1,0 +1,212 @@
+//! Tolerances of which one is zero, and what is said where no step meets them.
+
+mod common;
+
+use common::{assert_close, equation};
+use lagrangian::Component;
+use lagrangian::prelude::*;
+
+/// A point that falls, beside one on a spring.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(height, x),
+    kinetic = 0.5 * m * (dot(height).powi(2) + dot(x).powi(2)),
+    potential = m * g * height + 0.5 * k * x.powi(2),
+)]
+struct Falling {
+    m: f64,
+    g: f64,
+    k: f64,
+}
+
+const FALLING: Falling = Falling {
+    m: 0.3,
+    g: 9.81,
+    k: 0.3,
+};
+
+/// From rest at the origin, where every component is zero, and from beside it.
+#[test]
+fn a_relative_tolerance_alone_starts_from_rest() {
+    for absolute in [0.0, 1e-300] {
+        let method = Dop853::new()
+            .relative_tolerance(1e-11)
+            .absolute_tolerance(absolute);
+        for x in [0.0, 1.0] {
+            let start = State::new(0.0, [0.0, x], [0.0, 0.0]);
+            let driver = method.driver().maximal_steps(60);
+            let end = driver.integrate_to(&FALLING.dynamics(), start, 1.25);
+            let end = end.unwrap().last.state();
+            let fall = -0.5 * 9.81 * 1.25 * 1.25;
+            assert_close(end.q[0], fall, 1e-10);
+            assert_close(end.v[0], -9.81 * 1.25, 1e-10);
+            assert_close(end.q[1], x * 1.25_f64.cos(), 1e-10);
+        }
+    }
+}
+
+/// Where nothing moves there is no step to choose.
+#[test]
+fn a_relative_tolerance_alone_keeps_an_equilibrium() {
+    let method = Dop853::new().absolute_tolerance(0.0);
+    let still = Falling { g: 0.0, ..FALLING };
+    let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
+    let driver = method.driver().maximal_steps(60);
+    let end = driver.integrate_to(&still.dynamics(), start, 10.0).unwrap();
+    assert_eq!(end.last.state().q, start.q);
+}
+
+#[test]
+fn an_absolute_tolerance_alone_is_enough() {
+    for relative in [0.0, 1e-300] {
+        let method = Dop853::new()
+            .relative_tolerance(relative)
+            .absolute_tolerance(1e-11);
+        for x in [0.0, 1.0] {
+            let start = State::new(0.0, [1.0, x], [0.0, 0.0]);
+            let driver = method.driver().maximal_steps(60);
+            let end = driver.integrate_to(&FALLING.dynamics(), start, 1.25);
+            let end = end.unwrap().last.state();
+            assert_close(end.q[0], 1.0 - 0.5 * 9.81 * 1.25 * 1.25, 1e-10);
+            assert_close(end.q[1], x * 1.25_f64.cos(), 1e-10);
+        }
+    }
+}
+
+#[test]
+fn no_tolerance_and_no_number_are_errors_that_say_what_to_set() {
+    let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
+    for (relative, absolute) in [
+        (0.0, 0.0),
+        (-0.0, 0.0),
+        (-1e-10, 1e-10),
+        (1e-10, -1e-10),
+        (f64::NAN, 1e-10),
+        (1e-10, f64::NAN),
+        (f64::INFINITY, 1e-10),
+    ] {
+        let method = Dop853::new()
+            .relative_tolerance(relative)
+            .absolute_tolerance(absolute);
+        let error = method
+            .integrate_to(&FALLING.dynamics(), start, 1.0)
+            .unwrap_err();
+        assert!(
+            matches!(error, IntegrationError::InvalidTolerance { .. }),
+            "{error}"
+        );
+        assert!(error.to_string().contains("not both zero"), "{error}");
+    }
+}
+
+/// The second component is rounding noise about zero, which no relative tolerance allows.
+#[test]
+fn noise_about_zero_asks_for_an_absolute_tolerance() {
+    let noisy =
+        || equation::<2, _>(|_, x| SVector::from([x[1].cos() + 1.0, ((1.0 + x[0]) - 1.0) - x[0]]));
+    let start = (0.0, SVector::from([0.1, 0.0]));
+    let relative = Dop853::new().absolute_tolerance(0.0);
+    let driver = relative.driver().maximal_steps(50_000);
+    let error = driver.integrate_to(&noisy(), start, 1.0).unwrap_err();
+    let IntegrationError::StepTooSmall {
+        component,
+        relative_only,
+        step,
+        ..
+    } = error
+    else {
+        panic!("{error}")
+    };
+    assert_eq!(
+        (component, relative_only),
+        (Some(Component::Index(1)), true)
+    );
+    assert!(step > 0.0);
+    assert!(
+        error.to_string().contains("set an absolute tolerance"),
+        "{error}"
+    );
+    let both = relative.absolute_tolerance(1e-12);
+    let end = both.integrate_to(&noisy(), start, 1.0).unwrap();
+    assert_close(end.x[0], 2.1, 1e-10);
+}
+
+/// ẋ = x² is infinite at t = 1: what is too steep is named, and the absolute tolerance is not to blame.
+#[test]
+fn what_is_too_steep_is_named() {
+    let steep = equation::<2, _>(|_, x| SVector::from([0.0, x[1] * x[1]]));
+    let start = (0.0, SVector::from([0.1, 1.0]));
+    let error = Dop853::new().integrate_to(&steep, start, 2.0).unwrap_err();
+    let IntegrationError::StepTooSmall { component, .. } = error else {
+        panic!("{error}")
+    };
+    assert_eq!(component, Some(Component::Index(1)));
+    let text = error.to_string();
+    assert!(text.contains("component 1 of the state"), "{text}");
+    assert!(!text.contains("set an absolute"), "{text}");
+}
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta, phi),
+    kinetic = 0.5 * m * l.powi(2) * (dot(theta).powi(2) + sin(theta).powi(2) * dot(phi).powi(2)),
+    potential = -m * g * l * cos(theta),
+)]
+struct SphericalPendulum {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+/// With hardly any angular momentum the pendulum passes the pole so closely that φ turns by π within less than
+/// the resolution of time.
+#[test]
+fn a_passage_too_near_to_the_pole_names_its_coordinate() {
+    let pendulum = SphericalPendulum {
+        m: 1.0,
+        g: 9.81,
+        l: 1.0,
+    };
+    for (rate, tolerance) in [(1e-12, 1e-10), (1e-12, 1e-13), (1e-14, 1e-13)] {
+        let start = State::new(0.0, [0.5, 0.0], [0.0, rate]);
+        let method = Dop853::new()
+            .relative_tolerance(tolerance)
+            .absolute_tolerance(tolerance);
+        let driver = method.driver().maximal_steps(20_000);
+        let error = driver.integrate_to(&pendulum.dynamics(), start, 10.0);
+        let error = error.unwrap_err();
+        let IntegrationError::VanishingInertia { singularity, .. } = error else {
+            panic!("{error}")
+        };
+        assert_eq!(singularity.coordinate(), "phi");
+        let (name, theta) = singularity.coordinates().next().unwrap();
+        assert!(name == "theta" && theta.abs() < 1e-10, "{error}");
+        // sin²θ in relation to sin²1, the largest of those that it is compared with.
+        let ratio = theta.sin().powi(2) / 1.0_f64.sin().powi(2);
+        assert_close(singularity.relative_pivot() / ratio, 1.0, 1e-9);
+        assert!(error.to_string().contains("phi moves too fast"), "{error}");
+    }
+}
+
+/// A force that is infinite at x = 1, on two links whose inertias depend on their angle and never vanish.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    kinetic = 0.5 * dot(x).powi(2) + 0.5 * dot(y).powi(2) + 0.5 * cos(x - y) * dot(x) * dot(y),
+    potential = ln(1.0 - x),
+)]
+struct Steep;
+
+#[test]
+fn a_steep_force_is_no_singularity_of_the_coordinates() {
+    let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
+    let error = Dop853::new().integrate_to(&Steep.dynamics(), start, 10.0);
+    let error = error.unwrap_err();
+    let named = match error {
+        IntegrationError::StepTooSmall { component, .. } => component,
+        IntegrationError::NonFiniteState { component, .. } => Some(component),
+        _ => panic!("{error}"),
+    };
+    let x = [Component::Coordinate("x"), Component::Velocity("x")];
+    assert!(named.is_some_and(|named| x.contains(&named)), "{error}");
+}
