@@ -1,12 +1,20 @@
 //! Methods on both sides of the length from which on their variables are declared many at once, against the
-//! derivatives of the closed form of a chain of pendulums.
+//! derivatives of the closed form of a chain of pendulums. No lint may flag what is emitted, either.
+#![deny(
+    warnings,
+    clippy::all,
+    unused,
+    unused_qualifications,
+    unused_results,
+    trivial_casts
+)]
 
 use lagrangian::prelude::*;
 use lagrangian_tests::{Figures, Random, relative_error};
 use nalgebra::DMatrix;
 
 /// Of the derivatives, relative to their greatest: the mass matrix of 20 links loses some digits.
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1e-12;
 const G: f64 = 9.81;
 
 /// F of Mᵢⱼ = Fᵢⱼ cos(θᵢ − θⱼ), which is the mass that hangs on both links and the lengths of both.
