@@ -1,79 +1,31 @@
 //! From a straight-line program to the statements of a method.
 //!
-//! Each value that is used more than once, or that the declaration names, is a `let`; the others stand
+//! Each value that is used more than once, or that the declaration names, is a variable; the others stand
 //! where they are used, as a person would write them, though never nested deeply.
 
+mod variables;
+mod block;
 mod angles;
+mod text;
+mod constant;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{
-    Function, Instruction, Operand, Operation, Pass, Passes, Phase, Program, Rational, Symbol,
+    Function, Instruction, Operand, Operation, Pass, Passes, Phase, Program, Symbol,
 };
-use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use crate::names::Locals;
 use crate::scalar::Scalar;
 use angles::Angles;
+use block::Block;
+use constant::constant;
+use text::{Level, Text, infix};
+use variables::Variables;
 
-/// How deep expressions are nested in one statement.
-const DEEPEST: usize = 6;
-
-/// How tightly an expression holds together.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
-    Sum,
-    Product,
-    Sign,
-    Atom,
-}
-
-/// The text of a value.
-#[derive(Clone)]
-struct Text {
-    tokens: TokenStream,
-    level: Level,
-    depth: usize,
-    /// The factors, if this is a product that may be fused with a sum.
-    factors: Option<Box<[Self; 2]>>,
-}
-
-impl Text {
-    fn atom(tokens: impl ToTokens) -> Self {
-        Self {
-            tokens: tokens.into_token_stream(),
-            level: Level::Atom,
-            depth: 0,
-            factors: None,
-        }
-    }
-
-    /// −x, which is not fused with anything.
-    fn opposite(self) -> Self {
-        Self {
-            level: Level::Sign,
-            depth: self.depth,
-            factors: None,
-            tokens: self.negative(),
-        }
-    }
-
-    /// −x.
-    fn negative(self) -> TokenStream {
-        let x = self.at(Level::Atom);
-        quote!(-#x)
-    }
-
-    /// The tokens, in parentheses unless they hold together at `level`.
-    fn at(self, level: Level) -> TokenStream {
-        if self.level >= level {
-            self.tokens
-        } else {
-            TokenTree::Group(Group::new(Delimiter::Parenthesis, self.tokens)).into()
-        }
-    }
-}
+pub(crate) use block::MOST_SCOPES;
 
 /// Where the emitted code finds a symbol's value.
 pub(crate) trait Source {
@@ -91,9 +43,8 @@ pub(crate) struct Body<'a> {
     functions: Vec<Ident>,
     symbols: BTreeMap<Symbol, Ident>,
     texts: BTreeMap<usize, Text>,
-    /// For each value how often it is used; more than once if a later phase uses it, so that it is not
-    /// written twice.
-    uses: Vec<usize>,
+    variables: Variables,
+    block: Block,
 }
 
 impl<'a> Body<'a> {
@@ -104,7 +55,10 @@ impl<'a> Body<'a> {
         scalar: &'a Scalar<'a>,
         source: &'a dyn Source,
         functions: Vec<Ident>,
+        most_scopes: usize,
     ) -> Self {
+        let variables = Variables::of(program, |value| locals.is_defined(value));
+        let scopes = program.symbols().len() + variables.count();
         Self {
             passes,
             locals,
@@ -113,18 +67,18 @@ impl<'a> Body<'a> {
             functions,
             symbols: BTreeMap::new(),
             texts: BTreeMap::new(),
-            uses: count_uses(program),
+            variables,
+            block: Block::new(scopes > most_scopes),
         }
     }
 
     /// The statements of a phase, and the expressions of its outputs.
     pub(crate) fn phase(&mut self, phase: &Phase) -> (TokenStream, Vec<TokenStream>) {
-        let mut statements = TokenStream::new();
-        self.load_symbols(phase, &mut statements);
-        let done = self.angles(phase, &mut statements);
+        self.load_symbols(phase);
+        let done = self.angles(phase);
         for (index, instruction) in phase.instructions.iter().enumerate() {
             if !done.contains(&index) {
-                self.instruction(instruction, &mut statements);
+                self.instruction(instruction);
             }
         }
         let outputs = phase
@@ -132,11 +86,11 @@ impl<'a> Body<'a> {
             .iter()
             .map(|operand| self.operand(operand).tokens)
             .collect();
-        (statements, outputs)
+        (self.block.take(self.scalar), outputs)
     }
 
     /// Reads the symbols that no phase before has read.
-    fn load_symbols(&mut self, phase: &Phase, statements: &mut TokenStream) {
+    fn load_symbols(&mut self, phase: &Phase) {
         let operands = phase
             .instructions
             .iter()
@@ -152,15 +106,14 @@ impl<'a> Body<'a> {
             if !self.symbols.contains_key(&symbol) {
                 let name = self.locals.symbol(symbol);
                 let read = self.source.read(symbol);
-                let scalar = self.scalar;
-                statements.extend(quote!(let #name: #scalar = #read;));
+                self.block.read(&name, &read, self.scalar);
                 self.symbols.insert(symbol, name);
             }
         }
     }
 
     /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
-    fn angles(&mut self, phase: &Phase, statements: &mut TokenStream) -> BTreeSet<usize> {
+    fn angles(&mut self, phase: &Phase) -> BTreeSet<usize> {
         if !self.passes.has(Pass::Vectors) {
             return BTreeSet::new();
         }
@@ -168,7 +121,7 @@ impl<'a> Body<'a> {
             return BTreeSet::new();
         };
         for index in &angles.made_of {
-            self.instruction(&phase.instructions[*index], statements);
+            self.instruction(&phase.instructions[*index]);
         }
         let (mut arguments, mut sines, mut cosines) = (Vec::new(), Vec::new(), Vec::new());
         for index in &angles.pairs {
@@ -180,9 +133,10 @@ impl<'a> Body<'a> {
             cosines.push(cosine);
         }
         let functions = self.scalar.functions();
-        statements.extend(quote! {
-            let ([#(#sines),*], [#(#cosines),*]) = #functions::sines_and_cosines([#(#arguments),*]);
-        });
+        let pattern = quote!(([#(#sines),*], [#(#cosines),*]));
+        let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
+        let names: Vec<Ident> = sines.into_iter().chain(cosines).collect();
+        self.block.define(&names, &pattern, &value, self.scalar);
         angles.made_of.into_iter().chain(angles.pairs).collect()
     }
 
@@ -195,33 +149,33 @@ impl<'a> Body<'a> {
         (sine, cosine)
     }
 
-    fn instruction(&mut self, instruction: &Instruction, statements: &mut TokenStream) {
+    fn instruction(&mut self, instruction: &Instruction) {
         let value = instruction.value;
         if let Operation::SineAndCosine(x) = &instruction.operation {
             let value = self.call(self.operand(x), "sin_cos", &[]);
             let (sine, cosine) = self.pair(instruction);
-            statements.extend(quote!(let (#sine, #cosine) = #value;));
+            let pattern = quote!((#sine, #cosine));
+            let names = [sine, cosine];
+            self.block.define(&names, &pattern, &value, self.scalar);
             return;
         }
         let text = self.operation(&instruction.operation);
-        let once = self.uses[value] == 1;
-        let named = self.locals.is_defined(instruction.expression);
-        if once && !named && text.depth < DEEPEST {
+        if !self.variables.contain(value) {
             self.texts.insert(value, text);
             return;
         }
         let name = self.locals.value(instruction.expression);
-        let tokens = text.tokens;
-        statements.extend(quote!(let #name = #tokens;));
-        self.texts.insert(value, Text::atom(name));
+        let pattern = name.to_token_stream();
+        self.texts.insert(value, Text::atom(&name));
+        self.block
+            .define(&[name], &pattern, &text.tokens, self.scalar);
     }
 
-    fn operation(&mut self, operation: &Operation) -> Text {
+    fn operation(&self, operation: &Operation) -> Text {
         let operands: Vec<Text> = operation
             .operands()
             .map(|operand| self.operand(operand))
             .collect();
-        let depth = 1 + operands.iter().map(|text| text.depth).max().unwrap_or(0);
         let mut operands = operands.into_iter();
         let mut next = || {
             operands
@@ -237,7 +191,6 @@ impl<'a> Body<'a> {
                 return Text {
                     tokens,
                     level: Level::Product,
-                    depth,
                     factors: self.passes.has(Pass::Fusion).then(|| Box::new([x, y])),
                 };
             }
@@ -258,7 +211,6 @@ impl<'a> Body<'a> {
         Text {
             tokens,
             level,
-            depth,
             factors: None,
         }
     }
@@ -329,80 +281,5 @@ impl<'a> Body<'a> {
             let receiver = x.at(Level::Atom);
             quote!(#receiver.#function(#(#arguments),*))
         }
-    }
-}
-
-/// How often each value is used; where a phase uses a value of another one, that counts twice.
-fn count_uses(program: &Program) -> Vec<usize> {
-    let end = |last: &Instruction| last.value + last.operation.results();
-    let mut uses = vec![0; program.instructions().last().map_or(0, end)];
-    let mut start = 0;
-    for phase in &program.phases {
-        let mut note = |operand: &Operand| {
-            if let Operand::Value(value) = operand {
-                uses[*value] += if *value < start { 2 } else { 1 };
-            }
-        };
-        for instruction in &phase.instructions {
-            instruction.operation.operands().for_each(&mut note);
-        }
-        phase.outputs.iter().for_each(&mut note);
-        start = phase.instructions.last().map_or(start, end);
-    }
-    uses
-}
-
-fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
-    let mut tokens = left.at(level);
-    tokens.extend([TokenTree::Punct(Punct::new(operator, Spacing::Alone))]);
-    // The operand on the right keeps its parentheses at the same level: the order of operations is
-    // part of what was scheduled.
-    let tighter = if level == Level::Sum {
-        Level::Product
-    } else {
-        Level::Sign
-    };
-    tokens.extend(right.at(tighter));
-    tokens
-}
-
-/// The scalar nearest to an exact number.
-pub(crate) fn constant(scalar: &Scalar<'_>, number: &Rational) -> TokenStream {
-    let functions = scalar.functions();
-    if let Some((numerator, denominator)) = quotient(number) {
-        let (numerator, denominator) = (signed(numerator), signed(denominator));
-        return quote!(#functions::ratio(#numerator, #denominator));
-    }
-    let value = signed(number.to_f64());
-    quote!(#functions::from_f64(#value))
-}
-
-/// Numerator and denominator of a number that `f64` does not have, if it has those.
-#[allow(clippy::cast_precision_loss)] // They are exact.
-fn quotient(number: &Rational) -> Option<(f64, f64)> {
-    const EXACT: u64 = 1 << 53;
-    let (numerator, denominator) = number.to_fraction()?;
-    let exact = [numerator, denominator]
-        .iter()
-        .all(|part| part.unsigned_abs() <= EXACT);
-    let dyadic = denominator.unsigned_abs().is_power_of_two();
-    (exact && !dyadic).then_some((numerator as f64, denominator as f64))
-}
-
-/// The literal of a number, with its sign.
-fn signed(value: f64) -> TokenStream {
-    let magnitude = literal(value.abs());
-    let sign = (value < 0.0).then(|| quote!(-));
-    quote!(#sign #magnitude)
-}
-
-/// The shortest literal that reads back as `value`, which is not negative.
-fn literal(value: f64) -> TokenStream {
-    let written = format!("{value:?}");
-    match written.parse::<Literal>() {
-        Ok(literal) => literal.into_token_stream(),
-        // Not a number, or infinite: there is no literal.
-        Err(_) if value.is_nan() => quote!(::core::primitive::f64::NAN),
-        Err(_) => quote!(::core::primitive::f64::INFINITY),
     }
 }

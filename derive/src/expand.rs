@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
 
+use crate::body::MOST_SCOPES;
 use crate::check::{check, check_whole};
 use crate::declaration::Declaration;
 use crate::defects;
@@ -17,6 +18,11 @@ use crate::validation::warning;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
+    expand_within(input, MOST_SCOPES)
+}
+
+/// The same, where a method may nest so many scopes.
+pub(crate) fn expand_within(input: TokenStream, most_scopes: usize) -> TokenStream {
     let input = match syn::parse2::<DeriveInput>(input) {
         Ok(input) => input,
         Err(error) => return error.to_compile_error(),
@@ -29,7 +35,8 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
         check_whole(&declaration, &mut diagnostics);
     }
     let model = lowered.model.take().filter(|_| diagnostics.is_empty());
-    let items = model.and_then(|model| implement(&declaration, &lowered, model, &mut diagnostics));
+    let items = model
+        .and_then(|model| implement(&declaration, &lowered, model, most_scopes, &mut diagnostics));
     items.unwrap_or_else(|| {
         if diagnostics.is_empty() && lowered.scope.unknown().next().is_none() {
             diagnostics.error(&declaration.name, NOT_UNDERSTOOD);
@@ -48,6 +55,7 @@ fn implement(
     declaration: &Declaration,
     lowered: &Lowered,
     mut model: Model,
+    most_scopes: usize,
     diagnostics: &mut Diagnostics,
 ) -> Option<TokenStream> {
     let validator = Validator::new(&model);
@@ -71,7 +79,15 @@ fn implement(
         defects::report_at_energy(declaration, message, diagnostics);
         return None;
     }
-    let items = Implementation::new(declaration, lowered, &model, &equations, &methods).items();
+    let implementation = Implementation::new(
+        declaration,
+        lowered,
+        &model,
+        &equations,
+        &methods,
+        most_scopes,
+    );
+    let items = implementation.items();
     let warning = warning(&disagreements, declaration);
     Some(quote!(#items #warning))
 }

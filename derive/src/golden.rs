@@ -1,4 +1,5 @@
-//! Expansions to look at: `golden/…/declaration.rs` becomes `golden/…/expansion.rs`, byte for byte.
+//! Expansions to look at: `golden/…/declaration.rs` becomes `golden/…/expansion.rs`, byte for byte;
+//! one model is written as if it were long, too.
 //!
 //! The committed files were written by other processes than the one that compares, so that the
 //! comparison is also a test of determinism. The package `lagrangian-tests` compiles and runs them.
@@ -10,9 +11,17 @@ use std::{env, fs};
 
 use proc_macro2::TokenStream;
 
-use crate::expand::expand;
+use crate::body::MOST_SCOPES;
+use crate::expand::expand_within;
 
-const MODELS: [&str; 3] = ["heavy_top", "driven_pendulum", "slider"];
+/// The models, the files with their expansions, and how many scopes these may nest.
+const EXPANSIONS: [(&str, &str, usize); 4] = [
+    ("heavy_top", "expansion.rs", MOST_SCOPES),
+    // As if every method were long.
+    ("heavy_top", "in_few_scopes.rs", 0),
+    ("driven_pendulum", "expansion.rs", MOST_SCOPES),
+    ("slider", "expansion.rs", MOST_SCOPES),
+];
 
 fn folder(model: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -25,9 +34,10 @@ fn read(path: &Path) -> String {
 }
 
 /// The items that the derive emits for a file with one struct.
-fn expansion(model: &str) -> TokenStream {
+fn expansion(model: &str, most_scopes: usize) -> TokenStream {
     let declaration = read(&folder(model).join("declaration.rs"));
-    expand(declaration.parse().expect("the declaration is of tokens"))
+    let declaration = declaration.parse().expect("the declaration is of tokens");
+    expand_within(declaration, most_scopes)
 }
 
 fn printed(tokens: TokenStream) -> String {
@@ -37,9 +47,9 @@ fn printed(tokens: TokenStream) -> String {
 
 #[test]
 fn expansions_are_those_that_were_committed() {
-    for model in MODELS {
-        let path = folder(model).join("expansion.rs");
-        let expansion = printed(expansion(model));
+    for (model, file, most_scopes) in EXPANSIONS {
+        let path = folder(model).join(file);
+        let expansion = printed(expansion(model, most_scopes));
         if env::var_os("GOLDEN").is_some_and(|value| value == "overwrite") {
             fs::write(&path, &expansion).expect("the golden file can be written");
         }
@@ -50,7 +60,7 @@ fn expansions_are_those_that_were_committed() {
             .position(|(committed, expanded)| committed != expanded);
         assert!(
             committed == expansion,
-            "the expansion of {model} differs from line {} on; see the top of this file",
+            "{model}/{file} differs from line {} on; see the top of this file",
             differing.unwrap_or_else(|| committed.lines().count().min(expansion.lines().count()))
                 + 1
         );
@@ -59,10 +69,10 @@ fn expansions_are_those_that_were_committed() {
 
 #[test]
 fn a_declaration_expands_to_the_same_tokens_each_time() {
-    for model in MODELS {
+    for (model, _, most_scopes) in EXPANSIONS {
         assert_eq!(
-            expansion(model).to_string(),
-            expansion(model).to_string(),
+            expansion(model, most_scopes).to_string(),
+            expansion(model, most_scopes).to_string(),
             "{model}"
         );
     }

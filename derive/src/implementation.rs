@@ -38,6 +38,8 @@ pub(crate) struct Implementation<'a> {
     pub(crate) equations: &'a Equations,
     pub(crate) methods: &'a Methods,
     pub(crate) scalar: Scalar<'a>,
+    /// See [`MOST_SCOPES`](crate::body::MOST_SCOPES).
+    pub(crate) most_scopes: usize,
 }
 
 impl<'a> Implementation<'a> {
@@ -47,6 +49,7 @@ impl<'a> Implementation<'a> {
         model: &'a Model,
         equations: &'a Equations,
         methods: &'a Methods,
+        most_scopes: usize,
     ) -> Self {
         Self {
             declaration,
@@ -55,6 +58,7 @@ impl<'a> Implementation<'a> {
             equations,
             methods,
             scalar: Scalar::of(declaration),
+            most_scopes,
         }
     }
 
@@ -174,6 +178,7 @@ impl<'a> Implementation<'a> {
                 &self.scalar,
                 &reader,
                 functions,
+                self.most_scopes,
             ),
             scalar: &self.scalar,
         };

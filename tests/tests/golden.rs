@@ -52,6 +52,20 @@ mod committed {
     include!("../../derive/golden/slider/expansion.rs");
 }
 
+/// The heavy top once more, in few scopes.
+mod in_few_scopes {
+    pub struct HeavyTop {
+        pub i1: f64,
+        pub i2: f64,
+        pub i3: f64,
+        pub m: f64,
+        pub g: f64,
+        pub l: f64,
+    }
+
+    include!("../../derive/golden/heavy_top/in_few_scopes.rs");
+}
+
 /// All that a model computes at a state.
 fn numbers<const N: usize>(model: &impl Energies<N>, state: &State<f64, N>) -> Vec<f64> {
     let accelerations = model.accelerations(state);
@@ -112,6 +126,11 @@ fn the_committed_heavy_top_computes_what_the_derived_one_does() {
     assert_same(
         &numbers(&top!(derived), &state),
         &numbers(&top!(committed), &state),
+    );
+    // How variables are declared is no matter of numbers.
+    assert_same(
+        &numbers(&top!(derived), &state),
+        &numbers(&top!(in_few_scopes), &state),
     );
     assert_eq!(derived::HeavyTop::EQUATIONS, committed::HeavyTop::EQUATIONS);
     assert_eq!(

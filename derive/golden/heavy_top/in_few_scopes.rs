@@ -1,0 +1,711 @@
+/**# The equations of motion
+
+M q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with
+
+```text
+q = (φ, θ, ψ)
+w₁ = θ̇ cos ψ + φ̇ sin θ sin ψ
+w₂ = φ̇ sin θ cos ψ − θ̇ sin ψ
+w₃ = ψ̇ + φ̇ cos θ
+T = ½ i₂ w₂² + ½ i₁ w₁² + ½ i₃ w₃²
+V = m g l cos θ
+p[φ] = i₂ w₂ sin θ cos ψ + i₁ w₁ sin θ sin ψ + i₃ w₃ cos θ
+p[θ] = i₁ w₁ cos ψ − i₂ w₂ sin ψ
+p[ψ] = i₃ w₃
+M[φ, φ] = i₂ sin²θ cos²ψ + i₁ sin²θ sin²ψ + i₃ cos²θ
+M[θ, φ] = i₁ sin θ sin ψ cos ψ − i₂ sin θ sin ψ cos ψ
+M[θ, θ] = i₂ sin²ψ + i₁ cos²ψ
+M[ψ, φ] = i₃ cos θ
+M[ψ, ψ] = i₃
+f[φ] = i₂ ψ̇ w₂ sin θ sin ψ − i₂ θ̇ w₂ cos θ cos ψ − i₂ (φ̇ θ̇ cos θ cos ψ − θ̇ ψ̇ cos ψ − φ̇ ψ̇ sin θ sin ψ) sin θ cos ψ − i₁ θ̇ w₁ cos θ sin ψ − i₁ ψ̇ w₁ sin θ cos ψ − i₁ (φ̇ θ̇ cos θ sin ψ − θ̇ ψ̇ sin ψ + φ̇ ψ̇ sin θ cos ψ) sin θ sin ψ + i₃ θ̇ w₃ sin θ + i₃ φ̇ θ̇ sin θ cos θ
+f[θ] = i₂ ψ̇ w₂ cos ψ + i₂ (φ̇ θ̇ cos θ cos ψ − θ̇ ψ̇ cos ψ − φ̇ ψ̇ sin θ sin ψ) sin ψ + i₁ ψ̇ w₁ sin ψ − i₁ (φ̇ θ̇ cos θ sin ψ − θ̇ ψ̇ sin ψ + φ̇ ψ̇ sin θ cos ψ) cos ψ + i₂ φ̇ w₂ cos θ cos ψ + i₁ φ̇ w₁ cos θ sin ψ − i₃ φ̇ w₃ sin θ + m g l sin θ
+f[ψ] = i₃ φ̇ θ̇ sin θ − i₂ w₁ w₂ + i₁ w₁ w₂
+```
+
+# Operations
+
+| method | + − | × | ÷ | √ | sin, cos | others |
+|---|---|---|---|---|---|---|
+| `lagrangian` | 6 | 16 | 0 | 0 | 2 | 0 |
+| `energy` | 6 | 16 | 0 | 0 | 2 | 0 |
+| `momenta` | 6 | 15 | 0 | 0 | 2 | 0 |
+| `mass_matrix` | 4 | 13 | 0 | 0 | 2 | 0 |
+| `forcing` | 19 | 40 | 0 | 0 | 2 | 0 |
+| `generalized_forces` | 0 | 0 | 0 | 0 | 0 | 0 |
+| `prepare` | 3 | 2 | 5 | 0 | 0 | 0 |
+| `accelerations` | 16 | 27 | 1 | 0 | 2 | 0 |
+| `inverse_dynamics` | 24 | 47 | 0 | 0 | 2 | 0 |
+| `linearize` | 83 | 130 | 4 | 0 | 2 | 0 |
+*/
+impl HeavyTop {
+    /// The names of the coordinates, in order.
+    pub const COORDINATES: [&'static str; 3usize] = ["phi", "theta", "psi"];
+    ///The index of the coordinate `phi`.
+    pub const PHI: usize = 0usize;
+    ///The index of the coordinate `theta`.
+    pub const THETA: usize = 1usize;
+    ///The index of the coordinate `psi`.
+    pub const PSI: usize = 2usize;
+    /// The equations of motion as they were derived.
+    pub const EQUATIONS: &'static str = "q = (φ, θ, ψ)\nw₁ = θ\u{307} cos ψ + φ\u{307} sin θ sin ψ\nw₂ = φ\u{307} sin θ cos ψ − θ\u{307} sin ψ\nw₃ = ψ\u{307} + φ\u{307} cos θ\nT = ½ i₂ w₂² + ½ i₁ w₁² + ½ i₃ w₃²\nV = m g l cos θ\np[φ] = i₂ w₂ sin θ cos ψ + i₁ w₁ sin θ sin ψ + i₃ w₃ cos θ\np[θ] = i₁ w₁ cos ψ − i₂ w₂ sin ψ\np[ψ] = i₃ w₃\nM[φ, φ] = i₂ sin²θ cos²ψ + i₁ sin²θ sin²ψ + i₃ cos²θ\nM[θ, φ] = i₁ sin θ sin ψ cos ψ − i₂ sin θ sin ψ cos ψ\nM[θ, θ] = i₂ sin²ψ + i₁ cos²ψ\nM[ψ, φ] = i₃ cos θ\nM[ψ, ψ] = i₃\nf[φ] = i₂ ψ\u{307} w₂ sin θ sin ψ − i₂ θ\u{307} w₂ cos θ cos ψ − i₂ (φ\u{307} θ\u{307} cos θ cos ψ − θ\u{307} ψ\u{307} cos ψ − φ\u{307} ψ\u{307} sin θ sin ψ) sin θ cos ψ − i₁ θ\u{307} w₁ cos θ sin ψ − i₁ ψ\u{307} w₁ sin θ cos ψ − i₁ (φ\u{307} θ\u{307} cos θ sin ψ − θ\u{307} ψ\u{307} sin ψ + φ\u{307} ψ\u{307} sin θ cos ψ) sin θ sin ψ + i₃ θ\u{307} w₃ sin θ + i₃ φ\u{307} θ\u{307} sin θ cos θ\nf[θ] = i₂ ψ\u{307} w₂ cos ψ + i₂ (φ\u{307} θ\u{307} cos θ cos ψ − θ\u{307} ψ\u{307} cos ψ − φ\u{307} ψ\u{307} sin θ sin ψ) sin ψ + i₁ ψ\u{307} w₁ sin ψ − i₁ (φ\u{307} θ\u{307} cos θ sin ψ − θ\u{307} ψ\u{307} sin ψ + φ\u{307} ψ\u{307} sin θ cos ψ) cos ψ + i₂ φ\u{307} w₂ cos θ cos ψ + i₁ φ\u{307} w₁ cos θ sin ψ − i₃ φ\u{307} w₃ sin θ + m g l sin θ\nf[ψ] = i₃ φ\u{307} θ\u{307} sin θ − i₂ w₁ w₂ + i₁ w₁ w₂\n";
+    /// The operation counts of the methods.
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
+        lagrangian: ::lagrangian::OperationCount {
+            additions: 6usize,
+            multiplications: 16usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        energy: ::lagrangian::OperationCount {
+            additions: 6usize,
+            multiplications: 16usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        momenta: ::lagrangian::OperationCount {
+            additions: 6usize,
+            multiplications: 15usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        mass_matrix: ::lagrangian::OperationCount {
+            additions: 4usize,
+            multiplications: 13usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        forcing: ::lagrangian::OperationCount {
+            additions: 19usize,
+            multiplications: 40usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        generalized_forces: ::lagrangian::OperationCount {
+            additions: 0usize,
+            multiplications: 0usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        prepare: ::lagrangian::OperationCount {
+            additions: 3usize,
+            multiplications: 2usize,
+            divisions: 5usize,
+            square_roots: 0usize,
+            sines_and_cosines: 0usize,
+            functions: 0usize,
+        },
+        accelerations: ::lagrangian::OperationCount {
+            additions: 16usize,
+            multiplications: 27usize,
+            divisions: 1usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        inverse_dynamics: ::lagrangian::OperationCount {
+            additions: 24usize,
+            multiplications: 47usize,
+            divisions: 0usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+        linearize: ::lagrangian::OperationCount {
+            additions: 83usize,
+            multiplications: 130usize,
+            divisions: 4usize,
+            square_roots: 0usize,
+            sines_and_cosines: 2usize,
+            functions: 0usize,
+        },
+    };
+    #[doc(hidden)]
+    fn __mentions(&self) {
+        let w1 = ();
+        let w2 = ();
+        let w3 = ();
+        let _ = (
+            &self.i1,
+            w1,
+            &self.i2,
+            w2,
+            &self.i3,
+            w3,
+            &self.m,
+            &self.g,
+            &self.l,
+            Self::THETA,
+            Self::PHI,
+            Self::THETA,
+            Self::PSI,
+            Self::THETA,
+            Self::PSI,
+            Self::PHI,
+            Self::THETA,
+            Self::PSI,
+            Self::THETA,
+            Self::PSI,
+            Self::PHI,
+            Self::THETA,
+            Self::PSI,
+        );
+    }
+}
+#[automatically_derived]
+impl ::lagrangian::System<3usize> for HeavyTop {
+    const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
+    const ANGLES: [bool; 3usize] = [false, true, true];
+    const IGNORABLE: [bool; 3usize] = [true, false, false];
+    const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
+    type Prepared = [__S; 5usize];
+    fn prepare(&self) -> [__S; 5usize] {
+        let [i1, i2, i3, m, g, l, x0]: [__S; 7usize];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        x0 = l * (m * g);
+        [(i1 - i3) / i2, x0 / i2, (i3 - i2) / i1, x0 / i1, (i1 - i2) / i3]
+    }
+    fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        sin_theta, cos_psi, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x1 = (-(m * g * l))
+            .mul_add(
+                cos_theta,
+                __S::from_f64(0.5)
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
+            );
+        x1
+    }
+    fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        sin_theta, cos_psi, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x1 = (m * g * l)
+            .mul_add(
+                cos_theta,
+                __S::from_f64(0.5)
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
+            );
+        x1
+    }
+    fn forcing(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        sin_theta, cos_psi, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
+        x9, x10, x11]: [__S; 30usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = theta_dot * sin_psi;
+        x1 = phi_dot * sin_theta;
+        w2 = cos_psi.mul_add(x1, -x0);
+        x2 = theta_dot * cos_psi;
+        x3 = psi_dot * sin_theta;
+        w1 = sin_psi.mul_add(x1, x2);
+        x4 = phi_dot * cos_theta;
+        x5 = (-psi_dot).mul_add(w1, x2 * x4);
+        x6 = i2 * cos_psi;
+        x7 = psi_dot.mul_add(w2, x0 * x4);
+        x8 = i1 * sin_psi;
+        w3 = psi_dot + x4;
+        x9 = sin_theta
+            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
+        x10 = i3 * x1;
+        x11 = (-(i1 * cos_psi))
+            .mul_add(
+                x7,
+                w3
+                    .mul_add(
+                        w1.mul_add(x8, w2 * x6) - x10,
+                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
+                    ),
+            );
+        ::lagrangian::__private::SVector::from([
+            (-(i1 * w1))
+                .mul_add(
+                    cos_psi.mul_add(x3, x0 * cos_theta),
+                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
+                ),
+            x11,
+            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
+        ])
+    }
+    fn generalized_forces(
+        &self,
+        _state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        ::lagrangian::__private::SVector::from([
+            __S::from_f64(0.0),
+            __S::from_f64(0.0),
+            __S::from_f64(0.0),
+        ])
+    }
+    fn accelerations(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let prepared = ::lagrangian::Lagrangian::<3usize, __S>::prepare(self);
+        ::lagrangian::Lagrangian::<
+            3usize,
+            __S,
+        >::accelerations_prepared(self, state, &prepared)
+    }
+    fn accelerations_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 5usize],
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
+        sin_theta, cos_psi, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
+        ]: [__S; 24usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        c0 = prepared[0];
+        c1 = prepared[1];
+        c2 = prepared[2];
+        c3 = prepared[3];
+        c4 = prepared[4];
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * cos_theta;
+        x1 = theta_dot * cos_psi;
+        x2 = phi_dot * sin_theta;
+        w1 = sin_psi.mul_add(x2, x1);
+        w3 = psi_dot + x0;
+        x3 = (-x1)
+            .mul_add(
+                x0,
+                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
+            );
+        x4 = theta_dot * sin_psi;
+        w2 = cos_psi.mul_add(x2, -x4);
+        x5 = (-psi_dot)
+            .mul_add(
+                w2,
+                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
+            );
+        x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        ::lagrangian::__private::SVector::from([
+            -x6,
+            (-sin_psi).mul_add(x3, cos_psi * x5),
+            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+        ])
+    }
+    fn inverse_dynamics(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1,
+        i2, i3, m, g, l, sin_psi, sin_theta, cos_psi, cos_theta, x0, x1, w2, x2, x3, x4,
+        w1, x5, x6, w3, x7, x8, x9, x10, x11, x12]: [__S; 34usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        phi_ddot = accelerations[0];
+        theta_ddot = accelerations[1];
+        psi_ddot = accelerations[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = theta_dot * sin_psi;
+        x1 = phi_dot * sin_theta;
+        w2 = cos_psi.mul_add(x1, -x0);
+        x2 = theta_dot * cos_psi;
+        x3 = psi_dot * sin_theta;
+        x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
+        w1 = sin_psi.mul_add(x1, x2);
+        x5 = cos_psi.mul_add(x3, x0 * cos_theta);
+        x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+        x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+        x9 = i2 * cos_psi;
+        x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+        x11 = i1 * sin_psi;
+        x12 = (-(m * g * l))
+            .mul_add(
+                sin_theta,
+                w3
+                    .mul_add(
+                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
+                        i1 * cos_psi * x10,
+                    ),
+            );
+        ::lagrangian::__private::SVector::from([
+            sin_theta
+                .mul_add(
+                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
+                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
+                ),
+            (-(i2 * sin_psi)).mul_add(x8, x12),
+            w1.mul_add(w2 * (i2 - i1), x6),
+        ])
+    }
+    fn linearize(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::Linearization<__S, 3usize> {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        sin_theta, cos_psi, cos_theta, x0, x1, x2, x3, w1, x4, w3, x5, x6, x7, x8, x9,
+        x10, x11, x12, x13, x14, x15, x16, w2, x17, x18, x19, x20, x21, x22, x23, x24,
+        x25, x26, x27]: [__S; 46usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = i1 - i3;
+        x1 = theta_dot * cos_psi;
+        x2 = sin_theta * sin_psi;
+        x3 = phi_dot * x2;
+        w1 = x1 + x3;
+        x4 = phi_dot * cos_theta;
+        w3 = psi_dot + x4;
+        x5 = w1 * w3;
+        x6 = l * (m * g);
+        x7 = x2 * x6;
+        x8 = __S::from_f64(1.0) / i2;
+        x9 = cos_psi * cos_theta;
+        x10 = phi_dot * theta_dot;
+        x11 = psi_dot.mul_add(x3, (-x9).mul_add(x10, psi_dot * x1));
+        x12 = (-x0.mul_add(x5, x7)).mul_add(x8, x11);
+        x13 = i3 - i2;
+        x14 = theta_dot * sin_psi;
+        x15 = sin_theta * cos_psi;
+        x16 = phi_dot * x15;
+        w2 = x16 - x14;
+        x17 = w2 * w3;
+        x18 = x15 * x6;
+        x19 = __S::from_f64(1.0) / i1;
+        x20 = sin_psi * cos_theta;
+        x21 = psi_dot.mul_add(x16, -(-x20).mul_add(x10, psi_dot * x14));
+        x22 = (-x13).mul_add(x17, x18).mul_add(x19, -x21);
+        x23 = -sin_psi.mul_add(x22, cos_psi * x12);
+        x24 = __S::from_f64(1.0) / sin_theta;
+        x25 = i1 - i2;
+        x26 = __S::from_f64(1.0) / i3;
+        x27 = cos_theta * x24;
+        let accelerations = ::lagrangian::__private::SVector::from([
+            -(x23 * x24),
+            (-sin_psi).mul_add(x12, cos_psi * x22),
+            x23.mul_add(x27, (w1 * w2 * x25).mul_add(x26, sin_theta * x10)),
+        ]);
+        let [phi_ddot, theta_ddot, x28, x29, x30, x31, x32, x33, x34, x35, x36, x37, x38,
+        x39, x40, x41, x42, x43, x44, x45, x46, x47]: [__S; 22usize];
+        phi_ddot = accelerations[0];
+        theta_ddot = accelerations[1];
+        x28 = x8
+            * (-x20).mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
+        x29 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
+            - x28;
+        x30 = x19 * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+        x31 = (-phi_ddot)
+            .mul_add(x20, phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x30));
+        x32 = x24 * (-sin_psi).mul_add(x31, cos_psi * x29);
+        x33 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+        x34 = x8
+            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2))
+            + x21;
+        x35 = -x34;
+        x36 = (-phi_ddot)
+            .mul_add(x15, x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11);
+        x37 = (-sin_psi).mul_add(x36, cos_psi * x35);
+        x38 = x0 * x8;
+        x39 = (-(-w1.mul_add(cos_theta, w3 * x2)))
+            .mul_add(x38, (-psi_dot).mul_add(x2, theta_dot * x9));
+        x40 = x13 * x19;
+        x41 = (-psi_dot)
+            .mul_add(
+                x15,
+                (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x40),
+            );
+        x42 = (-sin_psi).mul_add(x41, cos_psi * x39);
+        x43 = psi_dot - x4;
+        x44 = (-(sin_psi * sin_psi))
+            .mul_add(w3.mul_add(x40, x43), cos_psi * cos_psi * w3.mul_add(x38, -x43));
+        x45 = w1.mul_add(x38, -w1);
+        x46 = -w2.mul_add(x40, w2);
+        x47 = (-sin_psi).mul_add(x46, cos_psi * x45);
+        ::lagrangian::Linearization {
+            position: ::lagrangian::__private::SMatrix::from([
+                [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
+                [
+                    -x32,
+                    cos_psi.mul_add(x31, sin_psi * x29),
+                    cos_theta.mul_add(phi_dot.mul_add(x33, x32), phi_ddot * sin_theta),
+                ],
+                [
+                    -(x24 * x37),
+                    cos_psi.mul_add(x36, sin_psi * x35),
+                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x37 * x27),
+                ],
+            ]),
+            velocity: ::lagrangian::__private::SMatrix::from([
+                [
+                    -(x24 * x42),
+                    cos_psi.mul_add(x41, sin_psi * x39),
+                    sin_theta.mul_add(x33, x42 * x27),
+                ],
+                [
+                    -(x24 * x44),
+                    -(sin_psi * cos_psi * w3 * -(x38 + x40)),
+                    x25
+                        .mul_add(
+                            x26 * (-sin_psi).mul_add(w1, cos_psi * w2),
+                            x44.mul_add(x27, phi_dot * sin_theta),
+                        ),
+                ],
+                [-(x24 * x47), cos_psi.mul_add(x46, sin_psi * x45), x47 * x27],
+            ]),
+            time: ::lagrangian::__private::SVector::from([
+                __S::from_f64(0.0),
+                __S::from_f64(0.0),
+                __S::from_f64(0.0),
+            ]),
+        }
+    }
+    fn momenta(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, sin_psi,
+        cos_theta, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x0 = i3 * w3;
+        x1 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
+        x2 = i2 * w2;
+        w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
+        x3 = i1 * w1;
+        ::lagrangian::__private::SVector::from([
+            sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
+            (-sin_psi).mul_add(x2, cos_psi * x3),
+            x0,
+        ])
+    }
+    fn mass_matrix(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
+        let [theta, psi, i1, i2, i3, sin_theta, sin_psi, cos_theta, cos_psi, x0, x1, x2,
+        x3]: [__S; 13usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
+        x0 = i3 * cos_theta;
+        x1 = cos_psi * cos_psi;
+        x2 = sin_psi * sin_psi;
+        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+        ::lagrangian::__private::SMatrix::from([
+            [
+                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
+                x3,
+                x0,
+            ],
+            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+            [x0, __S::from_f64(0.0), i3],
+        ])
+    }
+    fn relative_pivots(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [theta, psi, i1, i2, i3, sin_psi, sin_theta, cos_psi, cos_theta, x0, x1, x2,
+        x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19,
+        x20, x21, x22]: [__S; 32usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = sin_psi * sin_psi;
+        x1 = i2 * x0;
+        x2 = cos_psi * cos_psi;
+        x3 = i1 * x2;
+        x4 = x1 + x3;
+        x5 = __S::from_f64(1.0) / x4;
+        x6 = x5 * x2;
+        x7 = i1 - i2;
+        x8 = x6 * (x7 * x7);
+        x9 = sin_theta * sin_theta;
+        x10 = x9 * x0;
+        x11 = x8 * x10;
+        x12 = i2 * x2;
+        x13 = x12 * x9;
+        x14 = i1 * x10;
+        x15 = x13 + x14;
+        x16 = cos_theta
+            * __S::from_f64(2.0)
+                .mul_add(x12, sin_psi * (sin_psi * (__S::from_f64(2.0) * (i1 - x8))));
+        x17 = sin_psi * (sin_psi * (__S::from_f64(2.0) * (x7 * x2 / (x4 * x4) - x5)));
+        x18 = __S::from_f64(2.0) * x7;
+        x19 = cos_psi * x7.mul_add(x7 * __S::from_f64(2.0).mul_add(x6, x17), -x18);
+        x20 = __S::from_f64(1.0).min(psi.abs());
+        x21 = (sin_theta * (sin_theta * (sin_psi * x19)))
+            .abs()
+            .mul_add(
+                x20,
+                (sin_theta * x16)
+                    .abs()
+                    .mul_add(
+                        __S::from_f64(1.0).min(theta.abs()),
+                        x13.abs() + x14.abs() + x11.abs(),
+                    ),
+            );
+        x22 = x20.mul_add((sin_psi * (cos_psi * -x18)).abs(), x1.abs() + x3.abs());
+        ::lagrangian::__private::relative_pivots(
+            [x15 - x11, x4, i3],
+            [x21, x22, i3.abs()],
+            [i3.mul_add(cos_theta * cos_theta, x15), x4, i3],
+        )
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop {
+    fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, sin_theta,
+        cos_psi, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+    }
+    fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+        let [theta, m, g, l]: [__S; 4usize];
+        theta = state.q[1];
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        m * g * l * theta.cos()
+    }
+}
