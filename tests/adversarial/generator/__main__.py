@@ -1,0 +1,101 @@
+"""Generates models, and compares what the derive makes of them with an evaluation of its own.
+
+    python3 tests/adversarial/generator run --seed 1 --count 200
+    python3 tests/adversarial/generator run --file tests/adversarial/models/failing.json
+    python3 tests/adversarial/generator select --seed 1 --each 3
+    python3 tests/adversarial/generator show --seed 1 --kinds jumps --count 3
+
+Needs Python 3.11 and mpmath 1.3. `README.md` beside this folder says what is compared, and how.
+"""
+
+import argparse
+import sys
+from collections import Counter
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import document
+from building import built
+from kinds import KINDS
+from report import Report
+
+MODELS = Path(__file__).resolve().parents[1] / "models"
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=("run", "select", "show"))
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=120, help="how many models")
+    parser.add_argument("--kinds", type=lambda text: text.split(","), help="which, apart by commas; all if absent")
+    parser.add_argument("--shard", type=int, default=120, help="how many models are compiled at a time")
+    parser.add_argument("--each", type=int, default=3, help="how many models of each kind are selected")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--limit", type=int, default=900, help="seconds for the compilation of a shard")
+    parser.add_argument("--folder", type=Path, default=Path("target/adversarial"), help="where to build, and for findings")
+    parser.add_argument("--file", type=Path, help="models to run instead of generated ones")
+    given = parser.parse_args()
+    unknown = [kind for kind in given.kinds or [] if kind not in KINDS]
+    if unknown:
+        parser.error(f"no kinds are named {', '.join(unknown)}: there are {', '.join(KINDS)}")
+    given.folder = given.folder.resolve()
+    return given
+
+
+def evaluated(models, given):
+    report = Report()
+    for start in range(0, len(models), given.shard):
+        shard = models[start : start + given.shard]
+        report.add(shard, built(shard, given.folder, given.limit))
+        report.findings(given.folder / "findings")
+        print(f"{start + len(shard)} of {len(models)} models: {len(report.wrong)} wrong, {len(report.refused)} refused", flush=True)
+    return report
+
+
+def run(given):
+    if given.file:
+        models, unusable = document.read(given.file), 0
+    else:
+        models, unusable = document.all_generated(given.seed, given.count, given.kinds, given.jobs)
+    report = evaluated(models, given)
+    report.unusable = unusable
+    print(report)
+    for name in report.wrong:
+        quantities = sorted({c["quantity"] for c in report.wrong[name][1]})
+        print(f"wrong: {name}: {', '.join(quantities)}")
+    for name, (_, message) in report.refused.items():
+        print(f"refused: {name}: {message.strip().splitlines()[0]}")
+    return 1 if report.wrong or report.refused else 0
+
+
+def select(given):
+    """Writes `passing.json`, as many models of each kind as are asked for, and `failing.json`."""
+    kinds = given.kinds or list(KINDS)
+    models, _ = document.all_generated(given.seed, 2 * given.each * len(kinds), kinds, given.jobs)
+    report = evaluated(models, given)
+    taken, passing, failing = Counter(), [], []
+    for model in models:
+        if model["id"] in report.wrong or model["id"] in report.refused:
+            failing.append(model)
+        elif taken[model["kind"]] < given.each:
+            taken[model["kind"]] += 1
+            passing.append(model)
+    command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
+    document.write(MODELS / "passing.json", passing, {"command": command, "contents": "models that agree"})
+    document.write(MODELS / "failing.json", failing, {"command": command, "contents": "models that are wrong or refused"})
+    print(report)
+    print(f"{len(passing)} models agree, {len(failing)} fail")
+    return 0
+
+
+def show(given):
+    for model in document.all_generated(given.seed, given.count, given.kinds, given.jobs)[0]:
+        print(f"// {model['id']}, {len(model['states'])} states\n{model['declaration']}")
+    return 0
+
+
+if __name__ == "__main__":
+    given = arguments()
+    sys.exit({"run": run, "select": select, "show": show}[given.command](given))
