@@ -9,6 +9,8 @@ Needs Python 3.11 and mpmath 1.3. `README.md` beside this folder says what is co
 """
 
 import argparse
+import itertools
+import shutil
 import sys
 from collections import Counter
 from pathlib import Path
@@ -45,22 +47,27 @@ def arguments():
 
 
 def evaluated(models, given):
-    report = Report()
-    for start in range(0, len(models), given.shard):
-        shard = models[start : start + given.shard]
-        report.add(shard, built(shard, given.folder, given.limit))
-        report.findings(given.folder / "findings")
-        print(f"{start + len(shard)} of {len(models)} models: {len(report.wrong)} wrong, {len(report.refused)} refused", flush=True)
-    return report
+    """A report on the models, and those that have a state of any use."""
+    findings = given.folder / "findings"
+    shutil.rmtree(findings, ignore_errors=True)
+    report, usable = Report(), []
+    models = iter(models)
+    while shard := list(itertools.islice(models, given.shard)):
+        with_states = [m for m in shard if m["states"]]
+        report.unusable += len(shard) - len(with_states)
+        usable += with_states
+        report.add(with_states, built(with_states, given.folder, given.limit))
+        report.findings(findings)
+        print(f"{len(usable)} models: {len(report.wrong)} wrong, {len(report.refused)} refused", flush=True)
+    return report, usable
 
 
 def run(given):
     if given.file:
-        models, unusable = document.read(given.file), 0
+        models = document.read(given.file)
     else:
-        models, unusable = document.all_generated(given.seed, given.count, given.kinds, given.jobs)
-    report = evaluated(models, given)
-    report.unusable = unusable
+        models = document.all_generated(given.seed, given.count, given.kinds, given.jobs)
+    report, _ = evaluated(models, given)
     print(report)
     for name in report.wrong:
         quantities = sorted({c["quantity"] for c in report.wrong[name][1]})
@@ -73,8 +80,8 @@ def run(given):
 def select(given):
     """Writes `passing.json`, as many models of each kind as are asked for, and `failing.json`."""
     kinds = given.kinds or list(KINDS)
-    models, _ = document.all_generated(given.seed, 2 * given.each * len(kinds), kinds, given.jobs)
-    report = evaluated(models, given)
+    models = document.all_generated(given.seed, 2 * given.each * len(kinds), kinds, given.jobs)
+    report, models = evaluated(models, given)
     taken, passing, failing = Counter(), [], []
     for model in models:
         if model["id"] in report.wrong or model["id"] in report.refused:
@@ -91,7 +98,7 @@ def select(given):
 
 
 def show(given):
-    for model in document.all_generated(given.seed, given.count, given.kinds, given.jobs)[0]:
+    for model in document.all_generated(given.seed, given.count, given.kinds, given.jobs):
         print(f"// {model['id']}, {len(model['states'])} states\n{model['declaration']}")
     return 0
 

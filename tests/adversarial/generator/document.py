@@ -38,12 +38,11 @@ def spelled(state):
 
 
 def all_generated(seed, count, kinds, jobs):
-    """`count` models of the kinds in turn; those without a state of any use are left out, and counted."""
+    """`count` models of the kinds in turn, generated while those before are compiled."""
     kinds = kinds or list(KINDS)
     work = [(kinds[i % len(kinds)], seed, i // len(kinds)) for i in range(count)]
     with Pool(jobs) as pool:
-        models = list(pool.imap(generated, work, chunksize=2))
-    return [m for m in models if m["states"]], sum(not m["states"] for m in models)
+        yield from pool.imap(generated, work)
 
 
 def write(path, models, provenance):
