@@ -48,7 +48,7 @@ def arguments():
 
 def evaluated(models, given):
     """A report on the models, and those that have a state of any use."""
-    findings = given.folder / "findings"
+    findings = given.folder / "findings" / (given.file.stem if given.file else f"seed_{given.seed}")
     shutil.rmtree(findings, ignore_errors=True)
     report, usable = Report(), []
     models = iter(models)

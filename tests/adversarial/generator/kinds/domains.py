@@ -97,7 +97,7 @@ def speeds(m, rng):
         m.lagrangian = 0.5 * square * (2 + sin(x)) + extra - smooth(rng, qs)
     else:
         m.kinetic += [diagonal(m, rng, qs), extra]
-    m.output("energy", r * jump(rng, s, r))
+    m.output("value", r * jump(rng, s, r))
     decorated(m, rng, qs, 0.2)
     if m.lagrangian is not None:
         m.potential = []
