@@ -3,6 +3,7 @@
     python3 tests/adversarial/generator run --seed 1 --count 200
     python3 tests/adversarial/generator run --file tests/adversarial/models/failing.json
     python3 tests/adversarial/generator select --seed 1 --each 3
+    python3 tests/adversarial/generator minimize --id soup_4_8 --state 0
     python3 tests/adversarial/generator show --seed 1 --kinds jumps --count 3
 
 Needs Python 3.11 and mpmath 1.3. `README.md` beside this folder says what is compared, and how.
@@ -12,7 +13,6 @@ import argparse
 import itertools
 import shutil
 import sys
-from collections import Counter
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -21,6 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import document
 from building import built
 from kinds import KINDS
+from minimization import minimized
 from report import Report
 
 MODELS = Path(__file__).resolve().parents[1] / "models"
@@ -28,7 +29,7 @@ MODELS = Path(__file__).resolve().parents[1] / "models"
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", choices=("run", "select", "show"))
+    parser.add_argument("command", choices=("run", "select", "show", "minimize"))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=120, help="how many models")
     parser.add_argument("--kinds", type=lambda text: text.split(","), help="which, apart by commas; all if absent")
@@ -37,6 +38,8 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--limit", type=int, default=900, help="seconds for the compilation of a shard")
     parser.add_argument("--folder", type=Path, default=Path("target/adversarial"), help="where to build, and for findings")
+    parser.add_argument("--id", help="the model to minimize")
+    parser.add_argument("--state", type=int, default=0, help="the state at which it is wrong")
     parser.add_argument("--file", type=Path, help="models to run instead of generated ones")
     given = parser.parse_args()
     unknown = [kind for kind in given.kinds or [] if kind not in KINDS]
@@ -78,22 +81,29 @@ def run(given):
 
 
 def select(given):
-    """Writes `passing.json`, as many models of each kind as are asked for, and `failing.json`."""
-    kinds = given.kinds or list(KINDS)
-    models = document.all_generated(given.seed, 2 * given.each * len(kinds), kinds, given.jobs)
-    report, models = evaluated(models, given)
-    taken, passing, failing = Counter(), [], []
-    for model in models:
-        if model["id"] in report.wrong or model["id"] in report.refused:
-            failing.append(model)
-        elif taken[model["kind"]] < given.each:
-            taken[model["kind"]] += 1
-            passing.append(model)
+    """Writes `passing.json` and `failing.json` from as many models of each kind as are asked for."""
+    count = given.each * len(given.kinds or KINDS)
+    report, models = evaluated(document.all_generated(given.seed, count, given.kinds, given.jobs), given)
+    fails = lambda model: model["id"] in report.wrong or model["id"] in report.refused
     command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
-    document.write(MODELS / "passing.json", passing, {"command": command, "contents": "models that agree"})
-    document.write(MODELS / "failing.json", failing, {"command": command, "contents": "models that are wrong or refused"})
+    for name, contents in (("passing", "models that agree"), ("failing", "models that are wrong or refused")):
+        chosen = [model for model in models if fails(model) == (name == "failing")]
+        document.write(MODELS / f"{name}.json", chosen, {"command": command, "contents": contents})
+        print(f"{len(chosen)} {contents}")
     print(report)
-    print(f"{len(passing)} models agree, {len(failing)} fail")
+    return 0
+
+
+def minimize(given):
+    """Prints a small model that is wrong where a given one is."""
+    kind, seed, number = given.id.rsplit("_", 2)
+    # The states follow from the name, too.
+    job = kind, int(seed), int(number)
+    report = minimized(job, document.generated(job), given.state, given.folder, given.limit)
+    if report is None:
+        print("no smaller model is wrong")
+        return 1
+    report.findings(given.folder / "findings" / "minimized")
     return 0
 
 
@@ -105,4 +115,4 @@ def show(given):
 
 if __name__ == "__main__":
     given = arguments()
-    sys.exit({"run": run, "select": select, "show": show}[given.command](given))
+    sys.exit({"run": run, "select": select, "show": show, "minimize": minimize}[given.command](given))

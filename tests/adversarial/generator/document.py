@@ -18,9 +18,14 @@ def generated(job):
     model = KINDS[kind](rng)
     text = declaration(model, rng)
     states, shapes = references(model, STATES, f"{kind}/{seed}/{number}/states")
+    return assembled(f"{kind}_{seed}_{number}", model, text, states, shapes)
+
+
+def assembled(name, model, text, states, shapes):
+    """A model as it stands in the file."""
     return {
-        "id": f"{kind}_{seed}_{number}",
-        "kind": kind,
+        "id": name,
+        "kind": model.kind,
         "n": len(model.coordinate_labels()),
         "energies": model.lagrangian is None,
         "fields": [{"name": f.name, "shape": f.shape, "family": f.family, "input": f.input} for f in model.fields],

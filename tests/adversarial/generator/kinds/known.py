@@ -6,10 +6,6 @@ import tree
 
 
 @kind
-def known(m, rng):
-    rng.choice((free_component, body_in_a_frame, jump_in_a_square, root_in_a_square, root_in_the_potential))(m, rng)
-
-
 def free_component(m, rng):
     """A force on a velocity of which one component is free of q̇: Q = F·∂v/∂q̇ = 3."""
     x = m.coordinate("x")
@@ -21,6 +17,7 @@ def free_component(m, rng):
     m.states.append({"q": [0.5], "v": [0.7], "m": 1.0, "rate": 2.0, "f": [3.0, 5.0]})
 
 
+@kind
 def body_in_a_frame(m, rng):
     """A torque on an angular velocity of which one component has no q̇."""
     theta = m.coordinate("theta")
@@ -33,6 +30,7 @@ def body_in_a_frame(m, rng):
     m.states.append({"q": [0.7], "v": [0.3], "rate": 2.0, "i": 1.0, "f": [3.0, 5.0, 7.0]})
 
 
+@kind
 def jump_in_a_square(m, rng):
     x, y, z = (m.coordinate(c) for c in "xyz")
     a, b, c = (m.parameter(p, draw="positive") for p in "abc")
@@ -43,6 +41,7 @@ def jump_in_a_square(m, rng):
     m.states.append({"q": [-1.0, -5.8, -6.0], "v": [1.0, 1.5, 2.0], **values})
 
 
+@kind
 def root_in_a_square(m, rng):
     x, y = (m.coordinate(c) for c in "xy")
     mass = m.parameter("m", draw="positive")
@@ -51,6 +50,7 @@ def root_in_a_square(m, rng):
     m.states.append({"q": [0.3, 0.5], "v": [1.0, 2.0], "m": 1.0})
 
 
+@kind
 def root_in_the_potential(m, rng):
     x, y = (m.coordinate(c) for c in "xy")
     a = m.parameter("a", draw="positive")
@@ -58,3 +58,15 @@ def root_in_the_potential(m, rng):
     m.potential.append((sqrt(x**2 - 12 * x + 36) + x - 6) * dot(y))
     m.states.append({"q": [8.0, 0.4], "v": [0.5, 2.0], "a": 1.0})
     m.states.append({"q": [2.0, 0.4], "v": [0.5, 2.0], "a": 1.0})
+
+
+@kind
+def root_in_a_form(m, rng):
+    """A factor that vanishes on one branch, in one form beside another."""
+    theta, s = m.coordinate("theta"), m.coordinate("s")
+    m0, m1 = m.parameter("m0", draw="positive"), m.parameter("m1", draw="positive")
+    factor = sqrt(2 * (1 + cos(s))) + rng.choice((2, -2)) * cos(0.5 * s)
+    m.kinetic.append(0.5 * m0 * dot(theta) ** 2 + 0.5 * m1 * dot(s) ** 2)
+    m.kinetic.append(0.5 * (dot(s) + factor * dot(theta)) ** 2 + 0.5 * (dot(s) + dot(theta)) ** 2)
+    m.states.append({"q": [-1.7, -2.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
+    m.states.append({"q": [-1.7, 4.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
