@@ -1,11 +1,13 @@
 """Reference values of a model at some states, and tolerances for them.
 
 Values are computed in 240 bits; derivatives of q̈ by differences with steps of 2⁻¹⁰⁰, whose errors are of that size.
+
 The tolerance of a quantity is what evaluating the same tree in binary64 loses where every input is off by one unit in
-the last place (CESTAC: J. Vignes, A stochastic arithmetic for reliable scientific computation, Math. Comput. Simul. 35,
-1993; there, too, a few samples tell), the greatest of `SAMPLES` evaluations, but at least one unit of the greatest entry, or
-of 1, since terms of that size are what a zero is made of; for q̈ also Skeel's bound |M⁻¹| (|M| |q̈| + |f|) (R. D. Skeel, Scaling for numerical stability in Gaussian elimination, J.
-ACM 26, 1979). `ALLOWANCE` is for algorithms that take another way through the same numbers.
+the last place: the greatest of `SAMPLES` evaluations (CESTAC: J. Vignes, A stochastic arithmetic for reliable scientific
+computation, Math. Comput. Simul. 35, 1993), but at least one unit of the greatest entry, or of 1, since terms of that size
+are what a zero is made of. For q̈ it is also Skeel's bound |M⁻¹| (|M| |q̈| + |f|) (R. D. Skeel, Scaling for numerical
+stability in Gaussian elimination, J. ACM 26, 1979). `ALLOWANCE` is for algorithms that take another way through the same
+numbers.
 """
 
 import math

@@ -113,22 +113,3 @@ impl Values {
         SMatrix::from_row_iterator((0..R * C).map(|_| self.number()))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn matrices_are_read_row_by_row() {
-        let mut values = Values(Box::new([1.0, 2.0, 3.0, 4.0, 5.0].into_iter()));
-        assert!((values.number() - 1.0).abs() < 1e-15);
-        let expected = SMatrix::<f64, 2, 2>::new(2.0, 3.0, 4.0, 5.0);
-        assert!((values.matrix::<2, 2>() - expected).norm() < 1e-15);
-    }
-
-    #[test]
-    #[should_panic(expected = "`x` is no number")]
-    fn what_is_no_number_fails() {
-        let _ = numbers(&Value::from("1.0 x"));
-    }
-}

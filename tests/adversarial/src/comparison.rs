@@ -88,38 +88,3 @@ pub fn compare() -> Vec<Comparison> {
     }
     comparisons
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn comparison(found: &[f64], expected: &[f64]) -> Comparison {
-        Comparison {
-            model: String::new(),
-            state: 0,
-            quantity: "L",
-            found: found.to_vec(),
-            expected: expected.to_vec(),
-            tolerance: 0.25,
-        }
-    }
-
-    #[test]
-    fn the_worst_entry_counts() {
-        assert!(comparison(&[1.0, -2.0], &[1.0, -2.25]).is_within());
-        assert!(!comparison(&[1.0, 2.0], &[1.0, -2.0]).is_within());
-        assert!(!comparison(&[1.5, -2.0], &[1.0, -2.0]).is_within());
-    }
-
-    #[test]
-    fn what_is_not_finite_is_wrong() {
-        assert!(!comparison(&[f64::NAN], &[1.0]).is_within());
-        assert!(!comparison(&[f64::INFINITY], &[f64::INFINITY]).is_within());
-    }
-
-    #[test]
-    #[should_panic(expected = "lengths differ")]
-    fn lengths_must_agree() {
-        let _ = comparison(&[1.0], &[1.0, 2.0]).error();
-    }
-}

@@ -13,7 +13,7 @@ pub use evaluation::{Evaluate, Found, driven, energies, motion, rows};
 
 /// The models, written by the build script.
 #[rustfmt::skip]
-#[allow(missing_docs, unreachable_pub, unused_imports, clippy::all, clippy::pedantic)]
+#[allow(missing_docs, unreachable_pub, unused, clippy::all, clippy::pedantic)]
 mod models {
     use crate::Evaluate;
 
