@@ -70,3 +70,25 @@ def root_in_a_form(m, rng):
     m.kinetic.append(0.5 * (dot(s) + factor * dot(theta)) ** 2 + 0.5 * (dot(s) + dot(theta)) ** 2)
     m.states.append({"q": [-1.7, -2.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
     m.states.append({"q": [-1.7, 4.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
+
+
+@kind
+def root_of_a_speed(m, rng):
+    """√(ẏ²) in the Lagrangian: its slope, the sign of ẏ, belongs to the momentum."""
+    y = m.coordinate("y")
+    c = m.parameter("c", draw="positive")
+    root = sqrt(dot(y) ** 2)
+    m.lagrangian = 0.5 * dot(y) ** 2 + c * (root * cos(y) if rng.random() < 0.5 else root)
+    m.states.append({"q": [0.5], "v": [-1.25], "c": 2.0})
+    m.states.append({"q": [0.5], "v": [1.25], "c": 2.0})
+
+
+@kind
+def vanishing_drift(m, rng):
+    """A drift that vanishes on one branch, in a form."""
+    x, y = m.coordinate("x"), m.coordinate("y")
+    m0, m1 = m.parameter("m0", draw="positive"), m.parameter("m1", draw="positive")
+    drift = sqrt(2 * (1 + cos(y))) + rng.choice((2, -2)) * cos(0.5 * y)
+    m.kinetic.append(0.5 * m0 * dot(x) ** 2 + 0.5 * m1 * dot(y) ** 2 + 0.5 * (dot(x) + drift) ** 2)
+    m.states.append({"q": [0.3, 2.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
+    m.states.append({"q": [0.3, 4.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
