@@ -27,6 +27,7 @@ fn main() {
         let id = text_of(&model["id"]);
         let path = folder.join(format!("{id}.rs"));
         write_file(&path, &source(model));
+        let path = path.display().to_string();
         writeln!(modules, "mod {id} {{ include!({path:?}); }}").expect("strings accept everything");
         writeln!(rows, "    ({id:?}, {id}::evaluate),").expect("strings accept everything");
     }
@@ -39,10 +40,11 @@ fn main() {
 /// A model: its declaration, its constructor, and the function that evaluates all of it.
 fn source(model: &Value) -> String {
     let fields = list(&model["fields"]);
-    let inits: String = fields
+    let inits: Vec<String> = fields
         .iter()
-        .map(|f| format!("{}: {}, ", text_of(&f["name"]), read(f)))
+        .map(|f| format!("{}: {}", text_of(&f["name"]), read(f)))
         .collect();
+    let inits = inits.join(", ");
     let inputs: Vec<&str> = fields
         .iter()
         .filter(|f| f["input"] == true)
@@ -57,16 +59,17 @@ fn source(model: &Value) -> String {
             .expect("strings accept everything");
     }
     if !inputs.is_empty() {
-        let unset: String = inputs
+        let unset: Vec<String> = inputs
             .iter()
-            .map(|name| format!("{name}: nowhere.{name}, "))
+            .map(|name| format!("{name}: nowhere.{name}"))
             .collect();
+        let unset = unset.join(", ");
         write!(
             calls,
             "\n        .chain(crate::driven(&model, at))
         .chain({{
             let nowhere = Model::new(&mut Values::unknown());
-            let unset = Model {{ {unset} ..model.clone() }};
+            let unset = Model {{ {unset}, ..model.clone() }};
             crate::motion(&unset.with_inputs(model.inputs()), at)
         }})"
         )

@@ -5,7 +5,7 @@
 mod at;
 mod comparison;
 mod evaluation;
-mod outside;
+pub mod outside;
 
 pub use at::{At, Values};
 pub use comparison::{Comparison, compare};

@@ -2,12 +2,14 @@
 
 use lagrangian::Scalar;
 
-/// exp(−s²).
-pub(crate) fn outside_bump<S: Scalar>(s: S) -> S {
+/// exp(−s²), without a unit.
+#[must_use]
+pub fn outside_bump<S: Scalar>(s: S) -> S {
     (-s * s).exp()
 }
 
-/// sin(s) u².
-pub(crate) fn outside_plane<S: Scalar>(s: S, u: S) -> S {
+/// sin(s) u², without a unit.
+#[must_use]
+pub fn outside_plane<S: Scalar>(s: S, u: S) -> S {
     s.sin() * u * u
 }
