@@ -1,0 +1,141 @@
+//! Writes the models of a file of data as Rust, each in a file of its own, so that what the compiler says of one
+//! can be told from what it says of another. The environment variable `ADVERSARIAL_MODELS` names another file.
+
+use std::{
+    env,
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+};
+
+use serde_json::Value;
+
+fn main() {
+    println!("cargo::rerun-if-env-changed=ADVERSARIAL_MODELS");
+    let root = env::var("CARGO_MANIFEST_DIR").expect("cargo sets CARGO_MANIFEST_DIR");
+    let file =
+        env::var_os("ADVERSARIAL_MODELS").map_or("models/passing.json".into(), PathBuf::from);
+    let file = Path::new(&root).join(file);
+    println!("cargo::rerun-if-changed={}", file.display());
+    println!("cargo::rustc-env=MODELS={}", file.display());
+
+    let text = fs::read_to_string(&file).expect("the file of models can be read");
+    let document: Value = serde_json::from_str(&text).expect("the file of models is JSON");
+    let folder = PathBuf::from(env::var("OUT_DIR").expect("cargo sets OUT_DIR"));
+    let (mut modules, mut rows) = (String::new(), String::new());
+    for model in list(&document["models"]) {
+        let id = text_of(&model["id"]);
+        let path = folder.join(format!("{id}.rs"));
+        write_file(&path, &source(model));
+        let path = path.display().to_string();
+        writeln!(modules, "mod {id} {{ include!({path:?}); }}").expect("strings accept everything");
+        writeln!(rows, "    ({id:?}, {id}::evaluate),").expect("strings accept everything");
+    }
+    let table = format!(
+        "{modules}\n/// The models, by identifier.\npub const MODELS: &[(&str, Evaluate)] = &[\n{rows}];\n"
+    );
+    write_file(&folder.join("models.rs"), &table);
+}
+
+/// A model: its declaration, its constructor, and the function that evaluates all of it.
+fn source(model: &Value) -> String {
+    let fields = list(&model["fields"]);
+    let inits: Vec<String> = fields
+        .iter()
+        .map(|f| format!("{}: {}", text_of(&f["name"]), read(f)))
+        .collect();
+    let inits = inits.join(", ");
+    let inputs: Vec<&str> = fields
+        .iter()
+        .filter(|f| f["input"] == true)
+        .map(|f| text_of(&f["name"]))
+        .collect();
+    let mut calls = format!(
+        "crate::motion::<Model, {}>(&model, at)\n        .into_iter()",
+        model["n"]
+    );
+    if model["energies"] == true {
+        write!(calls, "\n        .chain(crate::energies(&model, at))")
+            .expect("strings accept everything");
+    }
+    if !inputs.is_empty() {
+        let unset: Vec<String> = inputs
+            .iter()
+            .map(|name| format!("{name}: nowhere.{name}"))
+            .collect();
+        let unset = unset.join(", ");
+        write!(
+            calls,
+            "\n        .chain(crate::driven(&model, at))
+        .chain({{
+            let nowhere = Model::new(&mut Values::unknown());
+            let unset = Model {{ {unset}, ..model.clone() }};
+            crate::motion(&unset.with_inputs(model.inputs()), at)
+        }})"
+        )
+        .expect("strings accept everything");
+    }
+    let outputs = model["outputs"].as_object().expect("outputs by name");
+    for (name, shape) in outputs {
+        let value = match list(shape).len() {
+            0 => format!("vec![outputs.{name}]"),
+            _ => format!("crate::rows(&outputs.{name})"),
+        };
+        write!(calls, "\n        .chain([(\"output {name}\", {value})])")
+            .expect("strings accept everything");
+    }
+    let outputs = if outputs.is_empty() {
+        String::new()
+    } else {
+        let n = &model["n"];
+        format!("let outputs = Outputs::<{n}>::outputs(&model, &at.state());\n    ")
+    };
+    format!(
+        "use lagrangian::prelude::*;
+use crate::{{At, Found, Values, outside}};
+
+{}
+impl Model {{
+    fn new(values: &mut Values) -> Self {{
+        Self {{ {inits} }}
+    }}
+}}
+
+pub(crate) fn evaluate(at: &At) -> Vec<Found> {{
+    let model = Model::new(&mut Values::of(at));
+    {outputs}{calls}
+        .collect()
+}}
+",
+        text_of(&model["declaration"])
+    )
+}
+
+/// How a field is read from the values in order.
+fn read(field: &Value) -> String {
+    let one = if list(&field["shape"]).is_empty() {
+        "values.number()"
+    } else {
+        "values.matrix()"
+    };
+    match field["family"].as_u64() {
+        None => one.to_owned(),
+        Some(_) => format!("std::array::from_fn(|_| {one})"),
+    }
+}
+
+fn write_file(path: &Path, text: &str) {
+    // What has not changed keeps its time, and is not compiled again.
+    if fs::read_to_string(path).is_ok_and(|before| before == text) {
+        return;
+    }
+    fs::write(path, text).expect("OUT_DIR can be written to");
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().expect("a list")
+}
+
+fn text_of(value: &Value) -> &str {
+    value.as_str().expect("a string")
+}

@@ -1,0 +1,118 @@
+"""Generates models, and compares what the derive makes of them with an evaluation of its own.
+
+    python3 tests/adversarial/generator run --seed 1 --count 200
+    python3 tests/adversarial/generator run --file tests/adversarial/models/failing.json
+    python3 tests/adversarial/generator select --seed 1 --each 3
+    python3 tests/adversarial/generator minimize --id soup_4_8 --state 0
+    python3 tests/adversarial/generator show --seed 1 --kinds jumps --count 3
+
+Needs Python 3.11 and mpmath 1.3. `README.md` beside this folder says what is compared, and how.
+"""
+
+import argparse
+import itertools
+import shutil
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import document
+from building import built
+from kinds import KINDS
+from minimization import minimized
+from report import Report
+
+MODELS = Path(__file__).resolve().parents[1] / "models"
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=("run", "select", "show", "minimize"))
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=120, help="how many models")
+    parser.add_argument("--kinds", type=lambda text: text.split(","), help="which, apart by commas; all if absent")
+    parser.add_argument("--shard", type=int, default=120, help="how many models are compiled at a time")
+    parser.add_argument("--each", type=int, default=3, help="how many models of each kind are selected")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--limit", type=int, default=900, help="seconds for the compilation of a shard")
+    parser.add_argument("--folder", type=Path, default=Path("target/adversarial"), help="where to build, and for findings")
+    parser.add_argument("--id", help="the model to minimize")
+    parser.add_argument("--state", type=int, default=0, help="the state at which it is wrong")
+    parser.add_argument("--file", type=Path, help="models to run instead of generated ones")
+    given = parser.parse_args()
+    unknown = [kind for kind in given.kinds or [] if kind not in KINDS]
+    if unknown:
+        parser.error(f"no kinds are named {', '.join(unknown)}: there are {', '.join(KINDS)}")
+    given.folder = given.folder.resolve()
+    return given
+
+
+def evaluated(models, given):
+    """A report on the models, and those that have a state of any use."""
+    findings = given.folder / "findings" / (given.file.stem if given.file else f"seed_{given.seed}")
+    shutil.rmtree(findings, ignore_errors=True)
+    report, usable = Report(), []
+    models = iter(models)
+    while shard := list(itertools.islice(models, given.shard)):
+        with_states = [m for m in shard if m["states"]]
+        report.unusable += len(shard) - len(with_states)
+        usable += with_states
+        report.add(with_states, built(with_states, given.folder, given.limit))
+        report.findings(findings)
+        print(f"{len(usable)} models: {len(report.wrong)} wrong, {len(report.refused)} refused", flush=True)
+    return report, usable
+
+
+def run(given):
+    if given.file:
+        models = document.read(given.file)
+    else:
+        models = document.all_generated(given.seed, given.count, given.kinds, given.jobs)
+    report, _ = evaluated(models, given)
+    print(report)
+    for name in report.wrong:
+        quantities = sorted({c["quantity"] for c in report.wrong[name][1]})
+        print(f"wrong: {name}: {', '.join(quantities)}")
+    for name, (_, message) in report.refused.items():
+        print(f"refused: {name}: {message.strip().splitlines()[0]}")
+    return 1 if report.wrong or report.refused else 0
+
+
+def select(given):
+    """Writes `passing.json` and `failing.json` from as many models of each kind as are asked for."""
+    count = given.each * len(given.kinds or KINDS)
+    report, models = evaluated(document.all_generated(given.seed, count, given.kinds, given.jobs), given)
+    fails = lambda model: model["id"] in report.wrong or model["id"] in report.refused
+    command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
+    for name, contents in (("passing", "models that agree"), ("failing", "models that are wrong or refused")):
+        chosen = [model for model in models if fails(model) == (name == "failing")]
+        document.write(MODELS / f"{name}.json", chosen, {"command": command, "contents": contents})
+        print(f"{len(chosen)} {contents}")
+    print(report)
+    return 0
+
+
+def minimize(given):
+    """Prints a small model that is wrong where a given one is."""
+    kind, seed, number = given.id.rsplit("_", 2)
+    # The states follow from the name, too.
+    job = kind, int(seed), int(number)
+    report = minimized(job, document.generated(job), given.state, given.folder, given.limit)
+    if report is None:
+        print("no smaller model is wrong")
+        return 1
+    report.findings(given.folder / "findings" / "minimized")
+    return 0
+
+
+def show(given):
+    for model in document.all_generated(given.seed, given.count, given.kinds, given.jobs):
+        print(f"// {model['id']}, {len(model['states'])} states\n{model['declaration']}")
+    return 0
+
+
+if __name__ == "__main__":
+    given = arguments()
+    sys.exit({"run": run, "select": select, "show": show, "minimize": minimize}[given.command](given))

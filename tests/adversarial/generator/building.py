@@ -1,0 +1,99 @@
+"""Builds the package on a file of models, leaves out those that the compiler refuses, and runs it."""
+
+import json
+import os
+import re
+import subprocess
+import time
+from pathlib import Path
+
+import document
+
+PACKAGE = "lagrangian-adversarial"
+ROOT = Path(__file__).resolve().parents[3]
+
+
+class Build:
+    """What came of a shard: comparisons, refusals by identifier, and seconds."""
+
+    def __init__(self):
+        self.comparisons, self.refused = [], {}
+        self.seconds, self.expansion = 0.0, 0.0
+
+
+def built(models, folder, limit):
+    """Builds and evaluates the models; a build that takes longer than `limit` seconds is split in two."""
+    result = Build()
+    models = list(models)
+    while models:
+        file = folder / "models.json"
+        document.write(file, models, {})
+        start = time.time()
+        try:
+            output = cargo(["rustc", "--lib", "--message-format=json", "--", "-Ztime-passes"], file, folder, limit)
+        except subprocess.TimeoutExpired:
+            return split(models, folder, limit, result)
+        result.seconds += time.time() - start
+        result.expansion += expansion(output.stderr + output.stdout)
+        refused = refusals(output.stdout, {m["id"] for m in models})
+        result.refused.update(refused)
+        if output.returncode == 0:
+            evaluated = cargo(["run", "--bin", PACKAGE, "--quiet"], file, folder, limit)
+            if evaluated.returncode != 0:
+                raise SystemExit(evaluated.stderr[-4000:])
+            result.comparisons += [json.loads(line) for line in evaluated.stdout.splitlines()]
+            return result
+        if not refused:
+            raise SystemExit(output.stderr[-4000:] + output.stdout[-2000:])
+        models = [m for m in models if m["id"] not in refused]
+    return result
+
+
+def split(models, folder, limit, result):
+    if len(models) == 1:
+        result.refused[models[0]["id"]] = f"takes longer than {limit} s to compile"
+        return result
+    middle = len(models) // 2
+    for half in (models[:middle], models[middle:]):
+        part = built(half, folder, limit)
+        result.comparisons += part.comparisons
+        result.refused.update(part.refused)
+        result.seconds += part.seconds
+        result.expansion += part.expansion
+    return result
+
+
+def cargo(arguments, file, folder, limit):
+    environment = {
+        **os.environ,
+        "ADVERSARIAL_MODELS": str(file),
+        "CARGO_TARGET_DIR": str(folder / "target"),
+        # The macro keeps its debug assertions; nothing else of a debug build is wanted.
+        "CARGO_PROFILE_DEV_DEBUG": "0",
+        "CARGO_INCREMENTAL": "0",
+        # Times by pass are for nightly compilers, or for those who say so.
+        "RUSTC_BOOTSTRAP": "lagrangian_adversarial",
+    }
+    command = ["cargo", arguments[0], "-p", PACKAGE, *arguments[1:]]
+    return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=limit)
+
+
+def expansion(text):
+    """Seconds that the compiler spent in macros."""
+    return sum(float(x) for x in re.findall(r"time:\s+([0-9.]+).*\bmacro_expand_crate\b", text))
+
+
+def refusals(messages, known):
+    """The errors by model, from the file that they are in."""
+    refused = {}
+    for line in messages.splitlines():
+        if not line.startswith("{"):
+            continue
+        message = json.loads(line).get("message")
+        if not isinstance(message, dict) or not message.get("level", "").startswith("error"):
+            continue
+        for span in message["spans"]:
+            name = Path(span["file_name"]).stem
+            if name in known:
+                refused.setdefault(name, message["rendered"])
+    return refused

@@ -1,0 +1,266 @@
+"""Reference values of a model at some states, and tolerances for them.
+
+Values are computed in 240 bits; derivatives of q̈ by differences with steps of 2⁻¹⁰⁰, whose errors are of that size.
+
+The tolerance of a quantity is what evaluating the same tree in binary64 loses where every input is off by one unit in
+the last place: the greatest of `SAMPLES` evaluations (CESTAC: J. Vignes, A stochastic arithmetic for reliable scientific
+computation, Math. Comput. Simul. 35, 1993), but at least one unit of the greatest entry, or of 1, since terms of that size
+are what a zero is made of; for q̈ and its derivatives such terms stand in f. For q̈ it is also Skeel's bound
+|M⁻¹| (|M| |q̈| + |f|) (R. D. Skeel, Scaling for numerical stability in Gaussian elimination, J. ACM 26, 1979). `ALLOWANCE` is
+for algorithms that take another way through the same numbers.
+"""
+
+import math
+import random
+
+from mpmath import mp, mpf
+
+import arrays
+from arrays import added, flat, solve
+from derivatives import PRECISE, Dual, NoValue, level
+from mechanics import Equations, outputs
+
+BITS = 240
+STEP = 2.0**-100
+UNIT = 2.0**-53
+SAMPLES = 4
+ALLOWANCE = 64
+USELESS = 1e-5  # A tolerance so great, relative to the quantity, tests nothing.
+
+mp.prec = BITS
+
+
+class Inputs:
+    """A state with the values of all fields: what everything is a function of."""
+
+    def __init__(self, t, q, v, fields):
+        self.t, self.q, self.v, self.fields = t, q, v, fields
+
+    def mapped(self, change):
+        fields = {name: deep(change, x) for name, x in self.fields.items()}
+        return Inputs(change(self.t), [change(x) for x in self.q], [change(x) for x in self.v], fields)
+
+    def with_change(self, kind, i, change):
+        """One of the inputs changed: `kind` is "q", "v", "t", or the `Field`, of which component i."""
+        q, v, fields = list(self.q), list(self.v), dict(self.fields)
+        if kind == "t":
+            return Inputs(change(self.t), q, v, fields)
+        if kind in ("q", "v"):
+            column = {"q": q, "v": v}[kind]
+            column[i] = change(column[i])
+            return Inputs(self.t, q, v, fields)
+        fields[kind.name] = at_component(fields[kind.name], i, change)
+        return Inputs(self.t, q, v, fields)
+
+
+def deep(change, x):
+    return [deep(change, y) for y in x] if isinstance(x, list) else change(x)
+
+
+def at_component(x, i, change):
+    if not isinstance(x, list):
+        return change(x)
+    return [change(y) if k == i else y for k, y in enumerate(x)]
+
+
+def directions(model, n):
+    """The columns of the linearization: by q, by v, by t, by inputs in the order of their fields."""
+    yield from (("dqdd_dq", "q", i) for i in range(n))
+    yield from (("dqdd_dqd", "v", i) for i in range(n))
+    yield "dqdd_dt", "t", 0
+    for f in model.fields:
+        if f.input:
+            yield from (("dqdd_du", f, i) for i in range(f.size()))
+
+
+def equations(model, at):
+    return Equations(model, at.t, at.q, at.v, at.fields)
+
+
+def quantities(model, at, trial, slope, linearize=True):
+    """All quantities by name, each a list of numbers row by row, and the shapes of outputs."""
+    e = equations(model, at)
+    found = {
+        "L": [e.L],
+        "h": [e.h],
+        "p": e.p,
+        "M": flat(e.M),
+        "f": e.f,
+        "Q": e.Q,
+        "qdd": e.a,
+        "inverse": e.inverse_dynamics(trial),
+    }
+    if model.lagrangian is None:
+        found.update(T=[bare(e.kinetic)], V=[bare(e.potential)])
+    columns = {}
+    for name, kind, i in directions(model, len(at.q)) if linearize else ():
+        columns.setdefault(name, []).append(slope(model, at, kind, i, e.a))
+    found.update((name, flat(arrays.transpose(c))) for name, c in columns.items())
+    shapes = {}
+    for name, (x, shape) in outputs(model, at.t, at.q, at.v, at.fields, e.a).items():
+        found["output " + name] = x
+        shapes[name] = shape
+    return found, shapes, e
+
+
+def bare(x):
+    return x.a if level(x) >= 0 else x
+
+
+def by_differences(model, at, kind, i, base):
+    step = mpf(STEP)
+    moved = equations(model, at.with_change(kind, i, lambda x: x + step)).a
+    return [(x - y) / step for x, y in zip(moved, base)]
+
+
+def by_duals(model, at, kind, i, _):
+    """The same without differences: once more differentiated forward."""
+    moved = equations(model, at.with_change(kind, i, lambda x: Dual(x, 1, 0))).a
+    return [x.b if level(x) == 0 else 0 for x in moved]
+
+
+def in_binary64(model, at, trial, rng):
+    """The quantities in binary64, the inputs off by a unit in the last place at random."""
+    off = lambda x: float(x) * (1 + rng.choice((-1, 1)) * 2 * UNIT)
+    PRECISE[0] = False
+    try:
+        found, _, _ = quantities(model, at.mapped(off), [float(x) for x in trial], by_duals)
+    finally:
+        PRECISE[0] = True
+    return found
+
+
+def of_solution(e):
+    """Skeel's bound |M⁻¹| (|M| |q̈| + |f|), its greatest entry, and that of |M⁻¹| times terms of the size of 1."""
+    n = len(e.a)
+    columns = [solve(e.M, [mpf(i == j) for i in range(n)]) for j in range(n)]
+    load = [added(abs(m * x) for m, x in zip(row, e.a)) + abs(f) for row, f in zip(e.M, e.f)]
+    greatest = lambda load: max(added(abs(columns[j][i]) * load[j] for j in range(n)) for i in range(n))
+    return float(greatest(load)), float(greatest([1] * n))
+
+
+def reference(model, at, rng):
+    """Values and tolerances at a state with binary64 inputs; `NoValue` where it is of no use."""
+    exact = at.mapped(mpf)
+    trial = [round(rng.uniform(-3, 3), 3) for _ in at.q]
+    values, shapes, e = quantities(model, exact, [mpf(x) for x in trial], by_differences)
+    samples = [in_binary64(model, at, trial, rng) for _ in range(SAMPLES)]
+    bound, inverse = of_solution(e)
+    tolerances = {}
+    for name, value in values.items():
+        if not all(math.isfinite(float(x)) and abs(x) < 1e100 for x in value):
+            raise NoValue("no number")
+        size = max((abs(float(x)) for x in value), default=0.0)
+        noise = max(max_difference(sample[name], value) for sample in samples)
+        if name == "qdd":
+            noise = max(noise, UNIT * bound)
+        if "qdd" in name:
+            noise = max(noise, UNIT * inverse)
+        if not noise <= USELESS * max(size, 1.0):
+            raise NoValue("too badly conditioned")
+        tolerances[name] = ALLOWANCE * max(noise, UNIT * max(size, 1.0))
+    return {
+        "t": at.t,
+        "q": at.q,
+        "qd": at.v,
+        "params": [x for f in model.fields for x in flat(at.fields[f.name])],
+        "trial": trial,
+        "values": {name: [float(x) for x in value] for name, value in values.items()},
+        "tolerances": tolerances,
+    }, shapes
+
+
+def max_difference(found, value):
+    worst = 0.0
+    for a, b in zip(found, value, strict=True):
+        difference = abs(float(mpf(a) - b)) if math.isfinite(a) else math.inf
+        worst = max(worst, difference)
+    return worst
+
+
+# How values of fields are drawn.
+
+
+def drawn_field(f, rng, mode):
+    one = lambda: drawn_value(f, rng, mode)
+    return one() if f.family is None else [one() for _ in range(f.family)]
+
+
+def drawn_value(f, rng, mode):
+    if f.draw == "inertia":
+        return inertia(rng, mode, f.shape[0])
+    number = lambda: drawn_number(f.draw, rng, mode)
+    if f.shape == ():
+        return number()
+    if len(f.shape) == 1:
+        return [number() for _ in range(f.shape[0])]
+    return [[number() for _ in range(f.shape[1])] for _ in range(f.shape[0])]
+
+
+def drawn_number(draw, rng, mode):
+    low, high = {"any": (-2.5, 2.5), "positive": (0.4, 2.8), "rate": (-1.5, 1.5), "unit": (-0.9, 0.9)}[draw]
+    x = round(rng.uniform(low, high), rng.choice((1, 2, 17))) or 0.5
+    if mode == "zero" and draw != "positive" and rng.random() < 0.5:
+        return 0.0
+    if mode == "equal":
+        return {"any": 1.5, "positive": 1.5, "rate": 0.5, "unit": 0.5}[draw]
+    if mode == "negative":
+        return -abs(x)
+    if mode == "scaled" and rng.random() < 0.5:
+        return x * 10.0 ** rng.choice((-7, -4, 4, 7))
+    return x
+
+
+def inertia(rng, mode, n):
+    """A positive definite matrix, often not symmetric: only the symmetric part counts."""
+    if mode == "equal":
+        return [[1.5 if i == j else 0.0 for j in range(n)] for i in range(n)]
+    m = [[round(rng.uniform(-0.3, 0.3), 2) for _ in range(n)] for _ in range(n)]
+    for i in range(n):
+        m[i][i] = round(rng.uniform(1.0, 3.0), 2)
+        for j in range(i):
+            if mode != "plain":
+                m[i][j] = m[j][i]
+    sign = -1 if mode == "negative" else 1
+    return [[sign * x for x in row] for row in m]
+
+
+MODES = ("plain", "plain", "equal", "zero", "negative", "scaled")
+TRIES = 40
+
+
+def drawn_state(model, rng, mode):
+    fields = {f.name: drawn_field(f, rng, mode) for f in model.fields}
+    span = lambda label: model.q_draw.get(label[0], (-3.0, 3.0))
+    q = [rng.uniform(*span(label)) for label in model.coordinate_labels()]
+    v = [rng.uniform(-2.0, 2.0) for _ in q]
+    if rng.random() < 0.1:
+        v = [0.0 for _ in q]
+    return Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
+
+
+def given_state(model, given, rng):
+    """A state that the model itself lists."""
+    at = drawn_state(model, rng, "plain")
+    at.fields.update({name: x for name, x in given.items() if name not in ("t", "q", "v")})
+    return Inputs(given.get("t", at.t), given["q"], given["v"], at.fields)
+
+
+def references(model, count, seed):
+    """Up to `count` states with their references, besides those that the model lists."""
+    rng = random.Random(seed)
+    states, shapes = [], {}
+    for given in model.states:
+        state, shapes = reference(model, given_state(model, given, rng), rng)
+        states.append(state)
+    modes = ["plain"] + [rng.choice(MODES) for _ in range(count - 1)]
+    for mode in modes:
+        for attempt in range(TRIES):
+            at = drawn_state(model, rng, mode if attempt < TRIES / 2 else "plain")
+            try:
+                state, shapes = reference(model, at, rng)
+            except (NoValue, OverflowError, ZeroDivisionError, ValueError):
+                continue
+            states.append(state)
+            break
+    return states, shapes

@@ -1,0 +1,61 @@
+"""Tables and files of what came out."""
+
+import math
+from collections import defaultdict
+
+
+class Report:
+    def __init__(self):
+        self.rows = defaultdict(lambda: {"models": 0, "compared": 0, "refused": 0, "wrong": set(), "worst": 0.0, "at": ""})
+        self.wrong, self.refused = {}, {}
+        self.seconds = self.expansion = 0.0
+        self.unusable = 0
+
+    def add(self, models, build):
+        kinds = {m["id"]: m for m in models}
+        self.seconds += build.seconds
+        self.expansion += build.expansion
+        for m in models:
+            self.rows[m["kind"]]["models"] += 1
+        for name, message in build.refused.items():
+            self.rows[kinds[name]["kind"]]["refused"] += 1
+            self.refused[name] = kinds[name], message
+        for c in build.comparisons:
+            self.add_comparison(kinds[c["model"]], c)
+
+    def add_comparison(self, model, c):
+        row = self.rows[model["kind"]]
+        error, tolerance = float(c["error"]), float(c["tolerance"])
+        row["compared"] += 1
+        ratio = error / tolerance if tolerance > 0 else (0.0 if error == 0 else math.inf)
+        if not ratio <= 1:
+            row["wrong"].add(model["id"])
+            self.wrong.setdefault(model["id"], (model, []))[1].append(c)
+        elif ratio >= row["worst"]:
+            row["worst"], row["at"] = ratio, f"{c['quantity']} of {c['model']}"
+
+    def __str__(self):
+        lines = [f"{'kind':24}{'models':>7}{'compared':>10}{'refused':>9}{'wrong':>7}   greatest error of those right / tolerance"]
+        for kind, row in sorted(self.rows.items()):
+            counts = f"{row['models']:7}{row['compared']:10}{row['refused']:9}{len(row['wrong']):7}"
+            lines.append(f"{kind:24}{counts}   {row['worst']:.2g}  {row['at']}")
+        total = sum(row["models"] for row in self.rows.values())
+        compared = sum(row["compared"] for row in self.rows.values())
+        lines.append(f"{'all':24}{total:7}{compared:10}{len(self.refused):9}{len(self.wrong):7}")
+        lines.append(f"{self.unusable} models without a usable state; {self.seconds:.0f} s of compilation, "
+                     f"{self.expansion:.0f} s of them in macros")
+        return "\n".join(lines)
+
+    def findings(self, folder):
+        """A file for each model that is wrong or refused."""
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, (model, message) in self.refused.items():
+            (folder / f"refused_{name}.txt").write_text(f"{model['declaration']}\n{message}\n")
+        for name, (model, comparisons) in self.wrong.items():
+            lines = [model["declaration"]]
+            for c in comparisons:
+                state = model["states"][c["state"]]
+                given = {key: state[key] for key in ("t", "q", "qd", "params")}
+                lines.append(f"{c['quantity']} at state {c['state']} {given}:\n    found    {c['found']}\n    expected "
+                             f"{c['expected']}\n    error {c['error']}, tolerance {c['tolerance']}")
+            (folder / f"wrong_{name}.txt").write_text("\n".join(lines) + "\n")
