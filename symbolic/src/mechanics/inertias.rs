@@ -5,7 +5,7 @@
 //! pivots are squares themselves. The general top multiplied out gives its angular velocities back, and
 //! (4.5) with I₁ = I₂ becomes (4.7), in which ψ no longer appears.
 
-use crate::mechanics::multiplied_out::linear_part;
+use crate::mechanics::multiplied_out::{is_quadratic, linear_part};
 use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
 use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
 
@@ -15,10 +15,8 @@ impl QuasiVelocities {
     /// The quasi-velocities of a mass matrix, if each inertia belongs to a sum of squares.
     pub(crate) fn by_inertia(graph: &mut Graph, equations: &Equations) -> Option<Self> {
         let mass = &equations.mass;
-        // Where M depends on the velocities, L is no quadratic form of them, whatever the pivots are.
-        if graph.contains(&mass.concat(), |symbol| {
-            matches!(symbol, Symbol::Velocity(_))
-        }) {
+        // Where L is no quadratic form of the velocities, it is none of squares, whatever the pivots are.
+        if !is_quadratic(graph, equations.lagrangian, mass) {
             return None;
         }
         let (mut forms, mut diagonal) = (Vec::new(), Vec::new());

@@ -6,7 +6,7 @@
 //! form, are free of it, and taken where they cost less. M multiplied out swells for many coordinates, and
 //! then it is not looked at.
 
-use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
+use crate::{Binary, Expression, Graph, Model, Node, Pass, Rational, Symbol, Unary};
 
 /// A mass matrix of more rows is not multiplied out.
 pub(crate) const MOST_COORDINATES: u32 = 4;
@@ -45,10 +45,9 @@ impl Derived {
         generalized_forces: &[Expression],
     ) -> Option<Self> {
         let graph = &mut model.graph;
-        let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
         if model.coordinates > MOST_COORDINATES
             || !graph.passes.has(Pass::Expansion)
-            || graph.contains(&self.mass.concat(), is_velocity)
+            || !is_quadratic(graph, lagrangian, &self.mass)
         {
             return None;
         }
@@ -72,6 +71,26 @@ impl Derived {
         let parts = [&*self.momenta, &self.mass.concat(), &self.forcing];
         graph.cost(&parts.concat())
     }
+}
+
+/// Whether L is a polynomial of second degree in the velocities: M is free of them, and so is whatever has a
+/// slope that jumps, such as |ẋ|, of which M shows nothing.
+pub(crate) fn is_quadratic(
+    graph: &Graph,
+    lagrangian: Expression,
+    mass: &[Vec<Expression>],
+) -> bool {
+    let mut jumps = graph.descendants(&[lagrangian]).into_iter();
+    let jumps = jumps.any(|expression| {
+        graph.contents(expression).has_velocity()
+            && matches!(
+                graph.node(expression),
+                Node::Unary(Unary::Abs | Unary::Signum, _)
+                    | Node::Binary(Binary::Min | Binary::Max, ..)
+            )
+    });
+    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+    !jumps && !graph.contains(&mass.concat(), is_velocity)
 }
 
 /// ½ q̇ᵀ M q̇ and the rest of L.
@@ -118,8 +137,8 @@ pub(crate) fn linear_part(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Equations;
     use crate::draft::Draft;
-    use crate::{Equations, Unary};
 
     /// ½ (d/dt (sin θ cos φ))² + ½ (d/dt (sin θ sin φ))² + ½ (d/dt cos θ)² + ½ φ̇² with (φ, θ, x).
     fn arm_with_a_ball(draft: &mut Draft) -> Expression {
@@ -162,6 +181,22 @@ mod tests {
         assert!(!model.graph.contains(momenta, is_phi));
         assert!(!model.graph.contains(forcing, is_phi));
         assert!(model.graph.contains(&[equations.lagrangian], is_phi));
+    }
+
+    #[test]
+    fn the_size_of_a_velocity_is_part_of_the_momentum() {
+        // L = ½ ẋ² + c |ẋ|: p = ẋ + c signum ẋ, though M = 1.
+        let mut draft = Draft::new(1);
+        let (v, c) = (draft.v(0), draft.parameter(0));
+        let size = draft.graph.unary(Unary::Abs, v);
+        let square = draft.times(&[v, v]);
+        let (half, size) = (draft.half(square), draft.times(&[c, size]));
+        let lagrangian = draft.plus(&[half, size]);
+        let mut model = draft.model(crate::Energies::General(lagrangian));
+        let equations = Equations::derive(&mut model).unwrap();
+        let sign = model.graph.unary(Unary::Signum, v);
+        let part = model.graph.multiply(c, sign);
+        assert_eq!(equations.momenta, [model.graph.add(v, part)]);
     }
 
     #[test]
