@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::{Phase, Sample, Scalar, State, VectorSpace};
+use crate::{Initial, IntoVector, Phase, Sample, Scalar, State, VectorSpace};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
 /// controller: what an integrator steps under [`WithController`](crate::WithController).
@@ -81,23 +81,18 @@ impl<S: Scalar, const N: usize, const K: usize> Sample<AugmentedPhase<S, N, K>> 
     }
 }
 
-impl<S: Scalar, const N: usize, const K: usize> From<(State<S, N>, SVector<S, K>)>
-    for Sample<AugmentedPhase<S, N, K>>
+/// A motion under a law with states of its own begins at the state of the system beside those of the law.
+impl<S, C, const N: usize, const K: usize> Initial<AugmentedPhase<S, N, K>> for (State<S, N>, C)
+where
+    S: Scalar,
+    C: IntoVector<S, K>,
 {
-    /// The time is that of all lanes, and not a number if they differ.
-    fn from((state, controller): (State<S, N>, SVector<S, K>)) -> Self {
+    fn into_sample(self) -> Sample<AugmentedPhase<S, N, K>> {
+        let (state, controller) = self;
         let Sample { t, x } = Sample::from(state);
         let Phase { q, v } = x;
+        let controller = controller.into_vector();
         let x = AugmentedPhase { q, v, controller };
-        Self { t, x }
-    }
-}
-
-impl<S: Scalar, const N: usize, const K: usize> From<(State<S, N>, [S; K])>
-    for Sample<AugmentedPhase<S, N, K>>
-{
-    /// The time is that of all lanes, and not a number if they differ.
-    fn from((state, controller): (State<S, N>, [S; K])) -> Self {
-        (state, SVector::from(controller)).into()
+        Sample { t, x }
     }
 }

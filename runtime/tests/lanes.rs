@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Pendulum, assert_close};
+use lagrangian::num_traits::Zero;
 use lagrangian::prelude::*;
 use lagrangian::{Factorization, Lanes};
 use nalgebra::{SMatrix, SVector};

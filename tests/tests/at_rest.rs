@@ -1,7 +1,11 @@
 //! Forces with the norm of a velocity, and their slopes, where the velocity is 0.
 
 use lagrangian::prelude::*;
-use lagrangian_tests::{Dual, LANES, Lanes};
+use lagrangian_tests::Dual;
+
+const LANES: usize = 8;
+
+type Lanes = lagrangian::Lanes<LANES>;
 
 /// A particle slowed down by the square of its speed.
 #[derive(Lagrangian)]
