@@ -674,6 +674,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             [x15 - x11, x4, i3],
             [x21, x22, i3.abs()],
             [i3.mul_add(cos_theta * cos_theta, x15), x4, i3],
+            || ::lagrangian::Lagrangian::<3usize, __S>::mass_matrix(self, state),
         )
     }
 }
