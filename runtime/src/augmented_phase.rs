@@ -10,10 +10,10 @@ use crate::{Initial, IntoVector, Phase, Sample, Scalar, State, VectorSpace};
 /// A motion begins at a pair of a [`State`] and z:
 ///
 /// ```
-/// use lagrangian::{AugmentedPhase, Sample, State};
+/// use lagrangian::{AugmentedPhase, Initial, Sample, State};
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: Sample<AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into();
+/// let start: Sample<AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_sample();
 /// assert_eq!(start.state(), state);
 /// assert_eq!(start.x.controller[1], 0.25);
 /// ```

@@ -53,6 +53,7 @@ mod committed {
 }
 
 /// The heavy top once more, in few scopes.
+#[allow(dead_code)] // Its methods alone are compared.
 mod in_few_scopes {
     pub struct HeavyTop {
         pub i1: f64,

@@ -33,17 +33,21 @@ impl Comparisons {
         });
     }
 
-    /// Values that should be equal.
+    /// Values that should be equal, where they exist.
     pub(crate) fn values(&mut self, method: Method, found: &[f64], expected: &[f64]) {
         for (found, expected) in found.iter().zip(expected) {
-            self.push(method, found - expected, found.abs() + expected.abs());
+            if expected.is_finite() {
+                self.push(method, found - expected, found.abs() + expected.abs());
+            }
         }
     }
 
-    /// Values that should be equal to sums.
+    /// Values that should be equal to sums, where these exist.
     pub(crate) fn balances(&mut self, method: Method, found: &[f64], expected: &[Balance]) {
         for (found, expected) in found.iter().zip(expected) {
-            self.push(method, found - expected.total, found.abs() + expected.size);
+            if expected.size.is_finite() {
+                self.push(method, found - expected.total, found.abs() + expected.size);
+            }
         }
     }
 

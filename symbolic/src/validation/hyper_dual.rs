@@ -255,7 +255,9 @@ fn derivatives(function: Unary, x: f64) -> Derivatives {
             [f, sinh, f, sinh]
         }
         Unary::Tanh => {
-            let slope = 1.0 - f * f;
+            // 1 − f², without its cancellation.
+            let cosh = libm::cosh(x);
+            let slope = 1.0 / (cosh * cosh);
             [f, slope, -2.0 * f * slope, (6.0 * f * f - 2.0) * slope]
         }
         Unary::Asinh => {

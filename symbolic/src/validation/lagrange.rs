@@ -130,6 +130,9 @@ impl Lagrange {
                 result.energies.push(energy);
             }
         }
+        if !result.lagrangian.is_finite() {
+            return None;
+        }
         for i in 0..n {
             let (momentum, slope) = (lagrangian.velocities[i], lagrangian.coordinates[i]);
             let (force, drag) = (at(self.energies + 1 + i), dissipation.velocities[i]);
