@@ -1,7 +1,7 @@
 """Generates models, and compares what the derive makes of them with an evaluation of its own.
 
     python3 tests/adversarial/generator run --seed 1 --count 200
-    python3 tests/adversarial/generator run --file tests/adversarial/models/failing.json
+    python3 tests/adversarial/generator run --file tests/adversarial/models/passing.json
     python3 tests/adversarial/generator select --seed 1 --each 3
     python3 tests/adversarial/generator minimize --id soup_4_8 --state 0
     python3 tests/adversarial/generator show --seed 1 --kinds jumps --count 3
@@ -88,7 +88,11 @@ def select(given):
     command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
     for name, contents in (("passing", "models that agree"), ("failing", "models that are wrong or refused")):
         chosen = [model for model in models if fails(model) == (name == "failing")]
-        document.write(MODELS / f"{name}.json", chosen, {"command": command, "contents": contents})
+        path = MODELS / f"{name}.json"
+        if chosen:
+            document.write(path, chosen, {"command": command, "contents": contents})
+        else:
+            path.unlink(missing_ok=True)
         print(f"{len(chosen)} {contents}")
     print(report)
     return 0
