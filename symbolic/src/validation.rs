@@ -13,6 +13,8 @@ mod changes;
 mod comparison;
 mod hyper_dual;
 mod lagrange;
+mod number;
+mod perturbation;
 mod programs;
 pub(crate) mod sample;
 mod square_matrix;

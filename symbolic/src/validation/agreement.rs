@@ -9,10 +9,11 @@ use std::collections::BTreeSet;
 use crate::validation::changes::Changes;
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Balance, Lagrange, Values, Variation};
+use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::sample::Sample;
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::tape::{Perturbation, Tape};
+use crate::validation::tape::Tape;
 use crate::{Model, Symbol};
 
 /// Points in the domain at which programs are compared: each style of [`Sample`] eight times.

@@ -6,8 +6,9 @@
 
 use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
+use crate::validation::perturbation::Perturbation;
 use crate::validation::sample::Sample;
-use crate::validation::tape::{Perturbation, Tape};
+use crate::validation::tape::Tape;
 use crate::{Model, Symbol};
 
 /// The energies, the dissipation and the forces of a model as they were first built.

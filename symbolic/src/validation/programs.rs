@@ -1,9 +1,10 @@
 //! The programs that are about to be emitted for a model, as far as they are validated.
 
 use crate::validation::changes::Layout;
+use crate::validation::perturbation::Perturbation;
 use crate::validation::sample::Sample;
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::tape::{Perturbation, Tape};
+use crate::validation::tape::Tape;
 use crate::{Program, Symbol};
 
 /// What is validated: one or more programs that stand or fall together.
