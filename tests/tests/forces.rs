@@ -119,14 +119,16 @@ fn what_contains_a_velocity_is_a_velocity_as_a_whole() {
         carried = dot(r * [x, y, length]),
         belt = dot(x) + pull + [speed, 2.0][0],
         by_hand = [dot(x) - dot(rate * t) * y, dot(y) + dot(rate * t) * x],
+        transported = dot([x, y, x * y]) + [pull, 0.0, rate].cross([x, y, x * y]),
         slider[0] = rate * x,
         slider[i] = x * y * dot(y) for i in 1..3,
     ),
     kinetic = 0.5 * w.dot(inertia * w) + 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
     force(w = torque, carried = push + drag * carried, belt = pull * x),
     force(by_hand = [3.0, pull]),
+    force(transported = [pull, 1.0, -2.0]),
     force(slider[i] = 0.5 + i for i in 0..2),
-    output(w = w, carried = carried, belt = belt, by_hand = by_hand),
+    output(w = w, carried = carried, belt = belt, by_hand = by_hand, transported = transported),
 )]
 struct Carried {
     inertia: Matrix3<f64>,
@@ -166,6 +168,7 @@ fn frames_that_move_do_not_take_part_in_virtual_power() {
             + (model.push + model.drag * carried).dot(&(ahead.carried - behind.carried))
             + model.pull * x * (ahead.belt - behind.belt)
             + Vector2::new(3.0, model.pull).dot(&(ahead.by_hand - behind.by_hand))
+            + Vector3::new(model.pull, 1.0, -2.0).dot(&(ahead.transported - behind.transported))
             + own
     });
     let found = model.generalized_forces(&state);

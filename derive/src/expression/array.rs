@@ -154,7 +154,18 @@ impl Translator<'_> {
         let graph = &mut self.graph;
         let value = match written.as_str() {
             "dot" => graph.dot_product(first, second).map(Value::Scalar),
-            "cross" => graph.cross_product(first, second).map(Value::Array),
+            "cross" => {
+                // ω × r is the velocity that a frame in motion adds, (1.4): nothing while it rests.
+                let zero = graph.zero();
+                let product = graph.cross_product(first, second).map(Value::Array);
+                product.map(|product| {
+                    if self.at_rest {
+                        product.shape().filled(zero)
+                    } else {
+                        product
+                    }
+                })
+            }
             "outer" => graph.outer_product(first, second).map(Value::Array),
             _ => graph.component_product(first, second).map(Value::Array),
         };

@@ -1,8 +1,9 @@
 //! What is left of definitions while nothing moves: the same declaration with all time derivatives zero.
 //!
 //! Of a velocity nothing is left that depends on the coordinates: what a frame in motion adds to it comes from
-//! a time derivative, too. Of the sum of a position and a velocity, the position is. The two differ in how they
-//! are written, not in what they are: hence the definitions are read once more, in a graph of their own.
+//! a time derivative, too, or is a product ω × r as in (1.4), which is zero with them. Of the sum of a position
+//! and a velocity, the position is. The two differ in how they are written, not in what they are: hence the
+//! definitions are read once more, in a graph of their own.
 
 use core::mem;
 
