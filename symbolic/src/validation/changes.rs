@@ -36,7 +36,7 @@ impl Changes {
             Layout::Solved(pivots) => {
                 let columns = n * variation.state.len();
                 let changes = self.sum(n, [pivots + n, pivots], variation);
-                let mut balances = self.balance(mass, &changes, variations);
+                let mut balances = balance(mass, &changes, variations);
                 let found = &self.state[pivots..pivots + n];
                 balances.extend(differences(found, accelerations));
                 if pivots > 0 {
@@ -69,25 +69,10 @@ impl Changes {
                     size: total.abs(),
                 };
                 let changes: Vec<_> = changes.into_iter().map(exact).collect();
-                equations.extend(self.balance(mass, &changes, variations));
+                equations.extend(balance(mass, &changes, variations));
                 equations
             }
         }
-    }
-
-    fn balance(
-        &self,
-        mass: &SquareMatrix,
-        changes: &[Balance],
-        variations: &[Balance],
-    ) -> Vec<Balance> {
-        let totals: Vec<f64> = changes.iter().map(|change| change.total).collect();
-        let mut balances = mass.times(&totals);
-        for (balance, variation) in balances.iter_mut().zip(variations) {
-            balance.total += variation.total;
-            balance.size += variation.size;
-        }
-        balances
     }
 
     /// Σ column·weight, where the columns begin by the state and by the inputs.
@@ -106,6 +91,17 @@ impl Changes {
         }
         sums
     }
+}
+
+/// M δq̈ + δ(M q̈ − f).
+fn balance(mass: &SquareMatrix, changes: &[Balance], variations: &[Balance]) -> Vec<Balance> {
+    let totals: Vec<f64> = changes.iter().map(|change| change.total).collect();
+    let mut balances = mass.times(&totals);
+    for (balance, variation) in balances.iter_mut().zip(variations) {
+        balance.total += variation.total;
+        balance.size += variation.size;
+    }
+    balances
 }
 
 /// Values less those that they should be.

@@ -3,6 +3,7 @@
 //!
 //! What is computed on them has its derivatives along two directions beside its value, and the mixed second
 //! one. Functions come with three derivatives, so that slopes can be computed on them, too.
+#![allow(clippy::float_cmp)] // Exponents are exact, and kinks are where arguments are equal.
 
 use core::ops::{Add, Mul, Neg, Sub};
 

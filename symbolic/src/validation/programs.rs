@@ -163,12 +163,11 @@ impl Tapes {
             _ => sample.value(symbol),
         };
         let mut outputs = self.accelerations.evaluate(&symbol, perturbation);
-        let accelerations = match self.pivots {
-            Some(pivots) => outputs.split_off(pivots),
-            None => {
-                let (lower, forcing) = outputs.split_at(outputs.len() - coordinates);
-                SquareMatrix::symmetric(lower, coordinates).solve(forcing)?
-            }
+        let accelerations = if let Some(pivots) = self.pivots {
+            outputs.split_off(pivots)
+        } else {
+            let (lower, forcing) = outputs.split_at(outputs.len() - coordinates);
+            SquareMatrix::symmetric(lower, coordinates).solve(forcing)?
         };
         accelerations
             .iter()
