@@ -67,12 +67,12 @@ fn implement(
         }
     };
     let mut methods = Methods::schedule(&mut model, &equations);
+    let disagreements = methods.validate(&validator, &mut model, &mut equations);
     let undeclared = methods.undeclared(&model.graph);
     if !undeclared.is_empty() {
         defects::report_undeclared(&undeclared, declaration, diagnostics);
         return None;
     }
-    let disagreements = methods.validate(&validator, &mut model, &mut equations);
     if methods.unrepresentable().is_some() {
         let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
                        written here are not: choose units in which numbers are nearer to 1";

@@ -1,7 +1,7 @@
 //! What is emitted is validated against Lagrange's equations in numbers, in every build.
 //!
-//! A method that disagrees is replaced by the plain one: derived without any pass, and solved
-//! numerically. That it happened is a defect, of which debug builds warn.
+//! Where one disagrees, all are replaced by plain ones: derived without any pass, and solved numerically. That
+//! it happened is a defect, of which debug builds warn.
 
 use std::collections::BTreeSet;
 
@@ -16,8 +16,8 @@ use crate::declaration::Declaration;
 use crate::methods::Methods;
 
 impl Methods {
-    /// Replaces what disagrees with the equations of `validator` by what is derived without any pass, and
-    /// says what it was.
+    /// Where a method disagrees with the equations of `validator`, replaces all of them by what is derived without
+    /// any pass, since they come from one derivation; says which ones disagreed.
     pub(crate) fn validate(
         &mut self,
         validator: &Validator,
@@ -30,52 +30,11 @@ impl Methods {
         }
         let passes = core::mem::replace(&mut model.graph.passes, Passes::NONE);
         if let Ok(plain) = Equations::derive(model) {
-            let methods = Self::schedule(model, &plain);
+            *self = Self::schedule(model, &plain);
             *equations = plain;
-            self.replace(methods, &disagreements);
         }
         model.graph.passes = passes;
         disagreements
-    }
-
-    fn replace(&mut self, plain: Self, disagreements: &BTreeSet<symbolic::Method>) {
-        use symbolic::Method;
-
-        let solves = [Method::Accelerations, Method::Linearization];
-        if solves.iter().any(|method| disagreements.contains(method)) {
-            self.prepare = plain.prepare;
-            self.accelerations = plain.accelerations;
-            self.solved = plain.solved;
-            self.relative_pivots = plain.relative_pivots;
-            self.directly = plain.directly;
-            self.linearize = plain.linearize;
-            self.input_jacobian = plain.input_jacobian;
-        }
-        if disagreements.contains(&Method::Energies) {
-            self.energies = plain.energies;
-        }
-        for (method, here, plain) in [
-            (Method::Lagrangian, &mut self.lagrangian, plain.lagrangian),
-            (Method::Energy, &mut self.energy, plain.energy),
-            (Method::Momenta, &mut self.momenta, plain.momenta),
-            (Method::MassMatrix, &mut self.mass_matrix, plain.mass_matrix),
-            (Method::Forcing, &mut self.forcing, plain.forcing),
-            (
-                Method::GeneralizedForces,
-                &mut self.generalized_forces,
-                plain.generalized_forces,
-            ),
-            (
-                Method::InverseDynamics,
-                &mut self.inverse_dynamics,
-                plain.inverse_dynamics,
-            ),
-            (Method::Outputs, &mut self.outputs, plain.outputs),
-        ] {
-            if disagreements.contains(&method) {
-                *here = plain;
-            }
-        }
     }
 
     /// The programs as they are validated.

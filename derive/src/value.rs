@@ -144,7 +144,7 @@ impl fmt::Display for Index {
 }
 
 /// A sum that grows term by term, all of one shape.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Sum {
     scalars: Vec<(Expression, Rational)>,
     arrays: Vec<(Matrix, Rational)>,
@@ -188,7 +188,7 @@ impl Sum {
 }
 
 /// A product that grows factor by factor: numbers, and at most one array, since those multiply in order.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Product {
     scalars: Vec<(Expression, Rational)>,
     array: Option<Matrix>,

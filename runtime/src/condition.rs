@@ -24,6 +24,12 @@ pub trait Condition<X> {
         self.met(before, after)
     }
 
+    /// Whether a value tells on which side of zero each function is.
+    fn has_signs(value: Self::Value) -> bool {
+        let _ = value;
+        true
+    }
+
     /// The value to compare the next with: `after`, unless that tells nothing.
     fn remembered(&self, before: Self::Value, after: Self::Value) -> Self::Value {
         let _ = before;
@@ -127,13 +133,14 @@ impl Crossing {
     }
 }
 
+/// Whether a number is positive or negative.
+fn has_sign(value: f64) -> bool {
+    value < 0.0 || value > 0.0
+}
+
 /// The last value that has a sign.
 fn signed(before: f64, after: f64) -> f64 {
-    if after.is_nan() || after == 0.0 {
-        before
-    } else {
-        after
-    }
+    if has_sign(after) { after } else { before }
 }
 
 /// That a function of time and state crosses zero, or one of several functions: `crossing` is a [`Crossing`]
@@ -161,6 +168,10 @@ impl<X, F: FnMut(f64, &X) -> f64> Condition<X> for AtZero<F, Crossing> {
 
     fn met_on_departure(&self, before: f64, after: f64) -> Met {
         Met::of([self.crossing.on_departure(before, after)].into_iter())
+    }
+
+    fn has_signs(value: f64) -> bool {
+        has_sign(value)
     }
 
     fn remembered(&self, before: f64, after: f64) -> f64 {
@@ -193,6 +204,10 @@ where
         let values = before.into_iter().zip(after);
         let crossings = self.crossing.iter().zip(values);
         Met::of(crossings.map(|(crossing, (before, after))| crossing.on_departure(before, after)))
+    }
+
+    fn has_signs(value: [f64; K]) -> bool {
+        value.into_iter().all(has_sign)
     }
 
     fn remembered(&self, before: [f64; K], after: [f64; K]) -> [f64; K] {

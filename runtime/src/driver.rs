@@ -284,6 +284,7 @@ impl<I, C, O> Driver<I, C, O> {
                 least_pivot: self.least_pivot::<S>(),
                 maximal_steps: self.maximal_steps,
                 condition: &mut self.condition,
+                departure: None,
                 observer: &mut self.observer,
                 collect,
                 ending: &mut ending,

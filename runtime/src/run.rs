@@ -10,6 +10,9 @@ use crate::{
 /// Times are told apart with certainty if they differ by so many machine epsilons of them and of the step.
 const RESOLUTION: f64 = 100.0;
 
+/// By what factor each time after the start is farther than the one before, while the condition stays at zero.
+const FARTHER: f64 = 4.0;
+
 /// An integration under way.
 pub(crate) struct Run<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
     pub(crate) dynamics: &'a D,
@@ -21,6 +24,8 @@ pub(crate) struct Run<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
     pub(crate) least_pivot: f64,
     pub(crate) maximal_steps: u64,
     pub(crate) condition: &'a mut C,
+    /// Within the first step, until when the condition's value has been looked at.
+    pub(crate) departure: Option<f64>,
     pub(crate) observer: &'a mut O,
     pub(crate) collect: &'a mut dyn FnMut(&Sample<D::State>),
     /// Kept up to date, so that it is right however the run ends.
@@ -56,6 +61,7 @@ where
                 departing = false;
             }
             reason = visited.and_then(|()| self.visit_step(&mut value)).err();
+            self.departure = None;
         }
         self.ending.statistics = self.stepper.statistics();
         self.ending.reason = reason.unwrap_or(Reason::Completed);
@@ -112,6 +118,29 @@ where
             return self.stop(*value, there, met);
         }
         *value = self.condition.remembered(*value, after);
+        self.leave(instant, value)
+    }
+
+    /// Looks on, at times four times as far from the start each, until the condition's value has left zero: what
+    /// is small beside numbers in it, such as a height above a floor that is not at 0, is rounded to zero for a
+    /// while, and a flight that ends within the first step is not to be missed.
+    fn leave(&mut self, instant: f64, value: &mut C::Value) -> Result<(), Reason> {
+        let (end, mut distance) = (self.stepper.time(), instant - self.start);
+        while !C::has_signs(*value) {
+            distance *= FARTHER;
+            let instant = self.start + distance;
+            if distance.abs() >= (end - self.start).abs() || instant - self.start == 0.0 {
+                break;
+            }
+            let there = self.at(instant);
+            let after = self.condition.value(instant, &there.x);
+            let met = self.condition.met(*value, after);
+            if met.any() {
+                return self.stop(*value, there, met);
+            }
+            *value = self.condition.remembered(*value, after);
+            self.departure = Some(instant);
+        }
         Ok(())
     }
 
@@ -197,7 +226,8 @@ where
         mut there: Sample<D::State>,
         mut met: Met,
     ) -> (Sample<D::State>, Met) {
-        let mut here = self.stepper.previous_time();
+        let departure = self.departure.take();
+        let mut here = departure.unwrap_or_else(|| self.stepper.previous_time());
         // A step has fewer than 2⁶⁴ numbers between its ends unless one of them is near zero.
         for _ in 0..64 {
             let middle = here + 0.5 * (there.t - here);

@@ -67,6 +67,34 @@ fn a_ball_bounces_as_often_as_it_should() {
     }
 }
 
+/// A height above a floor that is not at 0 is rounded, and is 0 for a while after a bounce.
+#[test]
+fn a_ball_bounces_on_a_floor_at_any_height() {
+    let restitution = 0.5;
+    for floor in [0.1, 1.0, 100.1, -1e4] {
+        let mut state = State::new(0.0, [floor + 1.0], [0.0]);
+        let mut flight = 2.0 * (2.0 / BALL.g).sqrt();
+        let mut expected = 0.5 * flight;
+        for bounce in 0..16 {
+            let driver = Dop853::new().driver();
+            let above = |_, x: &Phase<f64, 1>| x.q[0] - floor;
+            let driver = driver.stop_at_crossing(Crossing::Falling, above);
+            let ending = driver.integrate_to(&BALL.dynamics(), state, 1e3).unwrap();
+            assert_eq!(ending.reason, Reason::Condition, "{floor}, {bounce}");
+            state = ending.last.state();
+            // The floor is met to the rounding of heights: an error in time of that over the velocity.
+            let velocity = 0.5 * BALL.g * flight;
+            let rounding = 8.0 * f64::EPSILON * (floor.abs() + 1.0) / velocity;
+            let tolerance = 2.0 * rounding + 1e-13;
+            assert_close(state.t, expected, tolerance);
+            expected = state.t;
+            state.v[0] *= -restitution;
+            flight *= restitution;
+            expected += flight;
+        }
+    }
+}
+
 /// Through the zeros of cos t one after the other, none of them twice.
 #[test]
 fn a_motion_that_goes_on_unchanged_finds_each_zero_once() {

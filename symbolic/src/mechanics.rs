@@ -2,6 +2,7 @@
 
 pub(crate) mod model;
 pub(crate) mod equations;
+pub(crate) mod degrees;
 pub(crate) mod multiplied_out;
 pub(crate) mod structure;
 pub(crate) mod elimination;

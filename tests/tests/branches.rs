@@ -168,3 +168,39 @@ fn a_rotation_with_a_root_turns_at_the_rate_of_its_angle() {
     let found = BySine { inertia: 1.5 }.accelerations(&state);
     assert_near(found.as_slice(), &[-0.6 * 0.25 / 0.64]);
 }
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, theta, phi),
+    define(p = [sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)]),
+    lagrangian = 0.5 * m * dot(x).powi(2)
+        + 0.5 * m * dot(p).norm_squared()
+        + c * dot(x) * atan2(dot(x), 0.0) * (1.0 + theta.powi(2))
+        - k * acosh(x - 40.0),
+)]
+struct Piecewise {
+    m: f64,
+    c: f64,
+    k: f64,
+}
+
+#[test]
+fn what_is_linear_in_a_velocity_piece_by_piece_is_no_quadratic_form() {
+    // ẋ atan2(ẋ, 0) = ½π |ẋ|: p_x = m ẋ ± ½π c (1 + θ²), m ẍ = ∓ ½π c 2 θ θ̇ − k/√((x − 40)² − 1).
+    let [m, c, k] = [2.0, 0.7, 1.0];
+    let half_turn = core::f64::consts::FRAC_PI_2;
+    for side in [1.0, -1.0] {
+        let (x, theta) = (42.5_f64, 0.8);
+        let [vx, vt, vp] = [side * 0.9, 0.4, -0.3];
+        let state = State::new(0.0, [x, theta, 0.3], [vx, vt, vp]);
+        let model = Piecewise { m, c, k };
+        let momentum = m * vx + side * half_turn * c * (1.0 + theta * theta);
+        assert_near(&[model.momenta(&state)[0]], &[momentum]);
+        let slope = k / ((x - 40.0).powi(2) - 1.0).sqrt();
+        let found = model.accelerations(&state);
+        let across =
+            (side * half_turn * c * 2.0 * theta * vx) / m + theta.sin() * theta.cos() * vp * vp;
+        let along = -(side * half_turn * c * 2.0 * theta * vt + slope) / m;
+        assert_near(&found.as_slice()[..2], &[along, across]);
+    }
+}

@@ -8,6 +8,7 @@ use crate::hints;
 use crate::value::{Product, Shape, Sum, Value};
 
 /// A chain of operations of one kind, kept until it ends.
+#[derive(Clone)]
 enum Chain {
     Sum(Sum),
     Product(Product),
@@ -107,8 +108,28 @@ impl Translator<'_> {
     fn extend(&mut self, chain: Chain, operator: &BinOp, value: Value) -> Option<Chain> {
         let right = value.shape();
         match chain.extend(&mut self.graph, operator, value) {
+            Ok(chain) if self.within_index && matches!(operator, BinOp::Div(_)) => {
+                self.integer_quotient(chain, operator)
+            }
             Ok(chain) => Some(chain),
             Err(left) => self.reject(operator, hints::shapes(operator, left, right)),
         }
+    }
+
+    /// Numbers are exact: of integers in an index `5 / 4` would be five quarters, and 1 in Rust.
+    fn integer_quotient(&mut self, chain: Chain, operator: &BinOp) -> Option<Chain> {
+        let quotient = chain.clone().value(&mut self.graph);
+        let constant = match quotient {
+            Value::Scalar(value) => self.graph.as_constant(value),
+            _ => None,
+        };
+        if constant.is_none_or(Rational::is_integer) {
+            return Some(chain);
+        }
+        self.reject(
+            operator,
+            "this quotient is no integer, as an index or the end of a range has to be, and is not rounded as in Rust: write a \
+             range for each part, as in `(0..3).map(|i| f[i + 1])`, and the last one by itself",
+        )
     }
 }

@@ -146,7 +146,7 @@ impl Translator<'_> {
         for (i, (component, along)) in value.components().iter().zip(along).enumerate() {
             let slopes = self.slopes(*along, moved.is_velocity);
             if moved.is_velocity && self.graph.contents(*along).has_velocity() {
-                self.check_velocity(force, moved, i, &slopes, totals)?;
+                self.check_velocity(force, moved, i, *along, totals)?;
             }
             for (total, slope) in work.iter_mut().zip(slopes) {
                 let part = self.graph.multiply(*component, slope);
@@ -175,12 +175,12 @@ impl Translator<'_> {
         force: &Named,
         moved: &Moved,
         component: usize,
-        slopes: &[Expression],
+        velocity: Expression,
         totals: &mut Totals<'_>,
     ) -> Option<()> {
         let name = &force.name;
-        let linear = |slope: &Expression| !self.graph.contents(*slope).has_velocity();
-        if !slopes.iter().all(linear) {
+        let degree = self.graph.velocity_degree(velocity);
+        if degree.is_none_or(|degree| degree > 1) {
             let message = format!(
                 "`{name}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
                  coordinate, a position or a velocity"

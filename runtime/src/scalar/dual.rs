@@ -25,6 +25,11 @@ macro_rules! dual_scalar {
             }
 
             #[inline]
+            fn min_positive() -> Self {
+                Self::from_re(f64::MIN_POSITIVE)
+            }
+
+            #[inline]
             fn smallest(self) -> f64 {
                 self.re
             }

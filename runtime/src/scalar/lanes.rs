@@ -141,6 +141,11 @@ impl<const L: usize> Scalar for Lanes<L> {
     }
 
     #[inline]
+    fn min_positive() -> Self {
+        Self([f64::MIN_POSITIVE; L])
+    }
+
+    #[inline]
     fn smallest(self) -> f64 {
         self.extreme(f64::INFINITY, f64::min)
     }

@@ -16,7 +16,7 @@ impl QuasiVelocities {
     pub(crate) fn by_inertia(graph: &mut Graph, equations: &Equations) -> Option<Self> {
         let mass = &equations.mass;
         // Where L is no quadratic form of the velocities, it is none of squares, whatever the pivots are.
-        if !is_quadratic(graph, equations.lagrangian, mass) {
+        if !is_quadratic(graph, equations.lagrangian) {
             return None;
         }
         let (mut forms, mut diagonal) = (Vec::new(), Vec::new());

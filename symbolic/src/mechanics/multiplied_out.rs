@@ -6,7 +6,7 @@
 //! form, are free of it, and taken where they cost less. M multiplied out swells for many coordinates, and
 //! then it is not looked at.
 
-use crate::{Binary, Expression, Graph, Model, Node, Pass, Rational, Symbol, Unary};
+use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// A mass matrix of more rows is not multiplied out.
 pub(crate) const MOST_COORDINATES: u32 = 4;
@@ -47,7 +47,7 @@ impl Derived {
         let graph = &mut model.graph;
         if model.coordinates > MOST_COORDINATES
             || !graph.passes.has(Pass::Expansion)
-            || !is_quadratic(graph, lagrangian, &self.mass)
+            || !is_quadratic(graph, lagrangian)
         {
             return None;
         }
@@ -73,24 +73,12 @@ impl Derived {
     }
 }
 
-/// Whether L is a polynomial of second degree in the velocities: M is free of them, and so is whatever has a
-/// slope that jumps, such as |ẋ|, of which M shows nothing.
-pub(crate) fn is_quadratic(
-    graph: &Graph,
-    lagrangian: Expression,
-    mass: &[Vec<Expression>],
-) -> bool {
-    let mut jumps = graph.descendants(&[lagrangian]).into_iter();
-    let jumps = jumps.any(|expression| {
-        graph.contents(expression).has_velocity()
-            && matches!(
-                graph.node(expression),
-                Node::Unary(Unary::Abs | Unary::Signum, _)
-                    | Node::Binary(Binary::Min | Binary::Max, ..)
-            )
-    });
-    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
-    !jumps && !graph.contains(&mass.concat(), is_velocity)
+/// Whether L is a polynomial of second degree in the velocities. That M is free of them does not suffice: it shows
+/// nothing of what is linear piece by piece, such as |ẋ|.
+pub(crate) fn is_quadratic(graph: &Graph, lagrangian: Expression) -> bool {
+    graph
+        .velocity_degree(lagrangian)
+        .is_some_and(|degree| degree <= 2)
 }
 
 /// ½ q̇ᵀ M q̇ and the rest of L.
@@ -137,8 +125,8 @@ pub(crate) fn linear_part(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Equations;
     use crate::draft::Draft;
+    use crate::{Equations, Unary};
 
     /// ½ (d/dt (sin θ cos φ))² + ½ (d/dt (sin θ sin φ))² + ½ (d/dt cos θ)² + ½ φ̇² with (φ, θ, x).
     fn arm_with_a_ball(draft: &mut Draft) -> Expression {

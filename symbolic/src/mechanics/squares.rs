@@ -4,8 +4,9 @@
 //! beside it is its inertia. Factors that depend on the coordinates and stand squared belong to the form:
 //! r²φ̇² is the square of rφ̇. Products of two forms, as in ½ wᵀ W w with products of inertia, are read too.
 
+use crate::mechanics::degrees::Degrees;
 use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
-use crate::{Expression, Graph, Node, Rational, Symbol};
+use crate::{Expression, Graph, Node, Rational};
 
 /// One term of L: coefficient · first · second, both linear in the velocities.
 struct Term {
@@ -109,51 +110,7 @@ enum Split {
     Opens(Expression, Expression),
 }
 
-/// The degrees of expressions as polynomials in the velocities; none for what is not a polynomial.
-struct Degrees(Vec<Option<u8>>);
-
 impl Degrees {
-    fn of(graph: &Graph, root: Expression) -> Self {
-        let mut degrees = Self(vec![Some(0); root.index() + 1]);
-        for expression in graph.descendants(&[root]) {
-            degrees.0[expression.index()] = degrees.degree(graph.node(expression));
-        }
-        degrees
-    }
-
-    fn of_expression(&self, expression: Expression) -> Option<u8> {
-        self.0[expression.index()]
-    }
-
-    fn degree(&self, node: &Node) -> Option<u8> {
-        match node {
-            Node::Symbol(Symbol::Velocity(_)) => Some(1),
-            Node::Constant(_) | Node::Pi | Node::Symbol(_) => Some(0),
-            Node::Sum(terms) => terms
-                .iter()
-                .try_fold(0, |most, (x, _)| Some(self.of_expression(*x)?.max(most))),
-            Node::Product(factors) => factors.iter().try_fold(0, |total: u8, (x, k)| {
-                match (self.of_expression(*x)?, k.to_integer()) {
-                    (0, _) => Some(total),
-                    (degree, Some(k)) => {
-                        total.checked_add(degree.checked_mul(u8::try_from(k).ok()?)?)
-                    }
-                    (_, None) => None,
-                }
-            }),
-            Node::Whole(x) => self.of_expression(*x),
-            Node::Unary(_, x) => (self.of_expression(*x)? == 0).then_some(0),
-            Node::Binary(_, x, y) => {
-                let still = self.of_expression(*x)? == 0 && self.of_expression(*y)? == 0;
-                still.then_some(0)
-            }
-            Node::Application(_, arguments) => {
-                let mut degrees = arguments.iter().map(|x| self.of_expression(*x));
-                degrees.all(|degree| degree == Some(0)).then_some(0)
-            }
-        }
-    }
-
     /// Parts what moves from what does not in a product of degree two.
     fn split(
         &self,

@@ -1,14 +1,14 @@
 //! Quotients by roots that have a limit where the root is 0.
 //!
-//! The derivative of |v| v is |v| + v²/|v|: at rest 0/0 in numbers, and 0 in truth. Where |v| is √S, with a sum
-//! of squares S or with an S that is quadratic in the velocities, a numerator is compared with S by how many
-//! factors of both vanish together. A quotient that tends to 0 with S may then be computed with a divisor that
+//! The derivative of |v| v is |v| + v²/|v|: at rest 0/0 in numbers, and 0 in truth. Where |v| is √S with a sum
+//! of squares S, which is 0 only where each of them is, a numerator is compared with S by how many of what is
+//! squared it contains as factors. A quotient that tends to 0 with S may then be computed with a divisor that
 //! is moved away from 0 by less than its rounding. So may one that stays finite, if S is made of velocities:
 //! v/|v| is 0 at rest as signum is 0 at 0. Of what tends to infinity, such as 1/|r|, nothing is changed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
+use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 /// Factors of products: (product, base).
 pub(crate) type Removable = BTreeSet<(Expression, Expression)>;
@@ -21,23 +21,22 @@ pub(crate) fn removable(graph: &Graph, descendants: &[Expression]) -> Removable 
     let mut removable = Removable::new();
     for (base, products) in candidates(graph, descendants) {
         let at_rest = graph.contents(base).has_velocity();
-        for generators in [squares(graph, base), velocities(graph, base)] {
-            if generators.is_empty() {
-                continue;
-            }
-            let orders = Orders::of(graph, base, &products, &generators);
-            // S itself has to vanish as their squares do.
-            if orders.get(base).is_none_or(|order| order < two()) {
-                continue;
-            }
-            let has_limit = |product: &&Expression| {
-                orders
-                    .get(**product)
-                    .is_some_and(|order| !order.is_negative() && (at_rest || !order.is_zero()))
-            };
-            let found = products.iter().filter(has_limit);
-            removable.extend(found.map(|product| (*product, base)));
+        let squares = squares(graph, base);
+        if squares.is_empty() {
+            continue;
         }
+        let orders = Orders::of(graph, base, &products, squares);
+        // S itself has to vanish as its squares do.
+        if orders.get(base).is_none_or(|order| order < two()) {
+            continue;
+        }
+        let has_limit = |product: &&Expression| {
+            orders
+                .get(**product)
+                .is_some_and(|order| !order.is_negative() && (at_rest || !order.is_zero()))
+        };
+        let found = products.iter().filter(has_limit);
+        removable.extend(found.map(|product| (*product, base)));
     }
     removable
 }
@@ -68,65 +67,89 @@ fn candidates(graph: &Graph, descendants: &[Expression]) -> BTreeMap<Expression,
     candidates
 }
 
-/// What is squared in the terms of a sum of squares; nothing if it is none.
-fn squares(graph: &Graph, sum: Expression) -> BTreeSet<Expression> {
-    let mut squares = BTreeSet::new();
+/// What is squared in the terms of a sum of squares, as products of powers of what varies; nothing if it is none.
+fn squares(graph: &Graph, sum: Expression) -> Vec<Monomial> {
     let Node::Sum(terms) = graph.node(sum) else {
-        return squares;
+        return Vec::new();
     };
-    for (term, coefficient) in terms {
+    let roots = terms.iter().map(|(term, coefficient)| {
         let Node::Product(factors) = graph.node(*term) else {
-            return BTreeSet::new();
+            return None;
         };
         let even = factors.iter().all(|(_, exponent)| exponent.is_even());
         if coefficient.is_negative() || !even {
-            return BTreeSet::new();
+            return None;
         }
-        let squared = factors
+        let varying = factors
             .iter()
             .filter(|(base, exponent)| !exponent.is_negative() && graph.contents(*base).varies());
-        squares.extend(squared.map(|(base, _)| *base));
-    }
-    squares
+        let root: Monomial = varying
+            .map(|(base, exponent)| (*base, exponent * &Rational::HALF))
+            .collect();
+        (!root.is_empty()).then_some(root)
+    });
+    roots.collect::<Option<_>>().unwrap_or_default()
 }
 
-/// The velocities in an expression.
-fn velocities(graph: &Graph, expression: Expression) -> BTreeSet<Expression> {
-    if !graph.contents(expression).has_velocity() {
-        return BTreeSet::new();
-    }
-    let is_velocity = |expression: &Expression| {
-        matches!(graph.node(*expression), Node::Symbol(Symbol::Velocity(_)))
-    };
-    let descendants = graph.descendants(&[expression]);
-    descendants.into_iter().filter(is_velocity).collect()
-}
+/// A product of powers.
+type Monomial = Vec<(Expression, Rational)>;
 
-/// By how many of the generators' factors expressions vanish.
-struct Orders(BTreeMap<Expression, Order>);
+/// By how many of what is squared expressions vanish.
+struct Orders {
+    known: BTreeMap<Expression, Order>,
+    /// What is squared, and is a product itself: of its factors each alone may be 0 elsewhere.
+    products: Vec<Monomial>,
+}
 
 impl Orders {
     fn of(
         graph: &Graph,
         base: Expression,
         products: &[Expression],
-        generators: &BTreeSet<Expression>,
+        squares: Vec<Monomial>,
     ) -> Self {
+        let is_single = |root: &Monomial| root.len() == 1 && root[0].1.is_one();
+        let (single, composite): (Vec<_>, Vec<_>) = squares.into_iter().partition(is_single);
+        let single: BTreeSet<Expression> = single.into_iter().flatten().map(|(x, _)| x).collect();
         let roots = [products, &[base]].concat();
-        let mut orders = Self(BTreeMap::new());
+        let mut orders = Self {
+            known: BTreeMap::new(),
+            products: composite,
+        };
         for expression in graph.descendants(&roots) {
-            let order = if generators.contains(&expression) {
+            let order = if single.contains(&expression) {
                 Some(Rational::ONE)
             } else {
                 orders.of_node(graph.node(expression))
             };
-            orders.0.insert(expression, order);
+            orders.known.insert(expression, order);
         }
         orders
     }
 
     fn get(&self, expression: Expression) -> Order {
-        self.0.get(&expression).cloned().flatten()
+        self.known.get(&expression).cloned().flatten()
+    }
+
+    /// Takes what is squared out of a product as often as it divides it, and says how often.
+    fn divided_out(&self, factors: &mut Monomial) -> Rational {
+        let mut total = Rational::ZERO;
+        for product in &self.products {
+            let times = product.iter().map(|(base, power)| {
+                let factor = factors.iter().find(|(other, _)| other == base);
+                let quotient = factor.and_then(|(_, k)| Some(k * &power.reciprocal()?));
+                let fraction = quotient.and_then(|quotient| quotient.to_fraction());
+                fraction.map_or(0, |(above, below)| above.div_euclid(below).max(0))
+            });
+            let times = Rational::integer(times.min().unwrap_or(0));
+            for (base, power) in product {
+                for (_, k) in factors.iter_mut().filter(|(other, _)| other == base) {
+                    *k = &*k - &(&times * power);
+                }
+            }
+            total = &total + &times;
+        }
+        total
     }
 
     fn of_node(&self, node: &Node) -> Order {
@@ -172,8 +195,9 @@ impl Orders {
     /// The order of Π xᵢ^kᵢ. In a denominator it is known of roots of quadratic forms alone, which vanish
     /// no faster.
     fn of_product(&self, factors: &[(Expression, Rational)]) -> Order {
-        let mut sum = Rational::ZERO;
-        for (base, exponent) in factors {
+        let mut factors = factors.to_vec();
+        let mut sum = self.divided_out(&mut factors);
+        for (base, exponent) in &factors {
             let order = self.get(*base)?;
             let quadratic = divides_by_root(exponent) && order == two();
             if exponent.is_negative() && !quadratic && !order.is_zero() {
@@ -188,6 +212,7 @@ impl Orders {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Symbol;
 
     /// Whether Π xᵢ^kᵢ · S^k has a limit where S is 0, for S = x² + y² of velocities or of coordinates and z
     /// of the same kind.
@@ -231,8 +256,8 @@ mod tests {
     }
 
     #[test]
-    fn quadratic_forms_of_velocities_vanish_at_rest() {
-        // S = u² + u v cos q + v²: no sum of squares as it stands.
+    fn a_product_vanishes_where_one_of_its_factors_does() {
+        // S = u² + (v sin q)², as of a velocity in spherical coordinates.
         let mut graph = Graph::new();
         let [q, u, v] = [
             Symbol::Coordinate(0),
@@ -240,19 +265,39 @@ mod tests {
             Symbol::Velocity(1),
         ]
         .map(|symbol| graph.symbol(symbol));
-        let cos = graph.unary(Unary::Cos, q);
-        let mixed = graph.product([u, v, cos].map(|x| (x, Rational::ONE)));
-        let (u2, v2) = (graph.square(u), graph.square(v));
-        let form = graph.sum([u2, mixed, v2].map(|x| (x, Rational::ONE)));
-        let root = graph.square_root(form);
-        let drag = graph.multiply(root, u);
-        let slope = graph.derivative(drag, Symbol::Velocity(1));
-        let descendants = graph.descendants(&[slope]);
-        assert!(!removable(&graph, &descendants).is_empty());
-        // Not with u² + v² + 1, which is nowhere 0, nor with q in place of what vanishes.
-        let shifted = graph.add_constant(form, &Rational::ONE);
-        for (numerator, base) in [(u, shifted), (q, form)] {
-            let quotient = graph.product([(numerator, Rational::ONE), (base, -&Rational::HALF)]);
+        let sine = graph.unary(Unary::Sin, q);
+        let across = graph.multiply(v, sine);
+        let (u2, across2) = (graph.square(u), graph.square(across));
+        let sum = graph.add(u2, across2);
+        let mut is_removable = |numerator: &[Expression], sum: Expression| {
+            let factors = numerator.iter().map(|x| (*x, Rational::ONE));
+            let product = graph.product(factors.chain([(sum, -&Rational::HALF)]));
+            let descendants = graph.descendants(&[product]);
+            !removable(&graph, &descendants).is_empty()
+        };
+        assert!(is_removable(&[u, u], sum));
+        assert!(is_removable(&[v, sine, v, sine, q], sum));
+        // v alone is not 0 where sin q is.
+        assert!(!is_removable(&[v, v], sum));
+        assert!(!is_removable(&[sine, sine], sum));
+        assert!(!is_removable(&[q], sum));
+    }
+
+    #[test]
+    fn a_form_that_vanishes_in_motion_is_no_sum_of_squares() {
+        // u² − v² and u² − 2 u v + v² vanish where u = v.
+        let mut graph = Graph::new();
+        let [u, v] = [0, 1].map(|i| graph.symbol(Symbol::Velocity(i)));
+        let (u2, v2, mixed) = (graph.square(u), graph.square(v), graph.multiply(u, v));
+        let forms = [
+            [(u2, 1), (v2, -1)].to_vec(),
+            [(u2, 1), (mixed, -2), (v2, 1)].to_vec(),
+        ];
+        for form in forms {
+            let terms = form.into_iter().map(|(x, c)| (x, Rational::integer(c)));
+            let sum = graph.sum(terms);
+            let factors = [(u, Rational::integer(2)), (sum, -&Rational::HALF)];
+            let quotient = graph.product(factors);
             let descendants = graph.descendants(&[quotient]);
             assert!(removable(&graph, &descendants).is_empty());
         }

@@ -14,12 +14,15 @@ use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::sample::Sample;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
-use crate::{Model, Symbol};
+use crate::{Energies, Model, Node, Symbol};
 
 /// Points in the domain at which programs are compared: each style of [`Sample`] eight times.
 const POINTS: usize = 32;
-/// Points to try until as many are in the domain: roots and logarithms leave out most of them.
-const ATTEMPTS: u64 = 160;
+/// Points to try until as many are in the domain: roots and logarithms leave out most of them. The later ones are
+/// spread more widely, and are tried where the domain has not been met often.
+const ATTEMPTS: u64 = 512;
+const ENOUGH_TO_GO_ON: usize = 8;
+const NEARBY_ATTEMPTS: u64 = 160;
 /// Runs with perturbed results by which a difference is judged.
 const JUDGEMENTS: u64 = 3;
 /// By how much a difference must exceed the changes under perturbation, which are 2¹⁷ times as large as
@@ -29,7 +32,8 @@ const MARGIN: f64 = 8.0;
 /// Lagrange's equations of a model, with which programs are compared.
 pub struct Validator {
     lagrange: Lagrange,
-    /// Whether second derivatives of functions from outside may depend on their order.
+    /// Whether energies contain functions from outside whose second derivatives may depend on their order, which
+    /// is then not that of the equations.
     has_mixed_derivatives: bool,
 }
 
@@ -38,26 +42,38 @@ impl Validator {
     #[must_use]
     pub fn new(model: &Model) -> Self {
         let graph = &model.graph;
-        let arguments = |function| graph.function_arguments(function).len();
+        let mut energies = match model.energies {
+            Energies::Natural { kinetic, potential } => vec![kinetic, potential],
+            Energies::General(lagrangian) => vec![lagrangian],
+        };
+        energies.push(model.dissipation);
+        let mut parts = graph.descendants(&energies).into_iter();
         Self {
             lagrange: Lagrange::new(model),
-            has_mixed_derivatives: graph.functions().any(|function| arguments(function) > 1),
+            has_mixed_derivatives: parts.any(|part| match graph.node(part) {
+                Node::Application(_, arguments) => arguments.len() > 1,
+                _ => false,
+            }),
         }
     }
 
-    /// The methods whose programs do not compute what the equations say; none where no point is in the
-    /// domain.
+    /// The methods whose programs do not compute what the equations say; none where no random point is in the
+    /// domain, and none that takes second derivatives of functions from outside of several arguments.
     #[must_use]
     pub fn disagreements(&self, programs: Programs<'_>) -> BTreeSet<Method> {
         let mut found = BTreeSet::new();
-        if self.has_mixed_derivatives {
-            return found;
-        }
         let tapes = Tapes::new(&programs);
         let mut points = 0;
         let mut undefined = Vec::new();
         for number in 0..ATTEMPTS {
-            let sample = Sample::new(number);
+            if number >= NEARBY_ATTEMPTS && points >= ENOUGH_TO_GO_ON {
+                break;
+            }
+            let sample = if number < NEARBY_ATTEMPTS {
+                Sample::new(number)
+            } else {
+                Sample::spread(number)
+            };
             let Some(comparisons) = self.compare(&tapes, sample, Perturbation(None)) else {
                 continue;
             };
@@ -85,6 +101,9 @@ impl Validator {
             if 2 * count > points {
                 found.insert(method);
             }
+        }
+        if self.has_mixed_derivatives {
+            found.retain(|method| method.takes_first_derivatives());
         }
         found
     }
@@ -182,7 +201,14 @@ impl Validator {
         let found = at(&variation.velocities, &tapes.inverse_dynamics);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
         if solved.is_none() {
-            comparisons.undefined(Method::Accelerations);
+            // Where M is singular there are none.
+            let right: Vec<f64> = forcing.iter().map(|force| force.total).collect();
+            if mass
+                .solve(&right)
+                .is_some_and(|x| x.iter().all(|x| x.is_finite()))
+            {
+                comparisons.undefined(Method::Accelerations);
+            }
             return Some(comparisons.0);
         }
         comparisons.vanishing(Method::Accelerations, &values.residuals);

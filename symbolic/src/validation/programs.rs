@@ -34,6 +34,25 @@ pub enum Method {
     Outputs,
 }
 
+impl Method {
+    /// Whether the method takes no higher derivatives of the energies than the first.
+    pub(crate) const fn takes_first_derivatives(self) -> bool {
+        match self {
+            Self::Lagrangian
+            | Self::Energies
+            | Self::Energy
+            | Self::Momenta
+            | Self::GeneralizedForces
+            | Self::Outputs => true,
+            Self::MassMatrix
+            | Self::Forcing
+            | Self::InverseDynamics
+            | Self::Accelerations
+            | Self::Linearization => false,
+        }
+    }
+}
+
 /// The program for q̈.
 #[derive(Clone, Copy)]
 pub enum AccelerationProgram<'a> {

@@ -25,6 +25,7 @@ enum Style {
     ManySizes,
     Coinciding,
     NegativeParameters,
+    Spread,
 }
 
 impl Sample {
@@ -42,6 +43,14 @@ impl Sample {
         }
     }
 
+    /// A point of numbers of either sign from 2⁻¹⁰ to 2¹⁰, for domains that are far away.
+    pub(crate) const fn spread(number: u64) -> Self {
+        Self {
+            seed: mix(SEED, number),
+            style: Style::Spread,
+        }
+    }
+
     /// The value of a symbol.
     pub(crate) fn value(self, symbol: Symbol) -> f64 {
         let word = self.word(symbol);
@@ -49,6 +58,7 @@ impl Sample {
         let size = match self.style {
             Style::NearOne | Style::NegativeParameters => 0.3 + 1.9 * fraction,
             Style::ManySizes => libm::exp2(10.0 * fraction - 5.0),
+            Style::Spread => libm::exp2(20.0 * fraction - 10.0),
             Style::Coinciding => [0.5, 1.0, 1.5, 2.0, 2.5, 3.0][(word % 6) as usize],
         };
         let is_negative = match symbol {

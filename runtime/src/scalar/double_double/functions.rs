@@ -84,6 +84,12 @@ impl Scalar for DoubleDouble {
         PI
     }
 
+    /// 2⁻⁹¹⁶: below it the lower part has no digits.
+    #[inline]
+    fn min_positive() -> Self {
+        Self::from(f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON) * 4.0)
+    }
+
     #[inline]
     fn smallest(self) -> f64 {
         self.high

@@ -1,0 +1,58 @@
+//! Degrees in the velocities.
+
+use crate::{Expression, Graph, Node, Symbol};
+
+impl Graph {
+    /// The degree of an expression as a polynomial in the velocities; none for what is not a polynomial as it
+    /// stands, such as |ẋ|, whose second derivative would not show it.
+    #[must_use]
+    pub fn velocity_degree(&self, expression: Expression) -> Option<u8> {
+        Degrees::of(self, expression).of_expression(expression)
+    }
+}
+
+/// The degrees of expressions as polynomials in the velocities; none for what is not a polynomial.
+pub(crate) struct Degrees(Vec<Option<u8>>);
+
+impl Degrees {
+    pub(crate) fn of(graph: &Graph, root: Expression) -> Self {
+        let mut degrees = Self(vec![Some(0); root.index() + 1]);
+        for expression in graph.descendants(&[root]) {
+            degrees.0[expression.index()] = degrees.degree(graph.node(expression));
+        }
+        degrees
+    }
+
+    pub(crate) fn of_expression(&self, expression: Expression) -> Option<u8> {
+        self.0[expression.index()]
+    }
+
+    fn degree(&self, node: &Node) -> Option<u8> {
+        match node {
+            Node::Symbol(Symbol::Velocity(_)) => Some(1),
+            Node::Constant(_) | Node::Pi | Node::Symbol(_) => Some(0),
+            Node::Sum(terms) => terms
+                .iter()
+                .try_fold(0, |most, (x, _)| Some(self.of_expression(*x)?.max(most))),
+            Node::Product(factors) => factors.iter().try_fold(0, |total: u8, (x, k)| {
+                match (self.of_expression(*x)?, k.to_integer()) {
+                    (0, _) => Some(total),
+                    (degree, Some(k)) => {
+                        total.checked_add(degree.checked_mul(u8::try_from(k).ok()?)?)
+                    }
+                    (_, None) => None,
+                }
+            }),
+            Node::Whole(x) => self.of_expression(*x),
+            Node::Unary(_, x) => (self.of_expression(*x)? == 0).then_some(0),
+            Node::Binary(_, x, y) => {
+                let still = self.of_expression(*x)? == 0 && self.of_expression(*y)? == 0;
+                still.then_some(0)
+            }
+            Node::Application(_, arguments) => {
+                let mut degrees = arguments.iter().map(|x| self.of_expression(*x));
+                degrees.all(|degree| degree == Some(0)).then_some(0)
+            }
+        }
+    }
+}
