@@ -135,7 +135,7 @@ impl Crossing {
 
 /// Whether a number is positive or negative.
 fn has_sign(value: f64) -> bool {
-    value < 0.0 || value > 0.0
+    !value.is_nan() && value != 0.0
 }
 
 /// The last value that has a sign.

@@ -41,7 +41,7 @@ const ALL_STAGES: usize = 16;
 ///
 /// ```
 /// use lagrangian::prelude::*;
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// /// ẍ = −x.
 /// struct Oscillator;

@@ -53,7 +53,7 @@ pub struct Ending<X> {
 /// ```
 /// use core::ops::ControlFlow;
 /// use lagrangian::prelude::*;
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// /// A stone: height and velocity.
 /// struct Stone;
@@ -120,6 +120,10 @@ pub struct Ending<X> {
 /// assert_eq!((bounces, state.t), (9, 2.995));
 /// # Ok::<(), IntegrationError>(())
 /// ```
+///
+/// Flights become shorter without end here. Once one is shorter than times can tell apart, its end is not seen, and
+/// the ball falls through the floor: let it rest where its velocity is small, as by `if state.v[0].abs() < 1e-6`. A
+/// driver is used up by an integration; one with the same conditions is a `clone()`.
 #[derive(Clone, Debug)]
 pub struct Driver<I, C = Unconditional, O = Unobserved> {
     integrator: I,
@@ -163,14 +167,16 @@ impl<I, C, O> Driver<I, C, O> {
         self
     }
 
-    /// Stops after the first step at whose end `condition(t, x)` holds.
+    /// Stops after the first step at whose end `condition(t, x)` holds. The state is of the dynamics' type, which a closure names: `|t, x: &Phase<f64, N>|` of a
+    /// mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|` under a controller with states.
     #[must_use]
     pub fn stop_when<F>(self, condition: F) -> Driver<I, When<F>, O> {
         self.with_condition(When(condition))
     }
 
     /// Stops where `function(t, x)` crosses zero in either direction, as
-    /// [`stop_at_crossing`](Self::stop_at_crossing) does.
+    /// [`stop_at_crossing`](Self::stop_at_crossing) does, of a closure as
+    /// [`stop_when`](Self::stop_when) takes it.
     #[must_use]
     pub fn stop_at_zero<F>(self, function: F) -> Driver<I, AtZero<F>, O> {
         self.stop_at_crossing(Crossing::Either, function)
@@ -178,7 +184,8 @@ impl<I, C, O> Driver<I, C, O> {
 
     /// Stops where `function(t, x)` crosses zero in the direction of `crossing`, or arrives there. Of several
     /// conditions, `function` gives an array of values and `crossing` is as long an array;
-    /// [`Ending::met`] tells which were met.
+    /// [`Ending::met`] tells which were met. A closure names the type of the state, as under
+    /// [`stop_when`](Self::stop_when).
     ///
     /// A crossing is seen if the signs at the two ends of a step differ; where within the step is found by
     /// bisection, and the state is that just after it. A zero without change of sign is not seen, nor are two

@@ -11,7 +11,7 @@ use crate::{Scalar, Singularity, VectorSpace};
 ///
 /// ```
 /// use lagrangian::{Dop853, Dynamics, Integrator};
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// /// ẋ = −x.
 /// struct Decay;

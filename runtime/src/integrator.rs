@@ -88,7 +88,7 @@ pub trait Integrator {
 ///
 /// ```
 /// use lagrangian::prelude::*;
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// /// A mass of 1 under a force: position and velocity.
 /// struct Mass {

@@ -8,7 +8,7 @@ use crate::Scalar;
 ///
 /// ```
 /// use lagrangian::IntoVector;
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// fn coordinates<const N: usize>(written: impl IntoVector<f64, N>) -> SVector<f64, N> {
 ///     written.into_vector()

@@ -75,7 +75,7 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
 ///
 /// ```
 /// use lagrangian::{Dynamics, Integrator, RungeKutta};
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// /// ẍ = −x.
 /// struct Oscillator;

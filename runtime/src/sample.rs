@@ -9,7 +9,7 @@ use crate::{Phase, Scalar, State};
 ///
 /// ```
 /// use lagrangian::{Sample, State};
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// let pendulum = Sample::from(State::new(0.0, [0.5], [0.0]));
 /// assert_eq!(pendulum.state().q[0], 0.5);
@@ -39,7 +39,8 @@ impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {
     message = "an integration of `{X}` does not begin at `{Self}`",
     label = "this is no state of the system",
     note = "a mechanical system with `N` coordinates begins at a `State<S, N>`, of `N` coordinates and as many \
-            velocities; other dynamics begin at a pair `(t, x)`"
+            velocities, and under `with_controller` at that beside the states of the controller, `(state, [0.0])`; \
+            other dynamics begin at a pair `(t, x)`"
 )]
 pub trait Initial<X> {
     /// The time and the state.

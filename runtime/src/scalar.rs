@@ -57,7 +57,7 @@ pub use lanes::Lanes;
 /// | `f64`, `f32` | one number | |
 /// | [`Lanes<L>`](Lanes) | `L` numbers at once: parameter studies, ensembles | |
 /// | [`DoubleDouble`] | 32 digits: reference values, differences that `f64` rounds away | |
-/// | `num_dual::Dual64` | the derivative in one direction | feature `num-dual` |
+/// | `num_dual::Dual64` | the derivative in one direction | feature `num-dual`, beside `num-dual = "0.15"` |
 /// | `num_dual::DualSVec64<N>` | the gradient with respect to `N` quantities | feature `num-dual` |
 /// | `num_dual::Dual2_64`, `HyperDual64` | second derivatives, in one direction or two | feature `num-dual` |
 ///

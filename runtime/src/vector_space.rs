@@ -12,7 +12,7 @@ use crate::Scalar;
 ///
 /// ```
 /// use lagrangian::VectorSpace;
-/// use nalgebra::SVector;
+/// use lagrangian::nalgebra::SVector;
 ///
 /// let mut x = SVector::from([1.0, 2.0]);
 /// x.add_scaled(0.5, &SVector::from([4.0, -4.0]));

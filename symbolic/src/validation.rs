@@ -5,8 +5,8 @@
 //! them do not compute what Lagrange's equations say. The programs are interpreted in binary64 at random
 //! real points, on every branch that these meet. What they are compared with takes another road:
 //! automatic differentiation in numbers of the energies as they were first built, without a derivative,
-//! a solution or a rewriting of the algebra. Elementary functions are those of the crate `libm`, so that
-//! the answer is the same on every host.
+//! a solution or a pass of the algebra; the normal form of the energies is trusted. Elementary functions are
+//! those of the crate `libm`, so that the answer is the same on every host.
 
 mod agreement;
 mod changes;
