@@ -20,3 +20,19 @@ pub enum Symbol {
     /// An argument of a function from outside, in the expressions that are its derivatives.
     Argument(u32),
 }
+
+impl Symbol {
+    /// The number of the kind, and the index within it.
+    pub(crate) const fn code(self) -> (u64, u32) {
+        match self {
+            Self::Time => (0, 0),
+            Self::Coordinate(index) => (1, index),
+            Self::Velocity(index) => (2, index),
+            Self::Acceleration(index) => (3, index),
+            Self::Parameter(index) => (4, index),
+            Self::Input(index) => (5, index),
+            Self::Prepared(index) => (6, index),
+            Self::Argument(index) => (7, index),
+        }
+    }
+}

@@ -75,16 +75,7 @@ impl Sample {
     }
 
     fn word(self, symbol: Symbol) -> u64 {
-        let (kind, index) = match symbol {
-            Symbol::Time => (0, 0),
-            Symbol::Coordinate(index) => (1, index),
-            Symbol::Velocity(index) => (2, index),
-            Symbol::Acceleration(index) => (3, index),
-            Symbol::Parameter(index) => (4, index),
-            Symbol::Input(index) => (5, index),
-            Symbol::Prepared(index) => (6, index),
-            Symbol::Argument(index) => (7, index),
-        };
+        let (kind, index) = symbol.code();
         mix(mix(self.seed, kind), index.into())
     }
 }
