@@ -71,6 +71,26 @@ fn pendulum(links: u32) -> TokenStream {
     }
 }
 
+/// A quadratic form with all its coefficients: every coordinate meets every other one.
+fn dense(coordinates: u32) -> TokenStream {
+    let names: Vec<_> = (0..coordinates).map(|i| format_ident!("q{i}")).collect();
+    let mut kinetic = quote!(0.0);
+    for (i, row) in names.iter().enumerate() {
+        kinetic.extend(quote!(+ 0.5 * b * dot(#row).powi(2)));
+        for column in &names[..i] {
+            kinetic.extend(quote!(+ a * cos(#row - #column) * dot(#row) * dot(#column)));
+        }
+    }
+    quote! {
+        #[lagrangian(
+            coordinates(#(#names),*),
+            kinetic = #kinetic,
+            potential = -g * (0.0 #(+ cos(#names))*),
+        )]
+        struct Dense { a: f64, b: f64, g: f64 }
+    }
+}
+
 /// Expands a model and prints how long that took, which is returned in milliseconds.
 fn measure(name: &str, model: TokenStream) -> f64 {
     let start = Instant::now();
@@ -82,19 +102,19 @@ fn measure(name: &str, model: TokenStream) -> f64 {
     time
 }
 
-/// Expands pendulums and prints by which power of the number of links the time grows.
-fn measure_pendulums(sizes: &[u32]) {
+/// Expands models of a kind and prints by which power of the number of coordinates the time grows.
+fn measure_growth(name: &str, model: fn(u32) -> TokenStream, sizes: &[u32]) {
     let mut previous: Option<(u32, f64)> = None;
-    for links in sizes {
-        let time = measure(&format!("P{links}"), pendulum(*links));
+    for size in sizes {
+        let time = measure(&format!("{name}{size}"), model(*size));
         if let Some((fewer, before)) = previous {
-            let ratio = f64::from(*links) / f64::from(fewer);
+            let ratio = f64::from(*size) / f64::from(fewer);
             println!(
                 "    grows with the power {:.1}",
                 (time / before).ln() / ratio.ln()
             );
         }
-        previous = Some((*links, time));
+        previous = Some((*size, time));
     }
 }
 
@@ -102,11 +122,17 @@ fn measure_pendulums(sizes: &[u32]) {
 fn models_expand() {
     measure("A1", symmetric_top());
     measure("A2", general_top());
-    measure_pendulums(&[1, 2, 3, 5, 8, 10, 15, 20]);
+    measure_growth("P", pendulum, &[1, 2, 3, 5, 8, 10, 15, 20]);
 }
 
 #[test]
 #[ignore = "takes a minute; run with `--include-ignored`"]
 fn long_chains_expand() {
-    measure_pendulums(&[10, 20, 40, 60]);
+    measure_growth("P", pendulum, &[10, 20, 40, 60]);
+}
+
+#[test]
+#[ignore = "takes a minute; run with `--include-ignored`"]
+fn dense_quadratic_forms_expand() {
+    measure_growth("D", dense, &[5, 10, 20, 40, 60]);
 }

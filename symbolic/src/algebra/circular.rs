@@ -3,8 +3,9 @@
 //! Of sin cπ and cos cπ, with a rational c, those with 0 ≤ c ≤ ¼ stand for all others, since quarter turns
 //! exchange the two and change their signs; so do whole multiples of ½π in a sum, sin(x + ½π) = cos x.
 //! At 0, π/6 and π/4 they are roots of rationals (Abramowitz and Stegun, Handbook of Mathematical Functions,
-//! 1964, 4.3.46), as tan cπ is at π/3. At π/12 they would be differences of roots, whose squares are not
-//! known to add up to 1: sin π/12 and cos π/12 stay.
+//! 1964, 4.3.46), as tan cπ is at π/3. At π/12 they are differences of roots, which cancel: (√6 − √2)/4 in
+//! binary64 is off by 1.4 units in the last place and its eighth power, multiplied out, by 2400, where the sine
+//! is off by 0.4 and 4. So sin π/12 and cos π/12 stay functions, of one constant, and their squares add up to 1.
 
 use crate::{Expression, Graph, Node, Rational, Unary};
 

@@ -263,6 +263,10 @@ impl Binary {
 
     /// The partial derivatives with respect to both arguments. Where x = y, those of `min` and `max`
     /// are the mean of both sides.
+    ///
+    /// Those of `atan2`, x/(x² + y²) and −y/(x² + y²), are lost where the squares underflow, at distances
+    /// below the root of the smallest number. They are written so because they cancel with an r² = x² + y²,
+    /// which a form without squares, such as cos φ/r, would not.
     pub fn derivatives(self, graph: &mut Graph, x: Expression, y: Expression) -> [Expression; 2] {
         match self {
             Self::Atan2 => {
