@@ -18,7 +18,7 @@ use super::arithmetic::arithmetic;
 /// A number of about 32 decimal digits, with the exponents of `f64`.
 ///
 /// The relative error of an operation is about 10⁻³², that of an elementary function at most 10⁻³⁰ (for
-/// sine and cosine up to arguments of 10⁶); `powf` loses in proportion to the logarithm of its result. It
+/// sine and cosine up to arguments of 10⁶, and beyond 10¹⁵ they have the digits of `f64`); `powf` loses in proportion to the logarithm of its result. It
 /// reaches all digits of a model: its energies, accelerations and their derivatives, also from parameters
 /// of as many digits, and differences of what `f64` would round away.
 ///

@@ -7,6 +7,15 @@ use super::constants::{HALF_PI, INVERSE_FACTORIALS, LN_2, PI};
 use super::{DoubleDouble, two_product};
 use crate::Scalar;
 
+/// The largest argument of a sine that is reduced in all digits: a quarter of a turn has as many as the number
+/// of them leaves.
+const MOST_REDUCED: f64 = 1e15;
+
+/// ln 2.
+fn ln_2() -> DoubleDouble {
+    DoubleDouble::finite(LN_2[0], LN_2[1])
+}
+
 impl DoubleDouble {
     /// self · 2ⁿ, which is exact.
     fn times_power_of_two(self, n: i32) -> Self {
@@ -49,6 +58,14 @@ impl DoubleDouble {
             return y;
         }
         y + (self - function(y)) / slope
+    }
+
+    /// Sine and cosine with the digits of `f64`, by its functions of both parts and the addition theorems.
+    fn rounded_sin_cos(self) -> (Self, Self) {
+        let [high, low] = [self.high, self.low].map(|part| (libm::sin(part), libm::cos(part)));
+        let sine = high.0 * low.1 + high.1 * low.0;
+        let cosine = high.1 * low.1 - high.0 * low.0;
+        (Self::from(sine), Self::from(cosine))
     }
 
     /// √(1 − x²).
@@ -106,6 +123,9 @@ impl Scalar for DoubleDouble {
     }
 
     fn sin_cos(self) -> (Self, Self) {
+        if self.high.abs() > MOST_REDUCED {
+            return self.rounded_sin_cos();
+        }
         let (quarters, rest) = self.reduced(HALF_PI);
         let (sine, cosine) = (rest.series(1, -1.0), rest.series(0, -1.0));
         let quadrant = quarters - 4.0 * libm::floor(quarters / 4.0);
@@ -177,6 +197,10 @@ impl Scalar for DoubleDouble {
     }
 
     fn asinh(self) -> Self {
+        if self.high.abs() > 1e40 && self.is_finite() {
+            // √(x² + 1) is |x| to all digits: ln 2|x|.
+            return (self.abs().ln() + ln_2()) * self.signum();
+        }
         self.refined(Scalar::asinh(self.high), Self::sinh, Self::cosh)
     }
 
@@ -192,9 +216,14 @@ impl Scalar for DoubleDouble {
     }
 
     fn exp(self) -> Self {
-        if self.high.abs() > 700.0 || self.high.is_nan() {
-            // What is left is of `f64` alone, near the largest and the least of its numbers.
+        if !self.is_finite() || self.high < -700.0 || self.high > 710.0 {
+            // Infinite, or so small that the lower part has no digits.
             return Self::from(Scalar::exp(self.high));
+        }
+        if self.high > 700.0 {
+            // The largest power of two is too large to multiply by.
+            let root = self.times_power_of_two(-1).exp();
+            return root * root;
         }
         let (twos, rest) = self.reduced(LN_2);
         #[allow(clippy::cast_possible_truncation)] // A whole number between −1011 and 1011.
@@ -208,6 +237,10 @@ impl Scalar for DoubleDouble {
         if from_one.high.abs() < 0.25 {
             let quotient = from_one / (self + Self::one());
             return quotient.atanh().times_power_of_two(1);
+        }
+        if self.high > 1e300 && self.is_finite() {
+            // The exponential of the rounded logarithm might be infinite.
+            return self.times_power_of_two(-100).ln() + Self::from(100.0) * ln_2();
         }
         self.refined(Scalar::ln(self.high), Self::exp, Self::exp)
     }

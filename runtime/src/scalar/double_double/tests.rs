@@ -146,6 +146,45 @@ fn what_overflows_is_infinite() {
     assert!(!number(f64::NAN).is_finite());
 }
 
+/// Values by mpmath, with 60 digits.
+#[test]
+fn functions_reach_to_the_largest_numbers() {
+    let most = number(f64::MAX);
+    assert_is(
+        number(709.5).exp(),
+        "1.354986319314632830876632274053603338299e+308",
+    );
+    assert_is(most.ln(), "709.782712893383996732223389910657145504");
+    assert_is(most.asinh(), "710.475860073943942041640622032115322072");
+    assert_is((-most).asinh(), "-710.475860073943942041640622032115322072");
+    assert_is(
+        number(1e41).asinh(),
+        "95.09913599331581836035496821392489225545",
+    );
+    assert_is(
+        number(9e39).asinh(),
+        "92.69119038466394635899046485020615955682",
+    );
+    assert_eq!(number(f64::INFINITY).ln(), number(f64::INFINITY));
+    assert_eq!(number(f64::INFINITY).asinh(), number(f64::INFINITY));
+    assert!(number(f64::NAN).exp().to_f64().is_nan());
+    // As many digits as `f64` has.
+    for (x, sine, cosine) in [
+        (1e16, 0.7796880066069788, -0.6261681981330862),
+        (1e22, -0.8522008497671888, 0.523214785395139),
+        (1e300, -0.8178819121159085, -0.5753861119575491),
+    ] {
+        let (found, other) = number(x).sin_cos();
+        assert!((found.to_f64() - sine).abs() < 1e-15, "sin {x}: {found}");
+        assert!((other.to_f64() - cosine).abs() < 1e-15, "cos {x}: {other}");
+    }
+    let (sine, _) = DoubleDouble::new(1e22, 0.5).sin_cos();
+    assert!(
+        (sine.to_f64() - -0.4970340746900952).abs() < 1e-15,
+        "{sine}"
+    );
+}
+
 #[test]
 fn digits_are_read_and_written() {
     let tenth = DoubleDouble::ratio(1.0, 10.0);
