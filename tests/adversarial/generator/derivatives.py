@@ -13,6 +13,8 @@ from fractions import Fraction
 
 from mpmath import mp, mpf
 
+from rounding import Rounded
+
 
 class NoValue(ValueError):
     """An expression has no value here, or is too near to a kink."""
@@ -156,7 +158,7 @@ def reciprocal(x):
         return x.mapped("recip")
     if x == 0:
         raise NoValue("division by zero")
-    return 1 / x if isinstance(x, (mpf, Fraction)) else 1 / float(x)
+    return 1 / x if isinstance(x, (mpf, Fraction, Rounded)) else 1 / float(x)
 
 
 def apart(x, y):
@@ -179,7 +181,7 @@ def bare(function, x):
     result = getattr(library, {"ln": "log"}.get(function, function))(x)
     if abs(result) > 1e150:
         raise NoValue("overflow")
-    return result
+    return Rounded.off(result) if isinstance(x, Rounded) else result
 
 
 def apply(function, x):

@@ -3,11 +3,12 @@
 Values are computed in 240 bits; derivatives of q̈ by differences with steps of 2⁻¹⁰⁰, whose errors are of that size.
 
 The tolerance of a quantity is what evaluating the same tree in binary64 loses where every input is off by one unit in
-the last place: the greatest of `SAMPLES` evaluations (CESTAC: J. Vignes, A stochastic arithmetic for reliable scientific
-computation, Math. Comput. Simul. 35, 1993), but at least one unit of the greatest entry, or of 1, since terms of that size
-are what a zero is made of; for q̈ and its derivatives such terms stand in f. For q̈ it is also Skeel's bound
-|M⁻¹| (|M| |q̈| + |f|) (R. D. Skeel, Scaling for numerical stability in Gaussian elimination, J. ACM 26, 1979). `ALLOWANCE` is
-for algorithms that take another way through the same numbers.
+the last place and every operation is rounded at random (`rounding.py`): the greatest of `SAMPLES` evaluations (CESTAC:
+J. Vignes, A stochastic arithmetic for reliable scientific computation, Math. Comput. Simul. 35, 1993), but at least one
+unit of the greatest entry, or of 1, since terms of that size are what a zero is made of; for q̈ and its derivatives such
+terms stand in f. For q̈ it is also Skeel's bound |M⁻¹| (|M| |q̈| + |f|) (R. D. Skeel, Scaling for numerical stability in
+Gaussian elimination, J. ACM 26, 1979). `ALLOWANCE` is for algorithms that take another way through the same numbers,
+and for samples that are all small by chance.
 """
 
 import math
@@ -19,12 +20,12 @@ import arrays
 from arrays import added, flat, solve
 from derivatives import PRECISE, Dual, NoValue, level
 from mechanics import Equations, outputs
+from rounding import DEVIATION, SCALE, UNIT, Rounded
 
 BITS = 240
 STEP = 2.0**-100
-UNIT = 2.0**-53
 SAMPLES = 4
-ALLOWANCE = 64
+ALLOWANCE = 32
 USELESS = 1e-5  # A tolerance so great, relative to the quantity, tests nothing.
 
 mp.prec = BITS
@@ -119,10 +120,10 @@ def by_duals(model, at, kind, i, _):
     return [x.b if level(x) == 0 else 0 for x in moved]
 
 
-def in_binary64(model, at, trial, rng):
-    """The quantities in binary64, the inputs off by a unit in the last place at random."""
-    off = lambda x: float(x) * (1 + rng.choice((-1, 1)) * 2 * UNIT)
-    PRECISE[0] = False
+def rounded_at_random(model, at, trial, rng):
+    """The quantities, with `SCALE` times the errors of binary64 in inputs and operations."""
+    off = lambda x: Rounded(x * (1 + rng.choice((-1, 1)) * 2 * DEVIATION))
+    PRECISE[0], Rounded.rng = False, rng
     try:
         found, _, _ = quantities(model, at.mapped(off), [float(x) for x in trial], by_duals)
     finally:
@@ -144,14 +145,14 @@ def reference(model, at, rng):
     exact = at.mapped(mpf)
     trial = [round(rng.uniform(-3, 3), 3) for _ in at.q]
     values, shapes, e = quantities(model, exact, [mpf(x) for x in trial], by_differences)
-    samples = [in_binary64(model, at, trial, rng) for _ in range(SAMPLES)]
+    samples = [rounded_at_random(model, at, trial, rng) for _ in range(SAMPLES)]
     bound, inverse = of_solution(e)
     tolerances = {}
     for name, value in values.items():
         if not all(math.isfinite(float(x)) and abs(x) < 1e100 for x in value):
             raise NoValue("no number")
         size = max((abs(float(x)) for x in value), default=0.0)
-        noise = max(max_difference(sample[name], value) for sample in samples)
+        noise = max(max_difference(sample[name], value) for sample in samples) / SCALE
         if name == "qdd":
             noise = max(noise, UNIT * bound)
         if "qdd" in name:
