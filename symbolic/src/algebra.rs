@@ -14,7 +14,7 @@ pub(crate) mod expansion;
 pub(crate) mod call;
 pub(crate) mod circular;
 pub(crate) mod function;
-pub(crate) mod outside;
+pub(crate) mod external_function;
 pub(crate) mod dependence;
 pub(crate) mod derivative;
 pub(crate) mod substitution;

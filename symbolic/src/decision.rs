@@ -1,4 +1,4 @@
-//! Exact decisions about identities, in modular arithmetic.
+//! Exact decisions about identities, by random evaluation in modular arithmetic.
 
 pub(crate) mod residue;
 pub(crate) mod point;

@@ -15,9 +15,9 @@ mod print;
 
 pub use algebra::contents::Contents;
 pub use algebra::derivative::Direction;
+pub use algebra::external_function::ExternalFunction;
 pub use algebra::function::{Binary, Symmetry, Unary};
 pub use algebra::graph::{Expression, Graph, Node};
-pub use algebra::outside::Function;
 pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
 pub use decision::point::Point;
@@ -25,21 +25,23 @@ pub use geometry::axis::Axis;
 pub use geometry::determinant::{LARGEST_DETERMINANT, NoInverse};
 pub use geometry::matrix::Matrix;
 pub use geometry::rotation::NoRotation;
-pub use mechanics::elimination::Elimination;
+pub use mechanics::coordinate_properties::CoordinateProperties;
 pub use mechanics::equations::{Defect, Equations};
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
+pub use mechanics::ldlt::Ldlt;
 pub use mechanics::model::{Energies, Model};
 pub use mechanics::solution::Solution;
-pub use mechanics::structure::Structure;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
 pub use print::names::{Letters, Names};
-pub use program::preparation::Prepared;
-pub use program::straight_line::{Instruction, Operand, Operation, OperationCount, Phase, Program};
+pub use program::staging::Staged;
+pub use program::straight_line::{
+    Instruction, Operand, Operation, OperationCount, OutputGroup, Program,
+};
 pub use program::verify::Fault;
 pub use validation::{AccelerationProgram, LinearizationProgram, Method, Programs, Validator};
 
-// Unit tests are about the same systems as the tests from outside.
+// Unit tests use the same systems as the integration tests.
 #[cfg(test)]
 extern crate self as lagrangian_symbolic;
 #[cfg(test)]

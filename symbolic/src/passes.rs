@@ -1,9 +1,9 @@
 //! The passes that can be switched off, so that what each of them earns can be measured.
 //!
-//! A pass changes what a result costs, never what it is: with any of them off, the equations are the same.
-//! Normal forms, numbering of values and the choice of the cheapest way are no passes: nothing works
-//! without them. Where a new pass is applied it asks [`Passes::has`], and the benchmark's ablation gets a
-//! line more.
+//! A pass changes the cost of a result, never its value: with any of them off, the equations are the same.
+//! Normal forms, value numbering and the choice of the cheapest solver are no passes: nothing works without
+//! them. A new pass is guarded by [`Passes::has`] where it is applied, and the benchmark's ablation study gets
+//! one more row.
 
 use core::str::FromStr;
 
@@ -34,39 +34,39 @@ macro_rules! passes {
 passes! {
     /// sin² + cos² = 1 and its consequences, in sums.
     Pythagoras = "pythagoras",
-    /// Multiplying out where that makes an expression cheaper.
+    /// Expansion where that makes an expression cheaper.
     Expansion = "expansion",
     /// T + V for the energy function, where it is that.
     TotalEnergy = "total-energy",
-    /// Keeping intermediate results whole in what is made of them.
-    Whole = "whole",
-    /// The accelerations along the tree that quasi-velocities form.
+    /// Opaque nodes for intermediate results.
+    Opaque = "opaque",
+    /// The accelerations by articulated-body elimination along the tree of quasi-velocities.
     Tree = "tree",
     /// Dividing a tree's equations by the inertia of which all others are multiples.
     Unit = "unit",
-    /// The accelerations by elimination of the mass matrix before any number is known.
+    /// The accelerations by symbolic elimination of the mass matrix.
     Elimination = "elimination",
     /// The accelerations through as many quasi-velocities as there are coordinates.
     QuasiVelocities = "quasi-velocities",
-    /// Quasi-velocities from the mass matrix, besides those that were declared.
+    /// Quasi-velocities recovered from the mass matrix, besides the declared ones.
     Inertias = "inertias",
     /// Gyroscopic terms by structure constants, as in ω × Iω.
     StructureConstants = "structure-constants",
-    /// One reciprocal for all that is divided by the same.
+    /// One reciprocal for all quotients with the same divisor.
     Reciprocals = "reciprocals",
-    /// Sums that are computed anyway, found again among the multiples of a factor.
+    /// Existing sums, found again among the multiples of a factor.
     Collecting = "collecting",
     /// Common factors taken out of sums.
     Factoring = "factoring",
-    /// Constant factors moved into sums whose terms have constant factors.
+    /// Invariant factors distributed over sums whose terms have invariant factors.
     Distribution = "distribution",
-    /// What depends on parameters alone gathered within products and sums.
+    /// Invariant factors and terms gathered within products and sums.
     Gathering = "gathering",
-    /// What depends on parameters alone computed once and not at every evaluation.
-    Preparation = "preparation",
-    /// Products that several products have in common.
+    /// Invariants hoisted into a setup program that runs once, not at every evaluation.
+    Staging = "staging",
+    /// Common subexpressions of products.
     SharedProducts = "shared-products",
-    /// Sums that several sums have in common.
+    /// Common subexpressions of sums.
     SharedSums = "shared-sums",
     /// Sine and cosine of one angle in one operation.
     Pairing = "pairing",

@@ -1,4 +1,4 @@
-//! Formulas as a book prints them, in Unicode and in LaTeX.
+//! Formulas as in a book, in Unicode and in LaTeX.
 
 pub(crate) mod names;
 pub(crate) mod spelling;

@@ -26,7 +26,7 @@ fn check(model: &Model) {
             roots.extend(solution.accelerations);
         }
         let groups = [roots.as_slice()];
-        let program = Program::schedule_for_preparation(&model.graph, &groups);
+        let program = Program::schedule_for_staging(&model.graph, &groups);
         let verdict = program.verify(&model.graph, &groups);
         assert_eq!(verdict, Ok(()), "{passes:?}");
     }
@@ -64,13 +64,13 @@ fn others_move_the_same_without_any_pass() {
 #[test]
 fn nothing_is_prepared_without_preparation() {
     let model = Chain::of(2).model();
-    let passes = Passes::default().without(Pass::Preparation);
+    let passes = Passes::default().without(Pass::Staging);
     let everything: Vec<_> = model.graph.nodes().map(|(root, _)| root).collect();
-    let program = Program::schedule_for_preparation(&model.graph, &[&everything]);
-    assert!(program.prepared().before.instructions().count() > 0);
+    let program = Program::schedule_for_staging(&model.graph, &[&everything]);
+    assert!(program.hoist_invariants().setup.instructions().count() > 0);
     let all = program.count();
-    let parts = program.parted(passes);
-    assert_eq!(parts.before.instructions().count(), 0);
-    assert_eq!(parts.before.phases.len(), 1);
-    assert_eq!(parts.after.count(), all);
+    let parts = program.staged(passes);
+    assert_eq!(parts.setup.instructions().count(), 0);
+    assert_eq!(parts.setup.groups.len(), 1);
+    assert_eq!(parts.kernel.count(), all);
 }

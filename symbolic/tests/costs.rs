@@ -12,9 +12,9 @@ fn cost(mut model: Model) -> usize {
     let equations = Equations::derive(&mut model).unwrap();
     let solution = Kinetics::cheapest(&mut model, &equations).solution.unwrap();
     let roots = [&*solution.pivots, &solution.accelerations];
-    let program = Program::schedule_for_preparation(&model.graph, &roots);
+    let program = Program::schedule_for_staging(&model.graph, &roots);
     assert_eq!(program.verify(&model.graph, &roots), Ok(()));
-    program.prepared().after.count().cost()
+    program.hoist_invariants().kernel.count().cost()
 }
 
 #[test]

@@ -143,7 +143,7 @@ fn nothing_is_multiplied_out_beyond_a_count_of_terms() {
 fn what_is_kept_whole_is_a_term_and_a_factor_of_its_own() {
     let (mut graph, [a, b, x]) = start();
     let inner = graph.add(a, b);
-    let whole = graph.whole(inner);
+    let whole = graph.opaque(inner);
     assert_ne!(whole, inner);
     // Sums and products neither merge it nor cancel it, and multiplying out stops at it.
     let difference = graph.subtract(inner, whole);
@@ -157,11 +157,11 @@ fn what_is_kept_whole_is_a_term_and_a_factor_of_its_own() {
     let simplest = graph.simplest(difference);
     assert!(!graph.is_zero(simplest));
     // Twice whole is whole, and what has no parts needs no keeping.
-    assert_eq!(graph.whole(whole), whole);
+    assert_eq!(graph.opaque(whole), whole);
     let one = graph.one();
     let sine = graph.unary(Unary::Sin, x);
     for atom in [x, one, sine] {
-        assert_eq!(graph.whole(atom), atom);
+        assert_eq!(graph.opaque(atom), atom);
     }
     // It costs and it varies as what it keeps.
     assert_eq!(graph.cost(&[whole]), graph.cost(&[inner]));
@@ -171,5 +171,5 @@ fn what_is_kept_whole_is_a_term_and_a_factor_of_its_own() {
     let substituted = graph.substitute(&[whole], &with_square)[0];
     let square = graph.square(b);
     let expected = graph.add(square, b);
-    assert_eq!(substituted, graph.whole(expected));
+    assert_eq!(substituted, graph.opaque(expected));
 }

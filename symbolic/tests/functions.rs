@@ -3,7 +3,7 @@
 mod support;
 
 use lagrangian_symbolic::{
-    Equations, Expression, Function, Graph, Kinetics, Model, Names, Node, Operation, Point,
+    Equations, Expression, ExternalFunction, Graph, Kinetics, Model, Names, Node, Operation, Point,
     Program, Rational, Symbol, Unary,
 };
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ const X: Symbol = Symbol::Coordinate(0);
 const Y: Symbol = Symbol::Coordinate(1);
 
 /// The functions of [`outside`], and the coordinates x and y.
-fn start() -> (Graph, [Function; 3], [Expression; 2]) {
+fn start() -> (Graph, [ExternalFunction; 3], [Expression; 2]) {
     let mut graph = Graph::new();
     let functions = outside::functions(&mut graph);
     let letters = [X, Y].map(|symbol| graph.symbol(symbol));
@@ -26,7 +26,7 @@ fn start() -> (Graph, [Function; 3], [Expression; 2]) {
 }
 
 /// The value of a function from outside.
-fn known(function: Function, arguments: &[f64]) -> f64 {
+fn known(function: ExternalFunction, arguments: &[f64]) -> f64 {
     let arguments: Vec<_> = arguments.iter().map(|x| Bounded::exact(*x)).collect();
     outside::value(function, &arguments).value
 }
@@ -41,7 +41,7 @@ proptest! {
         let mut graph = Graph::new();
         let root = tree.build(&mut graph);
         let normal = evaluate(&graph, root, value);
-        let program = Program::schedule_for_preparation(&graph, &[&[root]]);
+        let program = Program::schedule_for_staging(&graph, &[&[root]]);
         let run = run(&program, value)[0][0];
         if written.is_reliable() {
             prop_assert!(normal.agrees(written), "{normal:?} for {written:?}");
@@ -189,7 +189,7 @@ fn programs_apply_functions_once_and_in_order() {
     let shifted = graph.add(inner, constant);
     let outer = graph.apply(product, &[constant, shifted]);
     let roots = [graph.multiply(outer, inner), graph.add(outer, y), outer];
-    let program = Program::schedule_for_preparation(&graph, &[&roots]);
+    let program = Program::schedule_for_staging(&graph, &[&roots]);
     assert_eq!(program.verify(&graph, &[&roots]), Ok(()));
     assert_eq!(program.count().functions, 3);
     assert_eq!(program.functions(), [wave, product]);
@@ -205,23 +205,23 @@ fn programs_apply_functions_once_and_in_order() {
     );
     assert_eq!(program.expand(&mut graph), [roots]);
     // What is applied to parameters alone is known before anything moves.
-    let parts = program.prepared();
-    assert_eq!(parts.before.functions(), [wave]);
-    assert_eq!(parts.before.count().functions, 1);
-    assert_eq!(parts.after.count().functions, 2);
-    let prepared = parts.before.evaluate_with(value, known).concat();
+    let parts = program.hoist_invariants();
+    assert_eq!(parts.setup.functions(), [wave]);
+    assert_eq!(parts.setup.count().functions, 1);
+    assert_eq!(parts.kernel.count().functions, 2);
+    let prepared = parts.setup.evaluate_with(value, known).concat();
     let symbol = |symbol| match symbol {
-        Symbol::Prepared(index) => prepared[index as usize],
+        Symbol::Invariant(index) => prepared[index as usize],
         _ => value(symbol),
     };
-    let found = parts.after.evaluate_with(symbol, known).concat();
+    let found = parts.kernel.evaluate_with(symbol, known).concat();
     assert_eq!(found.len(), roots.len());
     for (found, expected) in found.into_iter().zip(expected) {
         assert_close(found, expected);
     }
     // A wrong argument is found out.
     let mut wrong = program;
-    let instruction = wrong.phases[0].instructions.iter_mut().find(|instruction| {
+    let instruction = wrong.groups[0].instructions.iter_mut().find(|instruction| {
         let operands = instruction.operation.operands();
         operands.count() == 2 && instruction.expression == Some(outer)
     });
@@ -270,7 +270,10 @@ fn an_angle_within_a_function_from_outside_is_none() {
         let square = draft.square(v);
         let kinetic = draft.half(square);
         let mut model = draft.natural(kinetic, potential);
-        Equations::derive(&mut model).unwrap().structure.angles
+        Equations::derive(&mut model)
+            .unwrap()
+            .coordinate_properties
+            .angles
     };
     assert_eq!(angles(true), [true]);
     assert_eq!(angles(false), [false]);
@@ -332,7 +335,7 @@ fn equations_with_functions_are_those_with_their_formulas() {
                 .unwrap(),
         );
         roots.push(equations.energy);
-        let program = Program::schedule_for_preparation(&model.graph, &[&roots]);
+        let program = Program::schedule_for_staging(&model.graph, &[&roots]);
         assert_eq!(program.verify(&model.graph, &[&roots]), Ok(()));
         program.evaluate_with(value, known).concat()
     });

@@ -86,15 +86,15 @@ proptest! {
         let mut graph = Graph::new();
         let roots = family(&mut graph, &trees);
         let groups = [&roots[..2], &roots[2..]];
-        let program = Program::schedule_for_preparation(&graph, &groups);
+        let program = Program::schedule_for_staging(&graph, &groups);
         prop_assert!(is_verified(&program, &graph, &groups), "{program:?}");
-        let parts = program.prepared();
-        let prepared = run(&parts.before, |symbol| match symbol {
+        let parts = program.hoist_invariants();
+        let prepared = run(&parts.setup, |symbol| match symbol {
             Symbol::Parameter(_) => value(symbol),
             _ => panic!("{symbol:?} varies"),
         });
-        let found = run(&parts.after, |symbol| match symbol {
-            Symbol::Prepared(index) => prepared[0][index as usize],
+        let found = run(&parts.kernel, |symbol| match symbol {
+            Symbol::Invariant(index) => prepared[0][index as usize],
             _ => value(symbol),
         });
         for (written, found) in values(&trees, &value).into_iter().zip(found.concat()) {

@@ -137,7 +137,7 @@ fn an_expression_and_the_same_kept_whole_are_one_value() {
     let mut graph = Graph::new();
     let [a, b, f, x] = parameters(&mut graph);
     let product = graph.multiply(a, b);
-    let whole = graph.whole(product);
+    let whole = graph.opaque(product);
     // 2 a b + x, and f a b + f x, which is no multiple of it.
     let doubled = total(&mut graph, &[product, whole, x]);
     let terms = products(&mut graph, &[&[f, product], &[f, x]]);
@@ -150,7 +150,7 @@ fn what_is_shared_is_added_to_what_is_there_already() {
     let mut graph = Graph::new();
     let [a, b, x] = parameters(&mut graph);
     let sum = graph.add(a, b);
-    let whole = graph.whole(sum);
+    let whole = graph.opaque(sum);
     let two = Rational::integer(2);
     // With s = a + b, the first is 3 s + x, and s + x is no part of it.
     let first = graph.sum([

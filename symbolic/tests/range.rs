@@ -70,7 +70,7 @@ fn program(build: impl Fn(&mut Graph, Expression) -> Expression) -> Program {
     let first = graph.derivative(root, X);
     let second = graph.derivative(first, X);
     let roots = [root, first, second];
-    let program = Program::schedule_for_preparation(&graph, &[&roots]);
+    let program = Program::schedule_for_staging(&graph, &[&roots]);
     assert_eq!(program.verify(&graph, &[&roots]), Ok(()));
     program
 }
@@ -179,7 +179,7 @@ fn program_of_two(function: Binary) -> Program {
     let second = [(over_x, X), (over_x, Y), (over_y, Y)];
     let second = second.map(|(first, symbol)| graph.derivative(first, symbol));
     let roots = [&[root, over_x, over_y][..], &second].concat();
-    let program = Program::schedule_for_preparation(&graph, &[&roots]);
+    let program = Program::schedule_for_staging(&graph, &[&roots]);
     assert_eq!(program.verify(&graph, &[&roots]), Ok(()));
     program
 }

@@ -11,10 +11,19 @@ fn euler_angles_are_singular_where_theta_says_so() {
     let (mut model, _) = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
     // det M = I₁ I₂ I₃ sin²θ: neither φ nor ψ matters, though M contains ψ.
-    assert_eq!(equations.structure.singularities, vec![vec![1]; 3]);
+    assert_eq!(
+        equations.coordinate_properties.singularities,
+        vec![vec![1]; 3]
+    );
     // φ occurs nowhere.
-    assert_eq!(equations.structure.angles, vec![false, true, true]);
-    assert_eq!(equations.structure.ignorable, vec![true, false, false]);
+    assert_eq!(
+        equations.coordinate_properties.angles,
+        vec![false, true, true]
+    );
+    assert_eq!(
+        equations.coordinate_properties.ignorable,
+        vec![true, false, false]
+    );
 }
 
 #[test]
@@ -28,7 +37,7 @@ fn blocks_of_the_mass_matrix_have_their_own_singularities() {
     let sum = draft.plus(&squares);
     let (kinetic, potential) = (draft.half(sum), draft.square(x));
     let mut model = draft.natural(kinetic, potential);
-    let structure = Equations::derive(&mut model).unwrap().structure;
+    let structure = Equations::derive(&mut model).unwrap().coordinate_properties;
     assert_eq!(structure.singularities, vec![vec![], vec![0], vec![]]);
     // φ occurs nowhere; r and x are lengths.
     assert_eq!(structure.angles, vec![false; 3]);

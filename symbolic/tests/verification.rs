@@ -48,16 +48,16 @@ fn a_wrong_program_is_found_out() {
     let program = Program::schedule(&model.graph, &groups);
 
     let mut swapped = program.clone();
-    swapped.phases[0].outputs.swap(0, 1);
+    swapped.groups[0].outputs.swap(0, 1);
     assert!(swapped.verify(&model.graph, &groups).is_err());
 
     let mut unordered = program.clone();
-    unordered.phases[0].instructions.reverse();
+    unordered.groups[0].instructions.reverse();
     assert!(unordered.verify(&model.graph, &groups).is_err());
 
     let mut repeated = program;
-    let first = repeated.phases[0].instructions[0].clone();
-    repeated.phases[0].instructions.insert(1, first);
+    let first = repeated.groups[0].instructions[0].clone();
+    repeated.groups[0].instructions.insert(1, first);
     assert!(repeated.verify(&model.graph, &groups).is_err());
 }
 
@@ -74,7 +74,7 @@ fn programs_with_roots_are_verified_too() {
     let program = Program::schedule(&graph, &[&roots]);
     assert_eq!(program.verify(&graph, &[&roots]), Ok(()));
     let mut wrong = program;
-    wrong.phases[0].outputs.swap(3, 4);
+    wrong.groups[0].outputs.swap(3, 4);
     assert!(matches!(
         wrong.verify(&graph, &[&roots]),
         Err(Fault::WrongOutput {

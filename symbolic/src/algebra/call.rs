@@ -1,4 +1,4 @@
-//! The normal form of function calls.
+//! The normal form of calls of elementary functions.
 
 use crate::algebra::function::Symmetry;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};

@@ -1,15 +1,15 @@
 //! Exact values of the circular functions at multiples of π, and of their inverses.
 //!
 //! Of sin cπ and cos cπ, with a rational c, those with 0 ≤ c ≤ ¼ stand for all others, since quarter turns
-//! exchange the two and change their signs; so do whole multiples of ½π in a sum, sin(x + ½π) = cos x.
+//! exchange the two and change their signs; so do integer multiples of ½π in a sum, sin(x + ½π) = cos x.
 //! At 0, π/6 and π/4 they are roots of rationals (Abramowitz and Stegun, Handbook of Mathematical Functions,
 //! 1964, 4.3.46), as tan cπ is at π/3. At π/12 they are differences of roots, which cancel: (√6 − √2)/4 in
-//! binary64 is off by 1.4 units in the last place and its eighth power, multiplied out, by 2400, where the sine
+//! binary64 is off by 1.4 units in the last place and its eighth power, expanded, by 2400, where the sine
 //! is off by 0.4 and 4. So sin π/12 and cos π/12 stay functions, of one constant, and their squares add up to 1.
 
 use crate::{Expression, Graph, Node, Rational, Unary};
 
-/// The angle (quarters·½ + rest)·π.
+/// The angle (quarters·½ + rest)·π, by argument reduction.
 struct Angle {
     /// Between 0 and 3.
     quarters: u8,
@@ -17,8 +17,8 @@ struct Angle {
     rest: Rational,
 }
 
-/// What becomes of a sine or a cosine when its argument is turned by quarters.
-fn turned(function: Unary, quarters: u8) -> (Unary, bool) {
+/// The sine or cosine of x + quarters·½π as that of x: the function and whether the sign changes.
+fn shifted_by_quarters(function: Unary, quarters: u8) -> (Unary, bool) {
     // cos x = sin(x + ½π).
     let quarters = quarters + u8::from(function == Unary::Cos);
     let function = if quarters.is_multiple_of(2) {
@@ -51,7 +51,7 @@ impl Graph {
             // A quarter of a turn would make this −1/tan x, which has no value where tan x has none.
             Unary::Tan if quarters % 2 == 1 => return None,
             Unary::Tan => (Unary::Tan, false),
-            _ => turned(function, quarters),
+            _ => shifted_by_quarters(function, quarters),
         };
         let others = self.sum(others);
         let value = self.unary(function, others);
@@ -76,7 +76,7 @@ impl Graph {
     /// sin cπ or cos cπ.
     fn sine_or_cosine(&mut self, function: Unary, c: &Rational) -> Option<Expression> {
         let Angle { quarters, rest } = Angle::of(c)?;
-        let (function, mut negative) = turned(function, quarters);
+        let (function, mut negative) = shifted_by_quarters(function, quarters);
         negative ^= function == Unary::Sin && rest.is_negative();
         let value = match (function, rest.abs().to_fraction()?) {
             (Unary::Sin, (0, _)) => self.zero(),
@@ -126,7 +126,7 @@ impl Graph {
         self.scale(root, &Rational::HALF)
     }
 
-    /// f(cπ), as it stands.
+    /// f(cπ) as a call, without rewriting.
     fn at_multiple_of_pi(&mut self, function: Unary, c: &Rational) -> Expression {
         let angle = self.times_pi(c);
         self.intern(Node::Unary(function, angle))
@@ -208,7 +208,7 @@ impl Angle {
     fn of(c: &Rational) -> Option<Self> {
         let (numerator, denominator) = c.to_fraction()?;
         let (numerator, denominator) = (i128::from(numerator), i128::from(denominator));
-        // The nearest whole number to 2c.
+        // The nearest integer to 2c.
         let quarters = (4 * numerator + denominator).div_euclid(2 * denominator);
         let half = Rational::new(i64::try_from(quarters).ok()?, 2)?;
         Some(Self {

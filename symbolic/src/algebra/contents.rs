@@ -1,7 +1,7 @@
-//! What an expression contains, at any depth.
+//! Which kinds of symbols an expression contains, at any depth.
 //!
-//! The graph notes it when the expression is made, so that questions about it cost no pass over what it
-//! is made of.
+//! A synthesized attribute of the graph (Knuth, Semantics of context-free languages, 1968): it is computed from
+//! those of the operands when a node is interned, so that asking for it costs no traversal.
 
 use crate::{Node, Symbol, Unary};
 
@@ -16,11 +16,11 @@ impl Contents {
     const ACCELERATION: u16 = 1 << 3;
     const PARAMETER: u16 = 1 << 4;
     const INPUT: u16 = 1 << 5;
-    const PREPARED: u16 = 1 << 6;
+    const INVARIANT: u16 = 1 << 6;
     const ABSOLUTE_VALUE: u16 = 1 << 7;
     const ARGUMENT: u16 = 1 << 8;
 
-    /// What a node contains, where `known` says it of the nodes before.
+    /// The contents of a node, where `known` has those of all earlier nodes.
     pub(crate) fn of(node: &Node, known: &[Self]) -> Self {
         let mut contents = match node {
             Node::Symbol(symbol) => Self::symbol(*symbol),
@@ -39,7 +39,7 @@ impl Contents {
             Symbol::Acceleration(_) => Self::ACCELERATION,
             Symbol::Parameter(_) => Self::PARAMETER,
             Symbol::Input(_) => Self::INPUT,
-            Symbol::Prepared(_) => Self::PREPARED,
+            Symbol::Invariant(_) => Self::INVARIANT,
             Symbol::Argument(_) => Self::ARGUMENT,
         }
     }
@@ -71,13 +71,13 @@ impl Contents {
     /// Whether there is the time, or what changes with it: not a function's argument, which may or may not.
     #[must_use]
     pub const fn varies_in_time(self) -> bool {
-        let constant = Self::PARAMETER | Self::PREPARED | Self::ABSOLUTE_VALUE | Self::ARGUMENT;
+        let constant = Self::PARAMETER | Self::INVARIANT | Self::ABSOLUTE_VALUE | Self::ARGUMENT;
         self.0 & !constant != 0
     }
 
-    /// Whether there is any symbol other than parameters and what is made of them.
+    /// Whether there is any symbol other than parameters and invariants.
     #[must_use]
     pub const fn varies(self) -> bool {
-        self.0 & !(Self::PARAMETER | Self::PREPARED | Self::ABSOLUTE_VALUE) != 0
+        self.0 & !(Self::PARAMETER | Self::INVARIANT | Self::ABSOLUTE_VALUE) != 0
     }
 }

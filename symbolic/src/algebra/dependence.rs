@@ -1,14 +1,15 @@
-//! Which expressions are made of which symbols.
+//! Which expressions depend on which symbols: sparsity propagation by bit sets (Griewank and Walther, Evaluating
+//! Derivatives, 2nd edition 2008, chapter 7).
 //!
-//! Comes in: roots, and the symbols that matter. Goes out: for each symbol the expressions that contain
-//! it, children before parents. A derivative looks at those alone, so that all derivatives together cost
-//! what they have in terms, not the size of the arena for each symbol.
+//! Input: roots, and the symbols of interest. Output: for each symbol the expressions that contain it, children
+//! before parents. A derivative visits those alone, so that a Jacobian costs its number of nonzero terms and
+//! not the size of the arena for each symbol.
 
 use std::collections::BTreeMap;
 
 use crate::{Expression, Graph, Node, Symbol};
 
-/// For each of several symbols, what contains it among the expressions that some roots are made of.
+/// For each of several symbols, the descendants of some roots that contain it.
 pub(crate) struct Dependence {
     dependents: Vec<Vec<Expression>>,
 }

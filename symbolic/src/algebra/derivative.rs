@@ -1,6 +1,7 @@
-//! Derivatives, forward through the arena.
+//! Symbolic derivatives by forward accumulation over the arena (Griewank and Walther, Evaluating Derivatives,
+//! 2nd edition 2008, chapter 3).
 //!
-//! Only what contains a symbol is looked at when it is differentiated with respect to it.
+//! A derivative with respect to a symbol visits only the expressions that contain it.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -84,7 +85,7 @@ impl Graph {
                 self.sum(changes)
             }
             Node::Product(ref factors)
-                if factors.len() > LONGEST_SIDE_BY_SIDE && self.passes.has(Pass::Whole) =>
+                if factors.len() > LONGEST_SIDE_BY_SIDE && self.passes.has(Pass::Opaque) =>
             {
                 self.derivative_of_pairs(expression, derivatives, cofactors)
             }
@@ -104,7 +105,7 @@ impl Graph {
                 let slope = function.derivative(self, x);
                 self.multiply(slope, of(x))
             }
-            Node::Whole(x) => of(x),
+            Node::Opaque(x) => of(x),
             Node::Binary(function, x, y) => {
                 if of(x) == zero && of(y) == zero {
                     return zero;
@@ -119,7 +120,7 @@ impl Graph {
                 let mut terms = Vec::new();
                 for (position, x) in arguments.iter().enumerate() {
                     if of(*x) != zero {
-                        let slope = self.slope(function, position, &arguments);
+                        let slope = self.partial_derivative(function, position, &arguments);
                         terms.push((self.multiply(slope, of(*x)), Rational::ONE));
                     }
                 }
@@ -140,7 +141,7 @@ impl Graph {
         let mut change = self.zero();
         for pair in tree.iter() {
             let inner = match *self.node(*pair) {
-                Node::Whole(inner) => inner,
+                Node::Opaque(inner) => inner,
                 _ => *pair,
             };
             let Node::Product(factors) = self.node(inner) else {
@@ -178,7 +179,7 @@ impl Graph {
     }
 }
 
-/// What stands beside a factor in a product, multiplied by changes of the factor.
+/// The cofactors of the product rule, multiplied by derivatives of the factor.
 ///
 /// In a chain, many products differ in one factor only, such as r·x₁, r·x₂ …, and those factors often
 /// change alike. Then one product r·dx is the derivative of them all, and is made once.
@@ -186,9 +187,9 @@ impl Graph {
 pub(crate) struct Cofactors {
     /// xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, written as products that are no part of the graph.
     lists: Interner,
-    /// The position of the list, by product and position of the factor.
+    /// The index of the list, by product and position of the factor.
     of: Table<(Expression, usize), usize>,
-    /// What became of a list times a change.
+    /// A list times a derivative, once computed.
     products: Table<(usize, Expression), Expression>,
     /// Long products as trees of pairs, children before parents.
     trees: Table<Expression, Rc<[Expression]>>,
@@ -252,17 +253,17 @@ impl Cofactors {
     }
 }
 
-/// Derivatives of the same expressions with respect to one symbol after the other.
+/// The columns of a Jacobian, one symbol after the other.
 pub(crate) struct Tangents {
     symbols: Vec<Symbol>,
     dependence: Dependence,
-    /// By expression, with respect to the symbol that is looked at; between two of them all 0.
+    /// By expression, with respect to the current symbol; between two columns all 0.
     derivatives: Vec<Expression>,
     cofactors: Cofactors,
 }
 
 impl Tangents {
-    /// What is needed to differentiate `roots` with respect to each of `symbols`.
+    /// Prepares to differentiate `roots` with respect to each of `symbols`.
     pub(crate) fn new(graph: &Graph, roots: &[Expression], symbols: &[Symbol]) -> Self {
         let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         Self {

@@ -1,23 +1,23 @@
-//! Values of expressions, node by node: the oracle of tests.
+//! Values of expressions in binary64, node by node: the oracle of the tests.
 
-use crate::{Expression, Function, Graph, Node, Rational, Symbol};
+use crate::{Expression, ExternalFunction, Graph, Node, Rational, Symbol};
 
 impl Graph {
     /// The values of the roots in binary64, where `value` gives those of the symbols.
     ///
-    /// Those of functions from outside are not known: NaN.
+    /// External functions evaluate to NaN.
     #[must_use]
     pub fn evaluate(&self, roots: &[Expression], value: impl Fn(Symbol) -> f64) -> Vec<f64> {
         self.evaluate_with(roots, value, |_, _| f64::NAN)
     }
 
-    /// The values of the roots in binary64, where `outside` gives those of functions from outside.
+    /// The values of the roots in binary64, where `external` gives those of external functions.
     #[must_use]
     pub fn evaluate_with(
         &self,
         roots: &[Expression],
         value: impl Fn(Symbol) -> f64,
-        outside: impl Fn(Function, &[f64]) -> f64,
+        external: impl Fn(ExternalFunction, &[f64]) -> f64,
     ) -> Vec<f64> {
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
@@ -34,9 +34,9 @@ impl Graph {
                 Node::Binary(function, x, y) => function.value(of(*x), of(*y)),
                 Node::Application(function, arguments) => {
                     let arguments: Vec<_> = arguments.iter().map(|x| of(*x)).collect();
-                    outside(*function, &arguments)
+                    external(*function, &arguments)
                 }
-                Node::Whole(x) => of(*x),
+                Node::Opaque(x) => of(*x),
             };
         }
         roots.iter().map(|root| values[root.index()]).collect()

@@ -1,9 +1,10 @@
-//! Multiplying out, where that makes an expression cheaper.
+//! Expansion into polynomials, where that makes an expression cheaper.
 //!
-//! The normal form never multiplies out, so that it never swells. What cancels only in expanded form,
-//! such as sin²ψ·c + cos²ψ·c across two products, is found here: a small expression is expanded over
-//! what is neither a sum nor a product, the rules of sums are applied, and the result is taken only if
-//! it costs less. Limits are counts.
+//! The normal form never expands products, which bounds expression swell (Geddes, Czapor and Labahn, Algorithms
+//! for Computer Algebra, 1992, chapter 3, on normal forms). What cancels only in
+//! expanded form, such as sin²ψ·c + cos²ψ·c across two products, is found here: a small expression is expanded
+//! over its subexpressions that are neither sums nor products, the rules of sums are applied, and the result is
+//! taken only if it costs less.
 
 use std::collections::BTreeMap;
 
@@ -12,11 +13,11 @@ use crate::{Expression, Graph, Node, Pass, Rational};
 /// More terms than this are not looked at.
 const MOST_TERMS: usize = 128;
 
-/// Σ cᵢ·mᵢ with products of powers mᵢ.
+/// Σ cᵢ·mᵢ with monomials (products of powers) mᵢ.
 pub(crate) type Polynomial = BTreeMap<Expression, Rational>;
 
 impl Graph {
-    /// The cheapest of `expression`, the same with common factors taken out, and both multiplied out.
+    /// The cheapest of `expression`, its factored form, and both expanded.
     #[must_use]
     pub fn simplest(&mut self, expression: Expression) -> Expression {
         let mut candidates = vec![expression, self.factored(expression)];
@@ -29,13 +30,13 @@ impl Graph {
             .unwrap_or(expression)
     }
 
-    /// A sum as the product of what its terms have in common and the rest.
+    /// A sum as the product of its common factors and the rest.
     #[must_use]
     pub fn factored(&mut self, expression: Expression) -> Expression {
         self.product([(expression, Rational::ONE)])
     }
 
-    /// The sum of products that `expression` is, unless it has too many terms.
+    /// `expression` as a sum of monomials, unless there are too many.
     fn expanded(&mut self, expression: Expression) -> Option<Expression> {
         if !self.passes.has(Pass::Expansion) {
             return None;
@@ -60,7 +61,7 @@ impl Graph {
                 Node::Product(factors) => {
                     let mut total = Polynomial::from([(self.one(), Rational::ONE)]);
                     for (x, k) in factors {
-                        total = self.multiply_out(&total, x, &k, polynomials.get(&x)?)?;
+                        total = self.expand_power(&total, x, &k, polynomials.get(&x)?)?;
                     }
                     total
                 }
@@ -69,7 +70,7 @@ impl Graph {
                 | Node::Unary(..)
                 | Node::Binary(..)
                 | Node::Application(..)
-                | Node::Whole(_) => Polynomial::from([(part, Rational::ONE)]),
+                | Node::Opaque(_) => Polynomial::from([(part, Rational::ONE)]),
             };
             if polynomial.len() > MOST_TERMS {
                 return None;
@@ -80,7 +81,7 @@ impl Graph {
     }
 
     /// A polynomial times x^k, where x is known as a polynomial.
-    fn multiply_out(
+    fn expand_power(
         &mut self,
         total: &Polynomial,
         x: Expression,

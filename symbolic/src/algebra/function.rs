@@ -1,4 +1,4 @@
-//! The elementary functions: one row each.
+//! The table of elementary functions: one row each.
 //!
 //! A new function does not compile until every column is filled: name, value, derivative, symmetry,
 //! exact values, cost. The table is closed under differentiation. Square roots and rational powers are
@@ -41,7 +41,7 @@ pub enum Binary {
     Power,
 }
 
-/// What becomes of f(−x).
+/// The parity of a function: f(−x) in terms of f(x).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Symmetry {
     /// f(−x) = f(x).
@@ -120,9 +120,9 @@ impl Unary {
         }
     }
 
-    /// The derivative f′(x).
+    /// The derivative f′(x) (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, chapter 4).
     ///
-    /// The forms are chosen so that nothing cancels: 1 − x² is (1 − x)(1 + x), and tanh′ is cosh⁻². They are
+    /// The forms are chosen to avoid cancellation: 1 − x² is (1 − x)(1 + x), and tanh′ is cosh⁻². They are
     /// finite wherever the derivative is, and so are their own derivatives.
     pub fn derivative(self, graph: &mut Graph, x: Expression) -> Expression {
         match self {
@@ -165,8 +165,8 @@ impl Unary {
             }
             Self::Atanh => {
                 let product = unit_difference(graph, x);
-                // Kept whole: the derivatives of two factors would cancel at 0.
-                let product = graph.whole(product);
+                // Opaque: the derivatives of two factors would cancel at 0.
+                let product = graph.opaque(product);
                 graph.power(product, &Rational::MINUS_ONE)
             }
             Self::Exp => graph.unary(Self::Exp, x),
@@ -284,9 +284,9 @@ impl Binary {
             Self::Power => {
                 let less = graph.add_constant(y, &Rational::MINUS_ONE);
                 let lower = graph.binary(Self::Power, x, less);
-                let whole = graph.binary(Self::Power, x, y);
+                let power = graph.binary(Self::Power, x, y);
                 let ln = logarithm_or_zero(graph, x);
-                [graph.multiply(y, lower), graph.multiply(whole, ln)]
+                [graph.multiply(y, lower), graph.multiply(power, ln)]
             }
         }
     }
@@ -314,8 +314,8 @@ fn logarithm_or_zero(graph: &mut Graph, x: Expression) -> Expression {
     let sign = graph.unary(Unary::Signum, x);
     let sign = graph.square(sign);
     let zero_or_one = graph.subtract(one, sign);
-    // Kept whole, so that x + 1 is not rounded.
-    let zero_or_one = graph.whole(zero_or_one);
+    // Opaque, so that x + 1 is not rounded.
+    let zero_or_one = graph.opaque(zero_or_one);
     let guarded = graph.add(x, zero_or_one);
     graph.unary(Unary::Ln, guarded)
 }

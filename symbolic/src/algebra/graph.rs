@@ -1,4 +1,5 @@
-//! The shared expression graph: an append-only, hash-consed arena.
+//! The shared expression graph: an append-only, hash-consed arena (hash consing: Ershov, On programming of
+//! arithmetic operations, 1958; Filliâtre and Conchon, Type-safe modular hash-consing, 2006).
 //!
 //! Smart constructors are the only way in, so every node is in normal form:
 //!
@@ -8,18 +9,18 @@
 //!   a power x^k is a product of one factor;
 //! - children precede parents, so that every pass is a loop over indices and never a recursion.
 //!
-//! Equal terms are therefore equal handles. Nothing is ever multiplied out. Sums, products and numbers
-//! that have grown long stay whole within others, so that no chain of them grows with its square.
+//! Equal terms are therefore equal handles. Products are never expanded. Long sums, products and numbers
+//! are not merged into others, so that no chain of them grows with its square.
 
 use core::hash::{Hash, Hasher};
 use std::collections::BTreeSet;
 
 use crate::algebra::contents::Contents;
+use crate::algebra::external_function::ExternalDeclaration;
 use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
-use crate::algebra::outside::Outside;
 use crate::algebra::sum::Split;
-use crate::{Binary, Function, Pass, Passes, Rational, Symbol, Unary};
+use crate::{Binary, ExternalFunction, Pass, Passes, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -33,7 +34,7 @@ impl Expression {
     }
 }
 
-/// What an expression is made of.
+/// An expression, one level deep.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Node {
     /// An exact number.
@@ -50,10 +51,10 @@ pub enum Node {
     Unary(Unary, Expression),
     /// A function of two arguments.
     Binary(Binary, Expression, Expression),
-    /// A function from outside, of as many arguments as it was declared with.
-    Application(Function, Box<[Expression]>),
-    /// An expression that is kept whole: the sums and products that contain it do not take it apart.
-    Whole(Expression),
+    /// An external function, of as many arguments as it was declared with.
+    Application(ExternalFunction, Box<[Expression]>),
+    /// An opaque expression: the sums and products that contain it do not merge with it.
+    Opaque(Expression),
 }
 
 impl Node {
@@ -66,7 +67,7 @@ impl Node {
                     visit(*operand);
                 }
             }
-            Self::Unary(_, x) | Self::Whole(x) => visit(*x),
+            Self::Unary(_, x) | Self::Opaque(x) => visit(*x),
             Self::Binary(_, x, y) => {
                 visit(*x);
                 visit(*y);
@@ -95,7 +96,7 @@ impl Hash for Node {
                 .fold(mix(7, function.index() as u64), |code, x| {
                     mix(code, u64::from(x.0))
                 }),
-            Self::Whole(x) => mix(6, u64::from(x.0)),
+            Self::Opaque(x) => mix(6, u64::from(x.0)),
         };
         state.write_u64(code);
     }
@@ -114,12 +115,12 @@ fn code(kind: u64, parts: &[(Expression, Rational)]) -> u64 {
 #[derive(Clone, Debug)]
 pub struct Graph {
     nodes: Interner,
-    /// The passes that are applied to what is made of this graph.
+    /// The passes that are applied to expressions of this graph.
     pub passes: Passes,
     contents: Vec<Contents>,
-    /// The functions from outside, in the order in which they came.
-    pub(crate) functions: Vec<Outside>,
-    /// What sums are multiples of, as far as products have asked.
+    /// The external functions, in the order of declaration.
+    pub(crate) functions: Vec<ExternalDeclaration>,
+    /// The splits of sums that have been computed, by sum.
     pub(crate) splits: Table<Expression, Option<Split>>,
     /// Whether there is a hyperbolic function.
     pub(crate) has_hyperbolic: bool,
@@ -172,13 +173,13 @@ impl Graph {
         self.nodes.nodes().is_empty()
     }
 
-    /// What `expression` is made of.
+    /// The node of `expression`.
     #[must_use]
     pub fn node(&self, expression: Expression) -> &Node {
         &self.nodes.nodes()[expression.index()]
     }
 
-    /// All expressions with what they are made of, children before parents.
+    /// All expressions with their nodes, children before parents.
     #[must_use]
     pub fn nodes(
         &self,
@@ -205,7 +206,7 @@ impl Graph {
         }
     }
 
-    /// The expressions that the roots are made of, themselves included, children before parents.
+    /// The subexpressions of the roots, themselves included, children before parents.
     #[must_use]
     pub fn descendants(&self, roots: &[Expression]) -> Vec<Expression> {
         let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
@@ -214,7 +215,7 @@ impl Graph {
             reached[root.index()] = true;
         }
         let mut descendants = Vec::new();
-        // The arena may be much larger than what is looked for: a plain loop, also without optimization.
+        // The arena may be much larger than the result: a plain loop is quick without optimization, too.
         let mut index = length;
         while index > 0 {
             index -= 1;
@@ -229,7 +230,7 @@ impl Graph {
         descendants
     }
 
-    /// What `expression` contains, at any depth.
+    /// Which kinds of symbols `expression` contains, at any depth.
     #[must_use]
     pub fn contents(&self, expression: Expression) -> Contents {
         self.contents[expression.index()]
@@ -253,7 +254,7 @@ impl Graph {
             .collect()
     }
 
-    /// Where `node` stands in the arena, if it does.
+    /// The index of `node` in the arena, if it is there.
     pub(crate) fn position(&self, node: &Node) -> Option<usize> {
         self.nodes.position(node)
     }
@@ -288,12 +289,12 @@ impl Graph {
         self.intern(Node::Symbol(symbol))
     }
 
-    /// `expression`, kept whole: a value of its own in whatever is made of it, so that what is made step
-    /// by step, as in an elimination, grows with the number of steps and not with their depth.
-    pub fn whole(&mut self, expression: Expression) -> Expression {
+    /// `expression` as an opaque node, which the sums and products that contain it do not merge with: results of
+    /// successive steps, as of an elimination, then grow with the number of steps and not exponentially.
+    pub fn opaque(&mut self, expression: Expression) -> Expression {
         match self.node(expression) {
-            Node::Sum(_) | Node::Product(_) if self.passes.has(Pass::Whole) => {
-                self.intern(Node::Whole(expression))
+            Node::Sum(_) | Node::Product(_) if self.passes.has(Pass::Opaque) => {
+                self.intern(Node::Opaque(expression))
             }
             _ => expression,
         }

@@ -1,16 +1,16 @@
-//! A quick hasher.
+//! A fast hasher: multiplicative hashing by the golden ratio (Knuth, The Art of Computer Programming, volume 3,
+//! 2nd edition 1998, section 6.4).
 //!
-//! The keys are made of small integers, and nothing depends on the order of hash tables. Macros run
-//! without optimization, where the standard hasher, made against hostile keys, costs more than what is
-//! looked up.
+//! The keys are small integers, and nothing depends on the iteration order of hash tables. Macros run without
+//! optimization, where the standard hasher, which resists chosen keys, costs more than the lookup itself.
 
 use core::hash::{BuildHasherDefault, Hasher};
 use std::collections::{HashMap, HashSet};
 
-/// A hash table whose order must not be looked at.
+/// A hash table that must not be iterated.
 pub(crate) type Table<K, V> = HashMap<K, V, BuildHasherDefault<Mixer>>;
 
-/// A set whose order must not be looked at.
+/// A set that must not be iterated.
 pub(crate) type Set<K> = HashSet<K, BuildHasherDefault<Mixer>>;
 
 /// Mixes what is hashed into one word, a multiplication for each word.

@@ -52,7 +52,7 @@ impl Graph {
     }
 
     /// The position of a hyperbolic function and its argument, if a factor is a power of one that can be
-    /// taken for others: a whole one, or any of cosh, which is positive.
+    /// combined with others: an integer power, or any power of cosh, which is positive.
     fn hyperbolic(&self, (base, exponent): &(Expression, Rational)) -> Option<(usize, Expression)> {
         let Node::Unary(function, x) = self.node(*base) else {
             return None;
@@ -66,15 +66,15 @@ impl Graph {
 fn rewritten([sinh, cosh, tanh]: &Powers) -> Option<Powers> {
     let (a, b) = (sinh + tanh, sinh + cosh);
     let (numerator, denominator) = b.to_fraction()?;
-    // The whole part of b, towards zero.
-    let whole = numerator / denominator;
-    let whole_a = a.to_integer()?;
-    let common = if (whole > 0) == (whole_a > 0) {
-        whole.unsigned_abs().min(whole_a.unsigned_abs())
+    // The integer part of b, towards zero.
+    let integer_b = numerator / denominator;
+    let integer_a = a.to_integer()?;
+    let common = if (integer_b > 0) == (integer_a > 0) {
+        integer_b.unsigned_abs().min(integer_a.unsigned_abs())
     } else {
         0
     };
-    let common = i64::try_from(common).ok()? * whole_a.signum();
+    let common = i64::try_from(common).ok()? * integer_a.signum();
     let common = Rational::integer(common);
     Some([common.clone(), &b - &common, &a - &common])
 }
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn other_arguments_and_broken_powers_have_their_own() {
+    fn other_arguments_and_fractional_powers_are_kept_apart() {
         let mut graph = Graph::new();
         let [x, y] = [0, 1].map(|i| graph.symbol(Symbol::Coordinate(i)));
         let (sinh, other) = (graph.unary(Unary::Sinh, x), graph.unary(Unary::Cosh, y));
@@ -141,9 +141,9 @@ mod tests {
         let mixed = graph.product([(root, Rational::ONE), (cosh, Rational::MINUS_ONE)]);
         assert!(matches!(graph.node(mixed), Node::Product(factors) if factors.len() == 2));
         let tanh = graph.unary(Unary::Tanh, x);
-        let broken = graph.product([(sinh, Rational::ONE), (cosh, &half - &Rational::ONE)]);
+        let fractional = graph.product([(sinh, Rational::ONE), (cosh, &half - &Rational::ONE)]);
         let expected = graph.product([(tanh, Rational::ONE), (cosh, half)]);
-        assert_eq!(broken, expected);
+        assert_eq!(fractional, expected);
     }
 
     #[test]

@@ -1,7 +1,8 @@
-//! Nodes in the order in which they came, each once.
+//! Interned nodes: each once, in order of insertion.
 //!
-//! A table of positions with linear probing. It is written here because nearly everything that a macro
-//! does asks it, and because macros run without optimization, where layers of generic code are slow.
+//! An open-addressing hash table with linear probing (Knuth, The Art of Computer Programming, volume 3, 2nd edition
+//! 1998, section 6.4, algorithm L). It is written here because it is the most frequent operation of the crate,
+//! and because macros run without optimization, where layers of generic code are slow.
 
 use core::hash::{Hash, Hasher};
 
@@ -14,12 +15,12 @@ pub(crate) struct Interner {
     nodes: Vec<Node>,
     /// The hash of each node.
     codes: Vec<u64>,
-    /// Positions, each at the first free place after the one its hash names. Their number is a power of
-    /// two, and at most half of them are taken.
+    /// Positions, each in the first free slot after the one its hash names. The number of slots is a power of
+    /// two, and at most half of them are occupied.
     slots: Vec<u32>,
 }
 
-/// The mark of a free place.
+/// Marks a free slot.
 const FREE: u32 = u32::MAX;
 
 impl Interner {
@@ -50,10 +51,10 @@ impl Interner {
         position
     }
 
-    /// The place where a node is, or the free one where it would be. There is none in an empty table.
+    /// The slot of a node, or the free one where it would be inserted; none in an empty table.
     fn slot(&self, code: u64, node: &Node) -> Option<usize> {
         let mask = self.slots.len().checked_sub(1)?;
-        let mut slot = place(code, mask);
+        let mut slot = home_slot(code, mask);
         while let Some(position) = self.position_at(slot) {
             if self.codes[position] == code && self.nodes[position] == *node {
                 break;
@@ -75,7 +76,7 @@ impl Interner {
         let mask = size - 1;
         self.slots = vec![FREE; size];
         for (position, code) in self.codes.iter().enumerate() {
-            let mut slot = place(*code, mask);
+            let mut slot = home_slot(*code, mask);
             while self.slots[slot] != FREE {
                 slot = (slot + 1) & mask;
             }
@@ -91,7 +92,7 @@ fn code(node: &Node) -> u64 {
 }
 
 #[allow(clippy::cast_possible_truncation)] // What is cut off is beyond the mask, or beyond memory.
-fn place(code: u64, mask: usize) -> usize {
+fn home_slot(code: u64, mask: usize) -> usize {
     code as usize & mask
 }
 

@@ -19,9 +19,9 @@ const LONGEST: usize = 2 * LONGEST_MERGED;
 type Factors = Vec<(Expression, Rational)>;
 
 /// c·Π xᵢ^kᵢ.
-type Opened = (Rational, Factors);
+type Distributed = (Rational, Factors);
 
-/// A product of few factors, and the pairs that they are made of, children before parents.
+/// A product of few factors, and the tree of pairs below them, children before parents.
 #[derive(Default)]
 struct Paired {
     factors: Factors,
@@ -37,7 +37,8 @@ impl Graph {
         self.multiply_factors(Vec::new(), factors.into_iter().collect())
     }
 
-    /// The product of factors of one product in normal form, and of others that may open.
+    /// The product of `settled` factors, which are in normal form, and of `pending` ones, whose bases may be
+    /// products or sums with a common factor.
     pub(crate) fn multiply_factors(
         &mut self,
         mut settled: Factors,
@@ -47,22 +48,22 @@ impl Graph {
         while !pending.is_empty() {
             while let Some((base, exponent)) = pending.pop() {
                 match self.node(base) {
-                    // The factors of a product are in normal form already.
+                    // The factors of a product are already in normal form.
                     Node::Product(inner) if exponent.is_one() && inner.len() <= LONGEST_MERGED => {
                         settled.extend(inner.iter().cloned());
                         continue;
                     }
                     _ => {}
                 }
-                if let Some((number, parts)) = self.open(base, &exponent) {
+                if let Some((number, parts)) = self.distribute(base, &exponent) {
                     coefficient = &coefficient * &number;
                     pending.extend(parts);
                 } else {
                     settled.push((base, exponent));
                 }
             }
-            // Where equal bases meet, an exponent may become one that opens: |x|·|x| = x².
-            pending = combine_and_take_merged(&mut settled);
+            // Where equal bases meet, the exponent may become one that distributes: |x|·|x| = x².
+            pending = take_equal_bases(&mut settled);
             if pending.is_empty() {
                 pending = self.take_hyperbolic(&mut settled);
             }
@@ -78,8 +79,8 @@ impl Graph {
         self.scale(product, &coefficient)
     }
 
-    /// base^exponent in terms of what the base is made of, unless it is in normal form already.
-    fn open(&mut self, base: Expression, exponent: &Rational) -> Option<Opened> {
+    /// base^exponent distributed over the factors of the base, unless it is in normal form already.
+    fn distribute(&mut self, base: Expression, exponent: &Rational) -> Option<Distributed> {
         if exponent.is_zero() {
             return Some((Rational::ONE, Vec::new()));
         }
@@ -163,7 +164,7 @@ impl Graph {
     }
 
     fn intern_product(&mut self, mut factors: Factors) -> Expression {
-        if factors.len() > LONGEST && self.passes.has(Pass::Whole) {
+        if factors.len() > LONGEST && self.passes.has(Pass::Opaque) {
             factors = self.paired(factors).factors;
         }
         match factors.as_slice() {
@@ -173,12 +174,12 @@ impl Graph {
         }
     }
 
-    /// The same product of at most four factors, each a balanced tree of products of two that are kept whole:
+    /// The same product of at most four factors, each a balanced tree of opaque products of two:
     /// above the fraction bar and below, one of what depends on parameters alone and one of the rest.
     ///
     /// A derivative of the tree is as long as the tree, of whatever order; that of n factors side by side has
-    /// n² of them, and the second one n³. (Speelpenning's product; Baur and Strassen, The complexity of
-    /// partial derivatives, 1983.)
+    /// n² of them, and the second one n³. (Baur and Strassen, The complexity of partial
+    /// derivatives, 1983.)
     fn paired(&mut self, factors: Factors) -> Paired {
         let mut kinds: [Factors; 4] = Default::default();
         for (x, k) in factors {
@@ -220,14 +221,12 @@ impl Graph {
             (Rational::ONE, pair.into())
         };
         let product = self.intern(Node::Product(powers));
-        (self.whole(product), sign)
+        (self.opaque(product), sign)
     }
 }
 
-/// Sorts the factors, and takes those out that are there more than once, multiplied together.
-fn combine_and_take_merged(
-    factors: &mut Vec<(Expression, Rational)>,
-) -> Vec<(Expression, Rational)> {
+/// Sorts the factors, and removes those with equal bases, which are returned as one power each.
+fn take_equal_bases(factors: &mut Vec<(Expression, Rational)>) -> Vec<(Expression, Rational)> {
     if ascends(factors) {
         return Vec::new();
     }

@@ -1,4 +1,4 @@
-//! sin² + cos² = 1 and its consequences, in sums.
+//! The Pythagorean identity sin² + cos² = 1 and its consequences, in sums.
 //!
 //! Three directed rules, with c ≥ d > 0 or both negative:
 //!
@@ -16,7 +16,7 @@ use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 type Terms = Vec<(Expression, Rational)>;
 
 impl Graph {
-    /// Applies the rules to terms in normal form until none of them fires.
+    /// Applies the rewrite rules to terms in normal form until none of them fires.
     pub(crate) fn apply_pythagoras(&mut self, terms: &mut Terms) {
         if !self.passes.has(Pass::Pythagoras) {
             return;
@@ -46,13 +46,13 @@ impl Graph {
             let rest = self.product(rest);
             let square = self.square(complement);
             let partner = self.multiply(rest, square);
-            let whole = find(terms, rest).filter(|whole| exceeds(whole, &coefficient));
+            let larger = find(terms, rest).filter(|larger| exceeds(larger, &coefficient));
             let (replaced, result) = if find(terms, partner) == Some(&coefficient) {
                 (partner, vec![(rest, coefficient.clone())])
-            } else if let Some(whole) = whole {
+            } else if let Some(larger) = larger {
                 (
                     rest,
-                    vec![(partner, -&coefficient), (rest, whole + &coefficient)],
+                    vec![(partner, -&coefficient), (rest, larger + &coefficient)],
                 )
             } else {
                 continue;
@@ -86,9 +86,9 @@ impl Graph {
     }
 }
 
-/// Whether a number has the other sign than another one and is not smaller.
-fn exceeds(whole: &Rational, part: &Rational) -> bool {
-    whole.is_negative() != part.is_negative() && whole.abs() >= part.abs()
+/// Whether `larger` has the opposite sign of `smaller` and at least its magnitude.
+fn exceeds(larger: &Rational, smaller: &Rational) -> bool {
+    larger.is_negative() != smaller.is_negative() && larger.abs() >= smaller.abs()
 }
 
 /// The coefficient of a term.

@@ -1,7 +1,7 @@
 //! Exact rational numbers of arbitrary precision.
 //!
-//! Constants stay exact from the literal to the last stage, where each is rounded once. Nearly all of
-//! them are small, so fractions of machine integers are kept beside `num-rational`'s.
+//! Constants stay exact from the literal to the emitted code, where each is rounded once. Nearly all of
+//! them are small, so fractions of machine integers stand beside those of `num-rational`.
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -221,7 +221,7 @@ impl Rational {
         }
     }
 
-    /// Whether the number is too long to be worth computing with exactly.
+    /// Whether the number is too long for exact arithmetic on it.
     pub(crate) fn is_long(&self) -> bool {
         match &self.0 {
             Fraction::Small(..) => false,

@@ -1,11 +1,11 @@
-//! Expressions in the place of symbols.
+//! Simultaneous substitution of expressions for symbols.
 
 use std::collections::BTreeMap;
 
 use crate::{Expression, Graph, Node, Symbol};
 
 impl Graph {
-    /// The roots with `values` in the place of symbols, all at once.
+    /// The roots with `values` substituted for symbols, simultaneously.
     pub fn substitute(
         &mut self,
         roots: &[Expression],
@@ -13,20 +13,20 @@ impl Graph {
     ) -> Vec<Expression> {
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
-        let mut images = vec![self.zero(); length];
+        let mut results = vec![self.zero(); length];
         for expression in descendants {
-            images[expression.index()] = self.image(expression, &images, values);
+            results[expression.index()] = self.substituted(expression, &results, values);
         }
-        roots.iter().map(|root| images[root.index()]).collect()
+        roots.iter().map(|root| results[root.index()]).collect()
     }
 
-    fn image(
+    fn substituted(
         &mut self,
         expression: Expression,
-        images: &[Expression],
+        results: &[Expression],
         values: &BTreeMap<Symbol, Expression>,
     ) -> Expression {
-        let of = |operand: Expression| images[operand.index()];
+        let of = |operand: Expression| results[operand.index()];
         match *self.node(expression) {
             Node::Constant(_) | Node::Pi => expression,
             Node::Symbol(symbol) => values.get(&symbol).copied().unwrap_or(expression),
@@ -44,7 +44,7 @@ impl Graph {
                 let arguments: Vec<_> = arguments.iter().map(|x| of(*x)).collect();
                 self.apply(function, &arguments)
             }
-            Node::Whole(x) => self.whole(of(x)),
+            Node::Opaque(x) => self.opaque(of(x)),
         }
     }
 }

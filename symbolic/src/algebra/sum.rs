@@ -57,20 +57,21 @@ impl Graph {
         }
     }
 
-    /// Divides a sum by what all its terms have in common.
+    /// A sum as its content times its primitive part (Knuth, The Art of Computer Programming, volume 2, 3rd edition
+    /// 1997, section 4.6.1), with the common powers of its terms taken out.
     ///
-    /// The numerical factor is what makes the rest primitive: integer coefficients without a common
-    /// divisor if one of them is then ±1, else the first of them 1. Of a sum and its opposite, the one
-    /// that was there first is the rest of both, so that what a declaration defines is found again as it
-    /// was written. Two sums of which one is a multiple of the other so have the same rest.
+    /// The primitive part has integer coefficients without a common divisor if one of them is then ±1, else its
+    /// first coefficient is 1. Of a sum and its opposite, the one that was interned first is the primitive part
+    /// of both, so that a defined quantity is found again as it was written. Sums that are multiples of each
+    /// other have the same primitive part.
     ///
-    /// Of a sum that nothing can be taken out of there is no split.
+    /// None where the content is 1 and there is no common power.
     pub(crate) fn split(&mut self, sum: Expression) -> Option<Split> {
         if let Some(known) = self.splits.get(&sum) {
             return known.clone();
         }
         let split = self.find_split(sum);
-        // A sum stands in many products, and what it is a multiple of stays the same.
+        // A sum occurs in many products, and its split stays the same.
         self.splits.insert(sum, split.clone());
         split
     }
@@ -160,7 +161,7 @@ impl Graph {
         self.sum(quotients)
     }
 
-    /// The factor of a sum, and the terms of the rest.
+    /// The content of a sum, and the terms of its primitive part.
     fn primitive(
         &self,
         terms: &[(Expression, Rational)],
@@ -184,7 +185,7 @@ impl Graph {
         }
     }
 
-    /// What makes the rest primitive, its leading coefficient positive.
+    /// The content, with the sign of the leading coefficient.
     fn content(&self, terms: &[(Expression, Rational)]) -> Rational {
         let leading = self.leading(terms);
         let mut divisor = leading.abs();

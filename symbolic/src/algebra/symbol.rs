@@ -1,4 +1,4 @@
-//! What an expression depends on.
+//! Symbols: the leaves that expressions depend on.
 
 /// A quantity that has a value at each instant. Indices count within each kind.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -13,11 +13,11 @@ pub enum Symbol {
     Acceleration(u32),
     /// A parameter: constant in time.
     Parameter(u32),
-    /// An input: varies in time, set from outside, its rate unknown.
+    /// An input: a given function of time, its derivative unknown.
     Input(u32),
-    /// What was computed beforehand from parameters alone.
-    Prepared(u32),
-    /// An argument of a function from outside, in the expressions that are its derivatives.
+    /// An invariant: a value that depends on parameters alone, computed by the setup program.
+    Invariant(u32),
+    /// An argument of an external function, in the expressions of its declared derivatives.
     Argument(u32),
 }
 
@@ -31,7 +31,7 @@ impl Symbol {
             Self::Acceleration(index) => (3, index),
             Self::Parameter(index) => (4, index),
             Self::Input(index) => (5, index),
-            Self::Prepared(index) => (6, index),
+            Self::Invariant(index) => (6, index),
             Self::Argument(index) => (7, index),
         }
     }

@@ -1,16 +1,15 @@
-//! The values of expressions at a point, of which single symbols can be moved.
-//!
-//! When a symbol moves, only what contains it is evaluated again.
+//! Incremental evaluation of expressions at a modular point: when one symbol changes, only the expressions that
+//! contain it are evaluated again.
 
-use crate::decision::point::{Image, Point};
+use crate::decision::point::{HomomorphicImage, Point};
 use crate::{Expression, Graph, Symbol};
 
-/// What everything that some roots are made of is worth at one point.
+/// The images of some roots and of all their subexpressions at one point.
 pub(crate) struct Evaluation<'a> {
     graph: &'a Graph,
     roots: &'a [Expression],
     point: Point,
-    images: Vec<Image>,
+    images: Vec<HomomorphicImage>,
 }
 
 impl<'a> Evaluation<'a> {
@@ -22,7 +21,7 @@ impl<'a> Evaluation<'a> {
             graph,
             roots,
             point,
-            images: vec![Image::ZERO; length],
+            images: vec![HomomorphicImage::ZERO; length],
         };
         evaluation.evaluate(point, &descendants)?;
         Some(evaluation)

@@ -1,13 +1,14 @@
-//! Whether something holds identically: polynomial identity testing at random points (Schwartz, Fast
-//! probabilistic algorithms for verification of polynomial identities, 1980; Zippel, Probabilistic
-//! algorithms for sparse polynomials, 1979), extended to elementary functions as homomorphisms.
+//! Polynomial identity testing at random points (Schwartz, Fast probabilistic algorithms for verification of
+//! polynomial identities, 1980; Zippel, Probabilistic algorithms for sparse polynomials, 1979), extended to
+//! elementary functions by homomorphic images (Gonnet, Determining equivalence of expressions in random polynomial
+//! time, 1984).
 //!
-//! The answer yes means for every choice of branches of √u, |u|, signum, min and max, which is more than
-//! on the real branch; where it is not known, the answer is no, and nothing may be rewritten. Two ways
-//! lead to yes, and no third one:
+//! The answer is yes if the claim holds for every choice of branches of √u, |u|, signum, min and max, which is
+//! stronger than on the real branch; where that is not known, the answer is no, and nothing may be rewritten.
+//! There are two criteria for yes:
 //!
-//! - the claim holds with those functions as arbitrary ones. False claims pass at a point with a
-//!   probability of about their degree over 10¹⁸, and three points are asked;
+//! - the claim holds with those functions uninterpreted, as arbitrary functions. A false claim passes at a point
+//!   with a probability of about its degree over 10¹⁸, and three points must agree;
 //! - at most [`MOST_BRANCHES`] of them occur, k, and the claim holds at 24·2ᵏ points with branches drawn at
 //!   random. A claim that fails for one choice of k signs passes with a probability below (1 − 2⁻ᵏ)^(24·2ᵏ) < e⁻²⁴.
 
@@ -28,21 +29,21 @@ const ATTEMPTS_PER_AGREEMENT: usize = 16;
 /// mass matrix of a top whose declaration contains five roots, within some 10 ms.
 const MOST_BRANCHES: u32 = 5;
 
-/// How claims about some expressions are tested.
+/// A test of claims about some expressions.
 #[derive(Clone, Copy)]
 pub(crate) struct IdentityTest {
     /// The number of roots, signs and absolute values that the expressions contain.
     branches: u32,
 }
 
-/// Points to be asked, and how many of them must agree.
+/// How functions with branches are interpreted, and at how many points a claim must hold.
 #[derive(Clone, Copy)]
-struct Sample {
+struct Criterion {
     uninterpreted: bool,
     agreements: usize,
 }
 
-impl Sample {
+impl Criterion {
     fn points(self) -> impl Iterator<Item = Point> {
         let attempts = (self.agreements * ATTEMPTS_PER_AGREEMENT).max(64);
         (0..attempts as u64).map(move |seed| {
@@ -80,38 +81,38 @@ impl IdentityTest {
         }
     }
 
-    /// The ways to a yes, in order.
-    fn samples(self) -> impl Iterator<Item = Sample> {
-        let uninterpreted = Sample {
+    /// The criteria for yes, in order.
+    fn criteria(self) -> impl Iterator<Item = Criterion> {
+        let uninterpreted = Criterion {
             uninterpreted: true,
             agreements: AGREEMENTS,
         };
         let by_branches = (1..=MOST_BRANCHES)
             .contains(&self.branches)
-            .then(|| Sample {
+            .then(|| Criterion {
                 uninterpreted: false,
                 agreements: AGREEMENTS_PER_CHOICE << self.branches,
             });
         core::iter::once(uninterpreted).chain(by_branches)
     }
 
-    /// Whether a claim holds for every choice of branches, wherever it makes sense. `claim` is `None` at a
+    /// Whether a claim holds for every choice of branches, wherever it is defined. `claim` is `None` at a
     /// point that is outside of the domain.
     pub(crate) fn holds(self, claim: impl Fn(Point) -> Option<bool>) -> bool {
         let value = |point: Point| claim(point).map(|holds| holds.then_some(()));
         self.constant(value).is_some()
     }
 
-    /// The value that is the same for every choice of branches, wherever it makes sense. `value` is `None`
+    /// The value that is the same for every choice of branches, wherever it is defined. `value` is `None`
     /// at a point that is outside of the domain, and `Some(None)` where there is none.
     pub(crate) fn constant<T: PartialEq>(
         self,
         value: impl Fn(Point) -> Option<Option<T>>,
     ) -> Option<T> {
-        self.samples().find_map(|sample| {
+        self.criteria().find_map(|criterion| {
             let mut agreed = None;
-            let mut values = sample.points().filter_map(&value);
-            for _ in 0..sample.agreements {
+            let mut values = criterion.points().filter_map(&value);
+            for _ in 0..criterion.agreements {
                 let found = values.next()??;
                 if agreed.as_ref().is_some_and(|known| *known != found) {
                     return None;
@@ -122,35 +123,35 @@ impl IdentityTest {
         })
     }
 
-    /// Which of several symbols may change without a change of `value`, which is made of the roots'
-    /// values at a point; by the same rules, all symbols at the same points.
-    pub(crate) fn fixed(
+    /// Of which of several symbols `value`, a function of the roots' values at a point, is independent; by the
+    /// same criteria, all symbols at the same points.
+    pub(crate) fn independent(
         self,
         graph: &Graph,
         roots: &[Expression],
         symbols: &[Symbol],
         value: impl Fn(&[u64], Point) -> Option<u64>,
     ) -> Vec<bool> {
-        let mut questions = Questions::new(graph, roots, symbols);
-        for sample in self.samples() {
-            questions.reopen();
-            for point in sample.points() {
-                if questions.are_answered() {
+        let mut tests = DependenceTest::new(graph, roots, symbols);
+        for criterion in self.criteria() {
+            tests.restart();
+            for point in criterion.points() {
+                if tests.are_decided() {
                     break;
                 }
                 if let Some(mut evaluation) = Evaluation::new(graph, roots, point) {
                     let value = |values: &[u64]| value(values, point);
-                    questions.ask(&mut evaluation, value, sample.agreements);
+                    tests.test_at(&mut evaluation, value, criterion.agreements);
                 }
             }
         }
-        let answers = questions.answers.into_iter();
+        let answers = tests.answers.into_iter();
         answers.map(|answer| answer == Some(true)).collect()
     }
 }
 
-/// Whether a value stays the same when each of several symbols changes.
-struct Questions<'a> {
+/// Of which of several symbols a value is independent.
+struct DependenceTest<'a> {
     symbols: &'a [Symbol],
     dependence: Dependence,
     answers: Vec<Option<bool>>,
@@ -158,7 +159,7 @@ struct Questions<'a> {
     agreements: Vec<usize>,
 }
 
-impl<'a> Questions<'a> {
+impl<'a> DependenceTest<'a> {
     fn new(graph: &Graph, roots: &[Expression], symbols: &'a [Symbol]) -> Self {
         let dependence = Dependence::of(graph, roots, symbols);
         let absent = |position| dependence.on(position).is_empty();
@@ -172,20 +173,20 @@ impl<'a> Questions<'a> {
         }
     }
 
-    /// Asks again what was not answered by yes.
-    fn reopen(&mut self) {
+    /// Tests again the symbols that were not found to be independent.
+    fn restart(&mut self) {
         self.agreements.fill(0);
         for answer in &mut self.answers {
             *answer = answer.filter(|fixed| *fixed);
         }
     }
 
-    fn are_answered(&self) -> bool {
+    fn are_decided(&self) -> bool {
         self.answers.iter().all(Option::is_some)
     }
 
-    /// Looks at one point, and answers what that decides.
-    fn ask(
+    /// Evaluates at one point, and records what that decides.
+    fn test_at(
         &mut self,
         evaluation: &mut Evaluation<'_>,
         value: impl Fn(&[u64]) -> Option<u64>,
@@ -316,7 +317,7 @@ mod tests {
                 let sign = call(graph, Unary::Signum, x);
                 graph.add_constant(sign, &Rational::MINUS_ONE)
             }),
-            // False for one of sixteen choices only.
+            // False for only one of sixteen choices.
             ("Π (1 + signum (x + k y))", |graph, x, y| {
                 let mut factors = Vec::new();
                 for k in 1..=4 {
@@ -346,7 +347,7 @@ mod tests {
         assert_eq!(constant(sign), None);
         assert_eq!(constant(square), Some(1));
         assert!(
-            !IdentityTest::of(&graph, &[sign]).fixed(
+            !IdentityTest::of(&graph, &[sign]).independent(
                 &graph,
                 &[sign],
                 &[Symbol::Coordinate(0)],

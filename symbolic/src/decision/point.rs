@@ -1,40 +1,45 @@
-//! Random points, and the values of expressions at them in modular arithmetic.
+//! Random points, and homomorphic images of expressions at them, in modular arithmetic (Gonnet, Determining
+//! equivalence of expressions in random polynomial time, 1984).
 //!
-//! Sine, cosine, exponential and hyperbolic functions are the homomorphisms that they are, so that
-//! sin² + cos² = 1 and all addition theorems hold. Functions with several branches, √u, |u|, signum, min
+//! Sine, cosine, exponential and hyperbolic functions are computed from a discrete logarithm of their argument,
+//! so that sin² + cos² = 1 and all addition theorems hold. Functions with several branches, √u, |u|, signum, min
 //! and max, have two interpretations. *Uninterpreted*, they are arbitrary functions of the values of their
-//! arguments. *By branches*, √u is either of the two roots, |u| is u or −u and signum u is 1 or −1, as the
-//! seed draws it, the same for equal arguments: √u² = u and |u|·signum u = u hold, and nothing that is
-//! true for one sign only. Every other function, those from outside among them, is an arbitrary one.
-//! What follows from values at such points is told in `identity_test.rs`.
+//! arguments. *By branches*, √u is either of the two roots, |u| is u or −u and signum u is 1 or −1, as drawn from
+//! the seed, the same for equal arguments: √u² = u and |u|·signum u = u hold, and nothing that is true for one
+//! sign only. Every other function, external ones included, is uninterpreted. What follows from values at such
+//! points is said in `identity_test.rs`.
 
 use crate::decision::evaluation::Evaluation;
 use crate::decision::residue::{self, Field};
-use crate::{Binary, Expression, Function, Graph, Node, Rational, Symbol, Unary};
+use crate::{Binary, Expression, ExternalFunction, Graph, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// What all values are drawn from.
+    /// The seed of all values.
     pub seed: u64,
     /// A symbol that has another value than the seed gives it.
     pub moved: Option<Symbol>,
     /// Whether addition theorems hold, and not only relations between functions of equal arguments.
     addition_theorems: bool,
-    /// Whether functions with several branches are arbitrary functions of their arguments.
+    /// Whether functions with several branches are uninterpreted.
     uninterpreted: bool,
 }
 
-/// The image of a number: modulo p, and its logarithm modulo q as far as phases go.
+/// The homomorphic image of a number: its value modulo p, and modulo q the discrete logarithm that stands for
+/// its exponential.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Image {
+pub(crate) struct HomomorphicImage {
     pub(crate) value: u64,
-    /// ℓ(x), additive and linear over the rationals: e^{ix} is the generator's ℓ-th power.
-    phase: u64,
+    /// ℓ(x), additive and linear over the rationals: e^{ix} is the generator to the power ℓ.
+    logarithm: u64,
 }
 
-impl Image {
-    pub(crate) const ZERO: Self = Self { value: 0, phase: 0 };
+impl HomomorphicImage {
+    pub(crate) const ZERO: Self = Self {
+        value: 0,
+        logarithm: 0,
+    };
 }
 
 impl Point {
@@ -58,7 +63,7 @@ impl Point {
         }
     }
 
-    /// The same point, where functions of different arguments have nothing to do with each other.
+    /// The same point without addition theorems: functions of different arguments are unrelated.
     pub(crate) const fn without_addition_theorems(self) -> Self {
         Self {
             addition_theorems: false,
@@ -66,8 +71,8 @@ impl Point {
         }
     }
 
-    /// The same point, where functions with several branches are arbitrary ones: square roots do not
-    /// square back, and every number has one.
+    /// The same point with functions of several branches uninterpreted: (√u)² = u does not hold, and every number
+    /// has a square root.
     pub(crate) const fn uninterpreted(self) -> Self {
         Self {
             uninterpreted: true,
@@ -94,8 +99,12 @@ impl Point {
         Some(Evaluation::new(graph, roots, self)?.values())
     }
 
-    /// The image of a node, where `images` has those of its operands.
-    pub(crate) fn image(self, node: &Node, images: &[Image]) -> Option<Image> {
+    /// The homomorphic image of a node, from those of its operands.
+    pub(crate) fn image(
+        self,
+        node: &Node,
+        images: &[HomomorphicImage],
+    ) -> Option<HomomorphicImage> {
         let of = |operand: Expression| images[operand.index()];
         let value = match node {
             Node::Sum(terms) => {
@@ -105,16 +114,16 @@ impl Point {
                 }
                 sum.value
             }
-            Node::Whole(x) => return Some(of(*x)),
+            Node::Opaque(x) => return Some(of(*x)),
             Node::Constant(number) => {
                 let value = self.constant(number)?;
                 if self.addition_theorems {
-                    let phase = residue::multiply(
+                    let logarithm = residue::multiply(
                         reduce(number, self.q())?,
                         self.draw(2, 0) % self.q(),
                         self.q(),
                     );
-                    return Some(Image { value, phase });
+                    return Some(HomomorphicImage { value, logarithm });
                 }
                 value
             }
@@ -136,10 +145,10 @@ impl Point {
         Some(self.atom(value))
     }
 
-    /// What is not linear has a phase of its own, the same for equal values.
-    pub(crate) fn atom(self, value: u64) -> Image {
-        let phase = self.draw(3, value) % self.q();
-        Image { value, phase }
+    /// The image of a nonlinear expression: its logarithm is drawn at random, the same for equal values.
+    pub(crate) fn atom(self, value: u64) -> HomomorphicImage {
+        let logarithm = self.draw(3, value) % self.q();
+        HomomorphicImage { value, logarithm }
     }
 
     pub(crate) fn pi(self) -> u64 {
@@ -161,8 +170,8 @@ impl Point {
         let power = match exponent.abs().to_fraction()? {
             (k, 1) => residue::power(base, k.unsigned_abs(), p),
             (k, 2) => {
-                let whole = residue::power(base, k.unsigned_abs() / 2, p);
-                residue::multiply(whole, self.root(base)?, p)
+                let integer_power = residue::power(base, k.unsigned_abs() / 2, p);
+                residue::multiply(integer_power, self.root(base)?, p)
             }
             _ => self.binary(Binary::Power, base, reduce(&exponent.abs(), p)?),
         };
@@ -173,7 +182,7 @@ impl Point {
         }
     }
 
-    /// A square root of `base`, if there is one: either of both, as the seed draws it.
+    /// A square root of `base`, if there is one: either of the two, as drawn from the seed.
     fn root(self, base: u64) -> Option<u64> {
         if self.uninterpreted {
             return Some(self.draw(65, base) % self.p());
@@ -230,20 +239,20 @@ impl Point {
         residue::multiply(p.div_ceil(2), twice, p)
     }
 
-    pub(crate) fn unary(self, function: Unary, x: Image) -> Option<u64> {
-        // Real exponentials and phases are unrelated homomorphisms.
+    pub(crate) fn unary(self, function: Unary, x: HomomorphicImage) -> Option<u64> {
+        // Real exponentials and circular functions are unrelated homomorphisms.
         let rate = match function {
             Unary::Exp | Unary::Sinh | Unary::Cosh | Unary::Tanh => self.draw(4, 0) % self.q(),
             _ => 1,
         };
-        let phase = residue::power(
+        let exponential = residue::power(
             self.field().generator(),
-            residue::multiply(x.phase, rate, self.q()),
+            residue::multiply(x.logarithm, rate, self.q()),
             self.p(),
         );
-        let inverse = residue::reciprocal(phase, self.p())?;
-        let even = residue::add(phase, inverse, self.p());
-        let odd = residue::add(phase, residue::negate(inverse, self.p()), self.p());
+        let inverse = residue::reciprocal(exponential, self.p())?;
+        let even = residue::add(exponential, inverse, self.p());
+        let odd = residue::add(exponential, residue::negate(inverse, self.p()), self.p());
         let quotient = |numerator: u64, denominator: u64| {
             Some(residue::multiply(
                 numerator,
@@ -259,7 +268,7 @@ impl Point {
             Unary::Sinh => residue::multiply(odd, half, self.p()),
             Unary::Tan => quotient(odd, residue::multiply(unit, even, self.p()))?,
             Unary::Tanh => quotient(odd, even)?,
-            Unary::Exp => phase,
+            Unary::Exp => exponential,
             Unary::Abs => self.absolute_value(x.value),
             Unary::Signum => self.sign(x.value),
             Unary::Asin
@@ -272,30 +281,34 @@ impl Point {
         })
     }
 
-    /// A function from outside: an arbitrary one of the values of its arguments.
-    pub(crate) fn apply(self, function: Function, arguments: impl Iterator<Item = u64>) -> u64 {
+    /// An external function: uninterpreted, an arbitrary function of the values of its arguments.
+    pub(crate) fn apply(
+        self,
+        function: ExternalFunction,
+        arguments: impl Iterator<Item = u64>,
+    ) -> u64 {
         let kind = 256 + function.index() as u64;
         arguments.fold(self.draw(kind, 0), residue::mix) % self.p()
     }
 
-    /// Σ cᵢ·xᵢ, in value and in phase.
+    /// Σ cᵢ·xᵢ, value and logarithm.
     fn linear_combination(
         self,
         terms: &[(Expression, Rational)],
-        of: impl Fn(Expression) -> Image,
-    ) -> Option<Image> {
+        of: impl Fn(Expression) -> HomomorphicImage,
+    ) -> Option<HomomorphicImage> {
         let (p, q) = (self.p(), self.q());
-        let mut sum = Image { value: 0, phase: 0 };
+        let mut sum = HomomorphicImage::ZERO;
         for (x, c) in terms {
             let value = residue::multiply(reduce(c, p)?, of(*x).value, p);
-            let phase = residue::multiply(reduce(c, q)?, of(*x).phase, q);
+            let logarithm = residue::multiply(reduce(c, q)?, of(*x).logarithm, q);
             sum.value = residue::add(sum.value, value, p);
-            sum.phase = residue::add(sum.phase, phase, q);
+            sum.logarithm = residue::add(sum.logarithm, logarithm, q);
         }
         Some(sum)
     }
 
-    /// The image of a rational modulo p.
+    /// The residue of a rational modulo p.
     pub(crate) fn constant(self, number: &Rational) -> Option<u64> {
         reduce(number, self.p())
     }
@@ -310,7 +323,7 @@ impl Point {
     }
 }
 
-/// The image of a rational modulo a prime, unless the prime divides its denominator.
+/// The residue of a rational modulo a prime, unless the prime divides its denominator.
 fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
     use num_bigint::BigInt;
     use num_traits::ToPrimitive;

@@ -1,8 +1,8 @@
-//! Arithmetic modulo primes, for exact decisions at random points.
+//! Arithmetic modulo primes (Knuth, The Art of Computer Programming, volume 2, 3rd edition 1997, section 4.3.2).
 //!
-//! p = 840 q + 1 with both p and q prime. Modulo p there is a square root of −1, so that sine and cosine
-//! of a phase z are (z − 1/z)/2i and (z + 1/z)/2; and 2, 3, 5 and 7 have square roots, by quadratic
-//! reciprocity. The 840th powers form a group of the prime order q, so that phases can be divided by any
+//! p = 840 q + 1 with both p and q prime. Modulo p there is a square root of −1, so that with
+//! z = e^{ix} sine and cosine are (z − 1/z)/2i and (z + 1/z)/2; and 2, 3, 5 and 7 have square roots, by quadratic
+//! reciprocity. The 840th powers form a group of the prime order q, so that logarithms can be divided by any
 //! integer. Other numbers have a square root modulo half of the primes, which is why there are several.
 
 /// A prime p = 840 q + 1 below 2⁶¹.
@@ -10,13 +10,13 @@
 pub(crate) struct Field {
     /// The prime modulus of values.
     pub(crate) p: u64,
-    /// The prime modulus of phases.
+    /// The prime modulus of logarithms, the order of the group.
     pub(crate) q: u64,
     /// A primitive eighth root of one modulo p.
     zeta: u64,
 }
 
-/// Twenty-four of them.
+/// Twenty-four of them: a number has a square root modulo half of the primes.
 const FIELDS: [Field; 24] = [
     Field::new(2_251_799_813_684_857, 1_218_444_822_762_680_921),
     Field::new(2_251_799_813_684_789, 628_785_502_487_796_663),
@@ -69,7 +69,8 @@ impl Field {
         power(11, 840, self.p)
     }
 
-    /// A square root of x, if there is one.
+    /// A square root of x, if there is one (Tonelli and Shanks: Cohen, A Course in Computational Algebraic Number
+    /// Theory, 1993, section 1.5.1).
     pub(crate) fn square_root(self, x: u64) -> Option<u64> {
         // p − 1 = 8m with m odd: x^((m+1)/2) is a root but for an eighth root of one.
         let mut root = power(x, (self.p / 8).div_ceil(2), self.p);
@@ -117,7 +118,8 @@ pub(crate) fn reciprocal(x: u64, modulus: u64) -> Option<u64> {
     (x != 0).then(|| power(x, modulus - 2, modulus))
 }
 
-/// A number that looks random, from two others.
+/// A pseudorandom number from two others: the mixing function of splitmix64 (Steele, Lea and Flood, Fast splittable
+/// pseudorandom number generators, 2014).
 pub(crate) const fn mix(seed: u64, value: u64) -> u64 {
     let mut z = seed ^ value.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

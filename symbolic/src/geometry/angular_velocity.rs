@@ -1,12 +1,13 @@
-//! Angular velocities of rotation matrices.
+//! Angular velocities of rotation matrices (Murray, Li and Sastry, A Mathematical Introduction to Robotic
+//! Manipulation, 1994, section 2.4).
 //!
-//! In the axes that a rotation A turns, ω = vee(Aᵀ Ȧ), where vee takes the matrix of ω × to ω. That of a
-//! product is ω(AB) = Bᵀ ω(A) + ω(B), so that one factor after the other is enough: an elementary
-//! rotation adds the rate of its angle along its axis, a constant one adds nothing. Other matrices add
-//! the sum of vee(Aᵀ ∂A/∂q) q̇ over what they depend on, each coefficient reduced as far as it goes.
+//! In the body frame of a rotation A, ω = vee(Aᵀ Ȧ), where vee takes the matrix of ω × to ω. That of a
+//! product is ω(AB) = Bᵀ ω(A) + ω(B), which is applied factor by factor: an elementary rotation adds the rate of
+//! its angle along its axis, a constant one adds nothing. Other matrices add the sum of vee(Aᵀ ∂A/∂q) q̇ over
+//! the symbols they depend on, each coefficient reduced.
 
 use crate::geometry::axis::Axis;
-use crate::geometry::factor::{Factor, Turn};
+use crate::geometry::factor::{ElementaryRotation, MatrixFactor};
 use crate::geometry::matrix::Matrix;
 use crate::geometry::rotation::NoRotation;
 use crate::{Direction, Expression, Graph, Rational, Symbol};
@@ -14,8 +15,8 @@ use crate::{Direction, Expression, Graph, Rational, Symbol};
 type Vector = [Expression; 3];
 
 impl Graph {
-    /// ω = vee(Aᵀ Ȧ), a column: the angular velocity along the axes of the body, where A takes their
-    /// components to those along inertial axes.
+    /// ω = vee(Aᵀ Ȧ), a column: the angular velocity resolved in the body frame, where A takes components in the
+    /// body frame to components in the inertial frame.
     ///
     /// Constant factors that contain parameters are trusted to be rotations.
     ///
@@ -28,17 +29,17 @@ impl Graph {
         coordinates: u32,
     ) -> Result<Matrix, NoRotation> {
         let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
-        if let Ok(velocity) = self.composed(&factors, coordinates) {
+        if let Ok(velocity) = self.angular_velocity_of_product(&factors, coordinates) {
             return Ok(Matrix::vector(velocity.to_vec()));
         }
         // A product may be a rotation though its factors are none.
         let elements = rotation.elements().try_into();
-        let whole = Factor::Written(elements.map_err(|_| NoRotation::Shape)?);
-        let velocity = self.composed(&[whole], coordinates)?;
+        let product = MatrixFactor::General(elements.map_err(|_| NoRotation::Shape)?);
+        let velocity = self.angular_velocity_of_product(&[product], coordinates)?;
         Ok(Matrix::vector(velocity.to_vec()))
     }
 
-    /// ω = vee(Ȧ Aᵀ), a column: the same angular velocity along the inertial axes.
+    /// ω = vee(Ȧ Aᵀ), a column: the same angular velocity resolved in the inertial frame.
     ///
     /// # Errors
     ///
@@ -48,38 +49,38 @@ impl Graph {
         rotation: &Matrix,
         coordinates: u32,
     ) -> Result<Matrix, NoRotation> {
-        // Seen from the body, it is the inertial frame that turns, the other way.
+        // In the body frame, the inertial frame rotates with the opposite angular velocity.
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
         let velocity = opposite.elements().iter().map(|x| self.negate(*x));
         let velocity = Matrix::vector(velocity.collect());
-        // It is the one along the axes of the body, turned.
+        // Remembered as the one in the body frame, rotated.
         let body = self.angular_velocity(rotation, coordinates)?;
         let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
-        let parts = self.parts_turned(&factors, &body);
-        Ok(velocity.made_of(parts))
+        let parts = self.rotated_parts(&factors, &body);
+        Ok(velocity.remembering_parts(parts))
     }
 
     /// The angular velocity of a product of factors.
-    pub(crate) fn composed(
+    pub(crate) fn angular_velocity_of_product(
         &mut self,
-        factors: &[Factor],
+        factors: &[MatrixFactor],
         coordinates: u32,
     ) -> Result<Vector, NoRotation> {
         let mut velocity = [self.zero(); 3];
         for factor in factors {
             let own = self.of_factor(*factor, coordinates)?;
-            let turned = factor.transpose().apply(self, velocity);
-            velocity = core::array::from_fn(|i| self.add(turned[i], own[i]));
+            let rotated = factor.transpose().apply(self, velocity);
+            velocity = core::array::from_fn(|i| self.add(rotated[i], own[i]));
         }
         Ok(velocity)
     }
 
     /// The angular velocity of one factor.
-    fn of_factor(&mut self, factor: Factor, coordinates: u32) -> Result<Vector, NoRotation> {
+    fn of_factor(&mut self, factor: MatrixFactor, coordinates: u32) -> Result<Vector, NoRotation> {
         match factor {
-            Factor::Turn(turn) => Ok(self.of_turn(turn, coordinates)),
-            Factor::Rotation(elements) => Ok(self.of_elements(&elements, coordinates)),
-            Factor::Written(elements) => {
+            MatrixFactor::Elementary(rotation) => Ok(self.of_elementary(rotation, coordinates)),
+            MatrixFactor::Rotation(elements) => Ok(self.of_elements(&elements, coordinates)),
+            MatrixFactor::General(elements) => {
                 self.verify_rotation(&elements)?;
                 Ok(self.of_elements(&elements, coordinates))
             }
@@ -87,11 +88,11 @@ impl Graph {
     }
 
     /// The rate of the angle along the axis.
-    fn of_turn(&mut self, turn: Turn, coordinates: u32) -> Vector {
-        let [axis, ..] = turn.axis.cycle();
-        let rate = self.time_derivatives(&[turn.angle], coordinates)[0];
+    fn of_elementary(&mut self, rotation: ElementaryRotation, coordinates: u32) -> Vector {
+        let [axis, ..] = rotation.axis.cycle();
+        let rate = self.time_derivatives(&[rotation.angle], coordinates)[0];
         let mut velocity = [self.zero(); 3];
-        velocity[axis] = self.scale(rate, &turn.sign());
+        velocity[axis] = self.scale(rate, &rotation.sign());
         velocity
     }
 

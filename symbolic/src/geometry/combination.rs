@@ -1,4 +1,4 @@
-//! Sums and multiples of matrices, and what else is done element by element.
+//! Elementwise operations on matrices: sums, multiples, component products, time derivatives.
 
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
@@ -37,7 +37,7 @@ impl Graph {
             self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
         });
         let parts = self.parts_of_sum(terms);
-        Some(sum.made_of(parts))
+        Some(sum.remembering_parts(parts))
     }
 
     /// A matrix with each of its elements multiplied by the same factor.
@@ -49,7 +49,7 @@ impl Graph {
             self.multiply(factor, matrix.at(i, j))
         });
         let parts = self.parts_scaled(matrix, factor);
-        scaled.made_of(parts)
+        scaled.remembering_parts(parts)
     }
 
     /// The matrix of the products of elements in the same place, unless the shapes differ.
@@ -63,6 +63,6 @@ impl Graph {
         let derivatives = self.time_derivatives(matrix.elements(), coordinates);
         let derivative = Matrix::with_elements(matrix.rows(), matrix.columns(), derivatives);
         let parts = self.parts_of_derivative(matrix, coordinates);
-        derivative.made_of(parts)
+        derivative.remembering_parts(parts)
     }
 }

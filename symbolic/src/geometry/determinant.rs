@@ -1,14 +1,15 @@
 //! Trace, determinant and inverse of square matrices.
 //!
-//! Determinants are sums of products, without a division, and for that reason limited in size. A larger
-//! matrix is eliminated in numbers.
+//! Determinants by expansion in minors (Gentleman and Johnson, Analysis of algorithms, a case study: determinants
+//! of matrices with polynomial entries, 1976): sums of products, without a division, and for that reason limited in
+//! size. A larger matrix is eliminated numerically.
 
 use crate::decision::identity_test::IdentityTest;
-use crate::geometry::factor::Factor;
+use crate::geometry::factor::MatrixFactor;
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
 
-/// The most rows of which a determinant is written out.
+/// Determinants of matrices with more rows are not expanded.
 pub const LARGEST_DETERMINANT: usize = 4;
 
 /// Why a matrix has no inverse.
@@ -32,7 +33,7 @@ impl Graph {
         if !is_small_square(matrix) {
             return None;
         }
-        if is_turn(matrix) {
+        if is_product_of_rotations(matrix) {
             return Some(self.one());
         }
         let all: Vec<usize> = (0..matrix.rows()).collect();
@@ -46,7 +47,7 @@ impl Graph {
     ///
     /// If the matrix has another shape, or if its determinant vanishes identically.
     pub fn inverse(&mut self, matrix: &Matrix) -> Result<Matrix, NoInverse> {
-        if is_turn(matrix) {
+        if is_product_of_rotations(matrix) {
             return Ok(matrix.transpose());
         }
         let determinant = self.determinant(matrix).ok_or(NoInverse::Shape)?;
@@ -76,8 +77,7 @@ impl Graph {
         })
     }
 
-    /// The determinant of what a matrix has in some rows and columns, as many of both, by expansion
-    /// along the first of these columns.
+    /// The minor of some rows and as many columns of a matrix, expanded along the first of these columns.
     fn minor(&mut self, matrix: &Matrix, rows: &[usize], columns: &[usize]) -> Expression {
         let [column, others @ ..] = columns else {
             return self.one();
@@ -97,13 +97,13 @@ impl Graph {
     }
 }
 
-/// Whether a matrix is one of which determinants are written out.
+/// Whether a matrix is square and small enough for a determinant in minors.
 const fn is_small_square(matrix: &Matrix) -> bool {
     matrix.is_square() && matrix.rows() <= LARGEST_DETERMINANT
 }
 
-/// Whether a matrix is a product of rotations, which goes back by its transpose.
-fn is_turn(matrix: &Matrix) -> bool {
+/// Whether a matrix is a product of rotations, whose inverse is its transpose.
+fn is_product_of_rotations(matrix: &Matrix) -> bool {
     let factors = matrix.known_factors();
-    factors.is_some_and(|factors| factors.iter().all(Factor::is_rotation))
+    factors.is_some_and(|factors| factors.iter().all(MatrixFactor::is_rotation))
 }

@@ -1,53 +1,53 @@
-//! The factors of which a matrix of three rows and columns is the product.
+//! The factors of a product of 3 × 3 matrices, elementary rotations above all.
 
 use crate::geometry::axis::Axis;
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational, Unary};
 
-/// A factor of a product of matrices of three rows and columns.
+/// A factor of a product of 3 × 3 matrices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Factor {
+pub(crate) enum MatrixFactor {
     /// The rotation by an angle about an axis.
-    Turn(Turn),
+    Elementary(ElementaryRotation),
     /// A matrix that is a rotation identically, by its elements, column by column.
     Rotation([Expression; 9]),
     /// Any other matrix, by its elements, column by column.
-    Written([Expression; 9]),
+    General([Expression; 9]),
 }
 
 /// A rotation by an angle about an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Turn {
+pub(crate) struct ElementaryRotation {
     pub(crate) axis: Axis,
     pub(crate) angle: Expression,
-    /// Whether it goes by the opposite of the angle.
+    /// Whether the rotation is by the opposite of the angle.
     pub(crate) reversed: bool,
 }
 
-impl Factor {
-    /// The transpose: of a rotation, the one back.
+impl MatrixFactor {
+    /// The transpose: of a rotation, its inverse.
     pub(crate) fn transpose(&self) -> Self {
         match *self {
-            Self::Turn(turn) => Self::Turn(Turn {
-                reversed: !turn.reversed,
-                ..turn
+            Self::Elementary(rotation) => Self::Elementary(ElementaryRotation {
+                reversed: !rotation.reversed,
+                ..rotation
             }),
             Self::Rotation(elements) => Self::Rotation(transposed(&elements)),
-            Self::Written(elements) => Self::Written(transposed(&elements)),
+            Self::General(elements) => Self::General(transposed(&elements)),
         }
     }
 
     /// The elements, column by column.
     pub(crate) fn elements(self, graph: &mut Graph) -> [Expression; 9] {
         match self {
-            Self::Turn(turn) => turn.elements(graph),
-            Self::Rotation(elements) | Self::Written(elements) => elements,
+            Self::Elementary(rotation) => rotation.elements(graph),
+            Self::Rotation(elements) | Self::General(elements) => elements,
         }
     }
 
     /// Whether this is a rotation whatever the values of all symbols are.
     pub(crate) const fn is_rotation(&self) -> bool {
-        matches!(self, Self::Turn(_) | Self::Rotation(_))
+        matches!(self, Self::Elementary(_) | Self::Rotation(_))
     }
 
     /// The factor times a vector.
@@ -57,18 +57,20 @@ impl Factor {
         [0, 1, 2].map(|i| graph.sum_of_products(row(i)))
     }
 
-    /// Whether this is the factor 1.
+    /// Whether this is the identity.
     fn is_identity(self, graph: &Graph) -> bool {
         match self {
-            Self::Turn(turn) => graph.is_zero(turn.angle),
-            Self::Rotation(elements) | Self::Written(elements) => elements == identity(graph),
+            Self::Elementary(rotation) => graph.is_zero(rotation.angle),
+            Self::Rotation(elements) | Self::General(elements) => elements == identity(graph),
         }
     }
 
-    /// This and the next factor as one, if that is known without multiplying.
+    /// The product with the next factor as one factor, if that is known without multiplication.
     fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
         match (self, next) {
-            (Self::Turn(turn), Self::Turn(next)) => turn.then(next, graph).map(Self::Turn),
+            (Self::Elementary(rotation), Self::Elementary(next)) => {
+                rotation.then(next, graph).map(Self::Elementary)
+            }
             (Self::Rotation(_), Self::Rotation(_)) if next == self.transpose() => {
                 Some(Self::Rotation(identity(graph)))
             }
@@ -77,7 +79,7 @@ impl Factor {
     }
 }
 
-impl Turn {
+impl ElementaryRotation {
     /// The sign with which the angle counts.
     pub(crate) const fn sign(self) -> Rational {
         if self.reversed {
@@ -100,7 +102,7 @@ impl Turn {
         elements
     }
 
-    /// This and the next rotation as one, if both are about the same axis.
+    /// The product with the next rotation as one, if both are about the same axis.
     fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
         let next_sign = if self.reversed == next.reversed {
             Rational::ONE
@@ -131,10 +133,13 @@ fn identity(graph: &Graph) -> [Expression; 9] {
 }
 
 impl Graph {
-    /// The same product with fewer factors: neighbours about one axis are one rotation, rotations and
-    /// their transposes are none, nor are factors that do nothing.
-    pub(crate) fn merged(&mut self, factors: impl IntoIterator<Item = Factor>) -> Vec<Factor> {
-        let mut merged: Vec<Factor> = Vec::new();
+    /// The same product with fewer factors: adjacent rotations about one axis are combined, and rotations next to
+    /// their transposes cancel, as identities do.
+    pub(crate) fn merged(
+        &mut self,
+        factors: impl IntoIterator<Item = MatrixFactor>,
+    ) -> Vec<MatrixFactor> {
+        let mut merged: Vec<MatrixFactor> = Vec::new();
         for mut factor in factors {
             if let Some(last) = merged.last()
                 && let Some(both) = last.then(factor, self)
@@ -149,8 +154,8 @@ impl Graph {
         merged
     }
 
-    /// The factors of a matrix of three rows and columns: those that it was made of, or itself.
-    pub(crate) fn matrix_factors(&self, matrix: &Matrix) -> Option<Vec<Factor>> {
+    /// The factors of a 3 × 3 matrix: the remembered ones, or itself.
+    pub(crate) fn matrix_factors(&self, matrix: &Matrix) -> Option<Vec<MatrixFactor>> {
         if let Some(factors) = matrix.known_factors() {
             return Some(factors.to_vec());
         }
@@ -159,9 +164,9 @@ impl Graph {
         }
         let elements = matrix.elements().try_into().ok()?;
         Some(vec![if self.is_rotation(&elements) {
-            Factor::Rotation(elements)
+            MatrixFactor::Rotation(elements)
         } else {
-            Factor::Written(elements)
+            MatrixFactor::General(elements)
         }])
     }
 }

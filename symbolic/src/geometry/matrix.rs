@@ -1,14 +1,13 @@
 //! Matrices of expressions.
 //!
-//! A matrix of three rows and columns that was made as a product remembers its factors: what is cheap
-//! for each of them, such as turning a vector or the angular velocity, is then not done on the elements
-//! of the product. A vector remembers how it was turned: what no rotation changes, such as its length, is
-//! then computed before it is turned. What is remembered is no part of what a matrix is: two matrices are
-//! equal if their elements are.
+//! A 3 × 3 matrix that was computed as a product remembers its factors: operations that are cheap for each of them,
+//! such as the rotation of a vector or the angular velocity, need not use the elements of the product. A vector
+//! remembers the frames in which it is known: what no rotation changes, such as its length, is then computed in the
+//! cheapest of them. What is remembered does not count for equality: two matrices are equal if their elements are.
 
 use crate::Expression;
-use crate::geometry::factor::Factor;
-use crate::geometry::turned_vector::TurnedVector;
+use crate::geometry::factor::MatrixFactor;
+use crate::geometry::vector_in_frame::VectorInFrame;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
 #[derive(Clone, Debug)]
@@ -17,10 +16,10 @@ pub struct Matrix {
     columns: usize,
     /// Column by column.
     elements: Vec<Expression>,
-    /// What this is the product of, if that is known.
-    factors: Option<Vec<Factor>>,
-    /// What this vector of three components, a row or a column, is the sum of; empty if unknown.
-    parts: Vec<TurnedVector>,
+    /// The factors of which this is the product, if they are known.
+    factors: Option<Vec<MatrixFactor>>,
+    /// The vectors in frames of which this vector of three components is the sum; empty if unknown.
+    parts: Vec<VectorInFrame>,
 }
 
 impl Matrix {
@@ -67,16 +66,16 @@ impl Matrix {
         Self::with_elements(rows, columns, elements)
     }
 
-    /// The same matrix, which is the product of these factors.
-    pub(crate) fn remembering(self, factors: Vec<Factor>) -> Self {
+    /// The same matrix, which remembers that it is the product of these factors.
+    pub(crate) fn remembering(self, factors: Vec<MatrixFactor>) -> Self {
         Self {
             factors: Some(factors),
             ..self
         }
     }
 
-    /// The same vector, which is the sum of these turned ones.
-    pub(crate) fn with_parts(self, parts: Vec<TurnedVector>) -> Self {
+    /// The same vector, which remembers that it is the sum of these vectors in frames.
+    pub(crate) fn with_parts(self, parts: Vec<VectorInFrame>) -> Self {
         Self { parts, ..self }
     }
 
@@ -145,7 +144,8 @@ impl Matrix {
     pub fn transpose(&self) -> Self {
         let factors = self.factors.as_ref();
         Self {
-            factors: factors.map(|factors| factors.iter().rev().map(Factor::transpose).collect()),
+            factors: factors
+                .map(|factors| factors.iter().rev().map(MatrixFactor::transpose).collect()),
             parts: self.parts.clone(),
             ..Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
         }
@@ -154,17 +154,17 @@ impl Matrix {
     /// The elements on the diagonal of a square matrix, as a column vector.
     #[must_use]
     pub fn diagonal(&self) -> Option<Self> {
-        let along = || (0..self.rows).map(|i| self.at(i, i)).collect();
-        self.is_square().then(|| Self::vector(along()))
+        let diagonal = || (0..self.rows).map(|i| self.at(i, i)).collect();
+        self.is_square().then(|| Self::vector(diagonal()))
     }
 
-    /// The factors that the matrix was made of.
-    pub(crate) fn known_factors(&self) -> Option<&[Factor]> {
+    /// The remembered factors.
+    pub(crate) fn known_factors(&self) -> Option<&[MatrixFactor]> {
         self.factors.as_deref()
     }
 
-    /// The turned vectors that the vector was made of.
-    pub(crate) fn known_parts(&self) -> &[TurnedVector] {
+    /// The remembered vectors in frames of which this is the sum.
+    pub(crate) fn known_parts(&self) -> &[VectorInFrame] {
         &self.parts
     }
 

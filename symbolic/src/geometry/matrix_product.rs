@@ -1,16 +1,16 @@
 //! Products of matrices.
 //!
-//! A product of rotations keeps its factors. It turns a vector by one factor after the other where that
-//! costs no more than multiplying by its elements.
+//! A product of rotations remembers its factors. A vector is multiplied by one factor after the other where that
+//! costs no more than the product with the elements.
 
-use crate::geometry::factor::Factor;
+use crate::geometry::factor::MatrixFactor;
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
 
 /// A product of more factors than this belongs to a link of a chain. Its elements are needed for the
 /// links after it as well, so that its vectors are multiplied by them; one factor after the other would
 /// cost the square of the length of the chain.
-const MOST_FACTORS_IN_TURN: usize = 6;
+const MOST_SUCCESSIVE_FACTORS: usize = 6;
 
 impl Graph {
     /// A·B, unless A has not as many columns as B has rows.
@@ -37,31 +37,31 @@ impl Graph {
         }
     }
 
-    /// The product of a matrix that has these factors with columns, each in the cheapest way.
+    /// The product of a matrix that has these factors with columns, by factors or by elements, whichever is cheaper.
     fn product_with_columns(
         &mut self,
         matrix: &Matrix,
-        factors: &[Factor],
+        factors: &[MatrixFactor],
         columns: &Matrix,
     ) -> Matrix {
         let mut product = self.product_of_elements(matrix, columns);
         if let Some(factors) = matrix.known_factors()
-            && let Some(in_turn) = self.turned(factors, columns)
-            && self.cost(in_turn.elements()) <= self.cost(product.elements())
+            && let Some(successive) = self.rotated(factors, columns)
+            && self.cost(successive.elements()) <= self.cost(product.elements())
         {
-            product = in_turn;
+            product = successive;
         }
         if columns.columns() != 1 {
             return product;
         }
-        let parts = self.parts_turned(factors, columns);
+        let parts = self.rotated_parts(factors, columns);
         if !columns.known_parts().is_empty() {
             let sum = self.sum_of_parts(&parts);
             if self.cost(&sum) < self.cost(product.elements()) {
                 product = Matrix::vector(sum.to_vec());
             }
         }
-        product.made_of(parts)
+        product.remembering_parts(parts)
     }
 
     /// A product of square matrices that remembers the factors of both.
@@ -69,8 +69,8 @@ impl Graph {
         &mut self,
         left: &Matrix,
         right: &Matrix,
-        first: Vec<Factor>,
-        second: Vec<Factor>,
+        first: Vec<MatrixFactor>,
+        second: Vec<MatrixFactor>,
     ) -> Matrix {
         let count = first.len() + second.len();
         let factors = self.merged(first.into_iter().chain(second));
@@ -81,7 +81,7 @@ impl Graph {
     }
 
     /// The matrix that is the product of these factors, from the left to the right.
-    pub(crate) fn product_of(&mut self, factors: Vec<Factor>) -> Matrix {
+    pub(crate) fn product_of(&mut self, factors: Vec<MatrixFactor>) -> Matrix {
         let mut product = self.identity_matrix(3);
         for factor in &factors {
             let elements = factor.elements(self).to_vec();
@@ -111,9 +111,9 @@ impl Graph {
         self.sum(terms)
     }
 
-    /// The columns of a matrix, turned by the last factor first, unless there are too many factors.
-    fn turned(&mut self, factors: &[Factor], matrix: &Matrix) -> Option<Matrix> {
-        if factors.len() > MOST_FACTORS_IN_TURN {
+    /// The columns of a matrix, rotated by the last factor first, unless there are too many factors.
+    fn rotated(&mut self, factors: &[MatrixFactor], matrix: &Matrix) -> Option<Matrix> {
+        if factors.len() > MOST_SUCCESSIVE_FACTORS {
             return None;
         }
         let mut elements = Vec::new();

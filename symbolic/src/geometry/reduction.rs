@@ -1,10 +1,10 @@
-//! Polynomials in sines and cosines, reduced by sin² + cos² = 1 over all their terms.
+//! Trigonometric polynomials, reduced modulo sin² + cos² − 1 (the division algorithm: Cox, Little and O'Shea, Ideals,
+//! Varieties, and Algorithms, 4th edition 2015, section 2.3).
 //!
-//! The rules of sums see two terms at a time. Here an expression is multiplied out, and the squares of all
-//! sines are replaced by those of cosines, or the other way round: what vanishes then vanishes term by
-//! term. Terms that differ in squares only are looked at together. Where all of them have one sign, a
-//! result with both signs is not taken, so that no sum becomes a difference. Of all results the cheapest
-//! is taken, which may be the expression as it was.
+//! The rewrite rules of sums compare two terms at a time. Here an expression is expanded, and the squares of all
+//! sines are replaced by those of cosines, or the other way round: an identity then vanishes term by term. Terms
+//! that differ in squares only form a group. Where all terms of a group have one sign, a result with both signs is
+//! not taken, so that no sum becomes a difference. The cheapest result is taken, which may be the expression itself.
 
 use std::collections::BTreeMap;
 
@@ -50,8 +50,8 @@ impl Graph {
         groups.into_values().collect()
     }
 
-    /// The sum of all groups without squares of `function`, but for those groups of which that would make
-    /// a difference of a sum.
+    /// The sum of all groups without squares of `function`, except for groups in which that would turn a sum into
+    /// a difference.
     fn reduction(&mut self, groups: &[Polynomial], function: Unary) -> Expression {
         let mut terms = Vec::new();
         for group in groups {
@@ -79,7 +79,7 @@ impl Graph {
         replaced
     }
 
-    /// A monomial with f²ᵏ = (1 − g²)ᵏ multiplied out, where f is a sine and g the cosine of the same
+    /// A monomial with f²ᵏ = (1 − g²)ᵏ expanded, where f is a sine and g the cosine of the same
     /// angle, or the other way round.
     fn without_squares(
         &mut self,
@@ -146,7 +146,7 @@ impl Graph {
     }
 }
 
-/// How many squares are in a power with this exponent, and what is left, unless there are none or many.
+/// The number of squares in a power with this exponent, and the remaining exponent, unless there are none or many.
 fn halves(exponent: &Rational) -> Option<(i64, i64)> {
     let exponent = exponent.to_integer()?;
     let is_replaced = (2..=HIGHEST_POWER).contains(&exponent);
@@ -185,17 +185,17 @@ mod tests {
                 terms.push((draft.graph.product(powers), Rational::integer(binomial)));
                 binomial = binomial * (k - j) / (j + 1);
             }
-            let whole = draft.graph.sum(terms);
-            let is_one = draft.graph.reduced(whole) == draft.graph.one();
+            let total = draft.graph.sum(terms);
+            let is_one = draft.graph.reduced(total) == draft.graph.one();
             assert_eq!(is_one, 2 * k <= HIGHEST_POWER, "{k}");
             // The rules of sums see two terms at a time, of which none can go alone.
-            assert_ne!(draft.graph.simplest(whole), draft.graph.one());
+            assert_ne!(draft.graph.simplest(total), draft.graph.one());
         }
     }
 
     #[test]
     fn sines_and_cosines_are_replaced_and_odd_powers_keep_one() {
-        // f (1 − f²)³ multiplied out is f g⁶, for f the sine and for f the cosine.
+        // f (1 − f²)³ expanded is f g⁶, for f the sine and for f the cosine.
         for [f, g] in [[0, 1], [1, 0]] {
             let mut draft = Draft::new(1);
             let both = circular(&mut draft, 0);

@@ -3,9 +3,9 @@
 use crate::decision::identity_test::IdentityTest;
 use crate::decision::residue;
 use crate::geometry::axis::Axis;
-use crate::geometry::factor::{Factor, Turn};
+use crate::geometry::factor::{ElementaryRotation, MatrixFactor};
 use crate::geometry::matrix::Matrix;
-use crate::validation::sample::Sample;
+use crate::validation::real_point::RealPoint;
 use crate::{Expression, Graph, Symbol};
 
 /// Why a matrix is no rotation.
@@ -19,20 +19,20 @@ pub enum NoRotation {
     Reflection,
 }
 
-/// How far the columns of a matrix of numbers may be from orthonormal: numbers are rounded.
+/// How far the columns of a numerical matrix may be from orthonormal, since its elements are rounded.
 const ROUNDING: f64 = 1e-6;
 /// Real points at which a matrix with roots must be a rotation.
 const REAL_POINTS: u64 = 64;
 
 impl Graph {
-    /// The product R₁ R₂ … of rotations about the axes of a frame: components in a frame that is turned
-    /// by the first angle about its first axis, then about its own new second axis, and so on, become
-    /// components in the frame that it was turned from. With the angles (φ, θ, ψ) about z, x, z it takes
-    /// components along the axes of a body to those along the inertial axes.
+    /// The product R₁ R₂ … of elementary rotations (intrinsic Euler angles): it takes components in a frame that was
+    /// rotated by the first angle about its first axis, then about its own new second axis, and so on, to
+    /// components in the original frame. With the angles (φ, θ, ψ) about z, x, z it takes components in the body
+    /// frame to components in the inertial frame.
     pub fn rotation(&mut self, sequence: &[(Axis, Expression)]) -> Matrix {
-        let turns = sequence.iter();
-        let factors = turns.map(|(axis, angle)| {
-            Factor::Turn(Turn {
+        let rotations = sequence.iter();
+        let factors = rotations.map(|(axis, angle)| {
+            MatrixFactor::Elementary(ElementaryRotation {
                 axis: *axis,
                 angle: *angle,
                 reversed: false,
@@ -54,8 +54,8 @@ impl Graph {
     /// Whether a matrix of nine elements is a rotation, identically in all that it depends on.
     ///
     /// Constant matrices that contain parameters are taken for rotations, since parameters may be such
-    /// that they are; those of numbers alone are rotations up to rounding. What is one with the real roots
-    /// and absolute values, though not for every choice of their signs, is one.
+    /// that they are; numerical ones must be rotations up to rounding. A matrix that is a rotation with
+    /// the real roots and absolute values, though not for every choice of their signs, is accepted.
     pub(crate) fn verify_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {
         if !elements.iter().any(|x| self.contents(*x).varies()) {
             return self.verify_constant_rotation(elements);
@@ -72,8 +72,8 @@ impl Graph {
 
     /// Whether expressions vanish at random real points, up to rounding.
     fn is_small(&self, expressions: &[Expression]) -> bool {
-        let points = (0..REAL_POINTS).map(Sample::new);
-        let values = points.map(|sample| self.evaluate(expressions, |symbol| sample.value(symbol)));
+        let points = (0..REAL_POINTS).map(RealPoint::new);
+        let values = points.map(|point| self.evaluate(expressions, |symbol| point.value(symbol)));
         let mut known = values.filter(|values| values.iter().all(|value| value.is_finite()));
         known.next().is_some_and(|first| {
             core::iter::once(first)

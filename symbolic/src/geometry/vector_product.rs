@@ -1,4 +1,4 @@
-//! Products of vectors, which may be rows or columns, and what is made of them.
+//! Products of vectors, which may be rows or columns, and their norms.
 
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
@@ -11,7 +11,7 @@ impl Graph {
         }
         let pairs = x.elements().iter().copied();
         let product = self.sum_of_products(pairs.zip(y.elements().iter().copied()));
-        Some(self.or_along_other_axes(product, x, y))
+        Some(self.or_in_other_frames(product, x, y))
     }
 
     /// x × y of two rows or two columns of three components.
@@ -21,7 +21,7 @@ impl Graph {
         }
         let cross = self.cross(x.components()?, y.components()?);
         let parts = self.parts_of_cross_product(x, y);
-        Some(Matrix::with_elements(x.rows(), x.columns(), cross.to_vec()).made_of(parts))
+        Some(Matrix::with_elements(x.rows(), x.columns(), cross.to_vec()).remembering_parts(parts))
     }
 
     /// The matrix of all products xᵢ yⱼ of the components of two vectors.
@@ -45,11 +45,11 @@ impl Graph {
     pub fn norm_squared(&mut self, matrix: &Matrix) -> Expression {
         let squares: Vec<_> = matrix.elements().iter().map(|x| self.square(*x)).collect();
         let sum = self.sum(squares.into_iter().map(|square| (square, Rational::ONE)));
-        self.or_along_other_axes(sum, matrix, matrix)
+        self.or_in_other_frames(sum, matrix, matrix)
     }
 
-    /// x · y as it is given by the elements, unless other axes are cheaper.
-    fn or_along_other_axes(&mut self, product: Expression, x: &Matrix, y: &Matrix) -> Expression {
+    /// x · y by the elements, unless it is cheaper in another frame.
+    fn or_in_other_frames(&mut self, product: Expression, x: &Matrix, y: &Matrix) -> Expression {
         let other = self.dot_product_of_parts(x, y);
         let cheaper = other.filter(|other| self.cost(&[*other]) < self.cost(&[product]));
         cheaper.unwrap_or(product)

@@ -1,4 +1,5 @@
-//! The equations of motion in quasi-velocities, after Boltzmann and Hamel.
+//! The equations of motion in quasi-velocities (Boltzmann, Über die Form der Lagrangeschen Gleichungen für nichtholonome,
+//! generalisierte Koordinaten, 1902; Hamel, Die Lagrange-Eulerschen Gleichungen der Mechanik, 1904).
 //!
 //! With L = ½ wᵀ W w + L₀ and w = E q̇ + b, Lagrange's equations are
 //!
@@ -9,23 +10,23 @@
 //! equations (3.5)–(3.7) and the kinematics of its angles, with an error that does not grow as the
 //! condition of M does.
 
-use crate::mechanics::elimination::Elimination;
-use crate::mechanics::kinematics::{Kinematics, transposed};
+use crate::mechanics::block_triangular::{BlockTriangular, transposed};
+use crate::mechanics::ldlt::Ldlt;
 use crate::mechanics::quasi_velocities::QuasiVelocities;
 use crate::mechanics::structure_constants::structure_constants;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// How many quasi-velocities are solved for at most: the structure constants are a cube.
-const MOST: usize = 8;
+const MOST_QUASI_VELOCITIES: usize = 8;
 
 /// Accelerations through quasi-velocities.
 pub(crate) struct BoltzmannHamel {
     quasi_velocities: QuasiVelocities,
-    kinematics: Kinematics,
-    transposed: Kinematics,
-    /// The factors of W, where it has products of inertia.
-    inertia: Option<Elimination>,
-    /// E q̈: the rates of the quasi-velocities less their drift.
+    kinematics: BlockTriangular,
+    transposed: BlockTriangular,
+    /// The factorization of W, where it has products of inertia.
+    inertia: Option<Ldlt>,
+    /// E q̈: the rates of the quasi-velocities less their velocity-product accelerations.
     rates: Vec<Expression>,
 }
 
@@ -40,16 +41,20 @@ impl BoltzmannHamel {
         let coordinates = model.coordinates;
         let graph = &mut model.graph;
         let size = quasi_velocities.forms.len();
-        if size != coordinates as usize || size > MOST {
+        if size != coordinates as usize || size > MOST_QUASI_VELOCITIES {
             return None;
         }
         let matrix = quasi_velocities.kinematics(graph, coordinates);
-        let transposed = Kinematics::new(graph, transposed(&matrix))?;
-        let kinematics = Kinematics::new(graph, matrix)?;
+        let transposed = BlockTriangular::new(graph, transposed(&matrix))?;
+        let kinematics = BlockTriangular::new(graph, matrix)?;
         let inertia = if quasi_velocities.is_diagonal(graph) {
             None
         } else {
-            Some(Elimination::factor(graph, &quasi_velocities.inertia, MOST)?)
+            Some(Ldlt::factor(
+                graph,
+                &quasi_velocities.inertia,
+                MOST_QUASI_VELOCITIES,
+            )?)
         };
         let mut found = Self {
             quasi_velocities,
@@ -62,7 +67,7 @@ impl BoltzmannHamel {
         Some(found)
     }
 
-    /// What has to be positive for W to be solved for.
+    /// The pivots of W, which must be positive.
     pub(crate) fn pivots(&self) -> Vec<Expression> {
         self.inertia
             .as_ref()
@@ -117,9 +122,10 @@ impl BoltzmannHamel {
                 .map(|(i, x)| graph.divide(*x, inertia[i][i]))
                 .collect()
         };
-        let direction = graph.at_rest_direction(coordinates);
-        let drift = graph.directional_derivatives(&self.quasi_velocities.forms, &direction);
-        let rates = rates.iter().zip(drift);
+        let direction = graph.constant_velocity_direction(coordinates);
+        let velocity_products =
+            graph.directional_derivatives(&self.quasi_velocities.forms, &direction);
+        let rates = rates.iter().zip(velocity_products);
         rates.map(|(x, y)| graph.subtract(*x, y)).collect()
     }
 
@@ -209,7 +215,7 @@ impl Graph {
     ) -> Vec<Vec<Expression>> {
         let symbols = |symbol: fn(u32) -> Symbol| (0..coordinates).map(symbol).collect::<Vec<_>>();
         let momenta = self.jacobian(roots, &symbols(Symbol::Velocity));
-        let direction = self.at_rest_direction(coordinates);
+        let direction = self.constant_velocity_direction(coordinates);
         let rates = self.directional_derivatives(&momenta.concat(), &direction);
         let slopes = self.jacobian(roots, &symbols(Symbol::Coordinate));
         let mut columns = Vec::with_capacity(slopes.len());

@@ -1,13 +1,13 @@
-//! Squares of combinations of other squares, multiplied out.
+//! Quasi-velocities that are linear combinations of others, expressed by those.
 //!
 //! A body whose centre of mass is at c from what does not move has ½ m |ω × c|² + ½ ωᵀ I ω: six squares of
-//! three quasi-velocities. What is a constant combination of other forms is no quasi-velocity of its own,
-//! but a part of their inertia.
+//! three quasi-velocities (the parallel-axis theorem). A constant linear combination of other forms is no
+//! quasi-velocity of its own, but a part of their inertia.
 
 use std::collections::BTreeMap;
 
 use crate::mechanics::quasi_velocities::QuasiVelocities;
-use crate::mechanics::squares::{combination, mean_kept_whole};
+use crate::mechanics::squares::{combination, opaque_mean};
 use crate::{Expression, Graph, Rational};
 
 /// A sum of forms, each by its position, with constant coefficients.
@@ -60,7 +60,7 @@ impl QuasiVelocities {
         }
         let mut entry = |terms: Vec<_>| {
             let sum = graph.sum(terms);
-            mean_kept_whole(graph, sum)
+            opaque_mean(graph, sum)
         };
         let rows = terms.into_iter();
         rows.map(|row| row.into_iter().map(&mut entry).collect())

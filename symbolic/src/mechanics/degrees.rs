@@ -1,4 +1,4 @@
-//! Degrees in the velocities.
+//! Polynomial degrees in the velocities.
 
 use crate::{Expression, Graph, Node, Symbol};
 
@@ -43,7 +43,7 @@ impl Degrees {
                     (_, None) => None,
                 }
             }),
-            Node::Whole(x) => self.of_expression(*x),
+            Node::Opaque(x) => self.of_expression(*x),
             Node::Unary(_, x) => (self.of_expression(*x)? == 0).then_some(0),
             Node::Binary(_, x, y) => {
                 let still = self.of_expression(*x)? == 0 && self.of_expression(*y)? == 0;

@@ -5,9 +5,9 @@
 //! M is differentiated, never inverted: from M q̈ = f follows M ∂q̈/∂x = −∂(M q̈ − f)/∂x at fixed q̈.
 
 use crate::algebra::derivative::Tangents;
+use crate::mechanics::coordinate_properties::{self, CoordinateProperties};
 use crate::mechanics::model::Energies;
 use crate::mechanics::multiplied_out::Derived;
-use crate::mechanics::structure::{self, Structure};
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// The equations of motion of a model, as expressions of its graph.
@@ -27,8 +27,8 @@ pub struct Equations {
     pub generalized_forces: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
     pub inverse_dynamics: Vec<Expression>,
-    /// What is known of the system before any number is.
-    pub structure: Structure,
+    /// Which coordinates are angles, ignorable or singular.
+    pub coordinate_properties: CoordinateProperties,
 }
 
 /// Why a declaration has no equations of motion.
@@ -58,7 +58,8 @@ impl Equations {
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);
         let energy = model.energy(lagrangian, &momenta);
-        let structure = structure::analyze(model, lagrangian, &mass, &generalized_forces)?;
+        let coordinate_properties =
+            coordinate_properties::analyze(model, lagrangian, &mass, &generalized_forces)?;
         let derived = Derived {
             momenta,
             mass,
@@ -78,7 +79,7 @@ impl Equations {
             forcing,
             generalized_forces,
             inverse_dynamics,
-            structure,
+            coordinate_properties,
         })
     }
 }
@@ -111,7 +112,7 @@ impl Model {
         generalized_forces: &[Expression],
     ) -> Vec<Expression> {
         let graph = &mut self.graph;
-        let direction = graph.at_rest_direction(self.coordinates);
+        let direction = graph.constant_velocity_direction(self.coordinates);
         let rates = graph.directional_derivatives(momenta, &direction);
         let coordinates: Vec<_> = (0..self.coordinates).map(Symbol::Coordinate).collect();
         let mut slopes = Tangents::new(graph, &[lagrangian], &coordinates);
@@ -141,7 +142,7 @@ impl Model {
         {
             let total = self.graph.add(kinetic, potential);
             let difference = self.graph.subtract(energy, total);
-            if structure::vanishes(&self.graph, difference) {
+            if coordinate_properties::vanishes(&self.graph, difference) {
                 return total;
             }
         }
@@ -198,11 +199,11 @@ fn check_momenta(
     if !still.is_empty() {
         return Err(Defect::NoVelocity(still));
     }
-    // Few models have momenta that are spelt with an input, and some have many inputs.
-    let spelt = graph.symbols(momenta);
+    // In few models an input occurs in the momenta, and some have many inputs.
+    let occurring = graph.symbols(momenta);
     let inputs: Vec<u32> = (0..model.inputs)
-        .filter(|input| spelt.contains(&Symbol::Input(*input)))
-        .filter(|input| structure::depends(graph, momenta, Symbol::Input(*input)))
+        .filter(|input| occurring.contains(&Symbol::Input(*input)))
+        .filter(|input| coordinate_properties::depends(graph, momenta, Symbol::Input(*input)))
         .collect();
     if inputs.is_empty() {
         Ok(())

@@ -1,21 +1,21 @@
-//! A mass matrix as a sum over inertias: M = Σ c Aᶜ(q), each Aᶜ the squares of a few forms.
+//! Quasi-velocities recovered from the mass matrix: M = Σ c Aᶜ(q), each Aᶜ the squares of a few linear forms.
 //!
-//! However a kinetic energy was written, its mass matrix multiplied out is linear in what is constant, and
-//! what belongs to one inertia is a sum of squares of its own. Eliminating Aᶜ gives the forms where the
-//! pivots are squares themselves. The general top multiplied out gives its angular velocities back, and
-//! (4.5) with I₁ = I₂ becomes (4.7), in which ψ no longer appears.
+//! However a kinetic energy was written, its expanded mass matrix is linear in the inertias c, and the part Aᶜ
+//! of one inertia is a sum of squares of its own. Symmetric elimination of Aᶜ (Lagrange's reduction of a quadratic
+//! form to a sum of squares) gives the forms where the pivots are squares. The general top, expanded, gives its
+//! angular velocities back, and (4.5) with I₁ = I₂ becomes (4.7), in which ψ no longer appears.
 
 use crate::mechanics::multiplied_out::{is_quadratic, linear_part};
 use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
 use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
 
-type Matrix = Vec<Vec<Expression>>;
+type Rows = Vec<Vec<Expression>>;
 
 impl QuasiVelocities {
     /// The quasi-velocities of a mass matrix, if each inertia belongs to a sum of squares.
     pub(crate) fn by_inertia(graph: &mut Graph, equations: &Equations) -> Option<Self> {
         let mass = &equations.mass;
-        // Where L is no quadratic form of the velocities, it is none of squares, whatever the pivots are.
+        // An L that is not quadratic in the velocities is no sum of squares of linear forms, whatever the pivots are.
         if !is_quadratic(graph, equations.lagrangian) {
             return None;
         }
@@ -42,13 +42,13 @@ impl QuasiVelocities {
 }
 
 /// The matrices Aᶜ by c, in the order in which the constants are found.
-fn by_constant(graph: &mut Graph, mass: &Matrix) -> Option<Vec<(Expression, Matrix)>> {
+fn by_constant(graph: &mut Graph, mass: &Rows) -> Option<Vec<(Expression, Rows)>> {
     let zero = graph.zero();
-    let mut parts: Vec<(Expression, Matrix)> = Vec::new();
+    let mut parts: Vec<(Expression, Rows)> = Vec::new();
     for (i, row) in mass.iter().enumerate() {
         for (j, entry) in row.iter().enumerate().take(i + 1) {
             for (monomial, number) in graph.monomials(*entry)? {
-                let (constant, varying) = parted(graph, monomial);
+                let (constant, varying) = split_constant(graph, monomial);
                 let known = parts.iter().position(|(c, _)| *c == constant);
                 let position = known.unwrap_or_else(|| {
                     parts.push((constant, vec![vec![zero; mass.len()]; mass.len()]));
@@ -64,8 +64,8 @@ fn by_constant(graph: &mut Graph, mass: &Matrix) -> Option<Vec<(Expression, Matr
     Some(parts)
 }
 
-/// A product as what is constant in it times what varies.
-fn parted(graph: &mut Graph, monomial: Expression) -> (Expression, Expression) {
+/// A product as its constant factors times the varying ones.
+fn split_constant(graph: &mut Graph, monomial: Expression) -> (Expression, Expression) {
     let factors = match graph.node(monomial) {
         Node::Product(factors) => factors.to_vec(),
         _ => vec![(monomial, Rational::ONE)],
@@ -78,7 +78,7 @@ fn parted(graph: &mut Graph, monomial: Expression) -> (Expression, Expression) {
 
 /// Forms whose squares add up to q̇ᵀ A q̇, by elimination from the shortest pivot on, if all pivots are
 /// squares.
-fn squares(graph: &mut Graph, mut metric: Matrix) -> Option<Vec<Expression>> {
+fn squares(graph: &mut Graph, mut metric: Rows) -> Option<Vec<Expression>> {
     let mut forms = Vec::new();
     let mut waiting: Vec<usize> = (0..metric.len()).collect();
     while let Some(pivot) = waiting
@@ -140,7 +140,7 @@ mod tests {
     use super::*;
     use crate::Model;
     use crate::draft::Draft;
-    use crate::mechanics::structure;
+    use crate::mechanics::coordinate_properties;
     use crate::systems::{Rates, Spelling, euler_rates, general_top, node_rates, polar, top};
 
     fn found(model: &mut Model) -> QuasiVelocities {
@@ -166,7 +166,9 @@ mod tests {
                     draft.graph.add(*form, rate),
                     draft.graph.subtract(*form, rate),
                 ];
-                let equal = signs.iter().any(|x| structure::vanishes(&draft.graph, *x));
+                let equal = signs
+                    .iter()
+                    .any(|x| coordinate_properties::vanishes(&draft.graph, *x));
                 equal && found.inertia[k][k] == inertia
             };
             let mut forms = found.forms.iter().enumerate();

@@ -1,35 +1,36 @@
-//! Quasi-velocities as they build on each other: wₖ = wₚ + Σ eₖᵢ q̇ᵢ + …
+//! The kinematic tree of quasi-velocities, wₖ = wₚ + Σ eₖᵢ q̇ᵢ + …, and recursions along it (Featherstone, Rigid Body
+//! Dynamics Algorithms, 2008, chapters 4 and 5).
 //!
-//! The velocity of a body in a chain is that of the body before it and a little more. Which form builds
-//! on which is found from the forms themselves: the parent of a form is the one from which it differs in
-//! the fewest velocities, so that it does not matter how the declaration was spelt. What is computed along
-//! the tree takes as long as it has edges, where the mass matrix has an entry for each pair of coordinates.
+//! The velocity of a body in a chain is that of the body before it plus a relative velocity. Which form is the
+//! parent of which is found from the forms themselves: it is the one that differs in the fewest velocities, however
+//! the declaration was written. A recursion takes as many steps as the tree has edges, where the mass matrix has
+//! an entry for each pair of coordinates.
 
+use crate::mechanics::coordinate_properties;
 use crate::mechanics::quasi_velocities::{QuasiVelocities, weighted};
-use crate::mechanics::structure;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
-/// A form and what it adds to its parent.
+/// A linear form of the velocities, relative to its parent.
 #[derive(Clone, Debug)]
-pub(crate) struct Form {
-    /// The form that this one builds on; it stands earlier in the tree.
+pub(crate) struct RelativeForm {
+    /// The parent; it stands earlier in the tree.
     pub(crate) parent: Option<usize>,
     /// The coefficients eₖᵢ of the velocities that are added, with i.
     pub(crate) local: Vec<(usize, Expression)>,
-    /// The time derivative, at constant velocities, of what is added.
-    pub(crate) drift: Expression,
+    /// The relative velocity-product acceleration: the time derivative of the addition at constant velocities.
+    pub(crate) velocity_product: Expression,
 }
 
 /// The equations of motion Eᵀ W ẇ = r along a tree of quasi-velocities.
 #[derive(Clone, Debug)]
 pub(crate) struct KinematicTree {
     /// Parents before children.
-    pub(crate) forms: Vec<Form>,
+    pub(crate) forms: Vec<RelativeForm>,
     /// The inertia W.
     pub(crate) inertia: Vec<Vec<Expression>>,
-    /// r, for each coordinate: all forces but those of drift.
+    /// r, for each coordinate: all forces but those of velocity-product accelerations.
     pub(crate) right: Vec<Expression>,
-    /// What W and r have been divided by.
+    /// The unit of inertia by which W and r have been divided.
     pub(crate) unit: Expression,
 }
 
@@ -63,16 +64,16 @@ impl KinematicTree {
                 terms.push((graph.multiply(*coefficient, velocity), Rational::ONE));
             }
             additions.push(graph.sum(terms));
-            forms.push(Form {
+            forms.push(RelativeForm {
                 parent,
                 local,
-                drift: graph.zero(),
+                velocity_product: graph.zero(),
             });
         }
-        let direction = graph.at_rest_direction(coordinates);
-        let drifts = graph.directional_derivatives(&additions, &direction);
-        for (form, drift) in forms.iter_mut().zip(drifts) {
-            form.drift = drift;
+        let direction = graph.constant_velocity_direction(coordinates);
+        let velocity_products = graph.directional_derivatives(&additions, &direction);
+        for (form, velocity_product) in forms.iter_mut().zip(velocity_products) {
+            form.velocity_product = velocity_product;
         }
         let mut tree = Self {
             forms,
@@ -84,9 +85,9 @@ impl KinematicTree {
         tree
     }
 
-    /// The same equations divided by an inertia of which all others are multiples by numbers, if there is
-    /// one: a chain of equal bodies then solves for ratios.
-    pub(crate) fn without_unit(&self, graph: &mut Graph) -> Self {
+    /// The same equations divided by an inertia of which all others are numerical multiples, if there is one: a
+    /// chain of equal bodies is then solved in ratios of inertias.
+    pub(crate) fn divided_by_unit(&self, graph: &mut Graph) -> Self {
         if !graph.passes.has(Pass::Unit) {
             return self.clone();
         }
@@ -108,7 +109,7 @@ impl KinematicTree {
         scaled
     }
 
-    /// r = Q − 𝓛(rest) − Σₖ Pₖ 𝓛(what form k adds), where Pₖ is the momentum of the forms from k on.
+    /// r = Q − 𝓛(rest) − Σₖ Pₖ 𝓛(addition of form k), where Pₖ is the momentum of form k and its descendants.
     fn add_forces(
         &mut self,
         graph: &mut Graph,
@@ -117,17 +118,20 @@ impl KinematicTree {
         coordinates: u32,
     ) {
         let gradient = graph.lagrange_derivatives(&[rest], coordinates);
-        let curls = curls(graph, additions, coordinates);
-        let momenta = if curls.is_empty() {
+        let gyroscopic = gyroscopic_terms(graph, additions, coordinates);
+        let momenta = if gyroscopic.is_empty() {
             Vec::new()
         } else {
             self.momenta(graph, additions)
         };
-        let momenta = self.accumulated(graph, &momenta);
+        let momenta = self.sums_from_leaves(graph, &momenta);
         for (i, (right, slope)) in self.right.iter_mut().zip(&gradient[0]).enumerate() {
             let mut terms = vec![(*right, Rational::ONE), (*slope, Rational::MINUS_ONE)];
-            for (k, _, curl) in curls.iter().filter(|(_, coordinate, _)| *coordinate == i) {
-                terms.push((graph.multiply(momenta[*k], *curl), Rational::MINUS_ONE));
+            for (k, _, term) in gyroscopic
+                .iter()
+                .filter(|(_, coordinate, _)| *coordinate == i)
+            {
+                terms.push((graph.multiply(momenta[*k], *term), Rational::MINUS_ONE));
             }
             *right = graph.sum(terms);
         }
@@ -135,17 +139,21 @@ impl KinematicTree {
 
     /// W w.
     fn momenta(&self, graph: &mut Graph, additions: &[Expression]) -> Vec<Expression> {
-        let values = self.along(graph, additions);
+        let values = self.sums_from_root(graph, additions);
         weighted(graph, &self.inertia, &values)
     }
 
-    /// Sums from the root: the parent's and an addition.
-    pub(crate) fn along(&self, graph: &mut Graph, additions: &[Expression]) -> Vec<Expression> {
+    /// Sums from the root: that of the parent plus an addition.
+    pub(crate) fn sums_from_root(
+        &self,
+        graph: &mut Graph,
+        additions: &[Expression],
+    ) -> Vec<Expression> {
         let mut values: Vec<Expression> = Vec::with_capacity(additions.len());
         for (form, addition) in self.forms.iter().zip(additions) {
             let value = match form.parent {
                 Some(parent) => {
-                    let above = graph.whole(values[parent]);
+                    let above = graph.opaque(values[parent]);
                     graph.add(above, *addition)
                 }
                 None => *addition,
@@ -155,12 +163,16 @@ impl KinematicTree {
         values
     }
 
-    /// Sums from the leaves: each value and those of all forms that build on it.
-    pub(crate) fn accumulated(&self, graph: &mut Graph, values: &[Expression]) -> Vec<Expression> {
+    /// Sums from the leaves: each value plus those of all descendants.
+    pub(crate) fn sums_from_leaves(
+        &self,
+        graph: &mut Graph,
+        values: &[Expression],
+    ) -> Vec<Expression> {
         let mut totals = values.to_vec();
         for k in (0..totals.len()).rev() {
             if let Some(parent) = self.forms[k].parent {
-                let total = graph.whole(totals[k]);
+                let total = graph.opaque(totals[k]);
                 totals[parent] = graph.add(totals[parent], total);
             }
         }
@@ -168,8 +180,12 @@ impl KinematicTree {
     }
 
     /// Eᵀ x.
-    pub(crate) fn projected(&self, graph: &mut Graph, values: &[Expression]) -> Vec<Expression> {
-        let totals = self.accumulated(graph, values);
+    pub(crate) fn transpose_product(
+        &self,
+        graph: &mut Graph,
+        values: &[Expression],
+    ) -> Vec<Expression> {
+        let totals = self.sums_from_leaves(graph, values);
         let mut terms = vec![Vec::new(); self.right.len()];
         for (form, total) in self.forms.iter().zip(totals) {
             for (i, coefficient) in &form.local {
@@ -181,13 +197,17 @@ impl KinematicTree {
 
     /// The forcing f = r − Eᵀ W D w in M q̈ = f.
     pub(crate) fn forcing(&self, graph: &mut Graph) -> Vec<Expression> {
-        let drifts: Vec<_> = self.forms.iter().map(|form| form.drift).collect();
-        let rates = self.along(graph, &drifts);
-        let loads = weighted(graph, &self.inertia, &rates);
-        let loads = self.projected(graph, &loads);
-        let pairs = self.right.iter().zip(loads);
+        let velocity_products: Vec<_> = self
+            .forms
+            .iter()
+            .map(|form| form.velocity_product)
+            .collect();
+        let rates = self.sums_from_root(graph, &velocity_products);
+        let forces = weighted(graph, &self.inertia, &rates);
+        let forces = self.transpose_product(graph, &forces);
+        let pairs = self.right.iter().zip(forces);
         pairs
-            .map(|(right, load)| graph.subtract(*right, load))
+            .map(|(right, force)| graph.subtract(*right, force))
             .collect()
     }
 
@@ -195,19 +215,19 @@ impl KinematicTree {
     pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
         let mut rates = Vec::with_capacity(self.forms.len());
         for form in &self.forms {
-            let mut terms = vec![(form.drift, Rational::ONE)];
+            let mut terms = vec![(form.velocity_product, Rational::ONE)];
             for (i, coefficient) in &form.local {
                 let acceleration = graph.symbol(acceleration(*i));
                 terms.push((graph.multiply(*coefficient, acceleration), Rational::ONE));
             }
             rates.push(graph.sum(terms));
         }
-        let rates = self.along(graph, &rates);
-        let loads = weighted(graph, &self.inertia, &rates);
-        let loads = self.projected(graph, &loads);
-        let pairs = loads.iter().zip(&self.right);
+        let rates = self.sums_from_root(graph, &rates);
+        let forces = weighted(graph, &self.inertia, &rates);
+        let forces = self.transpose_product(graph, &forces);
+        let pairs = forces.iter().zip(&self.right);
         pairs
-            .map(|(load, right)| graph.subtract(*load, *right))
+            .map(|(force, right)| graph.subtract(*force, *right))
             .collect()
     }
 }
@@ -244,23 +264,23 @@ fn differences(
     pairs.filter(|(_, before, after)| before != after).collect()
 }
 
-/// The 𝓛ᵢ of what each form adds that do not vanish, as (form, i, value). None does for the velocity
-/// of a point, which is the derivative of its position.
-fn curls(
+/// The gyroscopic terms: the Lagrange derivatives 𝓛ᵢ of the additions that do not vanish, as (form, i, value). For
+/// the velocity of a point, which is the derivative of its position, all of them vanish.
+fn gyroscopic_terms(
     graph: &mut Graph,
     additions: &[Expression],
     coordinates: u32,
 ) -> Vec<(usize, usize, Expression)> {
-    let mut curls = Vec::new();
+    let mut gyroscopic = Vec::new();
     let derivatives = graph.lagrange_derivatives(additions, coordinates);
     for (k, row) in derivatives.into_iter().enumerate() {
-        for (i, curl) in row.into_iter().enumerate() {
-            if !graph.is_zero(curl) && !structure::vanishes(graph, curl) {
-                curls.push((k, i, curl));
+        for (i, term) in row.into_iter().enumerate() {
+            if !graph.is_zero(term) && !coordinate_properties::vanishes(graph, term) {
+                gyroscopic.push((k, i, term));
             }
         }
     }
-    curls
+    gyroscopic
 }
 
 fn velocity(i: usize) -> Symbol {

@@ -1,16 +1,16 @@
-//! What is computed of a motion, each in the cheapest way that was found.
+//! The choice between solvers: f, M q̈ − f and q̈, each by the cheapest method that applies.
 //!
-//! Lagrange's formula gives f and M q̈ − f for every model; where quasi-velocities build on each other,
-//! running along their tree takes fewer operations. The [solution](crate::mechanics::solution) for q̈ is
-//! chosen among all that apply.
+//! Lagrange's formula gives f and M q̈ − f for every model; where quasi-velocities form a tree, recursions along
+//! it take fewer operations. The [solution](crate::mechanics::solution) for q̈ is chosen among all solvers that
+//! apply, by the cost model.
 
-use crate::mechanics::articulation::Articulation;
+use crate::mechanics::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::boltzmann_hamel::BoltzmannHamel;
-use crate::mechanics::elimination::Elimination;
 use crate::mechanics::kinematic_tree::KinematicTree;
+use crate::mechanics::ldlt::Ldlt;
 use crate::mechanics::multiplied_out::MOST_COORDINATES;
 use crate::mechanics::quasi_velocities::QuasiVelocities;
-use crate::mechanics::solution::{Solution, Way};
+use crate::mechanics::solution::{Solution, Solver};
 use crate::{Equations, Expression, Graph, Model, Pass};
 
 /// The kinetics of a model, as expressions of its graph.
@@ -19,15 +19,15 @@ pub struct Kinetics {
     pub forcing: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
     pub inverse_dynamics: Vec<Expression>,
-    /// M q̈ = f as it is solved in numbers.
+    /// M q̈ = f for numerical solution.
     pub system: LinearSystem,
-    /// The factors of M, where elimination before any number is known takes few operations.
-    pub elimination: Option<Elimination>,
+    /// The symbolic factorization of M, where it takes few operations.
+    pub ldlt: Option<Ldlt>,
     /// The accelerations; none for many coupled coordinates.
     pub solution: Option<Solution>,
 }
 
-/// The equations M q̈ = f, divided by an inertia where that leaves numbers in the place of parameters.
+/// The equations M q̈ = f, divided by an inertia where that replaces parameters by numbers.
 #[derive(Clone, Debug)]
 pub struct LinearSystem {
     /// M, row by row.
@@ -38,7 +38,7 @@ pub struct LinearSystem {
     pub residuals: Vec<Expression>,
 }
 
-/// Where more unknowns than this meet, elimination in numbers costs no more than straight-line code.
+/// Where a pivot row has more entries than this, numerical elimination costs no more than straight-line code.
 const MOST_NEIGHBOURS: usize = 7;
 
 impl Kinetics {
@@ -57,29 +57,29 @@ impl Kinetics {
             forcing: equations.forcing.clone(),
             residuals: equations.inverse_dynamics.clone(),
         };
-        let along = match &tree {
+        let cheaper = match &tree {
             Some(tree) => lagrange.cheaper(graph, tree),
             None => lagrange,
         };
-        let elimination = passes
+        let ldlt = passes
             .has(Pass::Elimination)
-            .then(|| Elimination::factor(graph, &equations.mass, MOST_NEIGHBOURS))
+            .then(|| Ldlt::factor(graph, &equations.mass, MOST_NEIGHBOURS))
             .flatten();
-        let mut ways: Vec<_> = elimination.iter().cloned().map(Way::Elimination).collect();
-        let mut system = along.clone();
+        let mut solvers: Vec<_> = ldlt.iter().cloned().map(Solver::Ldlt).collect();
+        let mut system = cheaper.clone();
         if let Some(tree) = tree {
-            let scaled = tree.without_unit(graph);
+            let scaled = tree.divided_by_unit(graph);
             system = system.scaled(graph, &scaled);
-            let articulation = Articulation::factor(graph, scaled, MOST_NEIGHBOURS);
-            ways.extend(articulation.map(Way::Tree));
+            let articulated_bodies = ArticulatedBodies::factor(graph, scaled, MOST_NEIGHBOURS);
+            solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
-        ways.extend(through_quasi_velocities(model, equations, declared));
+        solvers.extend(through_quasi_velocities(model, equations, declared));
         Self {
-            solution: Solution::cheapest(&mut model.graph, &along.forcing, ways),
-            forcing: along.forcing,
-            inverse_dynamics: along.residuals,
+            solution: Solution::cheapest(&mut model.graph, &cheaper.forcing, solvers),
+            forcing: cheaper.forcing,
+            inverse_dynamics: cheaper.residuals,
             system,
-            elimination,
+            ldlt,
         }
     }
 }
@@ -112,12 +112,12 @@ impl LinearSystem {
     }
 }
 
-/// The ways through as many quasi-velocities as there are coordinates.
+/// The solvers by as many quasi-velocities as there are coordinates.
 fn through_quasi_velocities(
     model: &mut Model,
     equations: &Equations,
     declared: Option<QuasiVelocities>,
-) -> Vec<Way> {
+) -> Vec<Solver> {
     let passes = model.graph.passes;
     if !passes.has(Pass::QuasiVelocities) {
         return Vec::new();
@@ -130,12 +130,12 @@ fn through_quasi_velocities(
         choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);
-    let mut ways = Vec::new();
+    let mut solvers = Vec::new();
     for choice in choices {
         let found = BoltzmannHamel::new(model, choice, &equations.generalized_forces);
-        ways.extend(found.map(Way::QuasiVelocities));
+        solvers.extend(found.map(Solver::BoltzmannHamel));
     }
-    ways
+    solvers
 }
 
 /// The second of two lists if it costs less than the first.

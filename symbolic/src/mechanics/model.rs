@@ -64,7 +64,7 @@ impl Graph {
     /// The total time derivative of expressions of a system with `coordinates` degrees of freedom, by
     /// the chain rule through q, q̇ and t: q̇ for q, q̈ for q̇, 1 for t.
     pub fn time_derivatives(&mut self, roots: &[Expression], coordinates: u32) -> Vec<Expression> {
-        let mut direction = self.at_rest_direction(coordinates);
+        let mut direction = self.constant_velocity_direction(coordinates);
         for i in 0..coordinates {
             let acceleration = self.symbol(Symbol::Acceleration(i));
             direction.insert(Symbol::Velocity(i), acceleration);
@@ -73,7 +73,7 @@ impl Graph {
     }
 
     /// The direction in which time goes on while velocities stay: q̇ for q, 1 for t.
-    pub(crate) fn at_rest_direction(&mut self, coordinates: u32) -> Direction {
+    pub(crate) fn constant_velocity_direction(&mut self, coordinates: u32) -> Direction {
         let mut direction = BTreeMap::from([(Symbol::Time, self.one())]);
         for i in 0..coordinates {
             let velocity = self.symbol(Symbol::Velocity(i));

@@ -1,17 +1,16 @@
-//! The equations of L with its mass matrix multiplied out.
+//! The equations of L with its mass matrix expanded.
 //!
-//! Squares of velocities contain what cancels in their sum: the angle φ of a position on a sphere, of which
-//! sin²φ + cos²φ is left in M, and both halves of ω · Iω where two inertias are equal. Momenta and forcing
-//! that are derived from the squares keep it. Those derived from ½ q̇ᵀ M q̇, each entry of M in its cheapest
-//! form, are free of it, and taken where they cost less. M multiplied out swells for many coordinates, and
-//! then it is not looked at.
+//! Squares of velocities contain terms that cancel in their sum: the angle φ of a position on a sphere, where
+//! sin²φ + cos²φ remains in M, and both halves of ω · Iω where two inertias are equal. Momenta and forcing derived
+//! from the squares keep these terms. Those derived from ½ q̇ᵀ M q̇, each entry of M in its cheapest form, are free
+//! of them, and taken where they cost less. For many coordinates the expanded M swells, and is not tried.
 
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
-/// A mass matrix of more rows is not multiplied out.
+/// A mass matrix of more rows is not expanded.
 pub(crate) const MOST_COORDINATES: u32 = 4;
 
-/// What is derived from a Lagrangian function: M q̈ = f, and the momenta.
+/// The quantities derived from a Lagrangian function: M, f, and the momenta.
 #[derive(Clone, Debug)]
 pub(crate) struct Derived {
     /// p = ∂L/∂q̇.
@@ -23,22 +22,22 @@ pub(crate) struct Derived {
 }
 
 impl Derived {
-    /// The same, derived from L multiplied out where that costs less.
+    /// The same, derived from the expanded L where that costs less.
     pub(crate) fn cheapest(
         self,
         model: &mut Model,
         lagrangian: Expression,
         generalized_forces: &[Expression],
     ) -> Self {
-        match self.multiplied_out(model, lagrangian, generalized_forces) {
+        match self.expanded(model, lagrangian, generalized_forces) {
             Some(other) if other.cost(&model.graph) < self.cost(&model.graph) => other,
             _ => self,
         }
     }
 
-    /// The same, derived from L multiplied out; none for many coordinates, or for an L that is not
+    /// The same, derived from the expanded L; none for many coordinates, or for an L that is not
     /// quadratic in the velocities.
-    fn multiplied_out(
+    fn expanded(
         &self,
         model: &mut Model,
         lagrangian: Expression,
@@ -73,8 +72,8 @@ impl Derived {
     }
 }
 
-/// Whether L is a polynomial of second degree in the velocities. That M is free of them does not suffice: it shows
-/// nothing of what is linear piece by piece, such as |ẋ|.
+/// Whether L is a polynomial of second degree in the velocities. That M is free of them does not suffice: a
+/// piecewise linear term, such as |ẋ|, does not show in M.
 pub(crate) fn is_quadratic(graph: &Graph, lagrangian: Expression) -> bool {
     graph
         .velocity_degree(lagrangian)
@@ -147,7 +146,7 @@ mod tests {
         draft.graph.sum(squares)
     }
 
-    /// The arm, and a body at x of which L has ẋᵏ / (k (k − 1)), so that its mass is ẋᵏ⁻².
+    /// The arm, and a body at x that adds ẋᵏ / (k (k − 1)) to L, so that its mass is ẋᵏ⁻².
     fn with_a_body(power: i64) -> (Model, Equations) {
         let mut draft = Draft::new(3);
         let arm = arm_with_a_ball(&mut draft);

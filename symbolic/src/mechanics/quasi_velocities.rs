@@ -1,9 +1,10 @@
-//! The kinetic energy as it was declared: ½ wᵀ W w in quasi-velocities w = E(q, t) q̇ + b(q, t).
+//! The kinetic energy as a quadratic form ½ wᵀ W w in quasi-velocities w = E(q, t) q̇ + b(q, t), linear forms of the
+//! velocities (Hamel, Theoretische Mechanik, 1949).
 //!
-//! Whoever writes ½ (I₁ω₁² + I₂ω₂² + I₃ω₃²) says more than the mass matrix does: M = Eᵀ W E can be
-//! solved factor by factor, which costs less and squares no condition number. Comes in: a Lagrangian.
-//! Goes out: the forms, their inertia W, and what is left. They are found as they were
-//! [declared](crate::mechanics::squares), or from the [mass matrix](crate::mechanics::inertias).
+//! A kinetic energy ½ (I₁ω₁² + I₂ω₂² + I₃ω₃²) says more than its mass matrix: M = Eᵀ W E can be solved factor by
+//! factor, which costs less and does not square the condition number of E. Input: a Lagrangian. Output: the forms,
+//! their inertia W, and the rest. The forms are read off the [declaration](crate::mechanics::squares), or recovered
+//! from the [mass matrix](crate::mechanics::inertias).
 
 use crate::{Expression, Graph, Rational, Symbol};
 
@@ -14,7 +15,7 @@ pub(crate) struct QuasiVelocities {
     pub(crate) forms: Vec<Expression>,
     /// W, symmetric; constant in the state and in time.
     pub(crate) inertia: Vec<Vec<Expression>>,
-    /// What is left of L, at most linear in the velocities.
+    /// The rest of L, at most linear in the velocities.
     pub(crate) rest: Expression,
 }
 
@@ -25,7 +26,7 @@ impl QuasiVelocities {
         offsets.iter().all(|offset| graph.is_zero(*offset))
     }
 
-    /// What the quasi-velocities are where all velocities vanish.
+    /// The offsets b: the quasi-velocities where all velocities vanish.
     pub(crate) fn offsets(&self, graph: &mut Graph, coordinates: u32) -> Vec<Expression> {
         let zero = graph.zero();
         let still = (0..coordinates)
@@ -34,8 +35,8 @@ impl QuasiVelocities {
         graph.substitute(&self.forms, &still)
     }
 
-    /// The same energy with each form primitive and [upright](upright), what is constant in it moved into
-    /// the inertia, and the forms of fewer velocities first.
+    /// The same energy with each form primitive and [with a positive leading coefficient](positive_leading), constant
+    /// factors moved into the inertia, and the forms of fewer velocities first.
     pub(crate) fn sorted(&self, graph: &mut Graph, coordinates: u32) -> Self {
         let matrix = self.kinematics(graph, coordinates);
         let offsets = self.offsets(graph, coordinates);
@@ -43,7 +44,7 @@ impl QuasiVelocities {
         for ((k, row), offset) in matrix.iter().enumerate().zip(offsets) {
             let length = row.iter().filter(|entry| !graph.is_zero(**entry)).count();
             let primitive = primitive(graph, row, offset);
-            let (factor, form) = upright(graph, row, primitive);
+            let (factor, form) = positive_leading(graph, row, primitive);
             forms.push((length, k, factor, form));
         }
         forms.sort_by_key(|(length, k, ..)| (*length, *k));
@@ -138,9 +139,9 @@ fn primitive(
     (factor, graph.product(varying))
 }
 
-/// A primitive form of a row, or its opposite: that of which the first coefficient has no minus in front,
-/// so that forms which build on each other do so with one sign, however they were written.
-fn upright(
+/// A primitive form of a row, or its opposite: the one whose first coefficient has no minus sign, so that forms
+/// that differ little have the same sign, however they were written.
+fn positive_leading(
     graph: &mut Graph,
     row: &[Expression],
     (factor, form): (Expression, Expression),
@@ -157,7 +158,7 @@ fn upright(
     }
 }
 
-/// Whether an expression is made of parameters alone.
+/// Whether an expression depends on parameters alone.
 pub(crate) fn is_constant(graph: &Graph, expression: Expression) -> bool {
     !graph.contents(expression).varies()
 }

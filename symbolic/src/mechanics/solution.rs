@@ -1,108 +1,110 @@
-//! The accelerations in the cheapest way that a declaration allows.
+//! The accelerations by the cheapest of several solvers.
 //!
-//! Several ways lead from energies to q̈: through as many quasi-velocities as there are coordinates, along
-//! the tree that quasi-velocities form, or by elimination of the mass matrix. All are written down, and the
-//! one that costs least by the [cost model](crate::program::cost) is taken. M is differentiated through
-//! the same factors.
+//! Three solvers find q̈: the Boltzmann–Hamel equations in as many quasi-velocities as there are coordinates,
+//! articulated-body elimination along the tree of quasi-velocities, and symbolic elimination of the mass matrix. All
+//! are carried out, and the cheapest by the [cost model](crate::program::cost) is taken. The derivatives of q̈ are
+//! solved for with the same factors.
 
 use crate::decision::point::Point;
 use crate::decision::residue;
-use crate::mechanics::articulation::Articulation;
+use crate::mechanics::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::boltzmann_hamel::BoltzmannHamel;
-use crate::mechanics::elimination::Elimination;
+use crate::mechanics::ldlt::Ldlt;
 use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
 
 /// The accelerations q̈ as expressions.
 pub struct Solution {
-    /// The accelerations hold where all of these are positive; where one is not, M is to be factored
-    /// with exchange of rows. Empty if they hold wherever M is regular.
+    /// The accelerations are valid where all of these are positive; where one is not, M is to be factored
+    /// with pivoting. Empty if they are valid wherever M is regular.
     pub pivots: Vec<Expression>,
     /// The accelerations q̈.
     pub accelerations: Vec<Expression>,
-    way: Way,
+    solver: Solver,
 }
 
 /// How M x = r is solved.
-pub(crate) enum Way {
-    QuasiVelocities(BoltzmannHamel),
-    Tree(Articulation),
-    Elimination(Elimination),
+pub(crate) enum Solver {
+    BoltzmannHamel(BoltzmannHamel),
+    ArticulatedBodies(ArticulatedBodies),
+    Ldlt(Ldlt),
 }
 
-/// For more coordinates the derivatives are solved for in numbers.
+/// For more coordinates the derivatives are solved for numerically.
 const MOST_COLUMNS: usize = 4;
 
 /// Points to try until one is in the domain.
 const ATTEMPTS: u64 = 64;
 
 impl Solution {
-    /// The cheapest of several ways; of two that cost the same, the later.
+    /// The solution by the cheapest of several solvers; of two with the same cost, by the later.
     pub(crate) fn cheapest(
         graph: &mut Graph,
         forcing: &[Expression],
-        ways: Vec<Way>,
+        solvers: Vec<Solver>,
     ) -> Option<Self> {
-        let mut solutions = Vec::with_capacity(ways.len());
-        for way in ways.into_iter().rev() {
-            solutions.push(Self::by(graph, forcing, way));
+        let mut solutions = Vec::with_capacity(solvers.len());
+        for solver in solvers.into_iter().rev() {
+            solutions.push(Self::by(graph, forcing, solver));
         }
-        let written =
+        let unscheduled =
             |solution: &Self| graph.cost(&[&*solution.pivots, &solution.accelerations].concat());
-        // What costs far more as it is written is not made cheaper by scheduling.
-        let least = solutions.iter().map(written).min().unwrap_or(0);
-        solutions.retain(|solution| written(solution) <= 2 * least);
+        // Scheduling does not make up for a cost that is far higher before it.
+        let least = solutions.iter().map(unscheduled).min().unwrap_or(0);
+        solutions.retain(|solution| unscheduled(solution) <= 2 * least);
         if solutions.len() == 1 {
             return solutions.pop();
         }
         solutions.into_iter().min_by_key(|solution| {
             let outputs = [&*solution.pivots, &solution.accelerations];
-            let program = Program::schedule_for_preparation(graph, &outputs);
-            let parts = program.parted(graph.passes);
-            (parts.after.count().cost(), parts.before.count().cost())
+            let program = Program::schedule_for_staging(graph, &outputs);
+            let staged = program.staged(graph.passes);
+            (staged.kernel.count().cost(), staged.setup.count().cost())
         })
     }
 
-    fn by(graph: &mut Graph, forcing: &[Expression], way: Way) -> Self {
-        let (pivots, accelerations) = match &way {
-            Way::QuasiVelocities(way) => (way.pivots(), way.accelerations(graph)),
-            Way::Tree(way) => (way.pivots.clone(), way.accelerations(graph)),
-            Way::Elimination(way) => {
-                let accelerations = way.solve(graph, forcing);
-                (way.pivots.clone(), accelerations)
+    fn by(graph: &mut Graph, forcing: &[Expression], solver: Solver) -> Self {
+        let (pivots, accelerations) = match &solver {
+            Solver::BoltzmannHamel(solver) => (solver.pivots(), solver.accelerations(graph)),
+            Solver::ArticulatedBodies(solver) => {
+                (solver.pivots.clone(), solver.accelerations(graph))
+            }
+            Solver::Ldlt(solver) => {
+                let accelerations = solver.solve(graph, forcing);
+                (solver.pivots.clone(), accelerations)
             }
         };
         Self {
             pivots,
             accelerations,
-            way,
+            solver,
         }
     }
 
     /// The derivatives ∂q̈/∂x, column by column, with the accelerations as symbols; none where the
-    /// columns are so many and long that a factorization in numbers is the better way.
+    /// columns are so many and long that a numerical factorization is better.
     pub fn derivatives(
         &self,
         graph: &mut Graph,
         inverse_dynamics: &[Expression],
         symbols: &[Symbol],
     ) -> Option<Vec<Expression>> {
-        if let Way::QuasiVelocities(way) = &self.way {
-            return Some(way.derivatives(graph, symbols));
+        if let Solver::BoltzmannHamel(solver) = &self.solver {
+            return Some(solver.derivatives(graph, symbols));
         }
         if inverse_dynamics.len() > MOST_COLUMNS {
             return None;
         }
-        let residuals = match &self.way {
-            Way::Tree(way) => way.inverse_dynamics(graph),
+        let residuals = match &self.solver {
+            Solver::ArticulatedBodies(solver) => solver.inverse_dynamics(graph),
             _ => inverse_dynamics.to_vec(),
         };
         let mut columns = Vec::new();
         for slopes in graph.jacobian(&residuals, symbols) {
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
-            columns.extend(match &self.way {
-                Way::Tree(way) => way.solution(graph, &right),
-                Way::Elimination(way) => way.solve(graph, &right),
-                Way::QuasiVelocities(_) => Vec::new(),
+            columns.extend(match &self.solver {
+                Solver::ArticulatedBodies(solver) => solver.solution(graph, &right),
+                Solver::Ldlt(solver) => solver.solve(graph, &right),
+                Solver::BoltzmannHamel(_) => Vec::new(),
             });
         }
         Some(columns)

@@ -1,8 +1,8 @@
-//! The squares of which a Lagrangian was declared.
+//! Quasi-velocities read off the declaration: the squares whose sum the kinetic energy was declared as.
 //!
-//! Read off the expression as it stands, without multiplying out: what is squared is a form, what stands
-//! beside it is its inertia. Factors that depend on the coordinates and stand squared belong to the form:
-//! r²φ̇² is the square of rφ̇. Products of two forms, as in ½ wᵀ W w with products of inertia, are read too.
+//! The expression is not expanded: what is squared is a linear form, its coefficient is an inertia. Squared factors
+//! that depend on the coordinates belong to the form: r²φ̇² is the square of rφ̇. Products of two forms, as in
+//! ½ wᵀ W w with products of inertia, are read, too.
 
 use crate::mechanics::degrees::Degrees;
 use crate::mechanics::quasi_velocities::{QuasiVelocities, is_constant};
@@ -36,8 +36,8 @@ impl QuasiVelocities {
                 }
                 Node::Product(factors) if degree == 2 => {
                     match degrees.split(graph, coefficient, &factors)? {
-                        Split::Quadratic(term) => quadratic.extend(opened(graph, term)),
-                        Split::Opens(coefficient, inner) => waiting.push((coefficient, inner)),
+                        Split::Quadratic(term) => quadratic.extend(distributed(graph, term)),
+                        Split::Nested(coefficient, inner) => waiting.push((coefficient, inner)),
                     }
                 }
                 _ => return None,
@@ -77,7 +77,7 @@ impl QuasiVelocities {
             inertia[j][i] = inertia[i][j];
         }
         for entry in inertia.iter_mut().flatten() {
-            *entry = mean_kept_whole(graph, *entry);
+            *entry = opaque_mean(graph, *entry);
         }
         Some(Self {
             forms,
@@ -87,9 +87,9 @@ impl QuasiVelocities {
     }
 }
 
-/// An inertia that is a mean of others, kept whole: it is prepared with its number, which is then not
-/// carried into whatever the inertia is a factor of.
-pub(crate) fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Expression {
+/// An inertia, opaque if it is a mean of others: it is then hoisted together with its number, which does not spread
+/// into the products that contain the inertia.
+pub(crate) fn opaque_mean(graph: &mut Graph, inertia: Expression) -> Expression {
     let Node::Sum(terms) = graph.node(inertia) else {
         return inertia;
     };
@@ -97,7 +97,7 @@ pub(crate) fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Express
     let is_mean = terms.iter().any(|(_, c)| !c.is_integer())
         && (terms.len() > 1 || terms.iter().any(|(x, _)| is_sum(*x)));
     if is_mean {
-        graph.whole(inertia)
+        graph.opaque(inertia)
     } else {
         inertia
     }
@@ -107,11 +107,11 @@ pub(crate) fn mean_kept_whole(graph: &mut Graph, inertia: Expression) -> Express
 enum Split {
     Quadratic(Term),
     /// A coefficient and a sum that is quadratic itself.
-    Opens(Expression, Expression),
+    Nested(Expression, Expression),
 }
 
 impl Degrees {
-    /// Parts what moves from what does not in a product of degree two.
+    /// Separates the velocities from the coefficient in a product of degree two.
     fn split(
         &self,
         graph: &mut Graph,
@@ -134,7 +134,7 @@ impl Degrees {
             }))
         };
         match *moving {
-            [(x, k)] if k.is_one() => Some(Split::Opens(coefficient, *x)),
+            [(x, k)] if k.is_one() => Some(Split::Nested(coefficient, *x)),
             [(x, _)] => term([*x, *x]),
             [(x, _), (y, _)] => term([*x, *y]),
             _ => None,
@@ -143,14 +143,14 @@ impl Degrees {
 }
 
 /// The product of a form and of a combination of forms, form by form: wₖ Σ Iₖₗ wₗ.
-fn opened(graph: &mut Graph, term: Term) -> Vec<Term> {
+fn distributed(graph: &mut Graph, term: Term) -> Vec<Term> {
     let [first, second] = term.factors;
     if first != second {
-        for (kept, taken) in [(first, second), (second, first)] {
-            if let Some(parts) = combination(graph, taken) {
-                let parts = parts.into_iter().map(|(constant, form)| Term {
+        for (form, sum) in [(first, second), (second, first)] {
+            if let Some(parts) = combination(graph, sum) {
+                let parts = parts.into_iter().map(|(constant, other)| Term {
                     coefficient: graph.multiply(term.coefficient, constant),
-                    factors: [kept, form],
+                    factors: [form, other],
                 });
                 return parts.collect();
             }

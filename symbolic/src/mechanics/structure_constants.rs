@@ -1,9 +1,11 @@
-//! Whether quasi-velocities close among themselves: d(δθᵏ) − δ(dθᵏ) = Σ γᵏₐᵦ wᵃ δθᵇ with constant γ.
+//! The structure constants (Hamel coefficients) of quasi-velocities: d(δθᵏ) − δ(dθᵏ) = Σ γᵏₐᵦ wᵃ δθᵇ with constant γ
+//! (Hamel, Die Lagrange-Eulerschen Gleichungen der Mechanik, 1904).
 //!
-//! The angular velocities of a rigid body do, whatever angles they are written in, and their γ are those
-//! of the rotation group: what the equations of motion then contain is ω × Iω, as in (3.5)–(3.7), and no
-//! trigonometry. Decided at random points in modular arithmetic, where γ is either the same small
-//! rational everywhere or not a constant.
+//! The angular velocities of a rigid body have them, in whatever angles they are written, and their γ are those of
+//! the rotation group: the equations of motion then contain ω × Iω, as in (3.5)–(3.7), and no trigonometry. Decided
+//! at random points in modular arithmetic, where γ is either the same small rational everywhere, recovered by
+//! rational reconstruction (Wang, Guy and Davenport, p-adic reconstruction of rational numbers, 1982), or not a
+//! constant.
 
 use crate::decision::identity_test::IdentityTest;
 use crate::decision::residue;
@@ -12,7 +14,7 @@ use crate::{Expression, Graph, Rational, Symbol};
 /// γᵏₐᵦ, as `constants[k][a][b]`.
 pub(crate) type StructureConstants = Vec<Vec<Vec<Rational>>>;
 
-/// The largest numerator and denominator that are taken for those of a constant.
+/// The largest numerator and denominator of a reconstructed constant.
 const LARGEST: u64 = 64;
 
 /// γ of w = E q̇, if it is constant; `kinematics` is the square matrix E.
@@ -49,7 +51,7 @@ impl Commutators<'_> {
     }
 
     /// ∂Eₖᵢ/∂qⱼ − ∂Eₖⱼ/∂qᵢ.
-    fn curl(&self, k: usize, i: usize, j: usize) -> u64 {
+    fn exterior_derivative(&self, k: usize, i: usize, j: usize) -> u64 {
         let area = self.size * self.size;
         let slope = |i: usize, j: usize| self.values[(j + 1) * area + k * self.size + i];
         residue::add(slope(i, j), residue::negate(slope(j, i), self.p), self.p)
@@ -64,7 +66,7 @@ impl Commutators<'_> {
             for i in indices.clone() {
                 for j in indices.clone() {
                     let both = residue::multiply(inverse[j][a], inverse[i][b], self.p);
-                    let term = residue::multiply(self.curl(k, i, j), both, self.p);
+                    let term = residue::multiply(self.exterior_derivative(k, i, j), both, self.p);
                     total = residue::add(total, term, self.p);
                 }
             }
@@ -81,7 +83,7 @@ impl Commutators<'_> {
             .collect()
     }
 
-    /// E⁻¹ modulo p, by elimination with exchange of rows.
+    /// E⁻¹ modulo p, by Gauss–Jordan elimination with row exchanges.
     fn inverse(&self) -> Option<Vec<Vec<u64>>> {
         let (n, p) = (self.size, self.p);
         let mut rows: Vec<Vec<u64>> = (0..n)
@@ -111,7 +113,7 @@ impl Commutators<'_> {
     }
 }
 
-/// The rational with a small numerator and denominator that `value` is modulo p.
+/// The rational with a small numerator and denominator whose residue modulo p is `value`.
 fn small_rational(value: u64, p: u64) -> Option<Rational> {
     (1..=LARGEST).find_map(|denominator| {
         let numerator = residue::multiply(value, denominator, p);

@@ -1,12 +1,12 @@
 //! Powers, roots and functions laid out.
 
-use crate::print::layout::{Factor, Layout, Piece, Shape};
+use crate::print::layout::{Layout, Piece, Power, Precedence};
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
-use crate::{Binary, Expression, Function, Node, Rational, Unary};
+use crate::{Binary, Expression, ExternalFunction, Node, Rational, Unary};
 
 impl<'a> Layout<'a> {
-    pub(crate) fn factor(&self, line: &mut Vec<Piece<'a>>, factor: &Factor) {
+    pub(crate) fn factor(&self, line: &mut Vec<Piece<'a>>, factor: &Power) {
         let (base, exponent) = (factor.base, &factor.exponent);
         if *exponent == Rational::HALF {
             return self.root(line, base);
@@ -18,9 +18,9 @@ impl<'a> Layout<'a> {
             return self.call(line, *function, *x, exponent, factor.before_bar);
         }
         if exponent.is_one() {
-            return self.at_least(line, Shape::Power, base);
+            return self.at_least(line, Precedence::Power, base);
         }
-        self.at_least(line, Shape::Atom, base);
+        self.at_least(line, Precedence::Atom, base);
         line.push(Piece::owned(self.exponent(exponent)));
     }
 
@@ -45,7 +45,11 @@ impl<'a> Layout<'a> {
 
     fn root(&self, line: &mut Vec<Piece<'a>>, x: Expression) {
         if self.notation == Notation::Latex {
-            line.extend([Piece::Open("\\sqrt{"), Piece::Whole(x), Piece::Close("}")]);
+            line.extend([
+                Piece::Open("\\sqrt{"),
+                Piece::Expression(x),
+                Piece::Close("}"),
+            ]);
         } else {
             line.push(Piece::Text("√".into()));
             let letter = self.is_letter(x) || self.is_plain_number(x);
@@ -70,7 +74,7 @@ impl<'a> Layout<'a> {
                     || !self.graph.contents(x).has_absolute_value() =>
             {
                 let (open, close) = self.notation.bars();
-                line.extend([Piece::Open(open), Piece::Whole(x), Piece::Close(close)]);
+                line.extend([Piece::Open(open), Piece::Expression(x), Piece::Close(close)]);
                 line.push(Piece::owned(raised));
             }
             Unary::Abs | Unary::Exp | Unary::Signum => {
@@ -107,11 +111,11 @@ impl<'a> Layout<'a> {
         self.arguments(line, &[x, y]);
     }
 
-    /// A function from outside, called by its name as it is written.
+    /// An external function, called by its declared name.
     pub(crate) fn application(
         &self,
         line: &mut Vec<Piece<'a>>,
-        function: Function,
+        function: ExternalFunction,
         arguments: &[Expression],
     ) {
         let name = self.graph.function_name(function);
@@ -127,18 +131,18 @@ impl<'a> Layout<'a> {
             if position > 0 {
                 line.push(Piece::Text(", ".into()));
             }
-            line.push(Piece::Whole(*argument));
+            line.push(Piece::Expression(*argument));
         }
         line.push(Piece::Close(close));
     }
 
     fn real_power(&self, line: &mut Vec<Piece<'a>>, x: Expression, y: Expression) {
-        self.at_least(line, Shape::Atom, x);
+        self.at_least(line, Precedence::Atom, x);
         if self.notation == Notation::Latex {
-            line.extend([Piece::Open("^{"), Piece::Whole(y), Piece::Close("}")]);
+            line.extend([Piece::Open("^{"), Piece::Expression(y), Piece::Close("}")]);
         } else {
             line.push(Piece::Text("^".into()));
-            self.at_least(line, Shape::Atom, y);
+            self.at_least(line, Precedence::Atom, y);
         }
     }
 }

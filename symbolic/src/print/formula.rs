@@ -1,4 +1,4 @@
-//! Formulas as a book prints them, in Unicode or in LaTeX.
+//! Formulas as in a book, in Unicode or in LaTeX.
 
 use core::fmt;
 use std::borrow::Cow;

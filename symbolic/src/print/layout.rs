@@ -23,18 +23,18 @@ pub(crate) enum Piece<'a> {
     /// and one that closes.
     Close(&'static str),
     /// An expression where no parentheses are needed: by name if it has one,
-    Whole(Expression),
+    Expression(Expression),
     /// or written out.
     Body(Expression),
     /// A multiple c·x in a sum, and whether it is the first.
     Term(Expression, &'a Rational, bool),
     /// A power x^k with k > 0 in a product.
-    Factor(Factor),
+    Power(Power),
 }
 
 /// A power x^k with k > 0 in a product.
 #[derive(Clone, Debug)]
-pub(crate) struct Factor {
+pub(crate) struct Power {
     pub(crate) base: Expression,
     pub(crate) exponent: Rational,
     /// Whether a quotient's bar follows, so that a function's argument needs parentheses.
@@ -46,7 +46,7 @@ impl Piece<'_> {
         match self {
             Self::Text(text) => Some(text),
             Self::Open(text) | Self::Turn(text) | Self::Close(text) => Some(text),
-            Self::Whole(_) | Self::Body(_) | Self::Term(..) | Self::Factor(_) => None,
+            Self::Expression(_) | Self::Body(_) | Self::Term(..) | Self::Power(_) => None,
         }
     }
 
@@ -55,9 +55,9 @@ impl Piece<'_> {
     }
 }
 
-/// How tightly an expression holds together in print.
+/// The precedence of an expression in print.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Shape {
+pub(crate) enum Precedence {
     /// A sum, or anything with a minus sign in front.
     Sum,
     /// A product or quotient.
@@ -100,16 +100,16 @@ impl<'a> Layout<'a> {
     pub(crate) fn expand(&mut self, piece: Piece<'a>) {
         let mut line = Vec::new();
         match piece {
-            Piece::Whole(expression) => self.whole(&mut line, expression),
+            Piece::Expression(expression) => self.expression(&mut line, expression),
             Piece::Body(expression) => self.body(&mut line, expression),
             Piece::Term(x, coefficient, first) => self.term(&mut line, x, coefficient, first),
-            Piece::Factor(factor) => self.factor(&mut line, &factor),
+            Piece::Power(factor) => self.factor(&mut line, &factor),
             Piece::Text(_) | Piece::Open(_) | Piece::Turn(_) | Piece::Close(_) => line.push(piece),
         }
         self.stack.extend(line.into_iter().rev());
     }
 
-    fn whole(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
+    fn expression(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
         match self.letters.definition(expression) {
             Some(name) => line.push(Piece::owned(name.print(0, self.notation))),
             None => self.body(line, expression),
@@ -134,7 +134,7 @@ impl<'a> Layout<'a> {
             Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
             Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
             Node::Application(function, arguments) => self.application(line, *function, arguments),
-            Node::Whole(x) => self.enclosed(line, true, *x),
+            Node::Opaque(x) => self.enclosed(line, true, *x),
         }
     }
 
@@ -190,41 +190,46 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// x, within parentheses unless it holds together as tightly as `shape`.
-    pub(crate) fn at_least(&self, line: &mut Vec<Piece<'a>>, shape: Shape, x: Expression) {
-        self.enclosed(line, self.shape(x) < shape, x);
+    /// x, within parentheses unless it binds at least as tightly as `precedence`.
+    pub(crate) fn at_least(
+        &self,
+        line: &mut Vec<Piece<'a>>,
+        precedence: Precedence,
+        x: Expression,
+    ) {
+        self.enclosed(line, self.precedence(x) < precedence, x);
     }
 
     pub(crate) fn enclosed(&self, line: &mut Vec<Piece<'a>>, parentheses: bool, x: Expression) {
         let (open, close) = self.notation.parentheses();
         line.extend(parentheses.then_some(Piece::Open(open)));
-        line.push(Piece::Whole(x));
+        line.push(Piece::Expression(x));
         line.extend(parentheses.then_some(Piece::Close(close)));
     }
 
-    fn shape(&self, expression: Expression) -> Shape {
+    fn precedence(&self, expression: Expression) -> Precedence {
         if self.letters.definition(expression).is_some() {
-            return Shape::Atom;
+            return Precedence::Atom;
         }
         match self.graph.node(expression) {
-            Node::Constant(value) if value.is_negative() => Shape::Sum,
-            Node::Constant(value) if Numeral::of(value).is_plain() => Shape::Atom,
-            Node::Constant(_) => Shape::Product,
+            Node::Constant(value) if value.is_negative() => Precedence::Sum,
+            Node::Constant(value) if Numeral::of(value).is_plain() => Precedence::Atom,
+            Node::Constant(_) => Precedence::Product,
             Node::Pi
             | Node::Symbol(_)
-            | Node::Whole(_)
+            | Node::Opaque(_)
             | Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _)
             | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max, ..)
-            | Node::Application(..) => Shape::Atom,
+            | Node::Application(..) => Precedence::Atom,
             Node::Sum(terms) => match &**terms {
-                [(_, c)] if !c.is_negative() => Shape::Product,
-                _ => Shape::Sum,
+                [(_, c)] if !c.is_negative() => Precedence::Product,
+                _ => Precedence::Sum,
             },
             Node::Product(factors) => match &**factors {
-                [(_, k)] if !k.is_negative() => Shape::Power,
-                _ => Shape::Product,
+                [(_, k)] if !k.is_negative() => Precedence::Power,
+                _ => Precedence::Product,
             },
-            Node::Unary(..) | Node::Binary(Binary::Power, ..) => Shape::Power,
+            Node::Unary(..) | Node::Binary(Binary::Power, ..) => Precedence::Power,
         }
     }
 

@@ -1,4 +1,4 @@
-//! What symbols and subexpressions are called.
+//! The names of symbols and subexpressions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -85,7 +85,7 @@ impl Letters {
             Symbol::Acceleration(index) => (find(&self.coordinates, "q", index), 2),
             Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
             Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
-            Symbol::Prepared(index) => (find(&[], "c", index), 0),
+            Symbol::Invariant(index) => (find(&[], "c", index), 0),
             Symbol::Argument(index) => (find(&[], "x", index), 0),
         }
     }

@@ -21,7 +21,7 @@ pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
     match symbol {
         Symbol::Parameter(index) => (2, index),
         Symbol::Time => (3, 0),
-        Symbol::Input(index) | Symbol::Prepared(index) | Symbol::Argument(index) => (4, index),
+        Symbol::Input(index) | Symbol::Invariant(index) | Symbol::Argument(index) => (4, index),
         Symbol::Coordinate(index) => (5, index),
         Symbol::Velocity(index) => (6, index),
         Symbol::Acceleration(index) => (7, index),
@@ -63,6 +63,6 @@ pub(crate) fn factor_rank(
         }
         Node::Binary(crate::Binary::Power, ..) => class(11),
         Node::Binary(..) | Node::Application(..) => class(9),
-        Node::Sum(_) | Node::Product(_) | Node::Whole(_) => class(10),
+        Node::Sum(_) | Node::Product(_) | Node::Opaque(_) => class(10),
     }
 }

@@ -1,6 +1,6 @@
 //! Products and quotients laid out.
 
-use crate::print::layout::{Factor, Layout, Piece};
+use crate::print::layout::{Layout, Piece, Power};
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
 use crate::print::order::{NAMED, factor_rank};
@@ -51,11 +51,11 @@ impl<'a> Layout<'a> {
     }
 
     /// The factors above or below the bar, in order.
-    fn part(&self, factors: &[(Expression, Rational)], below: bool) -> Vec<Factor> {
+    fn part(&self, factors: &[(Expression, Rational)], below: bool) -> Vec<Power> {
         let mut part: Vec<_> = factors
             .iter()
             .filter(|(_, exponent)| exponent.is_negative() == below)
-            .map(|(base, exponent)| Factor {
+            .map(|(base, exponent)| Power {
                 base: *base,
                 exponent: exponent.abs(),
                 before_bar: false,
@@ -73,15 +73,17 @@ impl<'a> Layout<'a> {
     }
 
     /// One side of a fraction in LaTeX, where a single sum needs no parentheses.
-    fn side(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Factor>) {
+    fn side(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Power>) {
         match (&number, factors.as_slice()) {
-            (None, [factor]) if factor.exponent.is_one() => line.push(Piece::Whole(factor.base)),
+            (None, [factor]) if factor.exponent.is_one() => {
+                line.push(Piece::Expression(factor.base))
+            }
             _ => self.juxtapose(line, number, factors),
         }
     }
 
     /// A number and factors side by side.
-    fn juxtapose(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Factor>) {
+    fn juxtapose(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Power>) {
         let empty = number.is_none() && factors.is_empty();
         let mut left = number.is_some().then_some(Side::Number);
         line.extend(number.map(Piece::owned));
@@ -99,13 +101,13 @@ impl<'a> Layout<'a> {
                 _ => " ",
             };
             line.push(Piece::Text(separator.into()));
-            line.push(Piece::Factor(factor));
+            line.push(Piece::Power(factor));
             left = Some(right);
         }
     }
 
     /// What meets a factor's neighbours.
-    fn side_of(&self, factor: &Factor) -> Side {
+    fn side_of(&self, factor: &Power) -> Side {
         let word = |word| if word { Side::Word } else { Side::Letter };
         match (
             self.letters.definition(factor.base),

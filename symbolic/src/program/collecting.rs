@@ -1,60 +1,62 @@
-//! Sums that are computed anyway: f·x + f·y is computed as f·s where s = x + y is a value already.
+//! Reuse of existing sums: f·x + f·y is computed as f·s where s = x + y is computed already (algebraic common-subexpression
+//! elimination with divisors that are there: Hosangadi, Fallah and Kastner, Optimizing polynomial expressions by
+//! algebraic factorization and common subexpression elimination, 2006).
 //!
-//! The time derivative of an angular velocity contains other angular velocities, and the forces of a
-//! chain the velocities of its bodies: written out as the product rule leaves them, their terms are
-//! found again here, up to a common multiple.
+//! The time derivative of an angular velocity contains other angular velocities, and the forces of a chain the
+//! velocities of its bodies: the product rule leaves their terms expanded, and here they are found again, up to a
+//! common multiple.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Rational;
-use crate::program::plan::{Plan, Recipe, Value};
+use crate::program::dag::{Dag, DagOperation, ValueId};
 
-/// Sums longer than this are not looked for, and in sums longer than this nothing is.
+/// Longer sums are neither searched nor searched for.
 const LONGEST: usize = 24;
 
-/// What is known of the values before anything is collected.
-struct Known {
+/// Indices of the values before anything is collected.
+struct Index {
     /// Products by their factors.
-    products: BTreeMap<Vec<Value>, Value>,
+    products: BTreeMap<Vec<ValueId>, ValueId>,
     /// The sums that a value is a term of.
-    sums: BTreeMap<Value, Vec<Value>>,
+    sums: BTreeMap<ValueId, Vec<ValueId>>,
 }
 
 /// A sum found among the multiples of a factor.
-struct Found {
-    factor: Value,
-    sum: Value,
+struct Match {
+    factor: ValueId,
+    sum: ValueId,
     multiple: Rational,
     /// The terms that it stands for.
-    terms: BTreeSet<Value>,
+    terms: BTreeSet<ValueId>,
 }
 
-impl Plan {
-    /// Collects known sums in all sums. `uses` says how often each value is used.
+impl Dag {
+    /// Collects existing sums in all sums. `uses` says how often each value is used.
     pub(crate) fn collect(&mut self, uses: &[usize]) {
-        let known = Known::of(self);
+        let index = Index::of(self);
         for value in 0..uses.len() {
-            while let Some(found) = self.known_sum(value, &known, uses) {
+            while let Some(found) = self.existing_sum(value, &index, uses) {
                 self.replace(value, found);
             }
         }
     }
 
     /// A sum, computed before `value`, whose multiple by a factor is a part of `value`.
-    fn known_sum(&self, value: Value, known: &Known, uses: &[usize]) -> Option<Found> {
-        let Recipe::Sum(terms) = &self.recipes[value] else {
+    fn existing_sum(&self, value: ValueId, index: &Index, uses: &[usize]) -> Option<Match> {
+        let DagOperation::Sum(terms) = &self.operations[value] else {
             return None;
         };
         if terms.len() > LONGEST {
             return None;
         }
-        let multiples = self.multiples(terms, known);
+        let multiples = self.multiples(terms, index);
         for (factor, quotients) in multiples
             .iter()
             .filter(|(_, quotients)| quotients.len() > 1)
         {
             for first in quotients.keys() {
-                for sum in known.sums.get(first).into_iter().flatten() {
+                for sum in index.sums.get(first).into_iter().flatten() {
                     if *sum >= value {
                         continue;
                     }
@@ -68,16 +70,17 @@ impl Plan {
         None
     }
 
-    /// For each factor of the terms of a sum, what the terms are without it: the value, the term and the
+    /// For each factor of the terms of a sum, the quotients of the terms by it: the value, the term and the
     /// coefficient.
     fn multiples(
         &self,
-        terms: &[(Value, Rational)],
-        known: &Known,
-    ) -> BTreeMap<Value, BTreeMap<Value, (Value, Rational)>> {
-        let mut multiples: BTreeMap<Value, BTreeMap<Value, (Value, Rational)>> = BTreeMap::new();
+        terms: &[(ValueId, Rational)],
+        index: &Index,
+    ) -> BTreeMap<ValueId, BTreeMap<ValueId, (ValueId, Rational)>> {
+        let mut multiples: BTreeMap<ValueId, BTreeMap<ValueId, (ValueId, Rational)>> =
+            BTreeMap::new();
         for (term, coefficient) in terms {
-            let Recipe::Quotient(numerator, denominator) = &self.recipes[*term] else {
+            let DagOperation::Quotient(numerator, denominator) = &self.operations[*term] else {
                 continue;
             };
             if !denominator.is_empty() {
@@ -88,7 +91,7 @@ impl Plan {
                 rest.remove(position);
                 let quotient = match &*rest {
                     [single] => Some(*single),
-                    _ => known.products.get(&rest).copied(),
+                    _ => index.products.get(&rest).copied(),
                 };
                 if let Some(quotient) = quotient {
                     let quotients = multiples.entry(*factor).or_default();
@@ -102,11 +105,11 @@ impl Plan {
     /// `sum` as a multiple among `quotients`, if all its terms are there in one ratio.
     fn as_multiple(
         &self,
-        factor: Value,
-        quotients: &BTreeMap<Value, (Value, Rational)>,
-        sum: Value,
-    ) -> Option<Found> {
-        let Recipe::Sum(parts) = &self.recipes[sum] else {
+        factor: ValueId,
+        quotients: &BTreeMap<ValueId, (ValueId, Rational)>,
+        sum: ValueId,
+    ) -> Option<Match> {
+        let DagOperation::Sum(parts) = &self.operations[sum] else {
             return None;
         };
         let mut ratio: Option<Rational> = None;
@@ -120,7 +123,7 @@ impl Plan {
             ratio = Some(quotient);
             terms.insert(*term);
         }
-        Some(Found {
+        Some(Match {
             factor,
             sum,
             multiple: ratio?,
@@ -128,19 +131,19 @@ impl Plan {
         })
     }
 
-    fn replace(&mut self, value: Value, found: Found) {
+    fn replace(&mut self, value: ValueId, found: Match) {
         let mut factors = vec![found.factor, found.sum];
         factors.sort_unstable();
-        let product = self.push(Recipe::Quotient(factors, Vec::new()), None);
-        if let Recipe::Sum(terms) = &mut self.recipes[value] {
+        let product = self.push(DagOperation::Quotient(factors, Vec::new()), None);
+        if let DagOperation::Sum(terms) = &mut self.operations[value] {
             terms.retain(|(term, _)| !found.terms.contains(term));
             terms.push((product, found.multiple));
         }
     }
 }
 
-impl Found {
-    /// Whether fewer operations are left: each term that nothing else uses saves a multiplication, each
+impl Match {
+    /// Whether fewer operations remain: each term that nothing else uses saves a multiplication, each
     /// term but one an addition; the product with the sum costs one.
     fn saves(&self, uses: &[usize]) -> bool {
         let single = self
@@ -151,15 +154,15 @@ impl Found {
     }
 }
 
-impl Known {
-    fn of(plan: &Plan) -> Self {
+impl Index {
+    fn of(dag: &Dag) -> Self {
         let (mut products, mut sums) = (BTreeMap::new(), BTreeMap::new());
-        for (value, recipe) in plan.recipes.iter().enumerate() {
-            match recipe {
-                Recipe::Quotient(numerator, denominator) if denominator.is_empty() => {
+        for (value, operation) in dag.operations.iter().enumerate() {
+            match operation {
+                DagOperation::Quotient(numerator, denominator) if denominator.is_empty() => {
                     products.insert(numerator.clone(), value);
                 }
-                Recipe::Sum(terms) if (2..=LONGEST).contains(&terms.len()) => {
+                DagOperation::Sum(terms) if (2..=LONGEST).contains(&terms.len()) => {
                     for (term, _) in terms {
                         sums.entry(*term).or_insert_with(Vec::new).push(value);
                     }

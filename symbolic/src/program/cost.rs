@@ -1,4 +1,4 @@
-//! What a computation costs: the model by which one form is preferred to another.
+//! The cost model, by which one form is preferred to another.
 //!
 //! In units of an addition of binary64 on a current x86-64 core, where additions, subtractions and
 //! multiplications take one each. A division stalls the divider for about five of them, a square root
@@ -28,7 +28,7 @@ impl OperationCount {
 }
 
 impl Graph {
-    /// What the roots cost as they are written, each shared part once; scheduling finds more.
+    /// The cost of the roots, each shared subexpression once; scheduling finds more to share.
     #[must_use]
     pub fn cost(&self, roots: &[Expression]) -> usize {
         let descendants = self.descendants(roots);
@@ -45,7 +45,7 @@ impl Graph {
                 Node::Constant(_)
                 | Node::Pi
                 | Node::Symbol(_)
-                | Node::Whole(_)
+                | Node::Opaque(_)
                 | Node::Unary(Unary::Sin | Unary::Cos, _) => 0,
                 Node::Sum(terms) => self.cost_of_sum(terms),
                 Node::Product(factors) => cost_of_product(factors),
@@ -73,13 +73,13 @@ fn cost_of_product(factors: &[(Expression, Rational)]) -> usize {
     let (mut above, mut below, mut more) = (0, 0, 0);
     for (_, exponent) in factors {
         let (numerator, denominator) = exponent.abs().to_fraction().unwrap_or((1, 1));
-        let whole = usize::try_from(numerator / denominator).unwrap_or(0);
-        let multiplications = match whole {
+        let integer = usize::try_from(numerator / denominator).unwrap_or(0);
+        let multiplications = match integer {
             0 => 0,
             k => k.ilog2() as usize + k.count_ones() as usize - 1,
         };
         more += multiplications;
-        let parts = usize::from(whole > 0) + usize::from(denominator > 1);
+        let parts = usize::from(integer > 0) + usize::from(denominator > 1);
         if denominator > 1 {
             more += SQUARE_ROOT;
         }

@@ -1,4 +1,5 @@
-//! Common factors taken out of sums: x·a + x·b is computed as x·(a + b).
+//! Factoring of sums: x·a + x·b is computed as x·(a + b) (a greedy multivariate Horner scheme: Hosangadi, Fallah and
+//! Kastner, Optimizing polynomial expressions by algebraic factorization and common subexpression elimination, 2006).
 //!
 //! Only terms that are computed for this one sum are regrouped, so that nothing shared is computed
 //! twice. Each group saves as many multiplications as it has terms, less one.
@@ -6,14 +7,14 @@
 use std::collections::BTreeMap;
 
 use crate::Rational;
-use crate::program::plan::{Plan, Recipe, Value, merged};
+use crate::program::dag::{Dag, DagOperation, ValueId, merged};
 
-impl Plan {
+impl Dag {
     /// Regroups all sums. `uses` says how often each value is used.
     pub(crate) fn factor(&mut self, uses: &[usize]) {
-        let mut waiting: Vec<Value> = (0..self.recipes.len()).rev().collect();
+        let mut waiting: Vec<ValueId> = (0..self.operations.len()).rev().collect();
         while let Some(value) = waiting.pop() {
-            let Recipe::Sum(terms) = &self.recipes[value] else {
+            let DagOperation::Sum(terms) = &self.operations[value] else {
                 continue;
             };
             let Some(factor) = self.common_factor(terms, uses) else {
@@ -27,17 +28,17 @@ impl Plan {
                 .into_iter()
                 .map(|(x, c)| (self.without(x, factor), c))
                 .collect();
-            let sum = self.push(Recipe::Sum(merged(inner)), None);
-            let product = self.push(Recipe::Quotient(vec![factor, sum], Vec::new()), None);
+            let sum = self.push(DagOperation::Sum(merged(inner)), None);
+            let product = self.push(DagOperation::Quotient(vec![factor, sum], Vec::new()), None);
             rest.push((product, Rational::ONE));
-            self.recipes[value] = Recipe::Sum(rest);
+            self.operations[value] = DagOperation::Sum(rest);
             waiting.extend([value, sum]);
         }
     }
 
     /// The factor that most of the terms contain, if it is two of them at least.
-    fn common_factor(&self, terms: &[(Value, Rational)], uses: &[usize]) -> Option<Value> {
-        let mut counts: BTreeMap<Value, usize> = BTreeMap::new();
+    fn common_factor(&self, terms: &[(ValueId, Rational)], uses: &[usize]) -> Option<ValueId> {
+        let mut counts: BTreeMap<ValueId, usize> = BTreeMap::new();
         for (x, _) in terms {
             let mut factors = self.free_factors(*x, uses).to_vec();
             factors.dedup();
@@ -50,22 +51,24 @@ impl Plan {
     }
 
     /// The factors of a term that is computed for one sum only.
-    fn free_factors(&self, term: Value, uses: &[usize]) -> &[Value] {
-        match &self.recipes[term] {
-            Recipe::Quotient(numerator, _) if uses.get(term).is_none_or(|uses| *uses == 1) => {
+    fn free_factors(&self, term: ValueId, uses: &[usize]) -> &[ValueId] {
+        match &self.operations[term] {
+            DagOperation::Quotient(numerator, _)
+                if uses.get(term).is_none_or(|uses| *uses == 1) =>
+            {
                 numerator
             }
             _ => &[],
         }
     }
 
-    fn contains(&self, term: Value, factor: Value, uses: &[usize]) -> bool {
+    fn contains(&self, term: ValueId, factor: ValueId, uses: &[usize]) -> bool {
         self.free_factors(term, uses).contains(&factor)
     }
 
     /// A product without one of its factors: the product itself, changed, as nothing else uses it.
-    fn without(&mut self, product: Value, factor: Value) -> Value {
-        let Recipe::Quotient(numerator, denominator) = &mut self.recipes[product] else {
+    fn without(&mut self, product: ValueId, factor: ValueId) -> ValueId {
+        let DagOperation::Quotient(numerator, denominator) = &mut self.operations[product] else {
             return product;
         };
         if let Some(position) = numerator.iter().position(|x| *x == factor) {
@@ -75,11 +78,11 @@ impl Plan {
         match (&**numerator, &**denominator) {
             ([single], []) => {
                 let single = *single;
-                self.recipes[product] = Recipe::Constant(Rational::ZERO);
+                self.operations[product] = DagOperation::Constant(Rational::ZERO);
                 single
             }
             ([], []) => {
-                self.recipes[product] = Recipe::Constant(Rational::ONE);
+                self.operations[product] = DagOperation::Constant(Rational::ONE);
                 product
             }
             _ => product,

@@ -1,10 +1,10 @@
-//! Quotients by roots that have a limit where the root is 0.
+//! Removable singularities: quotients by roots that have a limit where the root is 0.
 //!
-//! The derivative of |v| v is |v| + v²/|v|: at rest 0/0 in numbers, and 0 in truth. Where |v| is √S with a sum
-//! of squares S, which is 0 only where each of them is, a numerator is compared with S by how many of what is
-//! squared it contains as factors. A quotient that tends to 0 with S may then be computed with a divisor that
-//! is moved away from 0 by less than its rounding. So may one that stays finite, if S is made of velocities:
-//! v/|v| is 0 at rest as signum is 0 at 0. Of what tends to infinity, such as 1/|r|, nothing is changed.
+//! The derivative of |v| v is |v| + v²/|v|, at rest numerically 0/0, with the limit 0. Where |v| is √S with a sum of
+//! squares S, which is 0 only where each of them is, the order of vanishing of a numerator is compared with that
+//! of S. A quotient that tends to 0 with S may then be computed with a divisor that is moved away from 0 by less
+//! than its rounding. So may one that stays finite, if S depends on velocities: v/|v| is 0 at rest as signum is 0
+//! at 0. Poles, such as that of 1/|r|, stay.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 /// Factors of products: (product, base).
 pub(crate) type Removable = BTreeSet<(Expression, Expression)>;
 
-/// By how many factors an expression vanishes at least; `None` if nothing is known.
+/// A lower bound of the order of vanishing of an expression; `None` if nothing is known.
 type Order = Option<Rational>;
 
 /// The products with a factor S^k, −1 < k < 0, that have a limit where S is 0, and those S.
@@ -67,7 +67,7 @@ fn candidates(graph: &Graph, descendants: &[Expression]) -> BTreeMap<Expression,
     candidates
 }
 
-/// What is squared in the terms of a sum of squares, as products of powers of what varies; nothing if it is none.
+/// The roots of the terms of a sum of squares, as products of powers of varying factors; empty if it is none.
 fn squares(graph: &Graph, sum: Expression) -> Vec<Monomial> {
     let Node::Sum(terms) = graph.node(sum) else {
         return Vec::new();
@@ -94,10 +94,10 @@ fn squares(graph: &Graph, sum: Expression) -> Vec<Monomial> {
 /// A product of powers.
 type Monomial = Vec<(Expression, Rational)>;
 
-/// By how many of what is squared expressions vanish.
+/// Orders of vanishing in the roots of the squares.
 struct Orders {
     known: BTreeMap<Expression, Order>,
-    /// What is squared, and is a product itself: of its factors each alone may be 0 elsewhere.
+    /// The roots of squares that are products: each of their factors alone may be 0 elsewhere.
     products: Vec<Monomial>,
 }
 
@@ -131,7 +131,7 @@ impl Orders {
         self.known.get(&expression).cloned().flatten()
     }
 
-    /// Takes what is squared out of a product as often as it divides it, and says how often.
+    /// Divides a product by the roots that are products as often as possible, and returns how often.
     fn divided_out(&self, factors: &mut Monomial) -> Rational {
         let mut total = Rational::ZERO;
         for product in &self.products {
@@ -159,7 +159,7 @@ impl Orders {
             }
             Node::Sum(terms) => self.least(terms.iter().map(|(x, _)| *x)),
             Node::Product(factors) => self.of_product(factors),
-            Node::Whole(x) => self.get(*x),
+            Node::Opaque(x) => self.get(*x),
             Node::Unary(function, x) => match function {
                 Unary::Sin
                 | Unary::Tan
@@ -192,8 +192,8 @@ impl Orders {
         })
     }
 
-    /// The order of Π xᵢ^kᵢ. In a denominator it is known of roots of quadratic forms alone, which vanish
-    /// no faster.
+    /// The order of Π xᵢ^kᵢ. In a denominator it is known only of roots of quadratic forms, which vanish no
+    /// faster.
     fn of_product(&self, factors: &[(Expression, Rational)]) -> Order {
         let mut factors = factors.to_vec();
         let mut sum = self.divided_out(&mut factors);

@@ -1,91 +1,92 @@
-//! From a plan to straight-line code.
+//! Instruction selection and scheduling: from the DAG to straight-line code.
 //!
-//! Comes in: roots of the graph. Goes out: instructions that compute each value once, operands first.
-//! Subtraction, negation and division, which the normal forms do not have, reappear here: terms of a sum
-//! with equal coefficients share one multiplication, and sine and cosine of one angle are one operation.
-//! Values are numbered, so that what two recipes have in common by accident is found as well.
+//! Input: roots of the graph. Output: instructions that compute each value once, operands first. Subtraction,
+//! negation and division, which the normal forms do not have, reappear here: terms of a sum with equal
+//! coefficients share one multiplication, and sine and cosine of one angle are one operation. Powers are computed
+//! by squaring (Knuth, The Art of Computer Programming, volume 2, 3rd edition 1997, section 4.6.3). Local value
+//! numbering (Cocke and Schwartz, Programming Languages and Their Compilers, 1970) finds the remaining repetitions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::hashing::Table;
-use crate::program::plan::{Plan, Recipe, Value};
-use crate::program::straight_line::{Instruction, Operand, Operation, Phase, Program};
+use crate::program::dag::{Dag, DagOperation, ValueId};
+use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 use crate::{Expression, Graph, Pass, Rational, Unary};
 
-/// What is done with parts that depend on parameters alone.
+/// What is done with invariants, which depend on parameters alone.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Parameters {
-    AsTheyStand,
+pub(crate) enum Invariants {
+    InPlace,
     Gathered,
 }
 
 /// The state of a scheduling run.
 pub(crate) struct Scheduler {
-    plan: Plan,
-    /// Where each value is, once it has been computed.
+    dag: Dag,
+    /// The operand that holds each value, once it has been computed.
     operands: Vec<Option<Operand>>,
-    /// The number of the first result of each operation done.
+    /// Value numbers: that of the first result of each operation done.
     numbers: Table<Operation, usize>,
     /// Arguments of both a sine and a cosine.
-    paired: BTreeSet<Value>,
+    paired: BTreeSet<ValueId>,
     instructions: Vec<Instruction>,
     next: usize,
 }
 
 impl Scheduler {
-    pub(crate) fn new(graph: &Graph, groups: &[&[Expression]], parameters: Parameters) -> Self {
+    pub(crate) fn new(graph: &Graph, groups: &[&[Expression]], invariants: Invariants) -> Self {
         let roots = groups.concat();
         let passes = graph.passes;
-        let mut plan = Plan::new(graph, &roots);
+        let mut dag = Dag::new(graph, &roots);
         if passes.has(Pass::Collecting) {
-            let uses = plan.uses(&roots);
-            plan.collect(&uses);
+            let uses = dag.uses(&roots);
+            dag.collect(&uses);
         }
         if passes.has(Pass::Factoring) {
-            let uses = plan.uses(&roots);
-            plan.factor(&uses);
+            let uses = dag.uses(&roots);
+            dag.factor(&uses);
         }
-        if parameters == Parameters::Gathered {
-            plan.arrange_constants(passes, &roots);
+        if invariants == Invariants::Gathered {
+            dag.gather_invariants(passes, &roots);
         }
-        plan.forget_unused(&roots);
-        plan.share(passes);
+        dag.eliminate_dead_values(&roots);
+        dag.share(passes);
         let paired = if passes.has(Pass::Pairing) {
-            paired_arguments(&plan)
+            paired_arguments(&dag)
         } else {
             BTreeSet::new()
         };
         Self {
-            operands: vec![None; plan.recipes.len()],
+            operands: vec![None; dag.operations.len()],
             numbers: Table::default(),
             paired,
-            plan,
+            dag,
             instructions: Vec::new(),
             next: 0,
         }
     }
 
-    pub(crate) fn run(mut self, groups: &[&[Expression]]) -> Program {
-        let mut phases = Vec::with_capacity(groups.len());
-        for roots in groups {
+    pub(crate) fn run(mut self, roots: &[&[Expression]]) -> Program {
+        let mut groups = Vec::with_capacity(roots.len());
+        for roots in roots {
             let outputs = roots
                 .iter()
                 .map(|root| {
-                    let value = self.plan.value(*root);
+                    let value = self.dag.value(*root);
                     self.compute(value);
                     self.operand(value)
                 })
                 .collect();
-            phases.push(Phase {
+            groups.push(OutputGroup {
                 instructions: core::mem::take(&mut self.instructions),
                 outputs,
             });
         }
-        Program { phases }
+        Program { groups }
     }
 
-    /// Computes a value and all that it is made of, each as late as possible.
-    fn compute(&mut self, value: Value) {
+    /// Computes a value and its operands, each as late as possible.
+    fn compute(&mut self, value: ValueId) {
         let mut waiting = vec![value];
         while let Some(value) = waiting.last().copied() {
             if self.operands[value].is_some() {
@@ -93,7 +94,7 @@ impl Scheduler {
                 continue;
             }
             let before = waiting.len();
-            self.plan.recipes[value].for_each_operand(|operand| {
+            self.dag.operations[value].for_each_operand(|operand| {
                 if self.operands[operand].is_none() {
                     waiting.push(operand);
                 }
@@ -109,39 +110,41 @@ impl Scheduler {
     }
 
     /// The operand that holds a value which has been computed.
-    fn operand(&self, value: Value) -> Operand {
+    fn operand(&self, value: ValueId) -> Operand {
         self.operands[value]
             .clone()
             .unwrap_or(Operand::Constant(Rational::ZERO))
     }
 
     /// Computes a value whose operands have been.
-    fn perform(&mut self, value: Value) -> Operand {
-        let operand = match self.plan.recipes[value].clone() {
-            Recipe::Constant(number) => return Operand::Constant(number),
-            Recipe::Pi => return Operand::Pi,
-            Recipe::MinPositive => return Operand::MinPositive,
-            Recipe::Symbol(symbol) => return Operand::Symbol(symbol),
-            Recipe::Sum(terms) => self.sum(&terms),
-            Recipe::Quotient(numerator, denominator) => self.quotient(&numerator, &denominator),
-            Recipe::Power(x, exponent) => self.power(x, exponent),
-            Recipe::SquareRoot(x) => self.emit(Operation::SquareRoot(self.operand(x))),
-            Recipe::Unary(function, x) => self.unary(function, x),
-            Recipe::Binary(function, x, y) => self.emit(Operation::Binary(
+    fn perform(&mut self, value: ValueId) -> Operand {
+        let operand = match self.dag.operations[value].clone() {
+            DagOperation::Constant(number) => return Operand::Constant(number),
+            DagOperation::Pi => return Operand::Pi,
+            DagOperation::MinPositive => return Operand::MinPositive,
+            DagOperation::Symbol(symbol) => return Operand::Symbol(symbol),
+            DagOperation::Sum(terms) => self.sum(&terms),
+            DagOperation::Quotient(numerator, denominator) => {
+                self.quotient(&numerator, &denominator)
+            }
+            DagOperation::Power(x, exponent) => self.power(x, exponent),
+            DagOperation::SquareRoot(x) => self.emit(Operation::SquareRoot(self.operand(x))),
+            DagOperation::Unary(function, x) => self.unary(function, x),
+            DagOperation::Binary(function, x, y) => self.emit(Operation::Binary(
                 function,
                 self.operand(x),
                 self.operand(y),
             )),
-            Recipe::Application(function, arguments) => {
+            DagOperation::Application(function, arguments) => {
                 let arguments = arguments.into_iter().map(|x| self.operand(x)).collect();
                 self.emit(Operation::Application(function, arguments))
             }
         };
-        self.label(&operand, self.plan.expressions[value]);
+        self.label(&operand, self.dag.expressions[value]);
         operand
     }
 
-    /// Notes whose value the last instruction computes.
+    /// Records the expression whose value the last instruction computes.
     fn label(&mut self, operand: &Operand, expression: Option<Expression>) {
         if let Operand::Value(number) = operand
             && let Some(last) = self.instructions.last_mut()
@@ -179,7 +182,7 @@ impl Scheduler {
     }
 
     /// Σ cᵢ·xᵢ: one multiplication for each magnitude of c, then additions and subtractions.
-    fn sum(&mut self, terms: &[(Value, Rational)]) -> Operand {
+    fn sum(&mut self, terms: &[(ValueId, Rational)]) -> Operand {
         let mut groups: BTreeMap<Rational, Vec<(Operand, bool)>> = BTreeMap::new();
         for (x, c) in terms {
             let (operand, magnitude) = match self.operand(*x) {
@@ -237,7 +240,7 @@ impl Scheduler {
         })
     }
 
-    fn quotient(&mut self, numerator: &[Value], denominator: &[Value]) -> Operand {
+    fn quotient(&mut self, numerator: &[ValueId], denominator: &[ValueId]) -> Operand {
         let numerator = self.factors(numerator);
         if denominator.is_empty() {
             return numerator;
@@ -247,7 +250,7 @@ impl Scheduler {
     }
 
     /// The product of factors, those that repeat by squaring.
-    fn factors(&mut self, factors: &[Value]) -> Operand {
+    fn factors(&mut self, factors: &[ValueId]) -> Operand {
         let mut factors = factors.to_vec();
         factors.sort_unstable();
         let mut product = Operand::Constant(Rational::ONE);
@@ -259,7 +262,7 @@ impl Scheduler {
     }
 
     /// x^k by squaring.
-    fn power(&mut self, x: Value, exponent: usize) -> Operand {
+    fn power(&mut self, x: ValueId, exponent: usize) -> Operand {
         let x = self.operand(x);
         let mut power = Operand::Constant(Rational::ONE);
         for bit in (0..usize::BITS - exponent.leading_zeros()).rev() {
@@ -271,7 +274,7 @@ impl Scheduler {
         power
     }
 
-    fn unary(&mut self, function: Unary, x: Value) -> Operand {
+    fn unary(&mut self, function: Unary, x: ValueId) -> Operand {
         let operand = self.operand(x);
         let paired = self.paired.contains(&x);
         match (function, paired) {
@@ -285,13 +288,13 @@ impl Scheduler {
     }
 }
 
-/// The arguments of which both sine and cosine are wanted.
-fn paired_arguments(plan: &Plan) -> BTreeSet<Value> {
-    let arguments = |wanted: Unary| -> BTreeSet<Value> {
-        plan.recipes
+/// The arguments of both a sine and a cosine.
+fn paired_arguments(dag: &Dag) -> BTreeSet<ValueId> {
+    let arguments = |wanted: Unary| -> BTreeSet<ValueId> {
+        dag.operations
             .iter()
-            .filter_map(|recipe| match recipe {
-                Recipe::Unary(function, x) if *function == wanted => Some(*x),
+            .filter_map(|operation| match operation {
+                DagOperation::Unary(function, x) if *function == wanted => Some(*x),
                 _ => None,
             })
             .collect()

@@ -1,42 +1,44 @@
-//! What several products or several sums have in common becomes one value.
+//! Common-subexpression elimination in products and in sums (Breuer, Generation of optimal code for expressions via
+//! factorization, 1969; Hosangadi, Fallah and Kastner, Optimizing polynomial expressions by algebraic factorization
+//! and common subexpression elimination, 2006).
 //!
-//! Greedily: the pair of factors that occurs in most products is made a value of its own and stands in
-//! their place, until every pair is in one product only. The same for pairs of terms, up to a common
-//! multiple. Ties are broken by the order of values, so that the result does not depend on hashing.
-//! When a pair is replaced, only the pairs that it is part of are counted anew.
+//! Greedy: the pair of factors that occurs in most products becomes a value of its own and replaces them, until
+//! every pair is in one product only. The same for pairs of terms, up to a common multiple. Ties are broken by the
+//! order of values, so that the result does not depend on hashing. When a pair is replaced, only the pairs that
+//! overlap it are counted anew.
 
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::algebra::hashing::Table;
-use crate::program::plan::{Plan, Recipe, Value};
+use crate::program::dag::{Dag, DagOperation, ValueId};
 use crate::{Pass, Passes, Rational};
 
-/// Lists longer than this are left alone: their pairs grow with the square of the length.
+/// Longer lists are not searched: their pairs grow with the square of the length.
 const LONGEST: usize = 24;
 
 /// Two parts of a list, in order. For a sum, with what the second is multiplied by if the first is not.
-type Pair = (Value, Value, Rational);
+type Pair = (ValueId, ValueId, Rational);
 
 /// Lists of parts in which pairs are looked for: the numerators of products, or sums.
 trait Lists {
     /// How many parts a value is made of, if it is such a list.
-    fn length(plan: &Plan, value: Value) -> Option<usize>;
+    fn length(dag: &Dag, value: ValueId) -> Option<usize>;
     /// One part of a list, with its multiple.
-    fn part(plan: &Plan, value: Value, position: usize) -> (Value, &Rational);
+    fn part(dag: &Dag, value: ValueId, position: usize) -> (ValueId, &Rational);
     /// Takes a part out of a list.
-    fn remove(plan: &mut Plan, value: Value, position: usize);
+    fn remove(dag: &mut Dag, value: ValueId, position: usize);
     /// Puts a part into a list.
-    fn push(plan: &mut Plan, value: Value, part: Value, multiple: Rational);
+    fn push(dag: &mut Dag, value: ValueId, part: ValueId, multiple: Rational);
     /// A value made of one pair.
-    fn make(plan: &mut Plan, pair: &Pair) -> Value;
+    fn make(dag: &mut Dag, pair: &Pair) -> ValueId;
 }
 
 struct Products;
 struct Sums;
 
-impl Plan {
-    /// Finds what products have in common, then what sums have in common.
+impl Dag {
+    /// Eliminates common subexpressions of products, then those of sums.
     pub(crate) fn share(&mut self, passes: Passes) {
         if passes.has(Pass::SharedProducts) {
             Sharing::<Products>::run(self);
@@ -46,72 +48,72 @@ impl Plan {
         }
     }
 
-    fn numerator(&self, value: Value) -> &[Value] {
-        match &self.recipes[value] {
-            Recipe::Quotient(numerator, _) => numerator,
+    fn numerator(&self, value: ValueId) -> &[ValueId] {
+        match &self.operations[value] {
+            DagOperation::Quotient(numerator, _) => numerator,
             _ => &[],
         }
     }
 
-    fn terms(&self, value: Value) -> &[(Value, Rational)] {
-        match &self.recipes[value] {
-            Recipe::Sum(terms) => terms,
+    fn terms(&self, value: ValueId) -> &[(ValueId, Rational)] {
+        match &self.operations[value] {
+            DagOperation::Sum(terms) => terms,
             _ => &[],
         }
     }
 }
 
 impl Lists for Products {
-    fn length(plan: &Plan, value: Value) -> Option<usize> {
-        match &plan.recipes[value] {
-            Recipe::Quotient(numerator, _) => Some(numerator.len()),
+    fn length(dag: &Dag, value: ValueId) -> Option<usize> {
+        match &dag.operations[value] {
+            DagOperation::Quotient(numerator, _) => Some(numerator.len()),
             _ => None,
         }
     }
 
-    fn part(plan: &Plan, value: Value, position: usize) -> (Value, &Rational) {
+    fn part(dag: &Dag, value: ValueId, position: usize) -> (ValueId, &Rational) {
         static ONE: Rational = Rational::ONE;
-        (plan.numerator(value)[position], &ONE)
+        (dag.numerator(value)[position], &ONE)
     }
 
-    fn remove(plan: &mut Plan, value: Value, position: usize) {
-        if let Recipe::Quotient(numerator, _) = &mut plan.recipes[value] {
+    fn remove(dag: &mut Dag, value: ValueId, position: usize) {
+        if let DagOperation::Quotient(numerator, _) = &mut dag.operations[value] {
             numerator.remove(position);
         }
     }
 
-    fn push(plan: &mut Plan, value: Value, part: Value, _: Rational) {
-        if let Recipe::Quotient(numerator, _) = &mut plan.recipes[value] {
+    fn push(dag: &mut Dag, value: ValueId, part: ValueId, _: Rational) {
+        if let DagOperation::Quotient(numerator, _) = &mut dag.operations[value] {
             numerator.push(part);
         }
     }
 
-    fn make(plan: &mut Plan, (x, y, _): &Pair) -> Value {
-        plan.push(Recipe::Quotient(vec![*x, *y], Vec::new()), None)
+    fn make(dag: &mut Dag, (x, y, _): &Pair) -> ValueId {
+        dag.push(DagOperation::Quotient(vec![*x, *y], Vec::new()), None)
     }
 }
 
 impl Lists for Sums {
-    fn length(plan: &Plan, value: Value) -> Option<usize> {
-        match &plan.recipes[value] {
-            Recipe::Sum(terms) => Some(terms.len()),
+    fn length(dag: &Dag, value: ValueId) -> Option<usize> {
+        match &dag.operations[value] {
+            DagOperation::Sum(terms) => Some(terms.len()),
             _ => None,
         }
     }
 
-    fn part(plan: &Plan, value: Value, position: usize) -> (Value, &Rational) {
-        let (x, c) = &plan.terms(value)[position];
+    fn part(dag: &Dag, value: ValueId, position: usize) -> (ValueId, &Rational) {
+        let (x, c) = &dag.terms(value)[position];
         (*x, c)
     }
 
-    fn remove(plan: &mut Plan, value: Value, position: usize) {
-        if let Recipe::Sum(terms) = &mut plan.recipes[value] {
+    fn remove(dag: &mut Dag, value: ValueId, position: usize) {
+        if let DagOperation::Sum(terms) = &mut dag.operations[value] {
             terms.remove(position);
         }
     }
 
-    fn push(plan: &mut Plan, value: Value, part: Value, multiple: Rational) {
-        let Recipe::Sum(terms) = &mut plan.recipes[value] else {
+    fn push(dag: &mut Dag, value: ValueId, part: ValueId, multiple: Rational) {
+        let DagOperation::Sum(terms) = &mut dag.operations[value] else {
             return;
         };
         // What is shared may have been a term already.
@@ -122,9 +124,9 @@ impl Lists for Sums {
         terms.retain(|(_, coefficient)| !coefficient.is_zero());
     }
 
-    fn make(plan: &mut Plan, (x, y, ratio): &Pair) -> Value {
-        plan.push(
-            Recipe::Sum(vec![(*x, Rational::ONE), (*y, ratio.clone())]),
+    fn make(dag: &mut Dag, (x, y, ratio): &Pair) -> ValueId {
+        dag.push(
+            DagOperation::Sum(vec![(*x, Rational::ONE), (*y, ratio.clone())]),
             None,
         )
     }
@@ -134,17 +136,17 @@ impl Lists for Sums {
 #[derive(Default)]
 struct Occurrences {
     /// In ascending order.
-    lists: Vec<Value>,
+    lists: Vec<ValueId>,
     /// The number of lists under which the pair waits in the queue, or 0.
     queued: usize,
 }
 
 /// Where each pair occurs.
 struct Sharing<'a, L> {
-    plan: &'a mut Plan,
+    dag: &'a mut Dag,
     occurrences: Table<Pair, Occurrences>,
     /// Pairs by how often they occurred when they were put here, which is checked again when they are taken.
-    /// Of those that occur as often, one that is a whole list comes first: it is computed anyway.
+    /// Of pairs with equal counts, one that is a complete list comes first: it is computed already.
     queue: BinaryHeap<(usize, bool, Reverse<Pair>)>,
     /// Pairs that occur in more or fewer lists than when the queue last heard of them.
     changed: Vec<Pair>,
@@ -152,15 +154,15 @@ struct Sharing<'a, L> {
 }
 
 impl<'a, L: Lists> Sharing<'a, L> {
-    fn run(plan: &'a mut Plan) {
+    fn run(dag: &'a mut Dag) {
         let mut sharing = Self {
-            plan,
+            dag,
             occurrences: Table::default(),
             queue: BinaryHeap::new(),
             changed: Vec::new(),
             lists: core::marker::PhantomData,
         };
-        for value in 0..sharing.plan.recipes.len() {
+        for value in 0..sharing.dag.operations.len() {
             for pair in sharing.pairs(value, |_| true) {
                 sharing.enter(pair, value);
             }
@@ -181,7 +183,7 @@ impl<'a, L: Lists> Sharing<'a, L> {
     }
 
     /// Notes that a list has a pair.
-    fn enter(&mut self, pair: Pair, value: Value) {
+    fn enter(&mut self, pair: Pair, value: ValueId) {
         let occurrences = self.occurrences.entry(pair.clone()).or_default();
         let lists = &mut occurrences.lists;
         match lists.last() {
@@ -197,7 +199,7 @@ impl<'a, L: Lists> Sharing<'a, L> {
     }
 
     /// Forgets that a list has a pair.
-    fn leave(&mut self, pair: Pair, value: Value) {
+    fn leave(&mut self, pair: Pair, value: ValueId) {
         if let Some(occurrences) = self.occurrences.get_mut(&pair)
             && let Ok(position) = occurrences.lists.binary_search(&value)
         {
@@ -215,28 +217,28 @@ impl<'a, L: Lists> Sharing<'a, L> {
             let count = occurrences.lists.len();
             if count > 1 && count != occurrences.queued {
                 occurrences.queued = count;
-                let plan = &*self.plan;
-                let whole = occurrences
+                let dag = &*self.dag;
+                let is_computed = occurrences
                     .lists
                     .iter()
-                    .any(|list| is_whole::<L>(plan, *list));
-                self.queue.push((count, whole, Reverse(pair)));
+                    .any(|list| is_complete::<L>(dag, *list));
+                self.queue.push((count, is_computed, Reverse(pair)));
             }
         }
     }
 
     /// The pairs of a list with at least one part for which `wanted` holds.
-    fn pairs(&self, value: Value, wanted: impl Fn(Value) -> bool) -> Vec<Pair> {
-        let length = L::length(self.plan, value).unwrap_or(0);
+    fn pairs(&self, value: ValueId, wanted: impl Fn(ValueId) -> bool) -> Vec<Pair> {
+        let length = L::length(self.dag, value).unwrap_or(0);
         let mut pairs = Vec::new();
         if length > LONGEST {
             return pairs;
         }
         for i in 0..length {
-            let (x, c) = L::part(self.plan, value, i);
+            let (x, c) = L::part(self.dag, value, i);
             let all = wanted(x);
             for j in i + 1..length {
-                let (y, d) = L::part(self.plan, value, j);
+                let (y, d) = L::part(self.dag, value, j);
                 if !(all || wanted(y)) {
                     continue;
                 }
@@ -254,12 +256,12 @@ impl<'a, L: Lists> Sharing<'a, L> {
     fn replace(&mut self, pair: &Pair) {
         let occurrences = self.occurrences.get_mut(pair);
         let lists = occurrences.map_or_else(Vec::new, |known| core::mem::take(&mut known.lists));
-        // A list that is just the pair is the value already.
-        let whole = lists
+        // A list that consists of the pair is the value already.
+        let existing = lists
             .iter()
             .copied()
-            .find(|value| is_whole::<L>(self.plan, *value));
-        let shared = whole.unwrap_or_else(|| L::make(self.plan, pair));
+            .find(|value| is_complete::<L>(self.dag, *value));
+        let shared = existing.unwrap_or_else(|| L::make(self.dag, pair));
         let scale = self.scale_of(shared, pair);
         for value in lists {
             if value != shared {
@@ -270,48 +272,47 @@ impl<'a, L: Lists> Sharing<'a, L> {
     }
 
     /// Puts the value that is made of a pair into one list that has the pair.
-    fn replace_in(&mut self, value: Value, pair: &Pair, shared: Value, scale: &Rational) {
+    fn replace_in(&mut self, value: ValueId, pair: &Pair, shared: ValueId, scale: &Rational) {
         let (first, second, _) = pair;
         for old in self.pairs(value, |x| x == *first || x == *second || x == shared) {
             self.leave(old, value);
         }
         let factor = self.take(value, *first);
         self.take(value, *second);
-        L::push(self.plan, value, shared, ratio(&factor, scale));
+        L::push(self.dag, value, shared, ratio(&factor, scale));
         for new in self.pairs(value, |x| x == *first || x == *second || x == shared) {
             self.enter(new, value);
         }
     }
 
     /// Removes one part of a list, and returns its multiple.
-    fn take(&mut self, value: Value, part: Value) -> Rational {
+    fn take(&mut self, value: ValueId, part: ValueId) -> Rational {
         let Some(position) = self.position(value, part) else {
             return Rational::ONE;
         };
-        let multiple = L::part(self.plan, value, position).1.clone();
-        L::remove(self.plan, value, position);
+        let multiple = L::part(self.dag, value, position).1.clone();
+        L::remove(self.dag, value, position);
         multiple
     }
 
-    fn position(&self, value: Value, part: Value) -> Option<usize> {
-        let length = L::length(self.plan, value).unwrap_or(0);
-        (0..length).find(|position| L::part(self.plan, value, *position).0 == part)
+    fn position(&self, value: ValueId, part: ValueId) -> Option<usize> {
+        let length = L::length(self.dag, value).unwrap_or(0);
+        (0..length).find(|position| L::part(self.dag, value, *position).0 == part)
     }
 
     /// The multiple of the pair's first part in the value that is made of the pair.
-    fn scale_of(&self, shared: Value, pair: &Pair) -> Rational {
+    fn scale_of(&self, shared: ValueId, pair: &Pair) -> Rational {
         let position = self.position(shared, pair.0);
         position.map_or(Rational::ONE, |position| {
-            L::part(self.plan, shared, position).1.clone()
+            L::part(self.dag, shared, position).1.clone()
         })
     }
 }
 
-/// Whether a list has two parts and nothing else is computed with it.
-fn is_whole<L: Lists>(plan: &Plan, value: Value) -> bool {
-    let divides =
-        matches!(&plan.recipes[value], Recipe::Quotient(_, denominator) if !denominator.is_empty());
-    !divides && L::length(plan, value) == Some(2)
+/// Whether a list consists of two parts and nothing else.
+fn is_complete<L: Lists>(dag: &Dag, value: ValueId) -> bool {
+    let divides = matches!(&dag.operations[value], DagOperation::Quotient(_, denominator) if !denominator.is_empty());
+    !divides && L::length(dag, value) == Some(2)
 }
 
 /// x/y for y ≠ 0.

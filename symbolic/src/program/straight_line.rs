@@ -1,17 +1,17 @@
-//! Straight-line programs: what is emitted.
+//! Straight-line programs, the result that is emitted.
 //!
 //! A [`Program`] computes the values of several groups of roots, one group after the other, each value
 //! once. Invariants, checked by [`Program::verify`]: an operand is computed before it is used; no two
 //! instructions do the same; each output has the value of its root. The order of instructions depends
 //! on the graph alone.
 
-use crate::program::schedule::{Parameters, Scheduler};
-use crate::{Binary, Expression, Function, Graph, Rational, Symbol, Unary};
+use crate::program::schedule::{Invariants, Scheduler};
+use crate::{Binary, Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
 
-/// Where an instruction finds a number.
+/// An operand of an instruction.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Operand {
-    /// What an earlier instruction computed.
+    /// The result of an earlier instruction.
     Value(usize),
     /// An exact number.
     Constant(Rational),
@@ -45,8 +45,8 @@ pub enum Operation {
     Unary(Unary, Operand),
     /// A function of two arguments.
     Binary(Binary, Operand, Operand),
-    /// A function from outside.
-    Application(Function, Vec<Operand>),
+    /// An external function.
+    Application(ExternalFunction, Vec<Operand>),
 }
 
 impl Operation {
@@ -105,9 +105,9 @@ pub struct Instruction {
     pub expression: Option<Expression>,
 }
 
-/// A group of outputs, and the instructions that the groups before it have not run already.
+/// A group of outputs, and the instructions that it needs beyond those of earlier groups.
 #[derive(Clone, Debug, Default)]
-pub struct Phase {
+pub struct OutputGroup {
     /// In the order in which they run.
     pub instructions: Vec<Instruction>,
     /// Where the values of the roots are, in the order of the roots.
@@ -118,10 +118,10 @@ pub struct Phase {
 #[derive(Clone, Debug, Default)]
 pub struct Program {
     /// The groups, in order. Symbols may get their values between two of them.
-    pub phases: Vec<Phase>,
+    pub groups: Vec<OutputGroup>,
 }
 
-/// How often each kind of operation occurs.
+/// The number of operations of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Additions, subtractions and changes of sign.
@@ -134,7 +134,7 @@ pub struct OperationCount {
     pub square_roots: usize,
     /// Sines and cosines; the pair of one angle counts once.
     pub sines_and_cosines: usize,
-    /// All other functions, those from outside among them.
+    /// All other functions, external ones included.
     pub functions: usize,
 }
 
@@ -142,24 +142,24 @@ impl Program {
     /// The program that computes the groups of roots, one after the other.
     #[must_use]
     pub fn schedule(graph: &Graph, groups: &[&[Expression]]) -> Self {
-        Scheduler::new(graph, groups, Parameters::AsTheyStand).run(groups)
+        Scheduler::new(graph, groups, Invariants::InPlace).run(groups)
     }
 
-    /// The same, arranged so that as much as possible depends on parameters alone.
+    /// The same with invariants gathered, so that much of it can be hoisted.
     #[must_use]
-    pub fn schedule_for_preparation(graph: &Graph, groups: &[&[Expression]]) -> Self {
-        Scheduler::new(graph, groups, Parameters::Gathered).run(groups)
+    pub fn schedule_for_staging(graph: &Graph, groups: &[&[Expression]]) -> Self {
+        Scheduler::new(graph, groups, Invariants::Gathered).run(groups)
     }
 
     /// All instructions, in the order in which they run.
     pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
-        self.phases.iter().flat_map(|phase| &phase.instructions)
+        self.groups.iter().flat_map(|phase| &phase.instructions)
     }
 
     /// The symbols that the program reads, in order.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
-        let outputs = self.phases.iter().flat_map(|phase| &phase.outputs);
+        let outputs = self.groups.iter().flat_map(|phase| &phase.outputs);
         let operands = self
             .instructions()
             .flat_map(|instruction| instruction.operation.operands());
@@ -177,7 +177,7 @@ impl Program {
 
     /// The exact numbers that the program contains.
     pub fn constants(&self) -> impl Iterator<Item = &Rational> {
-        let outputs = self.phases.iter().flat_map(|phase| &phase.outputs);
+        let outputs = self.groups.iter().flat_map(|phase| &phase.outputs);
         let operands = self
             .instructions()
             .flat_map(|instruction| instruction.operation.operands());
@@ -187,10 +187,10 @@ impl Program {
         })
     }
 
-    /// The functions from outside that the program applies, in order.
+    /// The external functions that the program applies, in order.
     #[must_use]
-    pub fn functions(&self) -> Vec<Function> {
-        let mut functions: Vec<Function> = self
+    pub fn functions(&self) -> Vec<ExternalFunction> {
+        let mut functions: Vec<ExternalFunction> = self
             .instructions()
             .filter_map(|instruction| match instruction.operation {
                 Operation::Application(function, _) => Some(function),
@@ -202,7 +202,7 @@ impl Program {
         functions
     }
 
-    /// How often each kind of operation occurs.
+    /// The number of operations of each kind.
     #[must_use]
     pub fn count(&self) -> OperationCount {
         let mut count = OperationCount::default();

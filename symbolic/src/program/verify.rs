@@ -1,11 +1,12 @@
-//! The check that a program computes what it was made from.
+//! The verifier: whether a program computes its roots, by a polynomial identity test (Schwartz, Fast probabilistic
+//! algorithms for verification of polynomial identities, 1980).
 
 use crate::algebra::hashing::Set;
 use crate::decision::point::Point;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Expression, Graph};
 
-/// What is wrong with a program.
+/// A fault of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// A value is used before it is computed.
@@ -57,7 +58,7 @@ impl Program {
             Operand::Value(number) if *number >= computed => Err(Fault::Undefined(*number)),
             _ => Ok(()),
         };
-        for phase in &self.phases {
+        for phase in &self.groups {
             for instruction in &phase.instructions {
                 for operand in instruction.operation.operands() {
                     defined(operand, computed)?;

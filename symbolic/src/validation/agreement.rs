@@ -1,44 +1,44 @@
-//! Whether programs agree with Lagrange's equations in numbers.
+//! Whether programs agree with Lagrange's equations numerically.
 //!
-//! Numbers that differ by more than 2⁻³⁰ of what they are sums of are judged: both sides are computed again
-//! with every intermediate result perturbed by 2⁻³⁶, and what that changes is what conditioning can
-//! explain. A wrong term is not explained, at whatever point.
+//! Where two numbers differ by more than 2⁻³⁰ relative to the terms that they are sums of, both sides are computed
+//! again with every intermediate result perturbed by 2⁻³⁶ (Monte Carlo arithmetic: Parker, 1997). The observed change
+//! measures the conditioning, and bounds the differences that rounding explains. It explains no wrong term.
 
 use std::collections::BTreeSet;
 
 use crate::validation::changes::Changes;
 use crate::validation::comparison::{Comparison, Comparisons};
-use crate::validation::lagrange::{Balance, Lagrange, Values, Variation};
+use crate::validation::lagrange::{Lagrange, SumWithSize, Values, Variation};
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
-use crate::validation::sample::Sample;
+use crate::validation::real_point::RealPoint;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
 use crate::{Energies, Model, Node, Symbol};
 
-/// Points in the domain at which programs are compared: each style of [`Sample`] eight times.
+/// Points in the domain at which programs are compared: each distribution of [`RealPoint`] eight times.
 const POINTS: usize = 32;
 /// Points to try until as many are in the domain: roots and logarithms leave out most of them. The later ones are
 /// spread more widely, and are tried where the domain has not been met often.
 const ATTEMPTS: u64 = 512;
 const ENOUGH_TO_GO_ON: usize = 8;
 const NEARBY_ATTEMPTS: u64 = 160;
-/// Runs with perturbed results by which a difference is judged.
-const JUDGEMENTS: u64 = 3;
+/// Perturbed runs that measure the conditioning.
+const PERTURBED_RUNS: u64 = 3;
 /// By how much a difference must exceed the changes under perturbation, which are 2¹⁷ times as large as
 /// those by rounding.
 const MARGIN: f64 = 8.0;
 
-/// Lagrange's equations of a model, with which programs are compared.
+/// Lagrange's equations of a model, the reference of all comparisons.
 pub struct Validator {
     lagrange: Lagrange,
-    /// Whether energies contain functions from outside whose second derivatives may depend on their order, which
-    /// is then not that of the equations.
+    /// Whether energies contain external functions of several arguments, whose mixed second derivatives may depend on
+    /// their order.
     has_mixed_derivatives: bool,
 }
 
 impl Validator {
-    /// What the equations of `model` say, before anything is derived from it.
+    /// The reference for `model`, made before anything is derived from it.
     #[must_use]
     pub fn new(model: &Model) -> Self {
         let graph = &model.graph;
@@ -58,7 +58,7 @@ impl Validator {
     }
 
     /// The methods whose programs do not compute what the equations say; none where no random point is in the
-    /// domain, and none that takes second derivatives of functions from outside of several arguments.
+    /// domain, and none that takes second derivatives of external functions of several arguments.
     #[must_use]
     pub fn disagreements(&self, programs: Programs<'_>) -> BTreeSet<Method> {
         let mut found = BTreeSet::new();
@@ -69,33 +69,33 @@ impl Validator {
             if number >= NEARBY_ATTEMPTS && points >= ENOUGH_TO_GO_ON {
                 break;
             }
-            let sample = if number < NEARBY_ATTEMPTS {
-                Sample::new(number)
+            let point = if number < NEARBY_ATTEMPTS {
+                RealPoint::new(number)
             } else {
-                Sample::spread(number)
+                RealPoint::spread(number)
             };
-            let Some(comparisons) = self.compare(&tapes, sample, Perturbation(None)) else {
+            let Some(comparisons) = self.compare(&tapes, point, Perturbation(None)) else {
                 continue;
             };
             points += 1;
-            let mut doubtful = false;
+            let mut unexplained = false;
             let mut missing = BTreeSet::new();
             for comparison in &comparisons {
                 if !comparison.difference.is_finite() {
                     missing.insert(comparison.method);
                 } else if !comparison.is_negligible() && !found.contains(&comparison.method) {
-                    doubtful = true;
+                    unexplained = true;
                 }
             }
             undefined.extend(missing);
-            if doubtful {
-                self.judge(&tapes, sample, &comparisons, &mut found);
+            if unexplained {
+                self.explain(&tapes, point, &comparisons, &mut found);
             }
             if points == POINTS {
                 break;
             }
         }
-        // What has no value where the equations have one, at most points.
+        // Methods that are undefined at most points where the equations are defined.
         for method in undefined.iter().copied() {
             let count = undefined.iter().filter(|other| **other == method).count();
             if 2 * count > points {
@@ -108,17 +108,17 @@ impl Validator {
         found
     }
 
-    /// Finds the differences that perturbed results do not explain.
-    fn judge(
+    /// Finds the differences that conditioning does not explain.
+    fn explain(
         &self,
         tapes: &Tapes,
-        sample: Sample,
+        point: RealPoint,
         comparisons: &[Comparison],
         found: &mut BTreeSet<Method>,
     ) {
         let mut explained = vec![0.0_f64; comparisons.len()];
-        for seed in 1..=JUDGEMENTS {
-            let Some(perturbed) = self.compare(tapes, sample, Perturbation(Some(seed))) else {
+        for seed in 1..=PERTURBED_RUNS {
+            let Some(perturbed) = self.compare(tapes, point, Perturbation(Some(seed))) else {
                 return;
             };
             for ((most, before), after) in explained.iter_mut().zip(comparisons).zip(&perturbed) {
@@ -142,25 +142,25 @@ impl Validator {
     fn compare(
         &self,
         tapes: &Tapes,
-        sample: Sample,
+        point: RealPoint,
         perturbation: Perturbation,
     ) -> Option<Vec<Comparison>> {
         let n = self.lagrange.coordinates;
-        let variation = Variation::at(sample, n, self.lagrange.inputs);
-        let solved = tapes.accelerations(sample, n, perturbation);
-        // What does not depend on how accelerations are found is compared at any.
+        let variation = Variation::at(point, n, self.lagrange.inputs);
+        let solved = tapes.accelerations(point, n, perturbation);
+        // Methods other than the accelerations are compared at any accelerations.
         let accelerations = solved.as_ref().unwrap_or(&variation.velocities);
         let lagrange = &self.lagrange;
-        let values = lagrange.values(sample, &variation, accelerations, perturbation)?;
+        let values = lagrange.values(point, &variation, accelerations, perturbation)?;
         let at = |accelerations: &[f64], tape: &Tape| {
             let symbol = |symbol: Symbol| match symbol {
                 Symbol::Acceleration(i) => accelerations[i as usize],
-                _ => sample.value(symbol),
+                _ => point.value(symbol),
             };
             tape.evaluate(&symbol, perturbation)
         };
         let mut comparisons = Comparisons::default();
-        let energy = energy(&values, sample);
+        let energy = energy(&values, point);
         comparisons.balances(Method::Energy, &at(accelerations, &tapes.energy), &[energy]);
         for (method, tape, expected) in [
             (
@@ -216,7 +216,7 @@ impl Validator {
         let changes = Changes {
             state: at(accelerations, state),
             inputs: at(accelerations, inputs),
-            layout: tapes.layout,
+            linearization_outputs: tapes.linearization_outputs,
         };
         let balances = changes.balances(&mass, accelerations, &values.variations, &variation);
         comparisons.vanishing(Method::Linearization, &balances);
@@ -225,11 +225,11 @@ impl Validator {
 }
 
 /// The energy function Σ pᵢ q̇ᵢ − L.
-fn energy(values: &Values, sample: Sample) -> Balance {
-    let mut energy = Balance::default();
+fn energy(values: &Values, point: RealPoint) -> SumWithSize {
+    let mut energy = SumWithSize::default();
     energy.add(-values.lagrangian);
     for (i, momentum) in (0..).zip(&values.momenta) {
-        energy.add(momentum * sample.value(Symbol::Velocity(i)));
+        energy.add(momentum * point.value(Symbol::Velocity(i)));
     }
     energy
 }

@@ -1,11 +1,11 @@
-//! The change of accelerations along a variation, from the programs for derivatives of q̈.
+//! The directional derivative of accelerations along a variation, by the programs for derivatives of q̈.
 
-use crate::validation::lagrange::{Balance, Variation};
+use crate::validation::lagrange::{SumWithSize, Variation};
 use crate::validation::square_matrix::SquareMatrix;
 
-/// What the programs for derivatives compute.
+/// The outputs of the programs for derivatives.
 #[derive(Clone, Copy)]
-pub(crate) enum Layout {
+pub(crate) enum LinearizationOutputs {
     /// Pivots in this number, q̈ (by the state only), columns of ∂q̈/∂x, and columns of ∂(M q̈ − f)/∂x if there
     /// are pivots.
     Solved(usize),
@@ -13,11 +13,11 @@ pub(crate) enum Layout {
     System,
 }
 
-/// What the programs for derivatives gave at a point.
+/// The values of the programs for derivatives at a point.
 pub(crate) struct Changes {
     pub(crate) state: Vec<f64>,
     pub(crate) inputs: Vec<f64>,
-    pub(crate) layout: Layout,
+    pub(crate) linearization_outputs: LinearizationOutputs,
 }
 
 impl Changes {
@@ -27,13 +27,13 @@ impl Changes {
         &self,
         mass: &SquareMatrix,
         accelerations: &[f64],
-        variations: &[Balance],
+        variations: &[SumWithSize],
         variation: &Variation,
-    ) -> Vec<Balance> {
+    ) -> Vec<SumWithSize> {
         let n = variations.len();
         let triangle = n * (n + 1) / 2;
-        match self.layout {
-            Layout::Solved(pivots) => {
+        match self.linearization_outputs {
+            LinearizationOutputs::Solved(pivots) => {
                 let columns = n * variation.state.len();
                 let changes = self.sum(n, [pivots + n, pivots], variation);
                 let mut balances = balance(mass, &changes, variations);
@@ -50,7 +50,7 @@ impl Changes {
                 }
                 balances
             }
-            Layout::System => {
+            LinearizationOutputs::System => {
                 let residuals = self.sum(n, [triangle + n, triangle], variation);
                 let right: Vec<f64> = residuals.iter().map(|sum| -sum.total).collect();
                 let matrix = SquareMatrix::symmetric(&self.state[..triangle], n);
@@ -64,7 +64,7 @@ impl Changes {
                 let Some(changes) = matrix.solve(&right) else {
                     return vec![UNDEFINED];
                 };
-                let exact = |total: f64| Balance {
+                let exact = |total: f64| SumWithSize {
                     total,
                     size: total.abs(),
                 };
@@ -76,8 +76,8 @@ impl Changes {
     }
 
     /// Σ column·weight, where the columns begin by the state and by the inputs.
-    fn sum(&self, n: usize, starts: [usize; 2], variation: &Variation) -> Vec<Balance> {
-        let mut sums = vec![Balance::default(); n];
+    fn sum(&self, n: usize, starts: [usize; 2], variation: &Variation) -> Vec<SumWithSize> {
+        let mut sums = vec![SumWithSize::default(); n];
         let parts = [
             (&self.state, starts[0], &variation.state),
             (&self.inputs, starts[1], &variation.inputs),
@@ -94,7 +94,11 @@ impl Changes {
 }
 
 /// M δq̈ + δ(M q̈ − f).
-fn balance(mass: &SquareMatrix, changes: &[Balance], variations: &[Balance]) -> Vec<Balance> {
+fn balance(
+    mass: &SquareMatrix,
+    changes: &[SumWithSize],
+    variations: &[SumWithSize],
+) -> Vec<SumWithSize> {
     let totals: Vec<f64> = changes.iter().map(|change| change.total).collect();
     let mut balances = mass.times(&totals);
     for (balance, variation) in balances.iter_mut().zip(variations) {
@@ -105,10 +109,10 @@ fn balance(mass: &SquareMatrix, changes: &[Balance], variations: &[Balance]) -> 
 }
 
 /// Values less those that they should be.
-fn differences(found: &[f64], expected: &[f64]) -> Vec<Balance> {
+fn differences(found: &[f64], expected: &[f64]) -> Vec<SumWithSize> {
     let mut differences = Vec::with_capacity(found.len());
     for (found, expected) in found.iter().zip(expected) {
-        let mut difference = Balance::default();
+        let mut difference = SumWithSize::default();
         difference.add(*found);
         difference.add(-expected);
         differences.push(difference);
@@ -116,7 +120,7 @@ fn differences(found: &[f64], expected: &[f64]) -> Vec<Balance> {
     differences
 }
 
-const UNDEFINED: Balance = Balance {
+const UNDEFINED: SumWithSize = SumWithSize {
     total: f64::NAN,
     size: f64::NAN,
 };

@@ -1,9 +1,9 @@
 //! Differences that should vanish.
 
-use crate::validation::lagrange::Balance;
+use crate::validation::lagrange::SumWithSize;
 use crate::validation::programs::Method;
 
-/// Differences below this part of what is added up need no judgement: 2⁻³⁰.
+/// Differences below this part of the sum of magnitudes are negligible: 2⁻³⁰.
 const NEGLIGIBLE: f64 = 1.0 / 1_073_741_824.0;
 
 /// A difference that should vanish.
@@ -43,7 +43,7 @@ impl Comparisons {
     }
 
     /// Values that should be equal to sums, where these exist.
-    pub(crate) fn balances(&mut self, method: Method, found: &[f64], expected: &[Balance]) {
+    pub(crate) fn balances(&mut self, method: Method, found: &[f64], expected: &[SumWithSize]) {
         for (found, expected) in found.iter().zip(expected) {
             if expected.size.is_finite() {
                 self.push(method, found - expected.total, found.abs() + expected.size);
@@ -52,14 +52,14 @@ impl Comparisons {
     }
 
     /// Sums that should be equal to values.
-    pub(crate) fn against(&mut self, method: Method, found: &[Balance], expected: &[f64]) {
+    pub(crate) fn against(&mut self, method: Method, found: &[SumWithSize], expected: &[f64]) {
         for (found, expected) in found.iter().zip(expected) {
             self.push(method, found.total - expected, found.size + expected.abs());
         }
     }
 
     /// Sums that should vanish.
-    pub(crate) fn vanishing(&mut self, method: Method, balances: &[Balance]) {
+    pub(crate) fn vanishing(&mut self, method: Method, balances: &[SumWithSize]) {
         for balance in balances {
             self.push(method, balance.total, balance.size);
         }

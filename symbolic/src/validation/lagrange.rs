@@ -1,13 +1,13 @@
-//! Lagrange's equations in numbers: d/dt (∂L/∂q̇ᵢ) − ∂L/∂qᵢ − Qᵢ at given accelerations.
+//! Lagrange's equations, numerically: d/dt (∂L/∂q̇ᵢ) − ∂L/∂qᵢ − Qᵢ at given accelerations.
 //!
 //! One reverse sweep over L on hyper-dual numbers does it all. The first direction is that of time, (q̇, q̈, 1)
 //! in (q, q̇, t), so that the adjoint of q̇ᵢ is pᵢ with dpᵢ/dt; the second is a variation of state and
-//! inputs at fixed accelerations, which gives what a linearization is made of.
+//! inputs at fixed accelerations, which gives the directional derivatives of a linearization.
 
 use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::sample::Sample;
+use crate::validation::real_point::RealPoint;
 use crate::validation::tape::Tape;
 use crate::{Model, Symbol};
 
@@ -30,9 +30,9 @@ pub(crate) struct Values {
     pub(crate) momenta: Vec<f64>,
     pub(crate) generalized_forces: Vec<f64>,
     /// dp/dt − ∂L/∂q − Q.
-    pub(crate) residuals: Vec<Balance>,
+    pub(crate) residuals: Vec<SumWithSize>,
     /// Its change along the variation.
-    pub(crate) variations: Vec<Balance>,
+    pub(crate) variations: Vec<SumWithSize>,
     /// M w.
     pub(crate) mass_products: Vec<f64>,
     pub(crate) outputs: Vec<f64>,
@@ -40,12 +40,12 @@ pub(crate) struct Values {
 
 /// A sum that may cancel, and the sizes of its terms.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Balance {
+pub(crate) struct SumWithSize {
     pub(crate) total: f64,
     pub(crate) size: f64,
 }
 
-impl Balance {
+impl SumWithSize {
     pub(crate) fn add(&mut self, term: f64) {
         self.total += term;
         self.size += term.abs();
@@ -63,9 +63,9 @@ pub(crate) struct Variation {
 }
 
 impl Variation {
-    pub(crate) fn at(sample: Sample, coordinates: usize, inputs: usize) -> Self {
+    pub(crate) fn at(point: RealPoint, coordinates: usize, inputs: usize) -> Self {
         let weights = |kind: u64, count: usize| {
-            let weights = (0..count).map(|index| sample.weight(kind, index));
+            let weights = (0..count).map(|index| point.weight(kind, index));
             weights.collect()
         };
         Self {
@@ -98,13 +98,13 @@ impl Lagrange {
     /// The values at a point with these accelerations; none outside of the domain.
     pub(crate) fn values(
         &self,
-        sample: Sample,
+        point: RealPoint,
         variation: &Variation,
         accelerations: &[f64],
         perturbation: Perturbation,
     ) -> Option<Values> {
         let n = self.coordinates;
-        let symbol = |symbol: Symbol| moving(sample, symbol, variation, accelerations);
+        let symbol = |symbol: Symbol| moving(point, symbol, variation, accelerations);
         let values = self.tape.run(&symbol, perturbation);
         let slots = self.tape.outputs();
         let at = |position: usize| values[slots[position] as usize];
@@ -121,7 +121,7 @@ impl Lagrange {
             generalized_forces: Vec::with_capacity(n),
             residuals: Vec::with_capacity(n),
             variations: Vec::with_capacity(n),
-            mass_products: self.mass_products(sample, &variation.velocities, perturbation),
+            mass_products: self.mass_products(point, &variation.velocities, perturbation),
             outputs: Vec::new(),
         };
         for (position, weight) in self.lagrangian_weights() {
@@ -141,7 +141,7 @@ impl Lagrange {
             if !parts.iter().all(|part| part.is_finite()) {
                 return None;
             }
-            let (mut residual, mut change) = (Balance::default(), Balance::default());
+            let (mut residual, mut change) = (SumWithSize::default(), SumWithSize::default());
             for (rate, mixed) in [
                 (momentum.first, momentum.mixed),
                 (-slope.value, -slope.second),
@@ -158,7 +158,7 @@ impl Lagrange {
         }
         let state = |symbol: Symbol| match symbol {
             Symbol::Acceleration(i) => accelerations[i as usize],
-            _ => sample.value(symbol),
+            _ => point.value(symbol),
         };
         result.outputs = self.outputs.evaluate(&state, perturbation);
         Some(result)
@@ -195,7 +195,7 @@ impl Lagrange {
     /// M w, the change of p where velocities change by w.
     fn mass_products(
         &self,
-        sample: Sample,
+        point: RealPoint,
         velocities: &[f64],
         perturbation: Perturbation,
     ) -> Vec<f64> {
@@ -206,7 +206,7 @@ impl Lagrange {
             };
             HyperDual {
                 first,
-                ..HyperDual::constant(sample.value(symbol))
+                ..HyperDual::constant(point.value(symbol))
             }
         };
         let values = self.tape.run(&symbol, perturbation);
@@ -234,18 +234,18 @@ impl Gradient {
 
 /// A symbol that moves in time and with the variation.
 fn moving(
-    sample: Sample,
+    point: RealPoint,
     symbol: Symbol,
     variation: &Variation,
     accelerations: &[f64],
 ) -> HyperDual {
     let n = accelerations.len();
-    let mut number = HyperDual::constant(sample.value(symbol));
+    let mut number = HyperDual::constant(point.value(symbol));
     match symbol {
         Symbol::Coordinate(i) => {
             let i = i as usize;
             // q̇ varies, too.
-            number.first = sample.value(Symbol::Velocity(position(i)));
+            number.first = point.value(Symbol::Velocity(position(i)));
             number.second = variation.state[i];
             number.mixed = variation.state[n + i];
         }
@@ -260,7 +260,7 @@ fn moving(
         Symbol::Input(i) => number.second = variation.inputs[i as usize],
         Symbol::Acceleration(_)
         | Symbol::Parameter(_)
-        | Symbol::Prepared(_)
+        | Symbol::Invariant(_)
         | Symbol::Argument(_) => {}
     }
     number

@@ -1,9 +1,9 @@
-//! Numbers on which a tape is run.
+//! The arithmetics in which a tape is evaluated.
 
 use crate::validation::hyper_dual::{HyperDual, real_power};
 use crate::{Binary, Unary};
 
-/// Numbers on which a tape is run.
+/// Numbers on which a tape is evaluated.
 pub(crate) trait Number: Copy {
     const ZERO: Self;
     fn constant(value: f64) -> Self;

@@ -1,13 +1,13 @@
-//! The programs that are about to be emitted for a model, as far as they are validated.
+//! The programs of a model that are validated.
 
-use crate::validation::changes::Layout;
+use crate::validation::changes::LinearizationOutputs;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::sample::Sample;
+use crate::validation::real_point::RealPoint;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
 use crate::{Program, Symbol};
 
-/// What is validated: one or more programs that stand or fall together.
+/// A validated method: one or more programs that are accepted or rejected together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Method {
     /// L.
@@ -104,7 +104,7 @@ pub struct Programs<'a> {
     pub generalized_forces: &'a Program,
     /// M q̈ − f.
     pub inverse_dynamics: &'a Program,
-    /// What the program for q̈ finds prepared.
+    /// The setup program of q̈, which computes the invariants.
     pub preparation: &'a Program,
     /// q̈.
     pub accelerations: AccelerationProgram<'a>,
@@ -128,7 +128,7 @@ pub(crate) struct Tapes {
     pub(crate) outputs: Tape,
     /// By the state and by the inputs.
     pub(crate) linearization: [Tape; 2],
-    pub(crate) layout: Layout,
+    pub(crate) linearization_outputs: LinearizationOutputs,
     preparation: Tape,
     accelerations: Tape,
     /// The number of pivots before q̈, unless M and f are computed.
@@ -141,13 +141,15 @@ impl Tapes {
             AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
             AccelerationProgram::System(program) => (program, None),
         };
-        let (linearization, layout) = match programs.linearization {
+        let (linearization, linearization_outputs) = match programs.linearization {
             LinearizationProgram::Solved {
                 state,
                 inputs,
                 pivots,
-            } => ([state, inputs], Layout::Solved(pivots)),
-            LinearizationProgram::System { state, inputs } => ([state, inputs], Layout::System),
+            } => ([state, inputs], LinearizationOutputs::Solved(pivots)),
+            LinearizationProgram::System { state, inputs } => {
+                ([state, inputs], LinearizationOutputs::System)
+            }
         };
         let energies = programs.energies.iter().flatten();
         Self {
@@ -161,7 +163,7 @@ impl Tapes {
             inverse_dynamics: Tape::of_program(programs.inverse_dynamics),
             outputs: Tape::of_program(programs.outputs),
             linearization: linearization.map(Tape::of_program),
-            layout,
+            linearization_outputs,
             preparation: Tape::of_program(programs.preparation),
             accelerations: Tape::of_program(accelerations),
             pivots,
@@ -171,15 +173,15 @@ impl Tapes {
     /// The accelerations at a point, if they exist.
     pub(crate) fn accelerations(
         &self,
-        sample: Sample,
+        point: RealPoint,
         coordinates: usize,
         perturbation: Perturbation,
     ) -> Option<Vec<f64>> {
-        let parameters = |symbol: Symbol| sample.value(symbol);
-        let prepared = self.preparation.evaluate(&parameters, perturbation);
+        let parameters = |symbol: Symbol| point.value(symbol);
+        let invariants = self.preparation.evaluate(&parameters, perturbation);
         let symbol = |symbol: Symbol| match symbol {
-            Symbol::Prepared(index) => prepared[index as usize],
-            _ => sample.value(symbol),
+            Symbol::Invariant(index) => invariants[index as usize],
+            _ => point.value(symbol),
         };
         let mut outputs = self.accelerations.evaluate(&symbol, perturbation);
         let accelerations = if let Some(pivots) = self.pivots {

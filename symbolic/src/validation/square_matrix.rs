@@ -1,6 +1,6 @@
 //! Square matrices of numbers.
 
-use crate::validation::lagrange::Balance;
+use crate::validation::lagrange::SumWithSize;
 
 /// A square matrix, row by row.
 pub(crate) struct SquareMatrix {
@@ -27,8 +27,8 @@ impl SquareMatrix {
     }
 
     /// The product with a vector.
-    pub(crate) fn times(&self, vector: &[f64]) -> Vec<Balance> {
-        let mut products = vec![Balance::default(); self.size];
+    pub(crate) fn times(&self, vector: &[f64]) -> Vec<SumWithSize> {
+        let mut products = vec![SumWithSize::default(); self.size];
         for (i, product) in products.iter_mut().enumerate() {
             for (j, x) in vector.iter().enumerate() {
                 product.add(self.elements[i * self.size + j] * x);

@@ -2,8 +2,7 @@
 //! for gradients (reverse accumulation: Griewank and Walther, Evaluating Derivatives, 2nd edition 2008,
 //! chapter 3).
 //!
-//! An expression is written down as it stands, node by node; nothing is simplified. A run may perturb every
-//! result a little.
+//! An expression is recorded node by node, without simplification. A run may perturb every result a little.
 
 mod expressions;
 mod programs;
@@ -11,7 +10,7 @@ mod programs;
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::number::Number;
 use crate::validation::perturbation::Perturbation;
-use crate::{Binary, Function, Symbol, Unary};
+use crate::{Binary, ExternalFunction, Symbol, Unary};
 
 /// The position of a result on a tape.
 type Slot = u32;
@@ -29,23 +28,23 @@ enum Entry {
     Power(f64, Slot),
     Unary(Unary, Slot),
     Binary(Binary, Slot, Slot),
-    /// A function from outside: where its arguments begin, how many they are, and whether as many slopes
-    /// follow them.
-    Apply(Function, Slot, Slot, bool),
+    /// An external function: the start and number of its arguments, and whether as many partial derivatives follow
+    /// them.
+    Apply(ExternalFunction, Slot, Slot, bool),
 }
 
 /// A list of operations, and where the results are.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tape {
     entries: Vec<Entry>,
-    /// Arguments and slopes of functions from outside.
+    /// Arguments and partial derivatives of external functions.
     arguments: Vec<Slot>,
     outputs: Vec<Slot>,
 }
 
-/// A function from outside that nobody knows: smooth, positive, another one for each.
+/// The value of an external function, which is unknown: a smooth, positive function, different for each.
 #[allow(clippy::cast_precision_loss)] // The index is small.
-fn unknown_function<N: Number>(function: Function, arguments: &[N]) -> f64 {
+fn unknown_function<N: Number>(function: ExternalFunction, arguments: &[N]) -> f64 {
     let mut phase = function.index() as f64;
     for (position, x) in arguments.iter().enumerate() {
         phase += (0.7 + 0.2 * position as f64) * x.value();
@@ -54,7 +53,12 @@ fn unknown_function<N: Number>(function: Function, arguments: &[N]) -> f64 {
 }
 
 impl Tape {
-    fn application(&mut self, function: Function, arguments: &[Slot], slopes: &[Slot]) -> Entry {
+    fn application(
+        &mut self,
+        function: ExternalFunction,
+        arguments: &[Slot],
+        slopes: &[Slot],
+    ) -> Entry {
         let start = position(self.arguments.len());
         self.arguments.extend_from_slice(arguments);
         self.arguments.extend_from_slice(slopes);
@@ -126,7 +130,7 @@ impl Tape {
         results
     }
 
-    /// The arguments of a function from outside, and its slopes if they are known.
+    /// The arguments of an external function, and its partial derivatives if they are known.
     fn operands<N: Number>(
         &self,
         values: &[N],

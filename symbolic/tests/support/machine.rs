@@ -8,7 +8,7 @@ use super::{Number, outside};
 pub(crate) fn run<N: Number>(program: &Program, symbol: impl Fn(Symbol) -> N) -> Vec<Vec<N>> {
     let mut values: Vec<N> = Vec::new();
     let mut groups = Vec::new();
-    for phase in &program.phases {
+    for phase in &program.groups {
         for instruction in &phase.instructions {
             assert_eq!(instruction.value, values.len());
             execute(&instruction.operation, &mut values, &symbol);

@@ -53,7 +53,7 @@ pub(crate) fn evaluate<N: Number>(
                 let arguments: Vec<N> = arguments.iter().map(|x| of(*x)).collect();
                 outside::value(*function, &arguments)
             }
-            Node::Whole(x) => of(*x),
+            Node::Opaque(x) => of(*x),
         };
     }
     values[root.index()]

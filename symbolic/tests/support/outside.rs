@@ -1,6 +1,6 @@
 //! Functions that the library knows by their names and derivatives alone.
 
-use lagrangian_symbolic::{Function, Graph, Rational, Symbol, Unary};
+use lagrangian_symbolic::{ExternalFunction, Graph, Rational, Symbol, Unary};
 
 use super::Number;
 
@@ -19,7 +19,7 @@ pub(crate) fn arity(function: usize) -> usize {
 }
 
 /// The functions, declared with their derivatives in a graph that has no other.
-pub(crate) fn functions(graph: &mut Graph) -> [Function; COUNT] {
+pub(crate) fn functions(graph: &mut Graph) -> [ExternalFunction; COUNT] {
     if let Some(known) = graph.functions().collect::<Vec<_>>().first_chunk() {
         return *known;
     }
@@ -45,7 +45,7 @@ pub(crate) fn functions(graph: &mut Graph) -> [Function; COUNT] {
 }
 
 /// The value of a function of [`functions`].
-pub(crate) fn value<N: Number>(function: Function, arguments: &[N]) -> N {
+pub(crate) fn value<N: Number>(function: ExternalFunction, arguments: &[N]) -> N {
     value_of(function.index(), arguments)
 }
 

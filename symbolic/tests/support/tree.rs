@@ -192,7 +192,7 @@ impl Tree {
             }
             Self::Whole(x) => {
                 let x = x.build(graph);
-                graph.whole(x)
+                graph.opaque(x)
             }
             Self::Unary(function, x) => {
                 let x = x.build(graph);

@@ -121,11 +121,11 @@ fn forces_along_the_tree_are_lagranges() {
     for mut model in chains.map(Chain::model).chain(others) {
         let (tree, equations) = tree(&mut model);
         let graph = &mut model.graph;
-        let whole = [tree.forcing(graph), tree.inverse_dynamics(graph)].concat();
+        let found = [tree.forcing(graph), tree.inverse_dynamics(graph)].concat();
         let expected = [equations.forcing, equations.inverse_dynamics].concat();
-        for (x, y) in whole.into_iter().zip(expected) {
+        for (x, y) in found.into_iter().zip(expected) {
             let difference = graph.subtract(x, y);
-            assert!(structure::vanishes(graph, difference));
+            assert!(coordinate_properties::vanishes(graph, difference));
         }
     }
 }
@@ -139,7 +139,7 @@ fn equal_inertias_are_divided_out_and_different_ones_are_not() {
         };
         let mut model = chain.model();
         let (tree, _) = tree(&mut model);
-        let scaled = tree.without_unit(&mut model.graph);
+        let scaled = tree.divided_by_unit(&mut model.graph);
         let entry = scaled.inertia[0][0];
         assert_eq!(model.graph.as_constant(entry).is_some(), divided);
         let one = model.graph.one();

@@ -4,7 +4,7 @@ use crate::validation::tape::{Entry, Slot, Tape};
 use crate::{Expression, Graph, Node, Rational};
 
 impl Tape {
-    /// The tape of some roots. Slopes of functions from outside are taken from their declared derivatives.
+    /// The tape of some roots. Partial derivatives of external functions are the declared ones.
     pub(crate) fn of_expressions(graph: &Graph, roots: &[Expression]) -> Self {
         let mut writer = Writer {
             tape: Self::default(),
@@ -22,7 +22,7 @@ impl Tape {
     }
 }
 
-/// How often a function from outside is differentiated: Lagrange's equations and their linearization take
+/// How often an external function is differentiated: Lagrange's equations and their linearization take
 /// third derivatives of the Lagrangian function.
 const HIGHEST_DERIVATIVE: usize = 3;
 
@@ -46,7 +46,7 @@ impl Writer {
         }
     }
 
-    /// The same, where functions from outside have slopes, as long as derivatives of them are needed.
+    /// The same, with the partial derivatives of external functions, as long as derivatives of them are needed.
     fn write_with_slopes(&mut self, graph: &mut Graph, roots: &[Expression], order: usize) {
         for expression in graph.descendants(roots) {
             if self.is_written(expression, order) {
@@ -57,7 +57,7 @@ impl Writer {
                 && order < HIGHEST_DERIVATIVE
             {
                 for argument in 0..arguments.len() {
-                    slopes.push(graph.slope(function, argument, &arguments));
+                    slopes.push(graph.partial_derivative(function, argument, &arguments));
                 }
                 self.write_with_slopes(graph, &slopes, order + 1);
             }
@@ -94,7 +94,7 @@ impl Writer {
             Node::Constant(value) => Entry::Constant(value.to_f64()),
             Node::Pi => Entry::Constant(core::f64::consts::PI),
             Node::Symbol(symbol) => Entry::Symbol(*symbol),
-            Node::Whole(x) => return of(*x),
+            Node::Opaque(x) => return of(*x),
             Node::Unary(function, x) => Entry::Unary(*function, of(*x)),
             Node::Binary(function, x, y) => Entry::Binary(*function, of(*x), of(*y)),
             Node::Application(function, arguments) => {

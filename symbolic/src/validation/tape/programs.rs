@@ -23,7 +23,7 @@ impl Tape {
     fn append(&mut self, program: &Program) {
         let mut values: Vec<Slot> = Vec::new();
         let mut loaded: Table<Operand, Slot> = Table::default();
-        for phase in &program.phases {
+        for phase in &program.groups {
             for instruction in &phase.instructions {
                 let operation = &instruction.operation;
                 let operands: Vec<Slot> = operation

@@ -1,39 +1,39 @@
-//! Vectors that remember how they were turned.
+//! Vectors that remember the frames in which they are known.
 //!
-//! A vector may be known as a sum Σ Rᵢ vᵢ, where each Rᵢ is a product of rotations. What no rotation
-//! changes can then be computed along other axes, of which the cheapest are taken: |R v|² is |v|². Only
-//! rotations whatever the values of all symbols are count, no parameters that are trusted to be some:
-//! other matrices are part of vᵢ.
+//! A vector may be known as a sum Σ Rᵢ vᵢ, where each Rᵢ is a product of rotations. What is invariant under
+//! rotations can then be resolved in any of these frames, of which the cheapest is taken: |R v|² is |v|². Only
+//! matrices that are rotations for all values of their symbols count, no parameters that are trusted to be
+//! rotations: other matrices are part of vᵢ.
 
 use crate::geometry::axis::Axis;
-use crate::geometry::factor::Factor;
+use crate::geometry::factor::MatrixFactor;
 use crate::geometry::matrix::Matrix;
 use crate::{Expression, Graph, Rational};
 
-/// A vector R v.
+/// A vector R v, known by its components v in the frame of R.
 #[derive(Clone, Debug)]
-pub(crate) struct TurnedVector {
+pub(crate) struct VectorInFrame {
     /// R, as the product of these rotations.
-    pub(crate) rotation: Vec<Factor>,
+    pub(crate) rotation: Vec<MatrixFactor>,
     /// v.
     pub(crate) vector: [Expression; 3],
 }
 
-/// A sum of more vectors than this belongs to a link of a chain. It is cheaper along inertial axes, where
+/// A sum of more vectors than this belongs to a link of a chain. It is cheaper in the inertial frame, where
 /// the links before it have been computed; with 6, five links on universal joints took twice the operations.
 const MOST_PARTS: usize = 3;
-/// So does a sum with a vector that is turned by more factors than this.
+/// So does a sum with a vector that is rotated by more factors than this.
 const MOST_FACTORS_IN_SUM: usize = 4;
-/// Nor is a single vector remembered that is turned by more factors than this.
+/// Nor is a single vector remembered that is rotated by more factors than this.
 const MOST_FACTORS: usize = 12;
 
 impl Graph {
     /// Σ A Rᵢ vᵢ, where A is the product of `factors`, of a vector that may remember its parts.
-    pub(crate) fn parts_turned(
+    pub(crate) fn rotated_parts(
         &mut self,
-        factors: &[Factor],
+        factors: &[MatrixFactor],
         vector: &Matrix,
-    ) -> Vec<TurnedVector> {
+    ) -> Vec<VectorInFrame> {
         let mut parts = Vec::new();
         for part in parts_of(vector) {
             let all = factors.iter().chain(&part.rotation).copied();
@@ -44,13 +44,13 @@ impl Graph {
                 .into_iter()
                 .rev()
                 .fold(part.vector, |vector, factor| factor.apply(self, vector));
-            parts.push(TurnedVector { rotation, vector });
+            parts.push(VectorInFrame { rotation, vector });
         }
-        self.gathered(parts)
+        self.added_by_frame(parts)
     }
 
     /// The parts of Σ cᵢ xᵢ of pairs (xᵢ, cᵢ).
-    pub(crate) fn parts_of_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Vec<TurnedVector> {
+    pub(crate) fn parts_of_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Vec<VectorInFrame> {
         if terms.iter().all(|(x, _)| x.known_parts().is_empty()) {
             return Vec::new();
         }
@@ -61,7 +61,7 @@ impl Graph {
                 parts.push(part);
             }
         }
-        self.gathered(parts)
+        self.added_by_frame(parts)
     }
 
     /// The parts of a multiple of a vector.
@@ -69,7 +69,7 @@ impl Graph {
         &mut self,
         vector: &Matrix,
         factor: Expression,
-    ) -> Vec<TurnedVector> {
+    ) -> Vec<VectorInFrame> {
         let mut parts = vector.known_parts().to_vec();
         for part in &mut parts {
             part.vector = part.vector.map(|x| self.multiply(factor, x));
@@ -78,38 +78,38 @@ impl Graph {
     }
 
     /// The parts of the time derivative: of R v it is R (ω × v + v̇), with the angular velocity ω of R
-    /// along the axes that R turns.
+    /// in the frame of R.
     pub(crate) fn parts_of_derivative(
         &mut self,
         vector: &Matrix,
         coordinates: u32,
-    ) -> Vec<TurnedVector> {
+    ) -> Vec<VectorInFrame> {
         let mut parts = vector.known_parts().to_vec();
         for part in &mut parts {
-            let Ok(velocity) = self.composed(&part.rotation, coordinates) else {
+            let Ok(velocity) = self.angular_velocity_of_product(&part.rotation, coordinates) else {
                 return Vec::new();
             };
-            let turning = self.cross(velocity, part.vector);
+            let transport = self.cross(velocity, part.vector);
             let rates = self.time_derivatives(&part.vector, coordinates);
-            part.vector = [0, 1, 2].map(|i| self.add(turning[i], rates[i]));
+            part.vector = [0, 1, 2].map(|i| self.add(transport[i], rates[i]));
         }
-        self.gathered(parts)
+        self.added_by_frame(parts)
     }
 
-    /// The parts of x × y: R a × R b is R (a × b), for what both are turned by last.
-    pub(crate) fn parts_of_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Vec<TurnedVector> {
+    /// The parts of x × y: R a × R b is R (a × b), for the rotation R that both begin with.
+    pub(crate) fn parts_of_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Vec<VectorInFrame> {
         let [first, second] = [x, y].map(parts_of);
         let rotation = common_rotation(first.iter().chain(&second));
         if rotation.is_empty() {
             return Vec::new();
         }
-        let [a, b] = [first, second].map(|parts| self.along(&rotation, &parts));
+        let [a, b] = [first, second].map(|parts| self.resolve_in(&rotation, &parts));
         let vector = self.cross(a, b);
-        vec![TurnedVector { rotation, vector }]
+        vec![VectorInFrame { rotation, vector }]
     }
 
-    /// The cheapest x · y along the axes of what all parts of both are turned by last, or of one of the
-    /// parts; none where parts are turned independently, of which the elements are cheaper.
+    /// The cheapest x · y in the frame that all parts of both have in common, or in that of one of the parts;
+    /// none where the frames are independent, for which the elements are cheaper.
     pub(crate) fn dot_product_of_parts(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
         let [first, second] = [x, y].map(parts_of);
         let common = common_rotation(first.iter().chain(&second));
@@ -124,60 +124,64 @@ impl Graph {
         }
         let mut candidates = Vec::new();
         for rotation in &frames {
-            let a = self.along(rotation, &first);
-            let b = self.along(rotation, &second);
+            let a = self.resolve_in(rotation, &first);
+            let b = self.resolve_in(rotation, &second);
             candidates.push(self.sum_of_products(a.into_iter().zip(b)));
         }
         candidates.into_iter().min_by_key(|x| self.cost(&[*x]))
     }
 
     /// The vector that parts add up to.
-    pub(crate) fn sum_of_parts(&mut self, parts: &[TurnedVector]) -> [Expression; 3] {
-        self.along(&[], parts)
+    pub(crate) fn sum_of_parts(&mut self, parts: &[VectorInFrame]) -> [Expression; 3] {
+        self.resolve_in(&[], parts)
     }
 
-    /// Rᵀ Σ Rᵢ vᵢ: the components along the axes that R turns.
+    /// Rᵀ Σ Rᵢ vᵢ: the components in the frame of R.
     ///
-    /// What is turned by most factors is turned first, so that vectors are added before they are turned
-    /// on together.
-    fn along(&mut self, rotation: &[Factor], parts: &[TurnedVector]) -> [Expression; 3] {
-        let back: Vec<Factor> = rotation.iter().rev().map(Factor::transpose).collect();
+    /// The vector with most factors is rotated first, so that vectors are added before they are rotated further
+    /// together.
+    fn resolve_in(
+        &mut self,
+        rotation: &[MatrixFactor],
+        parts: &[VectorInFrame],
+    ) -> [Expression; 3] {
+        let back: Vec<MatrixFactor> = rotation.iter().rev().map(MatrixFactor::transpose).collect();
         let mut waiting = Vec::with_capacity(parts.len());
         for part in parts {
             let all = back.iter().chain(&part.rotation).copied();
-            waiting.push(TurnedVector {
+            waiting.push(VectorInFrame {
                 rotation: self.merged(all),
                 vector: part.vector,
             });
         }
         loop {
-            waiting = self.gathered(waiting);
+            waiting = self.added_by_frame(waiting);
             let longest = waiting.iter_mut().max_by_key(|part| part.rotation.len());
             let Some(part) = longest else {
                 return [self.zero(); 3];
             };
             match part.rotation.pop() {
                 Some(factor) => part.vector = factor.apply(self, part.vector),
-                // All are along the axes asked for, and so added up.
+                // All are in the frame asked for, and so added up.
                 None => return part.vector,
             }
         }
     }
 
-    /// The same parts, those together that are turned alike, without zeros.
-    fn gathered(&mut self, parts: Vec<TurnedVector>) -> Vec<TurnedVector> {
-        let mut gathered: Vec<TurnedVector> = Vec::new();
+    /// The same parts, those of one frame added up, without zeros.
+    fn added_by_frame(&mut self, parts: Vec<VectorInFrame>) -> Vec<VectorInFrame> {
+        let mut added: Vec<VectorInFrame> = Vec::new();
         for part in parts {
-            let known = gathered.iter_mut().find(|x| x.rotation == part.rotation);
+            let known = added.iter_mut().find(|x| x.rotation == part.rotation);
             match known {
                 Some(known) => {
                     known.vector = [0, 1, 2].map(|i| self.add(known.vector[i], part.vector[i]));
                 }
-                None => gathered.push(part),
+                None => added.push(part),
             }
         }
-        gathered.retain(|part| part.vector != [self.zero(); 3]);
-        gathered
+        added.retain(|part| part.vector != [self.zero(); 3]);
+        added
     }
 
     /// x × y.
@@ -192,8 +196,8 @@ impl Graph {
 }
 
 impl Matrix {
-    /// The same vector, which remembers its parts unless they are many or nothing is turned.
-    pub(crate) fn made_of(self, parts: Vec<TurnedVector>) -> Self {
+    /// The same vector, which remembers its parts unless they are many or none is rotated.
+    pub(crate) fn remembering_parts(self, parts: Vec<VectorInFrame>) -> Self {
         let most_factors = if parts.len() > 1 {
             MOST_FACTORS_IN_SUM
         } else {
@@ -201,8 +205,8 @@ impl Matrix {
         };
         let is_short = parts.len() <= MOST_PARTS
             && parts.iter().all(|part| part.rotation.len() <= most_factors);
-        let is_turned = parts.iter().any(|part| !part.rotation.is_empty());
-        if is_short && is_turned {
+        let is_rotated = parts.iter().any(|part| !part.rotation.is_empty());
+        if is_short && is_rotated {
             self.with_parts(parts)
         } else {
             self
@@ -210,12 +214,12 @@ impl Matrix {
     }
 }
 
-/// The parts of a vector of three components: those that it remembers, or itself.
-fn parts_of(vector: &Matrix) -> Vec<TurnedVector> {
+/// The parts of a vector of three components: the remembered ones, or itself.
+fn parts_of(vector: &Matrix) -> Vec<VectorInFrame> {
     if !vector.known_parts().is_empty() {
         return vector.known_parts().to_vec();
     }
-    let itself = vector.components().map(|vector| TurnedVector {
+    let itself = vector.components().map(|vector| VectorInFrame {
         rotation: Vec::new(),
         vector,
     });
@@ -223,7 +227,7 @@ fn parts_of(vector: &Matrix) -> Vec<TurnedVector> {
 }
 
 /// The factors with which the rotations of all parts begin.
-fn common_rotation<'a>(parts: impl Iterator<Item = &'a TurnedVector>) -> Vec<Factor> {
+fn common_rotation<'a>(parts: impl Iterator<Item = &'a VectorInFrame>) -> Vec<MatrixFactor> {
     let mut rotations = parts.map(|part| part.rotation.as_slice());
     let first = rotations.next().unwrap_or_default();
     let length = rotations.fold(first.len(), |length, other| {

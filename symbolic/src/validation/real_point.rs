@@ -2,25 +2,25 @@
 //!
 //! One point in four has numbers near one, one has numbers of many sizes, one has some that are equal, small
 //! integers and halves; in the fourth parameters are negative now and then. All are drawn from a seed by
-//! splitmix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014), another
-//! one than those of the decisions in modular arithmetic.
+//! splitmix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014), with another seed
+//! than those of the modular points.
 
 use crate::Symbol;
 use crate::decision::residue::mix;
 
-/// Apart from all points of the decisions, which count from 0.
+/// Different from the seeds of modular points, which count from 0.
 const SEED: u64 = 0x5851_f42d_4c95_7f2d;
 
 /// A random real point.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sample {
+pub(crate) struct RealPoint {
     seed: u64,
-    style: Style,
+    distribution: Distribution,
 }
 
-/// What the numbers of a point are like.
+/// The distribution of the coordinates of a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Style {
+enum Distribution {
     NearOne,
     ManySizes,
     Coinciding,
@@ -28,18 +28,18 @@ enum Style {
     Spread,
 }
 
-impl Sample {
+impl RealPoint {
     /// The point with this number.
     pub(crate) const fn new(number: u64) -> Self {
-        let style = match number % 4 {
-            0 => Style::NearOne,
-            1 => Style::ManySizes,
-            2 => Style::Coinciding,
-            _ => Style::NegativeParameters,
+        let distribution = match number % 4 {
+            0 => Distribution::NearOne,
+            1 => Distribution::ManySizes,
+            2 => Distribution::Coinciding,
+            _ => Distribution::NegativeParameters,
         };
         Self {
             seed: mix(SEED, number),
-            style,
+            distribution,
         }
     }
 
@@ -47,7 +47,7 @@ impl Sample {
     pub(crate) const fn spread(number: u64) -> Self {
         Self {
             seed: mix(SEED, number),
-            style: Style::Spread,
+            distribution: Distribution::Spread,
         }
     }
 
@@ -55,15 +55,17 @@ impl Sample {
     pub(crate) fn value(self, symbol: Symbol) -> f64 {
         let word = self.word(symbol);
         let fraction = fraction(word);
-        let size = match self.style {
-            Style::NearOne | Style::NegativeParameters => 0.3 + 1.9 * fraction,
-            Style::ManySizes => libm::exp2(10.0 * fraction - 5.0),
-            Style::Spread => libm::exp2(20.0 * fraction - 10.0),
-            Style::Coinciding => [0.5, 1.0, 1.5, 2.0, 2.5, 3.0][(word % 6) as usize],
+        let size = match self.distribution {
+            Distribution::NearOne | Distribution::NegativeParameters => 0.3 + 1.9 * fraction,
+            Distribution::ManySizes => libm::exp2(10.0 * fraction - 5.0),
+            Distribution::Spread => libm::exp2(20.0 * fraction - 10.0),
+            Distribution::Coinciding => [0.5, 1.0, 1.5, 2.0, 2.5, 3.0][(word % 6) as usize],
         };
         let is_negative = match symbol {
-            Symbol::Parameter(_) if self.style == Style::NegativeParameters => word & 0x300 == 0,
-            Symbol::Parameter(_) | Symbol::Prepared(_) => false,
+            Symbol::Parameter(_) if self.distribution == Distribution::NegativeParameters => {
+                word & 0x300 == 0
+            }
+            Symbol::Parameter(_) | Symbol::Invariant(_) => false,
             _ => word & 0x100 == 0,
         };
         if is_negative { -size } else { size }

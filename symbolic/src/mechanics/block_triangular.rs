@@ -1,30 +1,31 @@
-//! Solving E x = a and Eᵀ y = r for the square matrix E of quasi-velocities, before any number is known.
+//! Symbolic solution of E x = a for a square matrix E in block-triangular form (Duff, Erisman and Reid, Direct Methods for
+//! Sparse Matrices, 2nd edition 2017, chapter 6).
 //!
-//! Unknowns that stand alone are found one by one; what is left is small and is solved by cofactors.
-//! The determinants of such blocks are simplified first: for Euler angles the block is a rotation but
-//! for a factor, and its determinant is −sin θ, with nothing lost where it is small.
+//! Row and column singletons are removed one by one; the remainder falls into connected components, which are
+//! solved by Cramer's rule. The determinants of these blocks are simplified first: for Euler angles the block is a
+//! rotation up to a factor, and its determinant is −sin θ, with no digits lost where it is small.
 
 use crate::{Expression, Graph, Rational};
 
-/// A square matrix and the order in which its unknowns are found.
+/// A square matrix and its diagonal blocks in the order of solution.
 #[derive(Clone, Debug)]
-pub(crate) struct Kinematics {
+pub(crate) struct BlockTriangular {
     matrix: Vec<Vec<Expression>>,
-    steps: Vec<Step>,
+    blocks: Vec<DiagonalBlock>,
 }
 
-/// Unknowns that are found together, from as many equations.
+/// Unknowns that are solved for together, from as many equations.
 #[derive(Clone, Debug)]
-struct Step {
+struct DiagonalBlock {
     rows: Vec<usize>,
     columns: Vec<usize>,
     determinant: Expression,
 }
 
-/// Blocks that are larger are left to other methods.
+/// Matrices with larger blocks are left to other solvers.
 const LARGEST_BLOCK: usize = 3;
 
-impl Kinematics {
+impl BlockTriangular {
     /// The order of solution for `matrix`, unless it is not square or a block is too large or singular.
     pub(crate) fn new(graph: &mut Graph, matrix: Vec<Vec<Expression>>) -> Option<Self> {
         let size = matrix.len();
@@ -35,9 +36,9 @@ impl Kinematics {
             .iter()
             .map(|row| row.iter().map(|x| !graph.is_zero(*x)).collect())
             .collect();
-        let blocks = Peeling::new(&occupied).blocks();
-        let mut steps = Vec::with_capacity(blocks.len());
-        for (rows, columns) in blocks {
+        let order = SingletonRemoval::new(&occupied).blocks();
+        let mut blocks = Vec::with_capacity(order.len());
+        for (rows, columns) in order {
             if rows.len() != columns.len() || rows.len() > LARGEST_BLOCK {
                 return None;
             }
@@ -46,13 +47,13 @@ impl Kinematics {
             if graph.is_zero(determinant) {
                 return None;
             }
-            steps.push(Step {
+            blocks.push(DiagonalBlock {
                 rows,
                 columns,
                 determinant,
             });
         }
-        Some(Self { matrix, steps })
+        Some(Self { matrix, blocks })
     }
 
     /// The matrix E, row by row.
@@ -63,9 +64,9 @@ impl Kinematics {
     /// x in E x = a.
     pub(crate) fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let mut solution: Vec<Option<Expression>> = vec![None; right.len()];
-        for step in &self.steps {
-            let mut rest = Vec::with_capacity(step.rows.len());
-            for row in &step.rows {
+        for block in &self.blocks {
+            let mut rest = Vec::with_capacity(block.rows.len());
+            for row in &block.rows {
                 let mut terms = vec![(right[*row], Rational::ONE)];
                 for (column, known) in solution.iter().enumerate() {
                     if let Some(known) = known {
@@ -75,9 +76,9 @@ impl Kinematics {
                 }
                 rest.push(graph.sum(terms));
             }
-            for (position, column) in step.columns.iter().enumerate() {
-                let numerator = self.cramer(graph, step, position, &rest);
-                solution[*column] = Some(graph.divide(numerator, step.determinant));
+            for (position, column) in block.columns.iter().enumerate() {
+                let numerator = self.cramer(graph, block, position, &rest);
+                solution[*column] = Some(graph.divide(numerator, block.determinant));
             }
         }
         solution
@@ -90,14 +91,14 @@ impl Kinematics {
     fn cramer(
         &self,
         graph: &mut Graph,
-        step: &Step,
+        block: &DiagonalBlock,
         position: usize,
         right: &[Expression],
     ) -> Expression {
-        let columns = without(&step.columns, position);
+        let columns = without(&block.columns, position);
         let mut terms = Vec::with_capacity(right.len());
         for (row, value) in right.iter().enumerate() {
-            let minor = determinant(graph, &self.matrix, &without(&step.rows, row), &columns);
+            let minor = determinant(graph, &self.matrix, &without(&block.rows, row), &columns);
             let sign = if (row + position).is_multiple_of(2) {
                 Rational::ONE
             } else {
@@ -151,16 +152,16 @@ fn without(indices: &[usize], position: usize) -> Vec<usize> {
     rest
 }
 
-/// Which equations give which unknowns, found by taking away what stands alone.
-struct Peeling<'a> {
+/// The removal of row and column singletons.
+struct SingletonRemoval<'a> {
     occupied: &'a [Vec<bool>],
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
 
-type Block = (Vec<usize>, Vec<usize>);
+type BlockIndices = (Vec<usize>, Vec<usize>);
 
-impl<'a> Peeling<'a> {
+impl<'a> SingletonRemoval<'a> {
     fn new(occupied: &'a [Vec<bool>]) -> Self {
         let all: Vec<usize> = (0..occupied.len()).collect();
         Self {
@@ -171,14 +172,14 @@ impl<'a> Peeling<'a> {
     }
 
     /// The blocks in the order in which they can be solved.
-    fn blocks(mut self) -> Vec<Block> {
+    fn blocks(mut self) -> Vec<BlockIndices> {
         let (mut first, mut last) = (Vec::new(), Vec::new());
         loop {
-            // An equation with one unknown gives it now; an unknown in one equation comes last.
-            if let Some((row, column)) = self.lone_in_row() {
+            // An equation with one unknown is solved first; an unknown that occurs in one equation is solved last.
+            if let Some((row, column)) = self.row_singleton() {
                 self.take(row, column);
                 first.push((vec![row], vec![column]));
-            } else if let Some((row, column)) = self.lone_in_column() {
+            } else if let Some((row, column)) = self.column_singleton() {
                 self.take(row, column);
                 last.push((vec![row], vec![column]));
             } else {
@@ -195,7 +196,7 @@ impl<'a> Peeling<'a> {
         self.columns.retain(|x| *x != column);
     }
 
-    fn lone_in_row(&self) -> Option<(usize, usize)> {
+    fn row_singleton(&self) -> Option<(usize, usize)> {
         self.rows.iter().find_map(|row| {
             let mut unknowns = self
                 .columns
@@ -206,7 +207,7 @@ impl<'a> Peeling<'a> {
         })
     }
 
-    fn lone_in_column(&self) -> Option<(usize, usize)> {
+    fn column_singleton(&self) -> Option<(usize, usize)> {
         self.columns.iter().find_map(|column| {
             let mut equations = self.rows.iter().filter(|row| self.occupied[**row][*column]);
             let row = equations.next()?;
@@ -214,8 +215,8 @@ impl<'a> Peeling<'a> {
         })
     }
 
-    /// What is left, in parts that have nothing to do with each other.
-    fn components(&self) -> Vec<Block> {
+    /// The connected components of the remaining equations and unknowns.
+    fn components(&self) -> Vec<BlockIndices> {
         let mut components = Vec::new();
         let (mut rows, mut columns) = (self.rows.clone(), self.columns.clone());
         while let Some(row) = rows.first().copied() {
@@ -246,7 +247,7 @@ impl<'a> Peeling<'a> {
             components.push((block_rows, block_columns));
         }
         if !columns.is_empty() {
-            // Unknowns without an equation: not square, which the caller sees.
+            // Unknowns without an equation: a block that is not square, which the caller rejects.
             components.push((Vec::new(), columns));
         }
         components

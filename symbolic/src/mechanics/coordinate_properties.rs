@@ -1,7 +1,7 @@
-//! What is known of a system before any number is: where its mass matrix can be singular, and which
-//! of its coordinates are angles.
+//! Properties of the coordinates: which are angles, which are ignorable (cyclic), and on which the determinant of the
+//! mass matrix depends.
 //!
-//! All decisions are exact, taken at random points in modular arithmetic.
+//! All decisions are exact, by polynomial identity testing.
 
 use crate::decision::identity_test::IdentityTest;
 use crate::decision::point::Point;
@@ -9,9 +9,9 @@ use crate::decision::residue;
 use crate::mechanics::equations::Defect;
 use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 
-/// Facts about a system that the runtime uses.
+/// Properties of the coordinates that the runtime uses.
 #[derive(Clone, Debug)]
-pub struct Structure {
+pub struct CoordinateProperties {
     /// Which coordinates are angles: they occur, and only in sums under sine, cosine and tangent.
     pub angles: Vec<bool>,
     /// Which coordinates are ignorable: they occur neither in the Lagrangian nor in a force.
@@ -25,7 +25,7 @@ pub(crate) fn analyze(
     lagrangian: Expression,
     mass: &[Vec<Expression>],
     generalized_forces: &[Expression],
-) -> Result<Structure, Defect> {
+) -> Result<CoordinateProperties, Defect> {
     let graph = &model.graph;
     let mut singularities = vec![Vec::new(); mass.len()];
     let mut singular = Vec::new();
@@ -46,7 +46,7 @@ pub(crate) fn analyze(
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;
         }
-        let fixed = test.fixed(graph, &entries, &coordinates, determinant);
+        let fixed = test.independent(graph, &entries, &coordinates, determinant);
         let depends: Vec<u32> = (0..).zip(fixed).filter(|x| !x.1).map(|x| x.0).collect();
         for i in block {
             singularities[i].clone_from(&depends);
@@ -66,7 +66,7 @@ pub(crate) fn analyze(
     for (is_angle, is_ignorable) in angles.iter_mut().zip(&ignorable) {
         *is_angle &= !is_ignorable;
     }
-    Ok(Structure {
+    Ok(CoordinateProperties {
         angles,
         ignorable,
         singularities,
@@ -79,12 +79,12 @@ pub(crate) fn vanishes(graph: &Graph, expression: Expression) -> bool {
     IdentityTest::of(graph, &roots).holds(|point| Some(point.evaluate(graph, &roots)?[0] == 0))
 }
 
-/// Whether one of `roots` depends on `symbol`, and not only in its spelling.
+/// Whether one of `roots` depends on `symbol`, which may occur in it without effect.
 pub(crate) fn depends(graph: &Graph, roots: &[Expression], symbol: Symbol) -> bool {
     roots.iter().any(|root| {
         let roots = [*root];
         let test = IdentityTest::of(graph, &roots);
-        !test.fixed(graph, &roots, &[symbol], |values, _| Some(values[0]))[0]
+        !test.independent(graph, &roots, &[symbol], |values, _| Some(values[0]))[0]
     })
 }
 
@@ -114,7 +114,7 @@ fn blocks(graph: &Graph, mass: &[Vec<Expression>]) -> Vec<Vec<usize>> {
     blocks
 }
 
-/// The determinant modulo the prime p, by elimination with exchange of rows.
+/// The determinant modulo the prime p, by Gaussian elimination with row exchanges.
 fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> Option<u64> {
     let mut determinant = 1;
     for k in 0..rows.len() {
@@ -142,7 +142,7 @@ fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> Option<u64> {
 fn angles(graph: &Graph, roots: &[Expression], coordinates: u32) -> Vec<bool> {
     let descendants = graph.descendants(roots);
     let length = descendants.last().map_or(0, |last| last.index() + 1);
-    // Whether the value of an expression matters by itself and not only modulo a whole turn.
+    // Whether the value of an expression matters by itself and not only modulo a full turn.
     let mut matters = vec![false; length];
     for root in roots {
         matters[root.index()] = true;

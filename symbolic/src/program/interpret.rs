@@ -1,14 +1,14 @@
-//! Running a program without compiling it.
+//! The interpreter of programs.
 //!
-//! The same instructions are read as arithmetic in binary64, modulo a prime, or on expressions, so that
-//! what is emitted can be checked against what it was made from.
+//! The same instructions are interpreted in binary64, modulo a prime, or on expressions, so that an emitted program
+//! can be checked against the expressions that it was scheduled from.
 
 use crate::decision::point::Point;
 use crate::decision::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
-use crate::{Binary, Expression, Function, Graph, Rational, Symbol, Unary};
+use crate::{Binary, Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
 
-/// What numbers a program can be run on. `None` is a value that does not exist.
+/// An arithmetic in which a program is interpreted. `None` is an undefined value.
 trait Arithmetic {
     type Number: Copy;
 
@@ -28,26 +28,30 @@ trait Arithmetic {
         x: Self::Number,
         y: Self::Number,
     ) -> Option<Self::Number>;
-    fn apply(&mut self, function: Function, arguments: &[Self::Number]) -> Option<Self::Number>;
+    fn apply(
+        &mut self,
+        function: ExternalFunction,
+        arguments: &[Self::Number],
+    ) -> Option<Self::Number>;
 }
 
 impl Program {
     /// The values of all outputs in binary64, group by group, where `value` gives those of the symbols.
     ///
-    /// Those of functions from outside are not known: NaN.
+    /// External functions evaluate to NaN.
     #[must_use]
     pub fn evaluate(&self, value: impl Fn(Symbol) -> f64) -> Vec<Vec<f64>> {
         self.evaluate_with(value, |_, _| f64::NAN)
     }
 
-    /// The values of all outputs in binary64, where `outside` gives those of functions from outside.
+    /// The values of all outputs in binary64, where `external` gives those of external functions.
     #[must_use]
     pub fn evaluate_with(
         &self,
         value: impl Fn(Symbol) -> f64,
-        outside: impl Fn(Function, &[f64]) -> f64,
+        external: impl Fn(ExternalFunction, &[f64]) -> f64,
     ) -> Vec<Vec<f64>> {
-        self.run(&mut Binary64(value, outside)).unwrap_or_default()
+        self.run(&mut Binary64(value, external)).unwrap_or_default()
     }
 
     /// The expressions of all outputs, built again from the instructions.
@@ -63,7 +67,7 @@ impl Program {
     fn run<A: Arithmetic>(&self, arithmetic: &mut A) -> Option<Vec<Vec<A::Number>>> {
         let mut values = Vec::new();
         let mut groups = Vec::new();
-        for phase in &self.phases {
+        for phase in &self.groups {
             for instruction in &phase.instructions {
                 execute(arithmetic, &instruction.operation, &mut values)?;
             }
@@ -131,10 +135,10 @@ fn execute<A: Arithmetic>(
     Some(())
 }
 
-/// The values of symbols and of functions from outside.
+/// The values of symbols and of external functions.
 struct Binary64<F, G>(F, G);
 
-impl<F: Fn(Symbol) -> f64, G: Fn(Function, &[f64]) -> f64> Arithmetic for Binary64<F, G> {
+impl<F: Fn(Symbol) -> f64, G: Fn(ExternalFunction, &[f64]) -> f64> Arithmetic for Binary64<F, G> {
     type Number = f64;
 
     fn constant(&mut self, value: &Rational) -> Option<f64> {
@@ -181,7 +185,7 @@ impl<F: Fn(Symbol) -> f64, G: Fn(Function, &[f64]) -> f64> Arithmetic for Binary
         Some(function.value(x, y))
     }
 
-    fn apply(&mut self, function: Function, arguments: &[f64]) -> Option<f64> {
+    fn apply(&mut self, function: ExternalFunction, arguments: &[f64]) -> Option<f64> {
         Some((self.1)(function, arguments))
     }
 }
@@ -233,7 +237,11 @@ impl Arithmetic for Graph {
         Some(Self::binary(self, function, x, y))
     }
 
-    fn apply(&mut self, function: Function, arguments: &[Expression]) -> Option<Expression> {
+    fn apply(
+        &mut self,
+        function: ExternalFunction,
+        arguments: &[Expression],
+    ) -> Option<Expression> {
         Some(Self::apply(self, function, arguments))
     }
 }
@@ -289,7 +297,7 @@ impl Arithmetic for Point {
         Some(Self::binary(*self, function, x, y))
     }
 
-    fn apply(&mut self, function: Function, arguments: &[u64]) -> Option<u64> {
+    fn apply(&mut self, function: ExternalFunction, arguments: &[u64]) -> Option<u64> {
         Some(Self::apply(*self, function, arguments.iter().copied()))
     }
 }

@@ -1,47 +1,49 @@
-//! Solving M q̈ = f before any number is known, for few coordinates.
+//! Symbolic factorization M = L D Lᵀ (Golub and Van Loan, Matrix Computations, 4th edition 2013, section 4.1) and the
+//! solution of M q̈ = f, for few coupled coordinates.
 //!
-//! Symmetric elimination, M = L D Lᵀ, in an order of our choosing: pivots that do not depend on the
-//! coordinates first, then those that fill least. What cancels is cancelled exactly: a Schur complement
-//! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with nothing lost near θ = 0. M is not
-//! inverted; the solution is straight-line code with one division for each pivot.
+//! The order of pivots: those that do not depend on the coordinates first, then by minimum degree, which bounds
+//! the fill-in (Markowitz, The elimination form of the inverse, 1957; Tinney and Walker, Direct solutions of sparse
+//! network equations by optimally ordered triangular factorization, 1967). Cancellation is exact: a Schur complement
+//! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
+//! solution is straight-line code with one division for each pivot.
 
 use crate::{Binary, Expression, Graph, Node, Rational, Symbol, Unary};
 
-/// A matrix factored before any number is known.
+/// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
-pub struct Elimination {
+pub struct Ldlt {
     /// The pivots, the entries of D, by coordinate. Where all are positive, M is positive definite and
     /// the solution is stable.
     pub pivots: Vec<Expression>,
-    /// Each row as it was when it was the pivot's.
+    /// Each row at the time when it was the pivot row.
     rows: Vec<Vec<Expression>>,
     order: Vec<usize>,
 }
 
-/// Entries of larger systems are kept whole: they would grow with each step.
+/// Entries of larger matrices become opaque: they would grow with each step.
 const MOST_MERGED: usize = 4;
 
-impl Elimination {
+impl Ldlt {
     /// Factors M, unless there is no pivot to begin with, or a pivot would meet more than `limit` others.
     pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>], limit: usize) -> Option<Self> {
-        let mut system = System {
+        let mut partial = PartialFactorization {
             graph,
             matrix: mass.to_vec(),
         };
         let mut waiting: Vec<usize> = (0..mass.len()).collect();
         let mut order = Vec::new();
         while !waiting.is_empty() {
-            let pivot = system.best_pivot(&waiting)?;
+            let pivot = partial.best_pivot(&waiting)?;
             waiting.retain(|row| *row != pivot);
             let others = waiting.iter();
-            let coupled = others.filter(|i| !system.graph.is_zero(system.matrix[pivot][**i]));
+            let coupled = others.filter(|i| !partial.graph.is_zero(partial.matrix[pivot][**i]));
             if coupled.count() > limit {
                 return None;
             }
-            system.eliminate(pivot, &waiting);
+            partial.eliminate(pivot, &waiting);
             order.push(pivot);
         }
-        let rows = system.matrix;
+        let rows = partial.matrix;
         Some(Self {
             pivots: (0..rows.len()).map(|i| rows[i][i]).collect(),
             rows,
@@ -59,7 +61,7 @@ impl Elimination {
                 let change = graph.multiply(factor, right[*pivot]);
                 right[*i] = graph.subtract(right[*i], change);
                 if self.rows.len() > MOST_MERGED {
-                    right[*i] = graph.whole(right[*i]);
+                    right[*i] = graph.opaque(right[*i]);
                 }
             }
         }
@@ -73,14 +75,14 @@ impl Elimination {
             let rest = graph.sum(terms);
             solution[*pivot] = graph.divide(rest, self.rows[*pivot][*pivot]);
             if self.rows.len() > MOST_MERGED {
-                solution[*pivot] = graph.whole(solution[*pivot]);
+                solution[*pivot] = graph.opaque(solution[*pivot]);
             }
         }
         solution
     }
 
-    /// For each pivot Dᵢ, the sum of the magnitudes of its terms and of qⱼ ∂Dᵢ/∂qⱼ: what its rounding
-    /// error is proportional to. An angle counts as 1 radian at most, since whole turns mean nothing;
+    /// For each pivot Dᵢ, the sum of the magnitudes of its terms and of qⱼ ∂Dᵢ/∂qⱼ, to which its rounding error is
+    /// proportional. An angle counts as 1 radian at most, since full turns do not matter;
     /// `angles` says which coordinates are angles.
     pub fn magnitudes(&self, graph: &mut Graph, angles: &[bool]) -> Vec<Expression> {
         let pivots = self.pivots.iter();
@@ -90,14 +92,14 @@ impl Elimination {
     }
 }
 
-/// A symmetric system in the course of elimination. The row of a pivot keeps what it was.
-struct System<'a> {
+/// A symmetric matrix in the course of elimination. The row of a pivot keeps its values.
+struct PartialFactorization<'a> {
     graph: &'a mut Graph,
     matrix: Vec<Vec<Expression>>,
 }
 
-impl System<'_> {
-    /// The row with the best pivot: free of coordinates, then with least to eliminate, then short.
+impl PartialFactorization<'_> {
+    /// The row of the next pivot: free of coordinates, then of minimum degree, then with the shortest pivot.
     fn best_pivot(&self, waiting: &[usize]) -> Option<usize> {
         let candidates = waiting
             .iter()
@@ -132,7 +134,7 @@ impl System<'_> {
                 let change = self.graph.multiply(factor, self.matrix[*j][pivot]);
                 let mut entry = self.graph.subtract(self.matrix[*i][*j], change);
                 if self.matrix.len() > MOST_MERGED {
-                    entry = self.graph.whole(entry);
+                    entry = self.graph.opaque(entry);
                 }
                 self.matrix[*i][*j] = entry;
                 self.matrix[*j][*i] = entry;

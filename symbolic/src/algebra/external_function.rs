@@ -1,19 +1,19 @@
-//! Functions from outside, such as tables: known by their names and their derivatives alone.
+//! External functions, such as tables: known by their names and their declared derivatives alone.
 //!
 //! A function is declared first and its derivatives afterwards, as expressions in its
 //! [arguments](Symbol::Argument), so that functions can be each other's derivatives. The set of functions
-//! is closed under differentiation: a derivative that is not declared is one more function of the same
-//! arguments, and whether anything needs it is seen in the programs that apply it.
+//! is closed under differentiation: a derivative that is not declared is a further external function of the same
+//! arguments; whether it is needed is seen in the programs that apply it.
 
 use std::collections::BTreeMap;
 
 use crate::{Expression, Graph, Node, Symbol};
 
-/// A handle to a function from outside of one [`Graph`].
+/// A handle to an external function of one [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Function(u32);
+pub struct ExternalFunction(u32);
 
-impl Function {
+impl ExternalFunction {
     /// The position in the order of declaration.
     #[must_use]
     pub const fn index(self) -> usize {
@@ -21,21 +21,21 @@ impl Function {
     }
 }
 
-/// What is known of a function from outside.
+/// The declaration of an external function.
 #[derive(Clone, Debug)]
-pub(crate) struct Outside {
+pub(crate) struct ExternalDeclaration {
     name: String,
     arguments: Vec<String>,
     /// By argument, in the symbols of the arguments.
     derivatives: Vec<Option<Expression>>,
     /// The function and the argument whose derivative this is, if it was not declared.
-    undeclared: Option<(Function, usize)>,
+    undeclared: Option<(ExternalFunction, usize)>,
 }
 
 impl Graph {
-    /// A function from outside, with the names of its arguments.
-    pub fn declare_function(&mut self, name: &str, arguments: &[&str]) -> Function {
-        self.enter_function(Outside {
+    /// Declares an external function, with the names of its arguments.
+    pub fn declare_function(&mut self, name: &str, arguments: &[&str]) -> ExternalFunction {
+        self.enter_function(ExternalDeclaration {
             name: name.to_owned(),
             arguments: arguments.iter().map(|name| (*name).to_owned()).collect(),
             derivatives: vec![None; arguments.len()],
@@ -46,7 +46,7 @@ impl Graph {
     /// Declares ∂f/∂xᵢ, an expression in the symbols of the arguments, before anything is differentiated.
     pub fn declare_derivative(
         &mut self,
-        function: Function,
+        function: ExternalFunction,
         argument: usize,
         derivative: Expression,
     ) {
@@ -56,27 +56,31 @@ impl Graph {
         }
     }
 
-    /// The functions from outside, in the order in which they were declared.
-    pub fn functions(&self) -> impl Iterator<Item = Function> + use<> {
+    /// The external functions, in the order of declaration.
+    pub fn functions(&self) -> impl Iterator<Item = ExternalFunction> + use<> {
         let count = u32::try_from(self.functions.len()).unwrap_or(u32::MAX);
-        (0..count).map(Function)
+        (0..count).map(ExternalFunction)
     }
 
-    /// What a function is called.
+    /// The name of a function.
     #[must_use]
-    pub fn function_name(&self, function: Function) -> &str {
+    pub fn function_name(&self, function: ExternalFunction) -> &str {
         &self.functions[function.index()].name
     }
 
-    /// What the arguments of a function are called, in order.
+    /// The names of the arguments of a function, in order.
     #[must_use]
-    pub fn function_arguments(&self, function: Function) -> &[String] {
+    pub fn function_arguments(&self, function: ExternalFunction) -> &[String] {
         &self.functions[function.index()].arguments
     }
 
     /// ∂f/∂xᵢ in the symbols of the arguments, if it was declared.
     #[must_use]
-    pub fn declared_derivative(&self, function: Function, argument: usize) -> Option<Expression> {
+    pub fn declared_derivative(
+        &self,
+        function: ExternalFunction,
+        argument: usize,
+    ) -> Option<Expression> {
         let derivatives = &self.functions[function.index()].derivatives;
         let derivative = derivatives.get(argument).copied().flatten()?;
         match self.node(derivative) {
@@ -87,19 +91,19 @@ impl Graph {
 
     /// The function and the argument whose derivative `function` is, if it was not declared.
     #[must_use]
-    pub fn undeclared(&self, function: Function) -> Option<(Function, usize)> {
+    pub fn undeclared(&self, function: ExternalFunction) -> Option<(ExternalFunction, usize)> {
         self.functions[function.index()].undeclared
     }
 
     /// f(x₁, x₂, …), of as many arguments as the function was declared with.
-    pub fn apply(&mut self, function: Function, arguments: &[Expression]) -> Expression {
+    pub fn apply(&mut self, function: ExternalFunction, arguments: &[Expression]) -> Expression {
         self.intern(Node::Application(function, arguments.into()))
     }
 
     /// ∂f/∂xᵢ at the arguments of an application.
-    pub(crate) fn slope(
+    pub(crate) fn partial_derivative(
         &mut self,
-        function: Function,
+        function: ExternalFunction,
         argument: usize,
         arguments: &[Expression],
     ) -> Expression {
@@ -115,15 +119,15 @@ impl Graph {
     }
 
     /// A function that stands for a derivative which was not declared, of the same arguments.
-    fn undeclared_derivative(&mut self, function: Function, argument: usize) -> Expression {
-        let outside = &self.functions[function.index()];
-        let arguments = outside.arguments.clone();
-        let of = match outside.undeclared {
-            Some(_) => format!("({})", outside.name),
-            None => outside.name.clone(),
+    fn undeclared_derivative(&mut self, function: ExternalFunction, argument: usize) -> Expression {
+        let declaration = &self.functions[function.index()];
+        let arguments = declaration.arguments.clone();
+        let of = match declaration.undeclared {
+            Some(_) => format!("({})", declaration.name),
+            None => declaration.name.clone(),
         };
         let by = arguments.get(argument).map_or("", String::as_str);
-        let derivative = self.enter_function(Outside {
+        let derivative = self.enter_function(ExternalDeclaration {
             name: format!("∂{of}/∂{by}"),
             derivatives: vec![None; arguments.len()],
             arguments,
@@ -139,9 +143,9 @@ impl Graph {
         applied
     }
 
-    fn enter_function(&mut self, outside: Outside) -> Function {
-        self.functions.push(outside);
+    fn enter_function(&mut self, declaration: ExternalDeclaration) -> ExternalFunction {
+        self.functions.push(declaration);
         // Four billion functions do not fit into a source file.
-        Function(u32::try_from(self.functions.len() - 1).unwrap_or(u32::MAX))
+        ExternalFunction(u32::try_from(self.functions.len() - 1).unwrap_or(u32::MAX))
     }
 }

@@ -1,6 +1,6 @@
 //! What depends on parameters alone is computed beforehand, and nothing else is.
 
-use lagrangian_symbolic::{Expression, Graph, OperationCount, Prepared, Program, Rational, Symbol};
+use lagrangian_symbolic::{Expression, Graph, OperationCount, Program, Rational, Staged, Symbol};
 
 /// Parameters a, b, c and coordinates x, y. The coordinates come first, so that in normal form they stand
 /// before the parameters and nothing is gathered by chance.
@@ -26,17 +26,17 @@ fn value(symbol: Symbol) -> f64 {
 }
 
 /// The two parts of a program, after their values have been compared with those of the roots.
-fn parts(graph: &Graph, roots: &[Expression]) -> Prepared {
-    let program = Program::schedule_for_preparation(graph, &[roots]);
+fn parts(graph: &Graph, roots: &[Expression]) -> Staged {
+    let program = Program::schedule_for_staging(graph, &[roots]);
     assert_eq!(program.verify(graph, &[roots]), Ok(()));
-    let parts = program.prepared();
+    let parts = program.hoist_invariants();
     let of_parameters = |symbol| match symbol {
         Symbol::Parameter(_) => value(symbol),
         _ => panic!("{symbol:?} varies"),
     };
-    let prepared = parts.before.evaluate(of_parameters).concat();
-    let found = parts.after.evaluate(|symbol| match symbol {
-        Symbol::Prepared(index) => prepared[index as usize],
+    let prepared = parts.setup.evaluate(of_parameters).concat();
+    let found = parts.kernel.evaluate(|symbol| match symbol {
+        Symbol::Invariant(index) => prepared[index as usize],
         _ => value(symbol),
     });
     for (found, expected) in found.concat().into_iter().zip(graph.evaluate(roots, value)) {
@@ -60,8 +60,8 @@ fn operations(program: &Program) -> [usize; 3] {
 #[track_caller]
 fn assert_parts(graph: &Graph, roots: &[Expression], before: [usize; 3], after: [usize; 3]) {
     let parts = parts(graph, roots);
-    assert_eq!(operations(&parts.before), before, "before");
-    assert_eq!(operations(&parts.after), after, "after");
+    assert_eq!(operations(&parts.setup), before, "before");
+    assert_eq!(operations(&parts.kernel), after, "after");
 }
 
 #[test]
@@ -146,15 +146,15 @@ fn what_is_not_constant_is_not_prepared() {
         let product = graph.multiply(a, varying);
         // In a product with two parameters it is those that are gathered.
         let longer = graph.multiply(product, b);
-        let parts = Program::schedule_for_preparation(&graph, &[&[longer]]).prepared();
-        assert_eq!(operations(&parts.before), [0, 1, 0], "{symbol:?}");
-        assert_eq!(operations(&parts.after), [0, 1, 0], "{symbol:?}");
-        let program = Program::schedule_for_preparation(&graph, &[&[product, a]]);
-        let parts = program.prepared();
-        assert_eq!(parts.before.instructions().count(), 0, "{symbol:?}");
-        let read = parts.after.symbols();
+        let parts = Program::schedule_for_staging(&graph, &[&[longer]]).hoist_invariants();
+        assert_eq!(operations(&parts.setup), [0, 1, 0], "{symbol:?}");
+        assert_eq!(operations(&parts.kernel), [0, 1, 0], "{symbol:?}");
+        let program = Program::schedule_for_staging(&graph, &[&[product, a]]);
+        let parts = program.hoist_invariants();
+        assert_eq!(parts.setup.instructions().count(), 0, "{symbol:?}");
+        let read = parts.kernel.symbols();
         assert_eq!(read.len(), 2, "{read:?}");
-        assert!(!read.contains(&Symbol::Prepared(0)), "{read:?}");
+        assert!(!read.contains(&Symbol::Invariant(0)), "{read:?}");
     }
 }
 
@@ -167,14 +167,14 @@ fn each_value_is_prepared_once_and_only_if_it_is_used() {
     let root = graph.square_root(sum);
     let (first, second) = (graph.multiply(root, x), graph.multiply(root, y));
     let parts = parts(&graph, &[first, second, root, c]);
-    assert_eq!(parts.before.count().square_roots, 1);
-    assert_eq!(parts.before.phases[0].outputs.len(), 1);
+    assert_eq!(parts.setup.count().square_roots, 1);
+    assert_eq!(parts.setup.groups[0].outputs.len(), 1);
     let read = [
         Symbol::Coordinate(0),
         Symbol::Coordinate(1),
         Symbol::Parameter(2),
-        Symbol::Prepared(0),
+        Symbol::Invariant(0),
     ];
-    assert_eq!(parts.after.symbols(), read);
-    assert_eq!(operations(&parts.after), [0, 2, 0]);
+    assert_eq!(parts.kernel.symbols(), read);
+    assert_eq!(operations(&parts.kernel), [0, 2, 0]);
 }

@@ -1,10 +1,12 @@
-//! q̈ along a tree of quasi-velocities, leaf by leaf.
+//! Articulated-body elimination: q̈ along a tree of quasi-velocities, from the leaves to the root (Vereshchagin, Computer
+//! simulation of the dynamics of complicated mechanisms of robot manipulators, 1974; Featherstone, The calculation of
+//! robot dynamics using articulated-body inertias, 1983).
 //!
-//! By Gauss's principle the accelerations minimize ½ ẇᵀ W ẇ − rᵀ q̈ under ẇₖ = ẇₚ + Σ eₖᵢ q̈ᵢ + Dwₖ.
-//! Rates that nothing builds on are put in, then a coordinate that is left in the quadratic form alone is
-//! eliminated: what remains is the inertia that the rest of the chain feels. For a chain it takes as many
-//! steps as there are links, each of a fixed size, where an elimination of M takes the cube; for forms
-//! that do not build on each other it is the elimination of M, with Schur complements simplified.
+//! By Gauss's principle of least constraint (1829) the accelerations minimize ½ ẇᵀ W ẇ − rᵀ q̈ under
+//! ẇₖ = ẇₚ + Σ eₖᵢ q̈ᵢ + Dwₖ. Leaves are substituted, then a coordinate that occurs in the quadratic form alone is
+//! eliminated: the remainder is the articulated-body inertia of the rest of the tree. A chain takes as many steps of
+//! a fixed size as it has links, where elimination of M takes the cube; for a tree without edges this is the
+//! elimination of M, with simplified Schur complements.
 
 use std::collections::BTreeMap;
 
@@ -19,44 +21,44 @@ enum Unknown {
 }
 
 /// One step of the factorization.
-enum Step {
-    PutIn(PutIn),
-    Eliminate(Eliminate),
+enum EliminationStep {
+    Substitute(Substitution),
+    Eliminate(Pivot),
 }
 
-/// ẇₖ = Σ parts in the place of ẇₖ, which stood in `own`·½ẇₖ² + ẇₖ Σ row.
-struct PutIn {
+/// Substitution of ẇₖ = Σ parts for ẇₖ in `own`·½ẇₖ² + ẇₖ Σ row.
+struct Substitution {
     form: usize,
     parts: Vec<(Unknown, Expression)>,
     own: Expression,
     row: Vec<(Unknown, Expression)>,
 }
 
-/// q̈ⱼ from what is found after it: D q̈ⱼ = h − Σ row·x.
-struct Eliminate {
+/// Elimination of q̈ⱼ: D q̈ⱼ = h − Σ row·x.
+struct Pivot {
     coordinate: usize,
     pivot: Expression,
     row: Vec<(Unknown, Expression)>,
 }
 
-/// The factors of a tree's equations.
-pub(crate) struct Articulation {
+/// The factored equations of a tree.
+pub(crate) struct ArticulatedBodies {
     tree: KinematicTree,
-    steps: Vec<Step>,
-    /// What has to be positive: the pivots, and the inertia in units of which they are.
+    steps: Vec<EliminationStep>,
+    /// The expressions that must be positive: the pivots, and the unit of inertia that they are relative to.
     pub(crate) pivots: Vec<Expression>,
 }
 
-/// Sums of more terms than this are kept whole.
+/// Sums of more terms than this become opaque.
 const LONGEST_MERGED: usize = 2;
 
-impl Articulation {
+impl ArticulatedBodies {
     /// Factors the equations Eᵀ W ẇ = r of `tree`, unless a pivot vanishes or more than `limit` unknowns
     /// meet.
     pub(crate) fn factor(graph: &mut Graph, tree: KinematicTree, limit: usize) -> Option<Self> {
         let mut quadratic = Quadratic::new(graph, &tree);
         let mut waiting: Vec<usize> = (0..tree.right.len()).collect();
-        while let Some(coordinate) = quadratic.cheapest(&waiting) {
+        while let Some(coordinate) = quadratic.next_coordinate(&waiting) {
             waiting.retain(|i| *i != coordinate);
             quadratic.eliminate(graph, coordinate, limit)?;
         }
@@ -64,8 +66,8 @@ impl Articulation {
         let mut pivots: Vec<_> = steps
             .iter()
             .filter_map(|step| match step {
-                Step::Eliminate(elimination) => Some(elimination.pivot),
-                Step::PutIn(_) => None,
+                EliminationStep::Eliminate(elimination) => Some(elimination.pivot),
+                EliminationStep::Substitute(_) => None,
             })
             .collect();
         pivots.push(tree.unit);
@@ -79,14 +81,19 @@ impl Articulation {
 
     /// The accelerations.
     pub(crate) fn accelerations(&self, graph: &mut Graph) -> Vec<Expression> {
-        let drifts: Vec<_> = self.tree.forms.iter().map(|form| form.drift).collect();
-        self.solve(graph, &self.tree.right, &drifts)
+        let velocity_products: Vec<_> = self
+            .tree
+            .forms
+            .iter()
+            .map(|form| form.velocity_product)
+            .collect();
+        self.solve(graph, &self.tree.right, &velocity_products)
     }
 
     /// x in M x = r, for M and r in the tree's unit.
     pub(crate) fn solution(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
-        let drifts = vec![graph.zero(); self.tree.forms.len()];
-        self.solve(graph, right, &drifts)
+        let velocity_products = vec![graph.zero(); self.tree.forms.len()];
+        self.solve(graph, right, &velocity_products)
     }
 
     /// M q̈ − f in the tree's unit.
@@ -98,37 +105,39 @@ impl Articulation {
         &self,
         graph: &mut Graph,
         right: &[Expression],
-        drifts: &[Expression],
+        velocity_products: &[Expression],
     ) -> Vec<Expression> {
-        let mut loads = Loads::new(right);
+        let mut bias_forces = BiasForces::new(right);
         let mut rights = vec![graph.zero(); right.len()];
         for step in &self.steps {
             match step {
-                Step::PutIn(step) => loads.put_in(graph, step, drifts[step.form]),
-                Step::Eliminate(step) => {
-                    rights[step.coordinate] = loads.eliminate(graph, step);
+                EliminationStep::Substitute(step) => {
+                    bias_forces.substitute(graph, step, velocity_products[step.form])
+                }
+                EliminationStep::Eliminate(step) => {
+                    rights[step.coordinate] = bias_forces.eliminate(graph, step);
                 }
             }
         }
-        self.substitute(graph, &rights, drifts)
+        self.back_substitute(graph, &rights, velocity_products)
     }
 
     /// The accelerations, from the last elimination back to the first.
-    fn substitute(
+    fn back_substitute(
         &self,
         graph: &mut Graph,
         rights: &[Expression],
-        drifts: &[Expression],
+        velocity_products: &[Expression],
     ) -> Vec<Expression> {
         let zero = graph.zero();
-        let mut known = Known {
+        let mut known = BackSubstitution {
             tree: &self.tree,
-            drifts,
+            velocity_products,
             accelerations: vec![None; self.tree.right.len()],
             rates: vec![None; self.tree.forms.len()],
         };
         for step in self.steps.iter().rev() {
-            let Step::Eliminate(step) = step else {
+            let EliminationStep::Eliminate(step) = step else {
                 continue;
             };
             let mut terms = vec![(rights[step.coordinate], Rational::ONE)];
@@ -138,21 +147,21 @@ impl Articulation {
             }
             let rest = graph.sum(terms);
             let acceleration = graph.divide(rest, step.pivot);
-            known.accelerations[step.coordinate] = Some(graph.whole(acceleration));
+            known.accelerations[step.coordinate] = Some(graph.opaque(acceleration));
         }
         let accelerations = known.accelerations.into_iter();
         accelerations.map(|value| value.unwrap_or(zero)).collect()
     }
 }
 
-/// ½ xᵀ H x over the unknowns that are left.
+/// ½ xᵀ H x over the remaining unknowns.
 struct Quadratic<'a> {
     tree: &'a KinematicTree,
     /// The rows of H, both triangles, without zeros.
     rows: BTreeMap<Unknown, BTreeMap<Unknown, Expression>>,
-    /// Which forms have been put in.
+    /// Which forms have been substituted.
     done: Vec<bool>,
-    steps: Vec<Step>,
+    steps: Vec<EliminationStep>,
 }
 
 impl<'a> Quadratic<'a> {
@@ -174,8 +183,8 @@ impl<'a> Quadratic<'a> {
         }
     }
 
-    /// The forms to be put in before a coordinate can be eliminated, leaves first.
-    fn above(&self, coordinate: usize) -> Vec<usize> {
+    /// The forms to be substituted before a coordinate can be eliminated, leaves first.
+    fn forms_above(&self, coordinate: usize) -> Vec<usize> {
         let mut wanted = vec![false; self.done.len()];
         for (k, form) in self.tree.forms.iter().enumerate() {
             let uses = form.local.iter().any(|(i, _)| *i == coordinate);
@@ -184,18 +193,18 @@ impl<'a> Quadratic<'a> {
         (0..wanted.len()).rev().filter(|k| wanted[*k]).collect()
     }
 
-    /// The coordinate for which the fewest forms have to be put in; of several, the last.
-    fn cheapest(&self, waiting: &[usize]) -> Option<usize> {
+    /// The coordinate for which the fewest forms have to be substituted; of several, the last.
+    fn next_coordinate(&self, waiting: &[usize]) -> Option<usize> {
         waiting
             .iter()
             .copied()
-            .min_by_key(|i| (self.above(*i).len(), core::cmp::Reverse(*i)))
+            .min_by_key(|i| (self.forms_above(*i).len(), core::cmp::Reverse(*i)))
     }
 
-    /// Eliminates a coordinate, after the forms that contain it have been put in.
+    /// Eliminates a coordinate, after the forms that contain it have been substituted.
     fn eliminate(&mut self, graph: &mut Graph, coordinate: usize, limit: usize) -> Option<()> {
-        for k in self.above(coordinate) {
-            self.put_in(graph, k);
+        for k in self.forms_above(coordinate) {
+            self.substitute(graph, k);
         }
         let unknown = Unknown::Coordinate(coordinate);
         let mut row = self.rows.remove(&unknown)?;
@@ -214,8 +223,8 @@ impl<'a> Quadratic<'a> {
                 entries.remove(&unknown);
             }
         }
-        self.keep(graph, &row);
-        self.steps.push(Step::Eliminate(Eliminate {
+        self.make_opaque(graph, &row);
+        self.steps.push(EliminationStep::Eliminate(Pivot {
             coordinate,
             pivot,
             row: row.into_iter().collect(),
@@ -223,13 +232,13 @@ impl<'a> Quadratic<'a> {
         Some(())
     }
 
-    /// Keeps the entries of H among these unknowns whole.
-    fn keep(&mut self, graph: &mut Graph, row: &BTreeMap<Unknown, Expression>) {
+    /// Makes the entries of H among these unknowns opaque.
+    fn make_opaque(&mut self, graph: &mut Graph, row: &BTreeMap<Unknown, Expression>) {
         for u in row.keys() {
             if let Some(entries) = self.rows.get_mut(u) {
                 for (v, entry) in entries.iter_mut() {
                     if row.contains_key(v) {
-                        *entry = kept(graph, *entry);
+                        *entry = opaque_unless_short(graph, *entry);
                     }
                 }
             }
@@ -256,8 +265,8 @@ impl<'a> Quadratic<'a> {
         }
     }
 
-    /// Puts ẇₖ = ẇₚ + Σ e q̈ into the quadratic form.
-    fn put_in(&mut self, graph: &mut Graph, k: usize) {
+    /// Substitutes ẇₖ = ẇₚ + Σ e q̈ in the quadratic form.
+    fn substitute(&mut self, graph: &mut Graph, k: usize) {
         self.done[k] = true;
         let form = &self.tree.forms[k];
         let (zero, one) = (graph.zero(), graph.one());
@@ -289,7 +298,7 @@ impl<'a> Quadratic<'a> {
                 self.add(graph, *u, *v, change);
             }
         }
-        self.steps.push(Step::PutIn(PutIn {
+        self.steps.push(EliminationStep::Substitute(Substitution {
             form: k,
             parts,
             own,
@@ -298,15 +307,15 @@ impl<'a> Quadratic<'a> {
     }
 }
 
-/// The linear terms h of ½ xᵀ H x − hᵀ x.
-struct Loads(BTreeMap<Unknown, Expression>);
+/// The bias forces: the linear terms h of ½ xᵀ H x − hᵀ x.
+struct BiasForces(BTreeMap<Unknown, Expression>);
 
-impl Loads {
+impl BiasForces {
     fn new(right: &[Expression]) -> Self {
         let right = right.iter().enumerate();
         Self(
             right
-                .map(|(i, load)| (Unknown::Coordinate(i), *load))
+                .map(|(i, force)| (Unknown::Coordinate(i), *force))
                 .collect(),
         )
     }
@@ -315,50 +324,50 @@ impl Loads {
         self.0.get(&unknown).copied().unwrap_or(graph.zero())
     }
 
-    /// h(u) += s · load.
-    fn add(&mut self, graph: &mut Graph, u: Unknown, s: Expression, load: Expression) {
-        let change = graph.multiply(s, load);
+    /// h(u) += s · force.
+    fn add(&mut self, graph: &mut Graph, u: Unknown, s: Expression, force: Expression) {
+        let change = graph.multiply(s, force);
         let before = self.of(graph, u);
         self.0.insert(u, graph.add(before, change));
     }
 
-    /// The same step with ẇₖ = Σ parts + drift.
-    fn put_in(&mut self, graph: &mut Graph, step: &PutIn, drift: Expression) {
-        let own = graph.multiply(step.own, drift);
+    /// The same substitution in the linear terms, with ẇₖ = Σ parts + the velocity-product acceleration.
+    fn substitute(&mut self, graph: &mut Graph, step: &Substitution, velocity_product: Expression) {
+        let own = graph.multiply(step.own, velocity_product);
         let before = self.of(graph, Unknown::Rate(step.form));
-        let load = graph.subtract(before, own);
+        let force = graph.subtract(before, own);
         for (u, s) in &step.parts {
-            self.add(graph, *u, *s, load);
+            self.add(graph, *u, *s, force);
         }
-        let opposite = graph.negate(drift);
+        let opposite = graph.negate(velocity_product);
         for (v, entry) in &step.row {
             self.add(graph, *v, *entry, opposite);
         }
     }
 
     /// The right-hand side of the eliminated coordinate.
-    fn eliminate(&mut self, graph: &mut Graph, step: &Eliminate) -> Expression {
+    fn eliminate(&mut self, graph: &mut Graph, step: &Pivot) -> Expression {
         let right = self.of(graph, Unknown::Coordinate(step.coordinate));
         for (u, entry) in &step.row {
             let factor = graph.divide(*entry, step.pivot);
             let change = graph.multiply(factor, right);
             let before = self.of(graph, *u);
             let after = graph.subtract(before, change);
-            self.0.insert(*u, kept(graph, after));
+            self.0.insert(*u, opaque_unless_short(graph, after));
         }
         right
     }
 }
 
-/// What has been found so far.
-struct Known<'a> {
+/// The accelerations and rates found so far.
+struct BackSubstitution<'a> {
     tree: &'a KinematicTree,
-    drifts: &'a [Expression],
+    velocity_products: &'a [Expression],
     accelerations: Vec<Option<Expression>>,
     rates: Vec<Option<Expression>>,
 }
 
-impl Known<'_> {
+impl BackSubstitution<'_> {
     fn value(&mut self, graph: &mut Graph, unknown: Unknown) -> Option<Expression> {
         match unknown {
             Unknown::Coordinate(i) => self.accelerations[i],
@@ -387,7 +396,7 @@ impl Known<'_> {
     /// ẇₖ from that of its parent.
     fn step(&self, graph: &mut Graph, k: usize) -> Option<Expression> {
         let form = &self.tree.forms[k];
-        let mut terms = vec![(self.drifts[k], Rational::ONE)];
+        let mut terms = vec![(self.velocity_products[k], Rational::ONE)];
         if let Some(parent) = form.parent {
             terms.push((self.rates[parent]?, Rational::ONE));
         }
@@ -396,14 +405,14 @@ impl Known<'_> {
             terms.push((product, Rational::ONE));
         }
         let sum = graph.sum(terms);
-        Some(graph.whole(sum))
+        Some(graph.opaque(sum))
     }
 }
 
-/// The expression, kept whole unless it is short.
-fn kept(graph: &mut Graph, expression: Expression) -> Expression {
+/// The expression, opaque unless it is a short sum.
+fn opaque_unless_short(graph: &mut Graph, expression: Expression) -> Expression {
     match graph.node(expression) {
-        Node::Sum(terms) if terms.len() > LONGEST_MERGED => graph.whole(expression),
+        Node::Sum(terms) if terms.len() > LONGEST_MERGED => graph.opaque(expression),
         _ => expression,
     }
 }

@@ -1,66 +1,67 @@
-//! How the values of a program are made from each other, while that can still be changed.
+//! The intermediate representation between the graph and straight-line code: a DAG of n-ary operations (Aho, Lam, Sethi
+//! and Ullman, Compilers, 2nd edition 2007, section 6.1).
 //!
-//! Comes in: roots of the graph. Goes out: one [`Recipe`] for each value. Where the graph has sums and
-//! products in normal form, a plan has lists that passes may regroup: [`factoring`](crate::program::factoring)
-//! takes common factors out of sums, [`sharing`](crate::program::sharing) makes one value of what several lists
-//! have in common. What a value is does not change, only how it is computed.
+//! Input: roots of the graph. Output: one [`DagOperation`] for each value. Where the graph has sums and products in
+//! normal form, the DAG has lists that passes may regroup: [`factoring`](crate::program::factoring) takes common
+//! factors out of sums, [`sharing`](crate::program::sharing) eliminates common subexpressions. A pass changes how a
+//! value is computed, never the value.
 
 use std::collections::BTreeMap;
 
 use crate::program::removable::{Removable, removable};
-use crate::{Binary, Expression, Function, Graph, Node, Pass, Rational, Symbol, Unary};
+use crate::{Binary, Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol, Unary};
 
-/// A value of a plan.
-pub(crate) type Value = usize;
+/// The index of a value in a DAG.
+pub(crate) type ValueId = usize;
 
-/// How a value is made.
+/// The operation that computes a value.
 #[derive(Clone, Debug)]
-pub(crate) enum Recipe {
+pub(crate) enum DagOperation {
     Constant(Rational),
     Pi,
     /// The smallest positive number with all digits; 0 where numbers are exact.
     MinPositive,
     Symbol(Symbol),
     /// Σ cᵢ·xᵢ, each x once.
-    Sum(Vec<(Value, Rational)>),
+    Sum(Vec<(ValueId, Rational)>),
     /// The product of the first list over that of the second; factors may repeat.
-    Quotient(Vec<Value>, Vec<Value>),
-    /// x^k for a large whole k.
-    Power(Value, usize),
-    SquareRoot(Value),
-    Unary(Unary, Value),
-    Binary(Binary, Value, Value),
-    Application(Function, Vec<Value>),
+    Quotient(Vec<ValueId>, Vec<ValueId>),
+    /// x^k for a large integer k.
+    Power(ValueId, usize),
+    SquareRoot(ValueId),
+    Unary(Unary, ValueId),
+    Binary(Binary, ValueId, ValueId),
+    Application(ExternalFunction, Vec<ValueId>),
 }
 
-/// Whole powers up to this one are written as repeated factors, of which parts can be shared.
+/// Integer powers up to this one are repeated factors, of which parts can be shared.
 const LARGEST_REPEATED: usize = 8;
 
-/// The recipes of all values that a program computes.
-pub(crate) struct Plan {
-    pub(crate) recipes: Vec<Recipe>,
+/// The operations of all values of a program.
+pub(crate) struct Dag {
+    pub(crate) operations: Vec<DagOperation>,
     /// The expression that a value is, if it is one of the graph's.
     pub(crate) expressions: Vec<Option<Expression>>,
     /// The value of each expression, by its index. There is none for those that are not computed.
-    values: Vec<Value>,
-    /// Values that are made of others but stand for no expression, by what they are.
-    roots: BTreeMap<Value, Value>,
-    reciprocals: BTreeMap<Value, Value>,
-    positive: BTreeMap<Value, Value>,
+    values: Vec<ValueId>,
+    /// Square roots, reciprocals and sums with the smallest positive number, by operand.
+    roots: BTreeMap<ValueId, ValueId>,
+    reciprocals: BTreeMap<ValueId, ValueId>,
+    positive: BTreeMap<ValueId, ValueId>,
 }
 
-/// How a product divides.
+/// The divisors of all products.
 struct Divisors {
-    /// How many products divide by each power, and whether they have a limit where it is 0.
+    /// How many products divide by each power, and whether they have a limit where its base is 0.
     uses: BTreeMap<(Expression, Rational, bool), usize>,
     removable: Removable,
 }
 
-impl Plan {
-    /// The plan that computes each expression as its normal form says.
+impl Dag {
+    /// The DAG that computes each expression as its normal form says.
     pub(crate) fn new(graph: &Graph, roots: &[Expression]) -> Self {
-        let mut plan = Self {
-            recipes: Vec::new(),
+        let mut dag = Self {
+            operations: Vec::new(),
             expressions: Vec::new(),
             values: Vec::new(),
             roots: BTreeMap::new(),
@@ -70,80 +71,84 @@ impl Plan {
         let descendants = graph.descendants(roots);
         let divisors = Divisors::of(graph, &descendants);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
-        plan.values = vec![Value::MAX; length];
+        dag.values = vec![ValueId::MAX; length];
         for expression in descendants {
             let value = match graph.node(expression) {
-                Node::Whole(inner) => plan.value(*inner),
+                Node::Opaque(inner) => dag.value(*inner),
                 Node::Product(factors) => {
-                    let recipe = plan.quotient(expression, factors, &divisors);
-                    plan.push(recipe, Some(expression))
+                    let operation = dag.quotient(expression, factors, &divisors);
+                    dag.push(operation, Some(expression))
                 }
                 node => {
-                    let recipe = plan.recipe(node);
-                    plan.push(recipe, Some(expression))
+                    let operation = dag.operation(node);
+                    dag.push(operation, Some(expression))
                 }
             };
-            plan.values[expression.index()] = value;
+            dag.values[expression.index()] = value;
         }
-        plan
+        dag
     }
 
     /// The value that is `expression`.
-    pub(crate) fn value(&self, expression: Expression) -> Value {
+    pub(crate) fn value(&self, expression: Expression) -> ValueId {
         self.values[expression.index()]
     }
 
     /// A new value.
-    pub(crate) fn push(&mut self, recipe: Recipe, expression: Option<Expression>) -> Value {
-        self.recipes.push(recipe);
+    pub(crate) fn push(
+        &mut self,
+        operation: DagOperation,
+        expression: Option<Expression>,
+    ) -> ValueId {
+        self.operations.push(operation);
         self.expressions.push(expression);
-        self.recipes.len() - 1
+        self.operations.len() - 1
     }
 
-    /// How often each value is an operand or a root of what the roots are made of.
+    /// The number of uses of each value, as an operand or a root, within what the roots need.
     pub(crate) fn uses(&self, roots: &[Expression]) -> Vec<usize> {
-        let mut uses = vec![0; self.recipes.len()];
-        let mut waiting: Vec<Value> = roots.iter().map(|root| self.value(*root)).collect();
+        let mut uses = vec![0; self.operations.len()];
+        let mut waiting: Vec<ValueId> = roots.iter().map(|root| self.value(*root)).collect();
         while let Some(value) = waiting.pop() {
             uses[value] += 1;
             if uses[value] == 1 {
-                self.recipes[value].for_each_operand(|operand| waiting.push(operand));
+                self.operations[value].for_each_operand(|operand| waiting.push(operand));
             }
         }
         uses
     }
 
-    /// Forgets how values are made that the roots are no longer made of, so that nothing is shared with
-    /// them.
-    pub(crate) fn forget_unused(&mut self, roots: &[Expression]) {
+    /// Dead code elimination: forgets the operations of values that the roots do not need, so that nothing is shared
+    /// with them.
+    pub(crate) fn eliminate_dead_values(&mut self, roots: &[Expression]) {
         let uses = self.uses(roots);
-        for (recipe, uses) in self.recipes.iter_mut().zip(uses) {
+        for (operation, uses) in self.operations.iter_mut().zip(uses) {
             if uses == 0 {
-                *recipe = Recipe::Constant(Rational::ZERO);
+                *operation = DagOperation::Constant(Rational::ZERO);
             }
         }
     }
 
-    /// How a node is made that is no product.
-    fn recipe(&self, node: &Node) -> Recipe {
+    /// The operation of a node that is no product.
+    fn operation(&self, node: &Node) -> DagOperation {
         match node {
-            Node::Constant(number) => Recipe::Constant(number.clone()),
-            Node::Pi => Recipe::Pi,
-            Node::Symbol(symbol) => Recipe::Symbol(*symbol),
-            // An expression and the same kept whole are one value.
-            Node::Sum(terms) => Recipe::Sum(merged(
+            Node::Constant(number) => DagOperation::Constant(number.clone()),
+            Node::Pi => DagOperation::Pi,
+            Node::Symbol(symbol) => DagOperation::Symbol(*symbol),
+            // An expression and its opaque node are one value.
+            Node::Sum(terms) => DagOperation::Sum(merged(
                 terms.iter().map(|(x, c)| (self.value(*x), c.clone())),
             )),
-            Node::Unary(function, x) => Recipe::Unary(*function, self.value(*x)),
+            Node::Unary(function, x) => DagOperation::Unary(*function, self.value(*x)),
             Node::Binary(function, x, y) => {
-                Recipe::Binary(*function, self.value(*x), self.value(*y))
+                DagOperation::Binary(*function, self.value(*x), self.value(*y))
             }
             Node::Application(function, arguments) => {
                 let arguments = arguments.iter().map(|x| self.value(*x));
-                Recipe::Application(*function, arguments.collect())
+                DagOperation::Application(*function, arguments.collect())
             }
-            // Those have been made otherwise.
-            Node::Product(_) | Node::Whole(_) => Recipe::Constant(Rational::ZERO),
+            // Handled by the caller.
+            Node::Product(_) | Node::Opaque(_) => DagOperation::Constant(Rational::ZERO),
         }
     }
 
@@ -152,7 +157,7 @@ impl Plan {
         product: Expression,
         factors: &[(Expression, Rational)],
         divisors: &Divisors,
-    ) -> Recipe {
+    ) -> DagOperation {
         let (mut numerator, mut denominator) = (Vec::new(), Vec::new());
         for (base, exponent) in factors {
             let base_value = self.value(*base);
@@ -175,16 +180,16 @@ impl Plan {
         }
         numerator.sort_unstable();
         denominator.sort_unstable();
-        Recipe::Quotient(numerator, denominator)
+        DagOperation::Quotient(numerator, denominator)
     }
 
     /// Appends the factors of x^k for k > 0.
-    fn push_power(&mut self, factors: &mut Vec<Value>, x: Value, exponent: &Rational) {
+    fn push_power(&mut self, factors: &mut Vec<ValueId>, x: ValueId, exponent: &Rational) {
         let (numerator, denominator) = exponent.to_fraction().unwrap_or((0, 0));
         match (usize::try_from(numerator).unwrap_or(0), denominator) {
             (k, 1) if k <= LARGEST_REPEATED => factors.extend((0..k).map(|_| x)),
             (k, 1) => {
-                let power = self.push(Recipe::Power(x, k), None);
+                let power = self.push(DagOperation::Power(x, k), None);
                 factors.push(power);
             }
             (_, 2) => {
@@ -193,47 +198,47 @@ impl Plan {
                 factors.push(root);
             }
             _ => {
-                let exponent = self.push(Recipe::Constant(exponent.clone()), None);
-                let power = self.push(Recipe::Binary(Binary::Power, x, exponent), None);
+                let exponent = self.push(DagOperation::Constant(exponent.clone()), None);
+                let power = self.push(DagOperation::Binary(Binary::Power, x, exponent), None);
                 factors.push(power);
             }
         }
     }
 
-    fn square_root(&mut self, x: Value) -> Value {
+    fn square_root(&mut self, x: ValueId) -> ValueId {
         if let Some(root) = self.roots.get(&x) {
             return *root;
         }
-        let root = self.push(Recipe::SquareRoot(x), None);
+        let root = self.push(DagOperation::SquareRoot(x), None);
         self.roots.insert(x, root);
         root
     }
 
-    /// What is not negative, moved away from 0.
-    fn positive(&mut self, x: Value) -> Value {
+    /// A nonnegative value, moved away from 0.
+    fn positive(&mut self, x: ValueId) -> ValueId {
         if let Some(positive) = self.positive.get(&x) {
             return *positive;
         }
-        let least = self.push(Recipe::MinPositive, None);
+        let least = self.push(DagOperation::MinPositive, None);
         let terms = [x, least].map(|value| (value, Rational::ONE));
-        let positive = self.push(Recipe::Sum(terms.to_vec()), None);
+        let positive = self.push(DagOperation::Sum(terms.to_vec()), None);
         self.positive.insert(x, positive);
         positive
     }
 
-    fn reciprocal(&mut self, x: Value) -> Value {
+    fn reciprocal(&mut self, x: ValueId) -> ValueId {
         if let Some(reciprocal) = self.reciprocals.get(&x) {
             return *reciprocal;
         }
-        let reciprocal = self.push(Recipe::Quotient(Vec::new(), vec![x]), None);
+        let reciprocal = self.push(DagOperation::Quotient(Vec::new(), vec![x]), None);
         self.reciprocals.insert(x, reciprocal);
         reciprocal
     }
 }
 
-impl Recipe {
+impl DagOperation {
     /// Calls `visit` with each operand, as often as it is one.
-    pub(crate) fn for_each_operand(&self, mut visit: impl FnMut(Value)) {
+    pub(crate) fn for_each_operand(&self, mut visit: impl FnMut(ValueId)) {
         match self {
             Self::Constant(_) | Self::Pi | Self::MinPositive | Self::Symbol(_) => {}
             Self::Sum(terms) => terms.iter().for_each(|(x, _)| visit(*x)),
@@ -251,8 +256,10 @@ impl Recipe {
 }
 
 /// Terms with equal values added up.
-pub(crate) fn merged(terms: impl IntoIterator<Item = (Value, Rational)>) -> Vec<(Value, Rational)> {
-    let mut sums: BTreeMap<Value, Rational> = BTreeMap::new();
+pub(crate) fn merged(
+    terms: impl IntoIterator<Item = (ValueId, Rational)>,
+) -> Vec<(ValueId, Rational)> {
+    let mut sums: BTreeMap<ValueId, Rational> = BTreeMap::new();
     for (x, c) in terms {
         let sum = sums.entry(x).or_insert(Rational::ZERO);
         *sum = &*sum + &c;
