@@ -1,4 +1,4 @@
-//! Exact algebra on a shared graph: numbers, normal forms, functions, derivatives.
+//! Exact algebra on a shared graph: numbers, normal forms, functions, derivatives, costs.
 
 pub(crate) mod hashing;
 pub(crate) mod rational;
@@ -10,12 +10,16 @@ pub(crate) mod sum;
 pub(crate) mod pythagoras;
 pub(crate) mod product;
 pub(crate) mod hyperbolic;
-pub(crate) mod expansion;
 pub(crate) mod call;
 pub(crate) mod circular;
 pub(crate) mod function;
 pub(crate) mod external_function;
 pub(crate) mod dependence;
 pub(crate) mod derivative;
+pub(crate) mod time_derivative;
+pub(crate) mod velocity_degree;
 pub(crate) mod substitution;
 pub(crate) mod evaluation;
+pub(crate) mod cost;
+pub(crate) mod expansion;
+pub(crate) mod trigonometric_reduction;

@@ -4,12 +4,14 @@
 //! This is what `lagrangian`'s derive macro is made of, as a library: it knows neither tokens nor time
 //! steps.
 
+mod limits;
 mod passes;
 mod algebra;
-mod decision;
-mod geometry;
-mod mechanics;
+mod identity;
+mod matrix;
+mod frames;
 mod program;
+mod mechanics;
 mod validation;
 mod print;
 
@@ -20,24 +22,25 @@ pub use algebra::function::{Binary, Symmetry, Unary};
 pub use algebra::graph::{Expression, Graph, Node};
 pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
-pub use decision::point::Point;
-pub use geometry::axis::Axis;
-pub use geometry::determinant::{LARGEST_DETERMINANT, NoInverse};
-pub use geometry::matrix::Matrix;
-pub use geometry::rotation::NoRotation;
+pub use frames::inverse::NoInverse;
+pub use frames::rotation::NoRotation;
+pub use identity::modular_point::Point;
+pub use limits::LARGEST_DETERMINANT;
+pub use matrix::axis::Axis;
+pub use matrix::dense::Matrix;
+pub use matrix::ldlt::Ldlt;
 pub use mechanics::coordinate_properties::CoordinateProperties;
-pub use mechanics::equations::{Defect, Equations};
+pub use mechanics::defects::Defect;
+pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
-pub use mechanics::ldlt::Ldlt;
 pub use mechanics::model::{Energies, Model};
-pub use mechanics::solution::Solution;
+pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
 pub use print::names::{Letters, Names};
+pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
-pub use program::straight_line::{
-    Instruction, Operand, Operation, OperationCount, OutputGroup, Program,
-};
+pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 pub use program::verify::Fault;
 pub use validation::{AccelerationProgram, LinearizationProgram, Method, Programs, Validator};
 

@@ -15,8 +15,8 @@ mod lagrange;
 mod number;
 mod perturbation;
 mod programs;
-pub(crate) mod real_point;
 mod square_matrix;
+mod sum_with_size;
 mod tape;
 
 pub use agreement::Validator;

@@ -9,11 +9,8 @@ use std::rc::Rc;
 use crate::algebra::dependence::Dependence;
 use crate::algebra::hashing::Table;
 use crate::algebra::interner::Interner;
+use crate::limits::LONGEST_FLAT_PRODUCT_RULE;
 use crate::{Expression, Graph, Node, Pass, Rational, Symbol};
-
-/// Products of more factors are differentiated as [trees of pairs](Graph::tree_of_pairs). Of fewer, what
-/// the terms of the product rule have in common is found when they are scheduled, and quotients cancel.
-const LONGEST_SIDE_BY_SIDE: usize = 10;
 
 /// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
 pub type Direction = BTreeMap<Symbol, Expression>;
@@ -85,7 +82,7 @@ impl Graph {
                 self.sum(changes)
             }
             Node::Product(ref factors)
-                if factors.len() > LONGEST_SIDE_BY_SIDE && self.passes.has(Pass::Opaque) =>
+                if factors.len() > LONGEST_FLAT_PRODUCT_RULE && self.passes.has(Pass::Opaque) =>
             {
                 self.derivative_of_pairs(expression, derivatives, cofactors)
             }

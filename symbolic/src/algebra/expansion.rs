@@ -8,10 +8,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::limits::{HIGHEST_EXPANDED_POWER, MOST_EXPANDED_TERMS};
 use crate::{Expression, Graph, Node, Pass, Rational};
-
-/// More terms than this are not looked at.
-const MOST_TERMS: usize = 128;
 
 /// Σ cᵢ·mᵢ with monomials (products of powers) mᵢ.
 pub(crate) type Polynomial = BTreeMap<Expression, Rational>;
@@ -72,7 +70,7 @@ impl Graph {
                 | Node::Application(..)
                 | Node::Opaque(_) => Polynomial::from([(part, Rational::ONE)]),
             };
-            if polynomial.len() > MOST_TERMS {
+            if polynomial.len() > MOST_EXPANDED_TERMS {
                 return None;
             }
             polynomials.insert(part, polynomial);
@@ -88,7 +86,9 @@ impl Graph {
         exponent: &Rational,
         inner: &Polynomial,
     ) -> Option<Polynomial> {
-        let repeats = exponent.to_integer().filter(|k| (1..=4).contains(k));
+        let repeats = exponent
+            .to_integer()
+            .filter(|k| (1..=HIGHEST_EXPANDED_POWER).contains(k));
         let (Some(repeats), true) = (repeats, inner.len() > 1) else {
             let power = self.power(x, exponent);
             let single = Polynomial::from([(power, Rational::ONE)]);
@@ -96,7 +96,7 @@ impl Graph {
         };
         let mut product = total.clone();
         for _ in 0..repeats {
-            if product.len() * inner.len() > 4 * MOST_TERMS {
+            if product.len() * inner.len() > 4 * MOST_EXPANDED_TERMS {
                 return None;
             }
             product = self.multiply_polynomials(&product, inner);

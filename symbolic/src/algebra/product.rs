@@ -5,15 +5,8 @@
 //! (−8)^⅓ has no value and stays as it is.
 
 use crate::algebra::sum::{Split, ascends, combine};
+use crate::limits::{LONGEST_MERGED_PRODUCT, LONGEST_PRODUCT};
 use crate::{Expression, Graph, Node, Pass, Rational, Unary};
-
-/// A product of more factors than this stays one factor of the product that contains it, as long sums
-/// do. It is more than a formula written by hand has, so that quotients of those cancel.
-const LONGEST_MERGED: usize = 16;
-
-/// No product has more factors than this, which is what two products merge to: the factors of longer ones
-/// are multiplied [in pairs](Graph::paired).
-const LONGEST: usize = 2 * LONGEST_MERGED;
 
 /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
 type Factors = Vec<(Expression, Rational)>;
@@ -49,7 +42,9 @@ impl Graph {
             while let Some((base, exponent)) = pending.pop() {
                 match self.node(base) {
                     // The factors of a product are already in normal form.
-                    Node::Product(inner) if exponent.is_one() && inner.len() <= LONGEST_MERGED => {
+                    Node::Product(inner)
+                        if exponent.is_one() && inner.len() <= LONGEST_MERGED_PRODUCT =>
+                    {
                         settled.extend(inner.iter().cloned());
                         continue;
                     }
@@ -87,7 +82,7 @@ impl Graph {
         match self.node(base) {
             Node::Constant(value) => Some((exact_power(value, exponent)?, Vec::new())),
             Node::Product(inner) if exponent.is_integer() => {
-                if inner.len() > LONGEST_MERGED {
+                if inner.len() > LONGEST_MERGED_PRODUCT {
                     return None;
                 }
                 // (Π x^j)^k = Π x^(jk).
@@ -127,7 +122,7 @@ impl Graph {
                     .into_iter()
                     .map(|(x, j)| Some((x, short(&j * exponent)?)));
                 let mut parts = common.collect::<Option<Factors>>()?;
-                if parts.len() > LONGEST_MERGED {
+                if parts.len() > LONGEST_MERGED_PRODUCT {
                     parts = vec![(self.intern_product(parts), Rational::ONE)];
                 }
                 parts.push((rest, exponent.clone()));
@@ -157,14 +152,14 @@ impl Graph {
     fn is_even_product(&self, expression: Expression) -> bool {
         match self.node(expression) {
             Node::Product(factors) => {
-                factors.len() <= LONGEST_MERGED && factors.iter().all(|(_, k)| k.is_even())
+                factors.len() <= LONGEST_MERGED_PRODUCT && factors.iter().all(|(_, k)| k.is_even())
             }
             _ => false,
         }
     }
 
     fn intern_product(&mut self, mut factors: Factors) -> Expression {
-        if factors.len() > LONGEST && self.passes.has(Pass::Opaque) {
+        if factors.len() > LONGEST_PRODUCT && self.passes.has(Pass::Opaque) {
             factors = self.paired(factors).factors;
         }
         match factors.as_slice() {

@@ -12,6 +12,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::algebra::hashing::{Mixer, mix};
+use crate::limits::{LARGEST_DECIMAL_EXPONENT, LONGEST_EXACT_BITS};
 
 /// A rational number in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -60,9 +61,6 @@ impl Hash for Fraction {
     }
 }
 
-/// Constants are folded only while they stay below this many bits.
-const MAXIMUM_BITS: u64 = 4096;
-
 impl Rational {
     /// Zero.
     pub const ZERO: Self = Self(Fraction::Small(0, 1));
@@ -108,8 +106,7 @@ impl Rational {
         }
         let digits: BigInt = digits.parse().ok()?;
         let scale = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-        // Beyond any binary64 by far, and a defence against `1e999999999`.
-        if scale.unsigned_abs() > 20_000 {
+        if scale.unsigned_abs() > LARGEST_DECIMAL_EXPONENT {
             return None;
         }
         let power = BigInt::from(10).pow(scale.unsigned_abs());
@@ -225,7 +222,9 @@ impl Rational {
     pub(crate) fn is_long(&self) -> bool {
         match &self.0 {
             Fraction::Small(..) => false,
-            Fraction::Large(value) => value.numer().bits().max(value.denom().bits()) > MAXIMUM_BITS,
+            Fraction::Large(value) => {
+                value.numer().bits().max(value.denom().bits()) > LONGEST_EXACT_BITS
+            }
         }
     }
 
@@ -266,7 +265,7 @@ impl Rational {
         let bits = value.numer().bits().max(value.denom().bits());
         let trivial =
             value.numer().magnitude().is_one() && value.denom().is_one() || self.is_zero();
-        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > MAXIMUM_BITS {
+        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > LONGEST_EXACT_BITS {
             return None;
         }
         let exponent = if trivial { 2 - exponent % 2 } else { exponent };

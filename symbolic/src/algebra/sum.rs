@@ -1,11 +1,7 @@
 //! The normal form of sums, Σ cᵢ·xᵢ.
 
+use crate::limits::LONGEST_MERGED_SUM;
 use crate::{Expression, Graph, Node, Rational};
-
-/// A sum of more terms than this stays one term of the sum that contains it. Prefix sums, such as the
-/// positions along a chain, would otherwise grow with the square of its length. Numbers that are too
-/// long are kept apart for the same reason.
-const LONGEST_MERGED: usize = 8;
 
 /// A sum as number · Π common · rest.
 #[derive(Clone, Debug)]
@@ -223,7 +219,7 @@ impl Graph {
 
 /// Whether a sum is merged into one that contains it.
 fn merges(terms: &[(Expression, Rational)]) -> bool {
-    terms.len() <= LONGEST_MERGED && !terms.iter().any(|(_, c)| c.is_long())
+    terms.len() <= LONGEST_MERGED_SUM && !terms.iter().any(|(_, c)| c.is_long())
 }
 
 /// Whether pairs (xᵢ, nᵢ) are sorted, each x once.

@@ -3,10 +3,10 @@
 //!
 //! All decisions are exact, by polynomial identity testing.
 
-use crate::decision::identity_test::IdentityTest;
-use crate::decision::point::Point;
-use crate::decision::residue;
-use crate::mechanics::equations::Defect;
+use crate::identity::identity_test::IdentityTest;
+use crate::identity::modular_matrix;
+use crate::identity::modular_point::Point;
+use crate::mechanics::defects::Defect;
 use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 
 /// Properties of the coordinates that the runtime uses.
@@ -37,7 +37,7 @@ pub(crate) fn analyze(
             .collect();
         let determinant = |values: &[u64], point: Point| {
             let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
-            determinant(rows.collect(), point.p())
+            modular_matrix::determinant(rows.collect(), point.p())
         };
         let test = IdentityTest::of(graph, &mass.concat());
         let vanishes =
@@ -73,21 +73,6 @@ pub(crate) fn analyze(
     })
 }
 
-/// Whether `expression` vanishes identically, as far as random points tell.
-pub(crate) fn vanishes(graph: &Graph, expression: Expression) -> bool {
-    let roots = [expression];
-    IdentityTest::of(graph, &roots).holds(|point| Some(point.evaluate(graph, &roots)?[0] == 0))
-}
-
-/// Whether one of `roots` depends on `symbol`, which may occur in it without effect.
-pub(crate) fn depends(graph: &Graph, roots: &[Expression], symbol: Symbol) -> bool {
-    roots.iter().any(|root| {
-        let roots = [*root];
-        let test = IdentityTest::of(graph, &roots);
-        !test.independent(graph, &roots, &[symbol], |values, _| Some(values[0]))[0]
-    })
-}
-
 /// The index sets of the diagonal blocks of M, each in ascending order.
 fn blocks(graph: &Graph, mass: &[Vec<Expression>]) -> Vec<Vec<usize>> {
     let mut seen = vec![false; mass.len()];
@@ -112,30 +97,6 @@ fn blocks(graph: &Graph, mass: &[Vec<Expression>]) -> Vec<Vec<usize>> {
         blocks.push(block);
     }
     blocks
-}
-
-/// The determinant modulo the prime p, by Gaussian elimination with row exchanges.
-fn determinant(mut rows: Vec<Vec<u64>>, p: u64) -> Option<u64> {
-    let mut determinant = 1;
-    for k in 0..rows.len() {
-        let Some(pivot) = (k..rows.len()).find(|i| rows[*i][k] != 0) else {
-            return Some(0);
-        };
-        if pivot != k {
-            rows.swap(pivot, k);
-            determinant = residue::negate(determinant, p);
-        }
-        determinant = residue::multiply(determinant, rows[k][k], p);
-        let inverse = residue::reciprocal(rows[k][k], p)?;
-        let (upper, lower) = rows.split_at_mut(k + 1);
-        for row in lower {
-            let factor = residue::negate(residue::multiply(row[k], inverse, p), p);
-            for (entry, above) in row.iter_mut().zip(&upper[k]).skip(k) {
-                *entry = residue::add(*entry, residue::multiply(factor, *above, p), p);
-            }
-        }
-    }
-    Some(determinant)
 }
 
 /// Which coordinates occur only in sums under sine, cosine and tangent, or not at all.

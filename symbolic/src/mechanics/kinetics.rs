@@ -1,16 +1,16 @@
 //! The choice between solvers: f, M q̈ − f and q̈, each by the cheapest method that applies.
 //!
-//! Lagrange's formula gives f and M q̈ − f for every model; where quasi-velocities form a tree, recursions along
-//! it take fewer operations. The [solution](crate::mechanics::solution) for q̈ is chosen among all solvers that
+//! Lagrange's formula gives f and M q̈ − f for every model; where quasi-velocities form a tree, recursions along it
+//! take fewer operations. The [solution](crate::mechanics::solvers::solution) for q̈ is chosen among all solvers that
 //! apply, by the cost model.
 
-use crate::mechanics::articulated_bodies::ArticulatedBodies;
-use crate::mechanics::boltzmann_hamel::BoltzmannHamel;
-use crate::mechanics::kinematic_tree::KinematicTree;
-use crate::mechanics::ldlt::Ldlt;
-use crate::mechanics::multiplied_out::MOST_COORDINATES;
-use crate::mechanics::quasi_velocities::QuasiVelocities;
-use crate::mechanics::solution::{Solution, Solver};
+use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS};
+use crate::matrix::ldlt::Ldlt;
+use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
+use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
+use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::mechanics::solvers::kinematic_tree::KinematicTree;
+use crate::mechanics::solvers::solution::{Solution, Solver};
 use crate::{Equations, Expression, Graph, Model, Pass};
 
 /// The kinetics of a model, as expressions of its graph.
@@ -38,9 +38,6 @@ pub struct LinearSystem {
     pub residuals: Vec<Expression>,
 }
 
-/// Where a pivot row has more entries than this, numerical elimination costs no more than straight-line code.
-const MOST_NEIGHBOURS: usize = 7;
-
 impl Kinetics {
     /// The kinetics of `model`.
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
@@ -63,14 +60,15 @@ impl Kinetics {
         };
         let ldlt = passes
             .has(Pass::Elimination)
-            .then(|| Ldlt::factor(graph, &equations.mass, MOST_NEIGHBOURS))
+            .then(|| Ldlt::factor(graph, &equations.mass, MOST_PIVOT_NEIGHBOURS))
             .flatten();
         let mut solvers: Vec<_> = ldlt.iter().cloned().map(Solver::Ldlt).collect();
         let mut system = cheaper.clone();
         if let Some(tree) = tree {
             let scaled = tree.divided_by_unit(graph);
             system = system.scaled(graph, &scaled);
-            let articulated_bodies = ArticulatedBodies::factor(graph, scaled, MOST_NEIGHBOURS);
+            let articulated_bodies =
+                ArticulatedBodies::factor(graph, scaled, MOST_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
         solvers.extend(through_quasi_velocities(model, equations, declared));
@@ -126,7 +124,7 @@ fn through_quasi_velocities(
         .as_ref()
         .and_then(|declared| declared.combined(&mut model.graph));
     let mut choices: Vec<_> = declared.into_iter().chain(combined).collect();
-    if model.coordinates <= MOST_COORDINATES && passes.has(Pass::Inertias) {
+    if model.coordinates <= MOST_EXPANDED_COORDINATES && passes.has(Pass::Inertias) {
         choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);

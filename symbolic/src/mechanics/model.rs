@@ -1,8 +1,6 @@
 //! A mechanical system as declared: what comes into the derivation.
 
-use std::collections::BTreeMap;
-
-use crate::{Direction, Expression, Graph, Symbol};
+use crate::{Expression, Graph, Symbol};
 
 /// The energies and forces of a system with `coordinates` degrees of freedom.
 ///
@@ -57,28 +55,5 @@ impl Model {
     #[must_use]
     pub fn input_symbols(&self) -> Vec<Symbol> {
         (0..self.inputs).map(Symbol::Input).collect()
-    }
-}
-
-impl Graph {
-    /// The total time derivative of expressions of a system with `coordinates` degrees of freedom, by
-    /// the chain rule through q, q̇ and t: q̇ for q, q̈ for q̇, 1 for t.
-    pub fn time_derivatives(&mut self, roots: &[Expression], coordinates: u32) -> Vec<Expression> {
-        let mut direction = self.constant_velocity_direction(coordinates);
-        for i in 0..coordinates {
-            let acceleration = self.symbol(Symbol::Acceleration(i));
-            direction.insert(Symbol::Velocity(i), acceleration);
-        }
-        self.directional_derivatives(roots, &direction)
-    }
-
-    /// The direction in which time goes on while velocities stay: q̇ for q, 1 for t.
-    pub(crate) fn constant_velocity_direction(&mut self, coordinates: u32) -> Direction {
-        let mut direction = BTreeMap::from([(Symbol::Time, self.one())]);
-        for i in 0..coordinates {
-            let velocity = self.symbol(Symbol::Velocity(i));
-            direction.insert(Symbol::Coordinate(i), velocity);
-        }
-        direction
     }
 }

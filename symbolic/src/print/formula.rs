@@ -3,6 +3,7 @@
 use core::fmt;
 use std::borrow::Cow;
 
+use crate::limits::LONGEST_FORMULA;
 use crate::print::layout::{Layout, Piece};
 use crate::print::notation::Notation;
 use crate::{Expression, Graph, Letters, Names};
@@ -24,9 +25,6 @@ enum Source<'a> {
     Letters(&'a Letters),
 }
 
-/// What is shared in the graph is printed wherever it occurs, which can be exponentially often.
-const LIMIT: usize = 1 << 16;
-
 impl Graph {
     /// The expression as a line of Unicode, such as `½ m (ṙ² + r² φ̇²) + k/r`.
     ///
@@ -38,7 +36,7 @@ impl Graph {
             letters: Source::Names(names),
             root: expression,
             notation: Notation::Unicode,
-            limit: LIMIT,
+            limit: LONGEST_FORMULA,
         }
     }
 
@@ -54,7 +52,7 @@ impl Graph {
             letters: Source::Letters(letters),
             root: expression,
             notation: Notation::Unicode,
-            limit: LIMIT,
+            limit: LONGEST_FORMULA,
         }
     }
 
@@ -118,7 +116,7 @@ impl Room {
     fn admits(&mut self, piece: &Piece<'_>, text: &str) -> bool {
         if self.unopened.is_none() {
             let length = text.chars().count();
-            if length <= self.left || matches!(piece, Piece::Close(_) | Piece::Turn(_)) {
+            if length <= self.left || matches!(piece, Piece::Close(_) | Piece::Middle(_)) {
                 self.left = self.left.saturating_sub(length);
                 return true;
             }
@@ -130,7 +128,7 @@ impl Room {
                 *depth += 1;
                 false
             }
-            Piece::Turn(_) => *depth == 0,
+            Piece::Middle(_) => *depth == 0,
             Piece::Close(_) if *depth == 0 => true,
             Piece::Close(_) => {
                 *depth -= 1;

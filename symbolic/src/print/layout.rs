@@ -19,7 +19,7 @@ pub(crate) enum Piece<'a> {
     /// A bracket that opens,
     Open(&'static str),
     /// one that closes and opens,
-    Turn(&'static str),
+    Middle(&'static str),
     /// and one that closes.
     Close(&'static str),
     /// An expression where no parentheses are needed: by name if it has one,
@@ -45,7 +45,7 @@ impl Piece<'_> {
     pub(crate) fn text(&self) -> Option<&str> {
         match self {
             Self::Text(text) => Some(text),
-            Self::Open(text) | Self::Turn(text) | Self::Close(text) => Some(text),
+            Self::Open(text) | Self::Middle(text) | Self::Close(text) => Some(text),
             Self::Expression(_) | Self::Body(_) | Self::Term(..) | Self::Power(_) => None,
         }
     }
@@ -104,7 +104,9 @@ impl<'a> Layout<'a> {
             Piece::Body(expression) => self.body(&mut line, expression),
             Piece::Term(x, coefficient, first) => self.term(&mut line, x, coefficient, first),
             Piece::Power(factor) => self.factor(&mut line, &factor),
-            Piece::Text(_) | Piece::Open(_) | Piece::Turn(_) | Piece::Close(_) => line.push(piece),
+            Piece::Text(_) | Piece::Open(_) | Piece::Middle(_) | Piece::Close(_) => {
+                line.push(piece);
+            }
         }
         self.stack.extend(line.into_iter().rev());
     }

@@ -7,6 +7,7 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use crate::Rational;
+use crate::limits::{MOST_LEADING_ZEROS, ROUND_ZEROS, SMALL_DENOMINATOR};
 use crate::print::notation::Notation;
 
 /// The digits of a number that is not negative.
@@ -19,13 +20,6 @@ pub(crate) enum Numeral {
     /// 5 and 7 for 5/7.
     Fraction(String, String),
 }
-
-/// Decimals with more zeros than this behind the point carry a power of ten.
-const MOST_ZEROS: usize = 4;
-/// Integers that end in as many zeros as this carry a power of ten.
-const ROUND: usize = 7;
-/// Fractions with denominators up to this are read at a glance.
-const SMALL_DENOMINATOR: u32 = 12;
 
 impl Numeral {
     /// The digits of |`value`|.
@@ -53,14 +47,14 @@ impl Numeral {
         let significant = digits.trim_end_matches('0');
         let zeros = digits.len() - significant.len();
         if places == 0 {
-            let round = zeros >= ROUND && !significant.is_empty();
+            let round = zeros >= ROUND_ZEROS && !significant.is_empty();
             return Some(if round {
                 Self::scientific(significant, zeros.try_into().ok()?)
             } else {
                 Self::Decimal(digits)
             });
         }
-        if places >= digits.len() + MOST_ZEROS {
+        if places >= digits.len() + MOST_LEADING_ZEROS {
             return Some(Self::scientific(&digits, -i64::try_from(places).ok()?));
         }
         let padded = format!("{digits:0>width$}", width = places + 1);

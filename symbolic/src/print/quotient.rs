@@ -30,7 +30,7 @@ impl<'a> Layout<'a> {
         if self.notation == Notation::Latex {
             line.push(Piece::Open("\\frac{"));
             self.side(line, over, above);
-            line.push(Piece::Turn("}{"));
+            line.push(Piece::Middle("}{"));
             self.side(line, under, below);
             line.push(Piece::Close("}"));
             return;
@@ -76,7 +76,7 @@ impl<'a> Layout<'a> {
     fn side(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Power>) {
         match (&number, factors.as_slice()) {
             (None, [factor]) if factor.exponent.is_one() => {
-                line.push(Piece::Expression(factor.base))
+                line.push(Piece::Expression(factor.base));
             }
             _ => self.juxtapose(line, number, factors),
         }

@@ -1,14 +1,15 @@
-//! The intermediate representation between the graph and straight-line code: a DAG of n-ary operations (Aho, Lam, Sethi
-//! and Ullman, Compilers, 2nd edition 2007, section 6.1).
+//! The intermediate representation between the graph and straight-line code: a DAG of n-ary operations (Aho, Lam,
+//! Sethi and Ullman, Compilers, 2nd edition 2007, section 6.1).
 //!
 //! Input: roots of the graph. Output: one [`DagOperation`] for each value. Where the graph has sums and products in
-//! normal form, the DAG has lists that passes may regroup: [`factoring`](crate::program::factoring) takes common
-//! factors out of sums, [`sharing`](crate::program::sharing) eliminates common subexpressions. A pass changes how a
-//! value is computed, never the value.
+//! normal form, the DAG has lists that passes may regroup: [`factoring`](crate::program::passes::factoring) takes
+//! common factors out of sums, [`sharing`](crate::program::passes::sharing) eliminates common subexpressions. A pass
+//! changes how a value is computed, never the value.
 
 use std::collections::BTreeMap;
 
-use crate::program::removable::{Removable, removable};
+use crate::limits::HIGHEST_REPEATED_POWER;
+use crate::program::removable_singularities::{Removable, removable};
 use crate::{Binary, Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol, Unary};
 
 /// The index of a value in a DAG.
@@ -33,9 +34,6 @@ pub(crate) enum DagOperation {
     Binary(Binary, ValueId, ValueId),
     Application(ExternalFunction, Vec<ValueId>),
 }
-
-/// Integer powers up to this one are repeated factors, of which parts can be shared.
-const LARGEST_REPEATED: usize = 8;
 
 /// The operations of all values of a program.
 pub(crate) struct Dag {
@@ -187,7 +185,7 @@ impl Dag {
     fn push_power(&mut self, factors: &mut Vec<ValueId>, x: ValueId, exponent: &Rational) {
         let (numerator, denominator) = exponent.to_fraction().unwrap_or((0, 0));
         match (usize::try_from(numerator).unwrap_or(0), denominator) {
-            (k, 1) if k <= LARGEST_REPEATED => factors.extend((0..k).map(|_| x)),
+            (k, 1) if k <= HIGHEST_REPEATED_POWER => factors.extend((0..k).map(|_| x)),
             (k, 1) => {
                 let power = self.push(DagOperation::Power(x, k), None);
                 factors.push(power);

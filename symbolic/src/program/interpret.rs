@@ -3,8 +3,8 @@
 //! The same instructions are interpreted in binary64, modulo a prime, or on expressions, so that an emitted program
 //! can be checked against the expressions that it was scheduled from.
 
-use crate::decision::point::Point;
-use crate::decision::residue;
+use crate::identity::modular_point::Point;
+use crate::identity::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Binary, Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
 

@@ -20,6 +20,20 @@ pub(crate) enum Invariants {
     Gathered,
 }
 
+impl Program {
+    /// The program that computes the groups of roots, one after the other.
+    #[must_use]
+    pub fn schedule(graph: &Graph, groups: &[&[Expression]]) -> Self {
+        Scheduler::new(graph, groups, Invariants::InPlace).run(groups)
+    }
+
+    /// The same with invariants gathered, so that much of it can be hoisted.
+    #[must_use]
+    pub fn schedule_for_staging(graph: &Graph, groups: &[&[Expression]]) -> Self {
+        Scheduler::new(graph, groups, Invariants::Gathered).run(groups)
+    }
+}
+
 /// The state of a scheduling run.
 pub(crate) struct Scheduler {
     dag: Dag,

@@ -5,8 +5,7 @@
 //! instructions do the same; each output has the value of its root. The order of instructions depends
 //! on the graph alone.
 
-use crate::program::schedule::{Invariants, Scheduler};
-use crate::{Binary, Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
+use crate::{Binary, Expression, ExternalFunction, Rational, Symbol, Unary};
 
 /// An operand of an instruction.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -121,36 +120,7 @@ pub struct Program {
     pub groups: Vec<OutputGroup>,
 }
 
-/// The number of operations of each kind.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct OperationCount {
-    /// Additions, subtractions and changes of sign.
-    pub additions: usize,
-    /// Multiplications.
-    pub multiplications: usize,
-    /// Divisions.
-    pub divisions: usize,
-    /// Square roots.
-    pub square_roots: usize,
-    /// Sines and cosines; the pair of one angle counts once.
-    pub sines_and_cosines: usize,
-    /// All other functions, external ones included.
-    pub functions: usize,
-}
-
 impl Program {
-    /// The program that computes the groups of roots, one after the other.
-    #[must_use]
-    pub fn schedule(graph: &Graph, groups: &[&[Expression]]) -> Self {
-        Scheduler::new(graph, groups, Invariants::InPlace).run(groups)
-    }
-
-    /// The same with invariants gathered, so that much of it can be hoisted.
-    #[must_use]
-    pub fn schedule_for_staging(graph: &Graph, groups: &[&[Expression]]) -> Self {
-        Scheduler::new(graph, groups, Invariants::Gathered).run(groups)
-    }
-
     /// All instructions, in the order in which they run.
     pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
         self.groups.iter().flat_map(|phase| &phase.instructions)
@@ -200,28 +170,5 @@ impl Program {
         functions.sort_unstable();
         functions.dedup();
         functions
-    }
-
-    /// The number of operations of each kind.
-    #[must_use]
-    pub fn count(&self) -> OperationCount {
-        let mut count = OperationCount::default();
-        for instruction in self.instructions() {
-            *match instruction.operation {
-                Operation::Add(..) | Operation::Subtract(..) | Operation::Negate(_) => {
-                    &mut count.additions
-                }
-                Operation::Multiply(..) => &mut count.multiplications,
-                Operation::Divide(..) => &mut count.divisions,
-                Operation::SquareRoot(_) => &mut count.square_roots,
-                Operation::SineAndCosine(_) | Operation::Unary(Unary::Sin | Unary::Cos, _) => {
-                    &mut count.sines_and_cosines
-                }
-                Operation::Unary(..) | Operation::Binary(..) | Operation::Application(..) => {
-                    &mut count.functions
-                }
-            } += 1;
-        }
-        count
     }
 }

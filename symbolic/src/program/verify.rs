@@ -2,7 +2,8 @@
 //! algorithms for verification of polynomial identities, 1980).
 
 use crate::algebra::hashing::Set;
-use crate::decision::point::Point;
+use crate::identity::modular_point::Point;
+use crate::limits::MODULAR_ATTEMPTS;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Expression, Graph};
 
@@ -24,9 +25,6 @@ pub enum Fault {
     },
 }
 
-/// Points to try until one is in the domain of all roots.
-const ATTEMPTS: u64 = 64;
-
 impl Program {
     /// Checks the program's invariants against the roots that it was made from.
     ///
@@ -39,8 +37,8 @@ impl Program {
     pub fn verify(&self, graph: &Graph, groups: &[&[Expression]]) -> Result<(), Fault> {
         self.verify_order()?;
         let roots = groups.concat();
-        let points =
-            (0..ATTEMPTS).map(|seed| Point::new(seed).without_addition_theorems().uninterpreted());
+        let points = (0..MODULAR_ATTEMPTS)
+            .map(|seed| Point::new(seed).without_addition_theorems().uninterpreted());
         for point in points {
             let expected = point.evaluate(graph, &roots);
             if let (Some(expected), Some(found)) = (expected, self.evaluate_at(point)) {

@@ -6,28 +6,20 @@
 
 use std::collections::BTreeSet;
 
+use crate::identity::real_point::RealPoint;
+use crate::limits::{
+    ENOUGH_NEARBY_POINTS, NEARBY_ATTEMPTS, PERTURBATION_MARGIN, PERTURBED_RUNS, VALIDATED_POINTS,
+    VALIDATION_ATTEMPTS,
+};
 use crate::validation::changes::Changes;
 use crate::validation::comparison::{Comparison, Comparisons};
-use crate::validation::lagrange::{Lagrange, SumWithSize, Values, Variation};
+use crate::validation::lagrange::{Lagrange, Values, Variation};
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
-use crate::validation::real_point::RealPoint;
 use crate::validation::square_matrix::SquareMatrix;
+use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::Tape;
 use crate::{Energies, Model, Node, Symbol};
-
-/// Points in the domain at which programs are compared: each distribution of [`RealPoint`] eight times.
-const POINTS: usize = 32;
-/// Points to try until as many are in the domain: roots and logarithms leave out most of them. The later ones are
-/// spread more widely, and are tried where the domain has not been met often.
-const ATTEMPTS: u64 = 512;
-const ENOUGH_TO_GO_ON: usize = 8;
-const NEARBY_ATTEMPTS: u64 = 160;
-/// Perturbed runs that measure the conditioning.
-const PERTURBED_RUNS: u64 = 3;
-/// By how much a difference must exceed the changes under perturbation, which are 2¹⁷ times as large as
-/// those by rounding.
-const MARGIN: f64 = 8.0;
 
 /// Lagrange's equations of a model, the reference of all comparisons.
 pub struct Validator {
@@ -65,8 +57,8 @@ impl Validator {
         let tapes = Tapes::new(&programs);
         let mut points = 0;
         let mut undefined = Vec::new();
-        for number in 0..ATTEMPTS {
-            if number >= NEARBY_ATTEMPTS && points >= ENOUGH_TO_GO_ON {
+        for number in 0..VALIDATION_ATTEMPTS {
+            if number >= NEARBY_ATTEMPTS && points >= ENOUGH_NEARBY_POINTS {
                 break;
             }
             let point = if number < NEARBY_ATTEMPTS {
@@ -91,7 +83,7 @@ impl Validator {
             if unexplained {
                 self.explain(&tapes, point, &comparisons, &mut found);
             }
-            if points == POINTS {
+            if points == VALIDATED_POINTS {
                 break;
             }
         }
@@ -132,7 +124,7 @@ impl Validator {
         }
         for (comparison, explained) in comparisons.iter().zip(explained) {
             let difference = comparison.difference.abs();
-            if !comparison.is_negligible() && difference > MARGIN * explained {
+            if !comparison.is_negligible() && difference > PERTURBATION_MARGIN * explained {
                 found.insert(comparison.method);
             }
         }

@@ -1,7 +1,8 @@
 //! The directional derivative of accelerations along a variation, by the programs for derivatives of q̈.
 
-use crate::validation::lagrange::{SumWithSize, Variation};
+use crate::validation::lagrange::Variation;
 use crate::validation::square_matrix::SquareMatrix;
+use crate::validation::sum_with_size::SumWithSize;
 
 /// The outputs of the programs for derivatives.
 #[derive(Clone, Copy)]

@@ -1,10 +1,8 @@
 //! Differences that should vanish.
 
-use crate::validation::lagrange::SumWithSize;
+use crate::limits::NEGLIGIBLE_DIFFERENCE;
 use crate::validation::programs::Method;
-
-/// Differences below this part of the sum of magnitudes are negligible: 2⁻³⁰.
-const NEGLIGIBLE: f64 = 1.0 / 1_073_741_824.0;
+use crate::validation::sum_with_size::SumWithSize;
 
 /// A difference that should vanish.
 pub(crate) struct Comparison {
@@ -16,7 +14,7 @@ pub(crate) struct Comparison {
 
 impl Comparison {
     pub(crate) fn is_negligible(&self) -> bool {
-        self.difference.abs() <= NEGLIGIBLE * self.size
+        self.difference.abs() <= NEGLIGIBLE_DIFFERENCE * self.size
     }
 }
 

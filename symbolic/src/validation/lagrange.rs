@@ -4,10 +4,11 @@
 //! in (q, q̇, t), so that the adjoint of q̇ᵢ is pᵢ with dpᵢ/dt; the second is a variation of state and
 //! inputs at fixed accelerations, which gives the directional derivatives of a linearization.
 
+use crate::identity::real_point::RealPoint;
 use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::real_point::RealPoint;
+use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::Tape;
 use crate::{Model, Symbol};
 
@@ -36,20 +37,6 @@ pub(crate) struct Values {
     /// M w.
     pub(crate) mass_products: Vec<f64>,
     pub(crate) outputs: Vec<f64>,
-}
-
-/// A sum that may cancel, and the sizes of its terms.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct SumWithSize {
-    pub(crate) total: f64,
-    pub(crate) size: f64,
-}
-
-impl SumWithSize {
-    pub(crate) fn add(&mut self, term: f64) {
-        self.total += term;
-        self.size += term.abs();
-    }
 }
 
 /// What is varied at a point, and how fast.

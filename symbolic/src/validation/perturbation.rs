@@ -1,16 +1,14 @@
 //! Perturbations of intermediate results, which show how much rounding can matter (Monte Carlo arithmetic: Parker,
 //! Monte Carlo Arithmetic: exploiting randomness in floating-point arithmetic, 1997).
 
-use crate::decision::residue::mix;
+use crate::identity::residue::mix;
+use crate::limits::PERTURBATION;
 
 /// How far the results of a run are moved, relative to their size; by nothing without a seed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Perturbation(pub(crate) Option<u64>);
 
 impl Perturbation {
-    /// 2⁻³⁶: far above rounding, and far below what a wrong term is.
-    const SIZE: f64 = 1.0 / 68_719_476_736.0;
-
     /// The factor of the result at a position.
     #[allow(clippy::cast_precision_loss)] // Thirty-two bits are enough.
     pub(crate) fn factor(self, position: usize) -> f64 {
@@ -18,7 +16,7 @@ impl Perturbation {
             None => 1.0,
             Some(seed) => {
                 let word = mix(seed, position as u64) >> 32;
-                1.0 + Self::SIZE * (word as f64 / f64::from(u32::MAX) * 2.0 - 1.0)
+                1.0 + PERTURBATION * (word as f64 / f64::from(u32::MAX) * 2.0 - 1.0)
             }
         }
     }

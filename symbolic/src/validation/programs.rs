@@ -1,8 +1,8 @@
 //! The programs of a model that are validated.
 
+use crate::identity::real_point::RealPoint;
 use crate::validation::changes::LinearizationOutputs;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::real_point::RealPoint;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
 use crate::{Program, Symbol};

@@ -1,6 +1,6 @@
 //! Square matrices of numbers.
 
-use crate::validation::lagrange::SumWithSize;
+use crate::validation::sum_with_size::SumWithSize;
 
 /// A square matrix, row by row.
 pub(crate) struct SquareMatrix {

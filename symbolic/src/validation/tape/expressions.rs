@@ -1,5 +1,6 @@
 //! Tapes of expressions.
 
+use crate::limits::HIGHEST_EXTERNAL_DERIVATIVE;
 use crate::validation::tape::{Entry, Slot, Tape};
 use crate::{Expression, Graph, Node, Rational};
 
@@ -21,10 +22,6 @@ impl Tape {
         writer.tape
     }
 }
-
-/// How often an external function is differentiated: Lagrange's equations and their linearization take
-/// third derivatives of the Lagrangian function.
-const HIGHEST_DERIVATIVE: usize = 3;
 
 /// Writes expressions on a tape.
 struct Writer {
@@ -54,7 +51,7 @@ impl Writer {
             }
             let mut slopes = Vec::new();
             if let Node::Application(function, arguments) = graph.node(expression).clone()
-                && order < HIGHEST_DERIVATIVE
+                && order < HIGHEST_EXTERNAL_DERIVATIVE
             {
                 for argument in 0..arguments.len() {
                     slopes.push(graph.partial_derivative(function, argument, &arguments));

@@ -1,0 +1,9 @@
+//! Vector algebra: products, rotations, angular velocities, and vectors in frames.
+
+pub(crate) mod combination;
+pub(crate) mod matrix_product;
+pub(crate) mod vector_product;
+pub(crate) mod resolution;
+pub(crate) mod inverse;
+pub(crate) mod rotation;
+pub(crate) mod angular_velocity;

@@ -1,0 +1,9 @@
+//! Exact decisions about identities, by random evaluation in modular arithmetic, and random points for all tests.
+
+pub(crate) mod residue;
+pub(crate) mod modular_matrix;
+pub(crate) mod modular_point;
+pub(crate) mod evaluation;
+pub(crate) mod identity_test;
+pub(crate) mod real_point;
+pub(crate) mod claims;

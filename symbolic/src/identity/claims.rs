@@ -1,0 +1,38 @@
+//! Claims about expressions that hold identically, or at random real points.
+
+use crate::identity::identity_test::IdentityTest;
+use crate::identity::real_point::RealPoint;
+use crate::limits::{REAL_POINTS, ROUNDED_CONSTANT};
+use crate::{Expression, Graph, Symbol};
+
+impl Graph {
+    /// Whether all expressions vanish identically.
+    pub(crate) fn vanishes(&self, expressions: &[Expression]) -> bool {
+        IdentityTest::of(self, expressions).holds(|point| {
+            let values = point.evaluate(self, expressions)?;
+            Some(values.iter().all(|value| *value == 0))
+        })
+    }
+
+    /// Whether one of `roots` depends on `symbol`, which may occur in it without effect.
+    pub(crate) fn depends_on(&self, roots: &[Expression], symbol: Symbol) -> bool {
+        roots.iter().any(|root| {
+            let roots = [*root];
+            let test = IdentityTest::of(self, &roots);
+            !test.independent(self, &roots, &[symbol], |values, _| Some(values[0]))[0]
+        })
+    }
+
+    /// Whether expressions vanish at random real points, up to rounding.
+    pub(crate) fn vanishes_at_real_points(&self, expressions: &[Expression]) -> bool {
+        let points = (0..REAL_POINTS).map(RealPoint::new);
+        let values = points.map(|point| self.evaluate(expressions, |symbol| point.value(symbol)));
+        let mut known = values.filter(|values| values.iter().all(|value| value.is_finite()));
+        known.next().is_some_and(|first| {
+            core::iter::once(first)
+                .chain(known)
+                .flatten()
+                .all(|x| x.abs() < ROUNDED_CONSTANT)
+        })
+    }
+}

@@ -1,0 +1,57 @@
+//! Incremental evaluation of expressions at a modular point: when one symbol changes, only the expressions that
+//! contain it are evaluated again.
+
+use crate::identity::modular_point::{HomomorphicImage, Point};
+use crate::{Expression, Graph, Symbol};
+
+/// The images of some roots and of all their subexpressions at one point.
+pub(crate) struct Evaluation<'a> {
+    graph: &'a Graph,
+    roots: &'a [Expression],
+    point: Point,
+    images: Vec<HomomorphicImage>,
+}
+
+impl<'a> Evaluation<'a> {
+    /// The evaluation of `roots`, unless one of them has no value at this point.
+    pub(crate) fn new(graph: &'a Graph, roots: &'a [Expression], point: Point) -> Option<Self> {
+        let descendants = graph.descendants(roots);
+        let length = descendants.last().map_or(0, |last| last.index() + 1);
+        let mut evaluation = Self {
+            graph,
+            roots,
+            point,
+            images: vec![HomomorphicImage::ZERO; length],
+        };
+        evaluation.evaluate(point, &descendants)?;
+        Some(evaluation)
+    }
+
+    /// The values of the roots.
+    pub(crate) fn values(&self) -> Vec<u64> {
+        let images = &self.images;
+        let value = |root: &Expression| images[root.index()].value;
+        self.roots.iter().map(value).collect()
+    }
+
+    /// The values of the roots where `symbol` has another one, if they all exist. `dependents` are the
+    /// expressions that contain it, children before parents.
+    pub(crate) fn moving(&mut self, symbol: Symbol, dependents: &[Expression]) -> Option<Vec<u64>> {
+        let images = &self.images;
+        let before: Vec<_> = dependents.iter().map(|x| images[x.index()]).collect();
+        let moved = self.evaluate(self.point.moving(symbol), dependents);
+        let values = moved.map(|()| self.values());
+        for (expression, image) in dependents.iter().zip(before) {
+            self.images[expression.index()] = image;
+        }
+        values
+    }
+
+    fn evaluate(&mut self, point: Point, expressions: &[Expression]) -> Option<()> {
+        for expression in expressions {
+            let image = point.image(self.graph.node(*expression), &self.images)?;
+            self.images[expression.index()] = image;
+        }
+        Some(())
+    }
+}

@@ -1,0 +1,10 @@
+//! Matrices of expressions: their elements, determinants and factorizations.
+
+pub(crate) mod axis;
+pub(crate) mod factor;
+pub(crate) mod vector_in_frame;
+pub(crate) mod dense;
+pub(crate) mod rows;
+pub(crate) mod determinant;
+pub(crate) mod block_triangular;
+pub(crate) mod ldlt;

@@ -1,0 +1,42 @@
+//! Defects: why a declaration has no equations of motion.
+
+use crate::{Expression, Model, Symbol};
+
+/// Why a declaration has no equations of motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Defect {
+    /// The Lagrangian does not contain the velocities of these coordinates.
+    NoVelocity(Vec<u32>),
+    /// det M vanishes identically; the velocities of these coordinates occur only in combinations.
+    SingularMass(Vec<u32>),
+    /// The momenta depend on these inputs, so that the inputs' unknown rates would act.
+    MomentumOfInput(Vec<u32>),
+}
+
+/// Checks the velocities in the momenta, and that no input is in them.
+pub(crate) fn check_momenta(
+    model: &Model,
+    momenta: &[Expression],
+    mass: &[Vec<Expression>],
+) -> Result<(), Defect> {
+    let graph = &model.graph;
+    let still: Vec<u32> = (0..model.coordinates)
+        .zip(mass)
+        .filter(|(_, row)| row.iter().all(|entry| graph.is_zero(*entry)))
+        .map(|(i, _)| i)
+        .collect();
+    if !still.is_empty() {
+        return Err(Defect::NoVelocity(still));
+    }
+    // In few models an input occurs in the momenta, and some have many inputs.
+    let occurring = graph.symbols(momenta);
+    let inputs: Vec<u32> = (0..model.inputs)
+        .filter(|input| occurring.contains(&Symbol::Input(*input)))
+        .filter(|input| graph.depends_on(momenta, Symbol::Input(*input)))
+        .collect();
+    if inputs.is_empty() {
+        Ok(())
+    } else {
+        Err(Defect::MomentumOfInput(inputs))
+    }
+}

@@ -1,0 +1,195 @@
+//! The equations of L with its mass matrix expanded.
+//!
+//! Squares of velocities contain terms that cancel in their sum: the angle φ of a position on a sphere, where
+//! sin²φ + cos²φ remains in M, and both halves of ω · Iω where two inertias are equal. Momenta and forcing derived
+//! from the squares keep these terms. Those derived from ½ q̇ᵀ M q̇, each entry of M in its cheapest form, are free
+//! of them, and taken where they cost less. For many coordinates the expanded M swells, and is not tried.
+
+use crate::limits::MOST_EXPANDED_COORDINATES;
+use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
+
+/// The quantities derived from a Lagrangian function: M, f, and the momenta.
+#[derive(Clone, Debug)]
+pub(crate) struct Derived {
+    /// p = ∂L/∂q̇.
+    pub(crate) momenta: Vec<Expression>,
+    /// M = ∂p/∂q̇, row by row.
+    pub(crate) mass: Vec<Vec<Expression>>,
+    /// f.
+    pub(crate) forcing: Vec<Expression>,
+}
+
+impl Derived {
+    /// The same, derived from the expanded L where that costs less.
+    pub(crate) fn cheapest(
+        self,
+        model: &mut Model,
+        lagrangian: Expression,
+        generalized_forces: &[Expression],
+    ) -> Self {
+        match self.expanded(model, lagrangian, generalized_forces) {
+            Some(other) if other.cost(&model.graph) < self.cost(&model.graph) => other,
+            _ => self,
+        }
+    }
+
+    /// The same, derived from the expanded L; none for many coordinates, or for an L that is not
+    /// quadratic in the velocities.
+    fn expanded(
+        &self,
+        model: &mut Model,
+        lagrangian: Expression,
+        generalized_forces: &[Expression],
+    ) -> Option<Self> {
+        let graph = &mut model.graph;
+        if model.coordinates > MOST_EXPANDED_COORDINATES
+            || !graph.passes.has(Pass::Expansion)
+            || !is_quadratic(graph, lagrangian)
+        {
+            return None;
+        }
+        let mut mass = self.mass.clone();
+        for entry in mass.iter_mut().flatten() {
+            *entry = graph.simplest(*entry);
+        }
+        let rest = linear_part(graph, lagrangian, &self.momenta);
+        let lagrangian = quadratic(graph, &mass, rest);
+        let velocities: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
+        let momenta = graph.jacobian(&[lagrangian], &velocities).concat();
+        let forcing = model.forcing(lagrangian, &momenta, generalized_forces);
+        Some(Self {
+            momenta,
+            mass,
+            forcing,
+        })
+    }
+
+    fn cost(&self, graph: &Graph) -> usize {
+        let parts = [&*self.momenta, &self.mass.concat(), &self.forcing];
+        graph.cost(&parts.concat())
+    }
+}
+
+/// Whether L is a polynomial of second degree in the velocities. That M is free of them does not suffice: a
+/// piecewise linear term, such as |ẋ|, does not show in M.
+pub(crate) fn is_quadratic(graph: &Graph, lagrangian: Expression) -> bool {
+    graph
+        .velocity_degree(lagrangian)
+        .is_some_and(|degree| degree <= 2)
+}
+
+/// ½ q̇ᵀ M q̇ and the rest of L.
+fn quadratic(graph: &mut Graph, mass: &[Vec<Expression>], rest: Expression) -> Expression {
+    let mut terms = vec![(rest, Rational::ONE)];
+    for (i, row) in (0..).zip(mass) {
+        for (j, entry) in (0..=i).zip(row) {
+            let velocities = [i, j].map(|k| graph.symbol(Symbol::Velocity(k)));
+            let square = graph.multiply(velocities[0], velocities[1]);
+            let factor = if i == j {
+                Rational::HALF
+            } else {
+                Rational::ONE
+            };
+            terms.push((graph.multiply(*entry, square), factor));
+        }
+    }
+    graph.sum(terms)
+}
+
+/// What of L is at most linear in the velocities.
+pub(crate) fn linear_part(
+    graph: &mut Graph,
+    lagrangian: Expression,
+    momenta: &[Expression],
+) -> Expression {
+    let zero = graph.zero();
+    let indices = 0..u32::try_from(momenta.len()).unwrap_or(0);
+    let still = indices
+        .clone()
+        .map(|i| (Symbol::Velocity(i), zero))
+        .collect();
+    let mut roots = vec![lagrangian];
+    roots.extend(momenta);
+    let at_rest = graph.substitute(&roots, &still);
+    let mut terms = vec![(at_rest[0], Rational::ONE)];
+    for (i, momentum) in indices.zip(&at_rest[1..]) {
+        let velocity = graph.symbol(Symbol::Velocity(i));
+        terms.push((graph.multiply(*momentum, velocity), Rational::ONE));
+    }
+    graph.sum(terms)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draft::Draft;
+    use crate::{Equations, Unary};
+
+    /// ½ (d/dt (sin θ cos φ))² + ½ (d/dt (sin θ sin φ))² + ½ (d/dt cos θ)² + ½ φ̇² with (φ, θ, x).
+    fn arm_with_a_ball(draft: &mut Draft) -> Expression {
+        let [phi, theta] = [draft.q(0), draft.q(1)];
+        let [sin_phi, cos_phi] = [Unary::Sin, Unary::Cos].map(|f| draft.graph.unary(f, phi));
+        let [sin, cos] = [Unary::Sin, Unary::Cos].map(|f| draft.graph.unary(f, theta));
+        let place = [
+            draft.times(&[sin, cos_phi]),
+            draft.times(&[sin, sin_phi]),
+            cos,
+        ];
+        let mut rates = draft.graph.time_derivatives(&place, 2);
+        rates.push(draft.v(0));
+        let squares: Vec<_> = rates
+            .iter()
+            .map(|rate| (draft.times(&[*rate, *rate]), Rational::HALF))
+            .collect();
+        draft.graph.sum(squares)
+    }
+
+    /// The arm, and a body at x that adds ẋᵏ / (k (k − 1)) to L, so that its mass is ẋᵏ⁻².
+    fn with_a_body(power: i64) -> (Model, Equations) {
+        let mut draft = Draft::new(3);
+        let arm = arm_with_a_ball(&mut draft);
+        let x_dot = draft.v(2);
+        let body = draft.graph.power(x_dot, &Rational::integer(power));
+        let part = Rational::integer(power * (power - 1)).reciprocal().unwrap();
+        let body = draft.graph.scale(body, &part);
+        let (kinetic, zero) = (draft.graph.add(arm, body), draft.graph.zero());
+        let mut model = draft.natural(kinetic, zero);
+        let equations = Equations::derive(&mut model).unwrap();
+        (model, equations)
+    }
+
+    #[test]
+    fn an_angle_that_cancels_in_the_mass_is_gone() {
+        let (model, equations) = with_a_body(2);
+        let (momenta, forcing) = (&equations.momenta, &equations.forcing);
+        let is_phi = |symbol| symbol == Symbol::Coordinate(0);
+        assert!(!model.graph.contains(momenta, is_phi));
+        assert!(!model.graph.contains(forcing, is_phi));
+        assert!(model.graph.contains(&[equations.lagrangian], is_phi));
+    }
+
+    #[test]
+    fn the_size_of_a_velocity_is_part_of_the_momentum() {
+        // L = ½ ẋ² + c |ẋ|: p = ẋ + c signum ẋ, though M = 1.
+        let mut draft = Draft::new(1);
+        let (v, c) = (draft.v(0), draft.parameter(0));
+        let size = draft.graph.unary(Unary::Abs, v);
+        let square = draft.times(&[v, v]);
+        let (half, size) = (draft.half(square), draft.times(&[c, size]));
+        let lagrangian = draft.plus(&[half, size]);
+        let mut model = draft.model(crate::Energies::General(lagrangian));
+        let equations = Equations::derive(&mut model).unwrap();
+        let sign = model.graph.unary(Unary::Signum, v);
+        let part = model.graph.multiply(c, sign);
+        assert_eq!(equations.momenta, [model.graph.add(v, part)]);
+    }
+
+    #[test]
+    fn what_is_not_quadratic_in_the_velocities_stays() {
+        let (mut model, equations) = with_a_body(4);
+        let x_dot = model.graph.symbol(Symbol::Velocity(2));
+        let third = Rational::integer(3).reciprocal().unwrap();
+        let cube = model.graph.power(x_dot, &Rational::integer(3));
+        assert_eq!(equations.momenta[2], model.graph.scale(cube, &third));
+    }
+}

@@ -1,0 +1,8 @@
+//! The solvers for q̈, and the choice of the cheapest.
+
+pub(crate) mod kinematic_tree;
+pub(crate) mod articulated_bodies;
+pub(crate) mod structure_constants;
+pub(crate) mod boltzmann_hamel;
+pub(crate) mod pivot_magnitudes;
+pub(crate) mod solution;

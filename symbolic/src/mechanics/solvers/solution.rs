@@ -1,0 +1,142 @@
+//! The accelerations by the cheapest of several solvers.
+//!
+//! Three solvers find q̈: the Boltzmann–Hamel equations in as many quasi-velocities as there are coordinates,
+//! articulated-body elimination along the tree of quasi-velocities, and symbolic elimination of the mass matrix. All
+//! are carried out, and the cheapest by the [cost model](crate::algebra::cost) is taken. The derivatives of q̈ are
+//! solved for with the same factors.
+
+use crate::identity::modular_point::Point;
+use crate::identity::residue;
+use crate::limits::{MODULAR_ATTEMPTS, MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
+use crate::matrix::ldlt::Ldlt;
+use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
+use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
+
+/// The accelerations q̈ as expressions.
+pub struct Solution {
+    /// The accelerations are valid where all of these are positive; where one is not, M is to be factored
+    /// with pivoting. Empty if they are valid wherever M is regular.
+    pub pivots: Vec<Expression>,
+    /// The accelerations q̈.
+    pub accelerations: Vec<Expression>,
+    solver: Solver,
+}
+
+/// How M x = r is solved.
+pub(crate) enum Solver {
+    BoltzmannHamel(BoltzmannHamel),
+    ArticulatedBodies(ArticulatedBodies),
+    Ldlt(Ldlt),
+}
+
+impl Solution {
+    /// The solution by the cheapest of several solvers; of two with the same cost, by the later.
+    pub(crate) fn cheapest(
+        graph: &mut Graph,
+        forcing: &[Expression],
+        solvers: Vec<Solver>,
+    ) -> Option<Self> {
+        let mut solutions = Vec::with_capacity(solvers.len());
+        for solver in solvers.into_iter().rev() {
+            solutions.push(Self::by(graph, forcing, solver));
+        }
+        let unscheduled =
+            |solution: &Self| graph.cost(&[&*solution.pivots, &solution.accelerations].concat());
+        // Scheduling does not make up for a cost that is far higher before it.
+        let least = solutions.iter().map(unscheduled).min().unwrap_or(0);
+        solutions.retain(|solution| unscheduled(solution) <= SCHEDULING_MARGIN * least);
+        if solutions.len() == 1 {
+            return solutions.pop();
+        }
+        solutions.into_iter().min_by_key(|solution| {
+            let outputs = [&*solution.pivots, &solution.accelerations];
+            let program = Program::schedule_for_staging(graph, &outputs);
+            let staged = program.staged(graph.passes);
+            (staged.kernel.count().cost(), staged.setup.count().cost())
+        })
+    }
+
+    fn by(graph: &mut Graph, forcing: &[Expression], solver: Solver) -> Self {
+        let (pivots, accelerations) = match &solver {
+            Solver::BoltzmannHamel(solver) => (solver.pivots(), solver.accelerations(graph)),
+            Solver::ArticulatedBodies(solver) => {
+                (solver.pivots.clone(), solver.accelerations(graph))
+            }
+            Solver::Ldlt(solver) => {
+                let accelerations = solver.solve(graph, forcing);
+                (solver.pivots.clone(), accelerations)
+            }
+        };
+        Self {
+            pivots,
+            accelerations,
+            solver,
+        }
+    }
+
+    /// The derivatives ∂q̈/∂x, column by column, with the accelerations as symbols; none where the
+    /// columns are so many and long that a numerical factorization is better.
+    pub fn derivatives(
+        &self,
+        graph: &mut Graph,
+        inverse_dynamics: &[Expression],
+        symbols: &[Symbol],
+    ) -> Option<Vec<Expression>> {
+        if let Solver::BoltzmannHamel(solver) = &self.solver {
+            return Some(solver.derivatives(graph, symbols));
+        }
+        if inverse_dynamics.len() > MOST_DIFFERENTIATED_COORDINATES {
+            return None;
+        }
+        let residuals = match &self.solver {
+            Solver::ArticulatedBodies(solver) => solver.inverse_dynamics(graph),
+            _ => inverse_dynamics.to_vec(),
+        };
+        let mut columns = Vec::new();
+        for slopes in graph.jacobian(&residuals, symbols) {
+            let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
+            columns.extend(match &self.solver {
+                Solver::ArticulatedBodies(solver) => solver.solution(graph, &right),
+                Solver::Ldlt(solver) => solver.solve(graph, &right),
+                Solver::BoltzmannHamel(_) => Vec::new(),
+            });
+        }
+        Some(columns)
+    }
+
+    /// Whether the accelerations solve M q̈ = f, as far as a random point in modular arithmetic tells;
+    /// true where there is none, and where roots other than square roots have relations unknown there.
+    #[must_use]
+    pub fn holds(&self, graph: &Graph, equations: &Equations) -> bool {
+        let mut roots = self.accelerations.clone();
+        roots.extend(&equations.forcing);
+        roots.extend(equations.mass.concat());
+        if has_higher_roots(graph, &roots) {
+            return true;
+        }
+        let size = self.accelerations.len();
+        let points = (0..MODULAR_ATTEMPTS).map(Point::new);
+        let mut found = points.filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
+        found.next().is_none_or(|(point, values)| {
+            let (accelerations, rest) = values.split_at(size);
+            let (forcing, mass) = rest.split_at(size);
+            mass.chunks(size).zip(forcing).all(|(row, force)| {
+                let products = row.iter().zip(accelerations);
+                let terms = products.map(|(x, y)| residue::multiply(*x, *y, point.p()));
+                terms.fold(0, |sum, term| residue::add(sum, term, point.p())) == *force
+            })
+        })
+    }
+}
+
+fn has_higher_roots(graph: &Graph, roots: &[Expression]) -> bool {
+    let higher = |exponent: &Rational| !(exponent * &Rational::integer(2)).is_integer();
+    let expressions = graph.descendants(roots);
+    expressions
+        .into_iter()
+        .any(|expression| match graph.node(expression) {
+            Node::Product(factors) => factors.iter().any(|(_, exponent)| higher(exponent)),
+            _ => false,
+        })
+}
