@@ -10,7 +10,7 @@ use crate::algebra::dependence::Dependence;
 use crate::algebra::hashing::Table;
 use crate::algebra::interner::Interner;
 use crate::limits::LONGEST_FLAT_PRODUCT_RULE;
-use crate::{Expression, Graph, Node, Pass, Rational, Symbol};
+use crate::{Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol};
 
 /// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
 pub type Direction = BTreeMap<Symbol, Expression>;
@@ -67,18 +67,7 @@ impl Graph {
         match *self.node(expression) {
             Node::Constant(_) | Node::Pi | Node::Symbol(_) => zero,
             Node::Sum(ref terms) => {
-                let mut changes: Vec<(Expression, Rational)> = Vec::new();
-                for (x, c) in terms {
-                    let change = of(*x);
-                    if change == zero {
-                        continue;
-                    }
-                    // Neighbours often change alike.
-                    match changes.last_mut() {
-                        Some((last, sum)) if *last == change => *sum = &*sum + c,
-                        _ => changes.push((change, c.clone())),
-                    }
-                }
+                let changes = changes_of_terms(terms, derivatives, zero);
                 self.sum(changes)
             }
             Node::Product(ref factors)
@@ -114,16 +103,27 @@ impl Graph {
             }
             Node::Application(function, ref arguments) => {
                 let arguments = arguments.to_vec();
-                let mut terms = Vec::new();
-                for (position, x) in arguments.iter().enumerate() {
-                    if of(*x) != zero {
-                        let slope = self.partial_derivative(function, position, &arguments);
-                        terms.push((self.multiply(slope, of(*x)), Rational::ONE));
-                    }
-                }
-                self.sum(terms)
+                self.derivative_of_application(function, &arguments, derivatives)
             }
         }
+    }
+
+    /// Σ ∂f/∂xᵢ dxᵢ of an external function.
+    fn derivative_of_application(
+        &mut self,
+        function: ExternalFunction,
+        arguments: &[Expression],
+        derivatives: &[Expression],
+    ) -> Expression {
+        let mut terms = Vec::new();
+        for (position, x) in arguments.iter().enumerate() {
+            let change = derivatives[x.index()];
+            if !self.is_zero(change) {
+                let slope = self.partial_derivative(function, position, arguments);
+                terms.push((self.multiply(slope, change), Rational::ONE));
+            }
+        }
+        self.sum(terms)
     }
 
     /// The derivative of a long product, by that of each pair in the tree of its factors.
@@ -174,6 +174,27 @@ impl Graph {
             _ => self.sum(terms),
         }
     }
+}
+
+/// The derivatives of the terms of a sum, with their coefficients.
+fn changes_of_terms(
+    terms: &[(Expression, Rational)],
+    derivatives: &[Expression],
+    zero: Expression,
+) -> Vec<(Expression, Rational)> {
+    let mut changes: Vec<(Expression, Rational)> = Vec::new();
+    for (x, c) in terms {
+        let change = derivatives[x.index()];
+        if change == zero {
+            continue;
+        }
+        // Adjacent terms often have the same derivative.
+        match changes.last_mut() {
+            Some((last, sum)) if *last == change => *sum = &*sum + c,
+            _ => changes.push((change, c.clone())),
+        }
+    }
+    changes
 }
 
 /// The cofactors of the product rule, multiplied by derivatives of the factor.

@@ -107,27 +107,7 @@ impl Graph {
                 let [(x, j)] = &**inner else { return None };
                 Some((Rational::ONE, vec![(*x, short(j * exponent)?)]))
             }
-            Node::Sum(_) if exponent.is_integer() => {
-                let Split {
-                    number,
-                    common,
-                    rest,
-                } = self.split(base)?;
-                if number.is_long() {
-                    return None;
-                }
-                // (c·Π x^j·y)^k = c^k·Π x^(jk)·y^k.
-                let power = number.power(exponent.to_integer()?)?;
-                let common = common
-                    .into_iter()
-                    .map(|(x, j)| Some((x, short(&j * exponent)?)));
-                let mut parts = common.collect::<Option<Factors>>()?;
-                if parts.len() > LONGEST_MERGED_PRODUCT {
-                    parts = vec![(self.intern_product(parts), Rational::ONE)];
-                }
-                parts.push((rest, exponent.clone()));
-                Some((power, parts))
-            }
+            Node::Sum(_) if exponent.is_integer() => self.distribute_over_split(base, exponent),
             Node::Sum(terms) => {
                 // (c·Π x^j)^k = c^k·(Π x^j)^k for even j and c > 0.
                 let [(product, number)] = &**terms else {
@@ -146,6 +126,32 @@ impl Graph {
             }
             _ => None,
         }
+    }
+
+    /// (c·Π x^j·y)^k = c^k·Π x^(jk)·y^k for a sum that is c·Π x^j·y, and an integer k.
+    fn distribute_over_split(
+        &mut self,
+        base: Expression,
+        exponent: &Rational,
+    ) -> Option<Distributed> {
+        let Split {
+            number,
+            common,
+            rest,
+        } = self.split(base)?;
+        if number.is_long() {
+            return None;
+        }
+        let power = number.power(exponent.to_integer()?)?;
+        let common = common
+            .into_iter()
+            .map(|(x, j)| Some((x, short(&j * exponent)?)));
+        let mut parts = common.collect::<Option<Factors>>()?;
+        if parts.len() > LONGEST_MERGED_PRODUCT {
+            parts = vec![(self.intern_product(parts), Rational::ONE)];
+        }
+        parts.push((rest, exponent.clone()));
+        Some((power, parts))
     }
 
     /// Whether an expression is a product of even powers.

@@ -143,17 +143,64 @@ impl Validator {
         // Methods other than the accelerations are compared at any accelerations.
         let accelerations = solved.as_ref().unwrap_or(&variation.velocities);
         let lagrange = &self.lagrange;
-        let values = lagrange.values(point, &variation, accelerations, perturbation)?;
-        let at = |accelerations: &[f64], tape: &Tape| {
-            let symbol = |symbol: Symbol| match symbol {
-                Symbol::Acceleration(i) => accelerations[i as usize],
-                _ => point.value(symbol),
-            };
-            tape.evaluate(&symbol, perturbation)
+        let reference = Reference {
+            values: lagrange.values(point, &variation, accelerations, perturbation)?,
+            variation: &variation,
+            accelerations,
+            point,
+            perturbation,
         };
         let mut comparisons = Comparisons::default();
-        let energy = energy(&values, point);
-        comparisons.balances(Method::Energy, &at(accelerations, &tapes.energy), &[energy]);
+        reference.compare_values(tapes, &mut comparisons);
+        let [mass, forcing] = [&tapes.mass_matrix, &tapes.forcing].map(|tape| reference.at(tape));
+        let mass = SquareMatrix::new(mass, n);
+        let expected = reference.forcing(&mass);
+        comparisons.balances(Method::Forcing, &forcing, &expected);
+        reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
+        if solved.is_some() {
+            reference.compare_accelerations(tapes, &mass, &mut comparisons);
+        } else {
+            // Where M is singular there are none.
+            let right: Vec<f64> = expected.iter().map(|force| force.total).collect();
+            let solution = mass.solve(&right);
+            if solution.is_some_and(|x| x.iter().all(|x| x.is_finite())) {
+                comparisons.undefined(Method::Accelerations);
+            }
+        }
+        Some(comparisons.0)
+    }
+}
+
+/// Lagrange's equations at one point.
+struct Reference<'a> {
+    values: Values,
+    variation: &'a Variation,
+    accelerations: &'a [f64],
+    point: RealPoint,
+    perturbation: Perturbation,
+}
+
+impl Reference<'_> {
+    /// The outputs of a tape.
+    fn at(&self, tape: &Tape) -> Vec<f64> {
+        self.evaluate(self.accelerations, tape)
+    }
+
+    /// The outputs of a tape at other accelerations.
+    fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
+        let symbol = |symbol: Symbol| match symbol {
+            Symbol::Acceleration(i) => accelerations[i as usize],
+            _ => self.point.value(symbol),
+        };
+        tape.evaluate(&symbol, self.perturbation)
+    }
+
+    /// The energies, momenta, forces and outputs.
+    fn compare_values(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
+        let values = &self.values;
+        let energy = energy(values, self.point);
+        comparisons.balances(Method::Energy, &self.at(&tapes.energy), &[energy]);
+        let forces = &values.generalized_forces;
         for (method, tape, expected) in [
             (
                 Method::Lagrangian,
@@ -162,57 +209,59 @@ impl Validator {
             ),
             (Method::Energies, &tapes.energies, &values.energies),
             (Method::Momenta, &tapes.momenta, &values.momenta),
-            (
-                Method::GeneralizedForces,
-                &tapes.generalized_forces,
-                &values.generalized_forces,
-            ),
+            (Method::GeneralizedForces, &tapes.generalized_forces, forces),
             (Method::Outputs, &tapes.outputs, &values.outputs),
         ] {
-            comparisons.values(method, &at(accelerations, tape), expected);
+            comparisons.values(method, &self.at(tape), expected);
         }
-        let mass = SquareMatrix::new(at(accelerations, &tapes.mass_matrix), n);
-        let products = mass.times(&variation.velocities);
-        comparisons.against(Method::MassMatrix, &products, &values.mass_products);
-        // f = M q̈ − (M q̈ − f).
-        let mut forcing = mass.times(accelerations);
-        for (balance, residual) in forcing.iter_mut().zip(&values.residuals) {
+    }
+
+    /// f = M q̈ − (M q̈ − f).
+    fn forcing(&self, mass: &SquareMatrix) -> Vec<SumWithSize> {
+        let mut forcing = mass.times(self.accelerations);
+        for (balance, residual) in forcing.iter_mut().zip(&self.values.residuals) {
             balance.total -= residual.total;
             balance.size += residual.size;
         }
-        comparisons.balances(
-            Method::Forcing,
-            &at(accelerations, &tapes.forcing),
-            &forcing,
-        );
-        let mut residuals = products;
-        for (balance, force) in residuals.iter_mut().zip(&forcing) {
+        forcing
+    }
+
+    /// M and M q̈ − f, at other accelerations.
+    fn compare_inverse_dynamics(
+        &self,
+        tapes: &Tapes,
+        mass: &SquareMatrix,
+        forcing: &[SumWithSize],
+        comparisons: &mut Comparisons,
+    ) {
+        let velocities = &self.variation.velocities;
+        let mut residuals = mass.times(velocities);
+        comparisons.against(Method::MassMatrix, &residuals, &self.values.mass_products);
+        for (balance, force) in residuals.iter_mut().zip(forcing) {
             balance.total -= force.total;
             balance.size += force.size;
         }
-        let found = at(&variation.velocities, &tapes.inverse_dynamics);
+        let found = self.evaluate(velocities, &tapes.inverse_dynamics);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
-        if solved.is_none() {
-            // Where M is singular there are none.
-            let right: Vec<f64> = forcing.iter().map(|force| force.total).collect();
-            if mass
-                .solve(&right)
-                .is_some_and(|x| x.iter().all(|x| x.is_finite()))
-            {
-                comparisons.undefined(Method::Accelerations);
-            }
-            return Some(comparisons.0);
-        }
-        comparisons.vanishing(Method::Accelerations, &values.residuals);
+    }
+
+    /// The accelerations and their derivatives.
+    fn compare_accelerations(
+        &self,
+        tapes: &Tapes,
+        mass: &SquareMatrix,
+        comparisons: &mut Comparisons,
+    ) {
+        comparisons.vanishing(Method::Accelerations, &self.values.residuals);
         let [state, inputs] = &tapes.linearization;
         let changes = Changes {
-            state: at(accelerations, state),
-            inputs: at(accelerations, inputs),
+            state: self.at(state),
+            inputs: self.at(inputs),
             linearization_outputs: tapes.linearization_outputs,
         };
-        let balances = changes.balances(&mass, accelerations, &values.variations, &variation);
+        let variations = &self.values.variations;
+        let balances = changes.balances(mass, self.accelerations, variations, self.variation);
         comparisons.vanishing(Method::Linearization, &balances);
-        Some(comparisons.0)
     }
 }
 

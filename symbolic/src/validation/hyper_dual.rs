@@ -218,19 +218,23 @@ fn power_derivatives(x: f64, k: f64) -> Derivatives {
     derivatives
 }
 
+/// Of a function with f″ = −f.
+const fn alternating(f: f64, slope: f64) -> Derivatives {
+    [f, slope, -f, -slope]
+}
+
+/// Of a function with f″ = f.
+const fn repeating(f: f64, slope: f64) -> Derivatives {
+    [f, slope, f, slope]
+}
+
 /// f, f′, f″ and f‴ of the elementary functions: Abramowitz and Stegun, Handbook of Mathematical
 /// Functions (1964), 4.3, 4.4, 4.5 and 4.6.
 fn derivatives(function: Unary, x: f64) -> Derivatives {
     let f = function.value(x);
     match function {
-        Unary::Sin => {
-            let cos = libm::cos(x);
-            [f, cos, -f, -cos]
-        }
-        Unary::Cos => {
-            let sin = libm::sin(x);
-            [f, -sin, -f, sin]
-        }
+        Unary::Sin => alternating(f, libm::cos(x)),
+        Unary::Cos => alternating(f, -libm::sin(x)),
         Unary::Tan => {
             let slope = 1.0 + f * f;
             [f, slope, 2.0 * f * slope, (2.0 + 6.0 * f * f) * slope]
@@ -247,14 +251,8 @@ fn derivatives(function: Unary, x: f64) -> Derivatives {
             let third = (6.0 * x * x - 2.0) * slope * slope * slope;
             [f, slope, -2.0 * x * slope * slope, third]
         }
-        Unary::Sinh => {
-            let cosh = libm::cosh(x);
-            [f, cosh, f, cosh]
-        }
-        Unary::Cosh => {
-            let sinh = libm::sinh(x);
-            [f, sinh, f, sinh]
-        }
+        Unary::Sinh => repeating(f, libm::cosh(x)),
+        Unary::Cosh => repeating(f, libm::sinh(x)),
         Unary::Tanh => {
             // 1 − f², without its cancellation.
             let cosh = libm::cosh(x);

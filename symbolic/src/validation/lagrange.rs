@@ -122,26 +122,12 @@ impl Lagrange {
             return None;
         }
         for i in 0..n {
-            let (momentum, slope) = (lagrangian.velocities[i], lagrangian.coordinates[i]);
-            let (force, drag) = (at(self.energies + 1 + i), dissipation.velocities[i]);
-            let parts = [momentum, slope, force, drag];
-            if !parts.iter().all(|part| part.is_finite()) {
-                return None;
-            }
-            let (mut residual, mut change) = (SumWithSize::default(), SumWithSize::default());
-            for (rate, mixed) in [
-                (momentum.first, momentum.mixed),
-                (-slope.value, -slope.second),
-                (-force.value, -force.second),
-                (drag.value, drag.second),
-            ] {
-                residual.add(rate);
-                change.add(mixed);
-            }
-            result.momenta.push(momentum.value);
-            result.generalized_forces.push(force.value - drag.value);
-            result.residuals.push(residual);
-            result.variations.push(change);
+            result.add_equation(Equation {
+                momentum: lagrangian.velocities[i],
+                slope: lagrangian.coordinates[i],
+                force: at(self.energies + 1 + i),
+                drag: dissipation.velocities[i],
+            })?;
         }
         let state = |symbol: Symbol| match symbol {
             Symbol::Acceleration(i) => accelerations[i as usize],
@@ -200,6 +186,46 @@ impl Lagrange {
         let gradient = self.gradient(&values, &self.lagrangian_weights(), perturbation);
         let momenta = gradient.velocities.iter();
         momenta.map(|momentum| momentum.first).collect()
+    }
+}
+
+/// The terms of one of Lagrange's equations, dp/dt − ∂L/∂q − force + drag.
+#[derive(Clone, Copy)]
+struct Equation {
+    momentum: HyperDual,
+    slope: HyperDual,
+    force: HyperDual,
+    drag: HyperDual,
+}
+
+impl Values {
+    /// Adds the balance of one equation; none where a term is not finite.
+    fn add_equation(&mut self, equation: Equation) -> Option<()> {
+        let Equation {
+            momentum,
+            slope,
+            force,
+            drag,
+        } = equation;
+        let parts = [momentum, slope, force, drag];
+        if !parts.iter().all(|part| part.is_finite()) {
+            return None;
+        }
+        let (mut residual, mut change) = (SumWithSize::default(), SumWithSize::default());
+        for (rate, mixed) in [
+            (momentum.first, momentum.mixed),
+            (-slope.value, -slope.second),
+            (-force.value, -force.second),
+            (drag.value, drag.second),
+        ] {
+            residual.add(rate);
+            change.add(mixed);
+        }
+        self.momenta.push(momentum.value);
+        self.generalized_forces.push(force.value - drag.value);
+        self.residuals.push(residual);
+        self.variations.push(change);
+        Some(())
     }
 }
 

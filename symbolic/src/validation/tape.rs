@@ -177,39 +177,52 @@ impl Tape {
             let mut add = |slot: Slot, change: HyperDual| {
                 adjoints[slot as usize] = adjoints[slot as usize] + change;
             };
-            match entries[next] {
-                Entry::Symbol(symbol) => receive(symbol, adjoint),
-                Entry::Constant(_) => {}
-                Entry::Add(x, y) => {
-                    add(x, adjoint);
-                    add(y, adjoint);
-                }
-                Entry::Subtract(x, y) => {
-                    add(x, adjoint);
-                    add(y, -adjoint);
-                }
-                Entry::Multiply(x, y) => {
-                    add(x, adjoint * values[y as usize]);
-                    add(y, adjoint * values[x as usize]);
-                }
-                Entry::Divide(x, y) => {
-                    let change = adjoint * values[y as usize].reciprocal();
-                    add(x, change);
-                    add(y, -(change * values[next]));
-                }
-                Entry::Scale(factor, x) => add(x, adjoint.scaled(factor)),
-                Entry::Power(k, x) => add(x, adjoint * values[x as usize].power_slope(k)),
-                Entry::Unary(function, x) => add(x, adjoint * values[x as usize].slope(function)),
-                Entry::Binary(function, x, y) => {
-                    let slopes = values[x as usize].slopes(function, values[y as usize]);
-                    add(x, adjoint * slopes[0]);
-                    add(y, adjoint * slopes[1]);
-                }
-                Entry::Apply(_, start, count, has_slopes) => {
-                    let [_, slopes] = self.operands(values, start, count, has_slopes);
-                    for (slope, x) in slopes.iter().zip(&self.arguments[start as usize..]) {
-                        add(*x, adjoint * *slope);
-                    }
+            if let Entry::Symbol(symbol) = entries[next] {
+                receive(symbol, adjoint);
+            }
+            self.propagate(values, next, adjoint, &mut add);
+        }
+    }
+
+    /// Adds the adjoint of the entry at `position` to those of its operands, each times the partial derivative.
+    fn propagate(
+        &self,
+        values: &[HyperDual],
+        position: usize,
+        adjoint: HyperDual,
+        add: &mut dyn FnMut(Slot, HyperDual),
+    ) {
+        match self.entries[position] {
+            Entry::Symbol(_) | Entry::Constant(_) => {}
+            Entry::Add(x, y) => {
+                add(x, adjoint);
+                add(y, adjoint);
+            }
+            Entry::Subtract(x, y) => {
+                add(x, adjoint);
+                add(y, -adjoint);
+            }
+            Entry::Multiply(x, y) => {
+                add(x, adjoint * values[y as usize]);
+                add(y, adjoint * values[x as usize]);
+            }
+            Entry::Divide(x, y) => {
+                let change = adjoint * values[y as usize].reciprocal();
+                add(x, change);
+                add(y, -(change * values[position]));
+            }
+            Entry::Scale(factor, x) => add(x, adjoint.scaled(factor)),
+            Entry::Power(k, x) => add(x, adjoint * values[x as usize].power_slope(k)),
+            Entry::Unary(function, x) => add(x, adjoint * values[x as usize].slope(function)),
+            Entry::Binary(function, x, y) => {
+                let slopes = values[x as usize].slopes(function, values[y as usize]);
+                add(x, adjoint * slopes[0]);
+                add(y, adjoint * slopes[1]);
+            }
+            Entry::Apply(_, start, count, has_slopes) => {
+                let [_, slopes] = self.operands(values, start, count, has_slopes);
+                for (slope, x) in slopes.iter().zip(&self.arguments[start as usize..]) {
+                    add(*x, adjoint * *slope);
                 }
             }
         }
