@@ -11,6 +11,7 @@
 
 use crate::identity::evaluation::Evaluation;
 use crate::identity::residue::{self, Field};
+use crate::limits::MODULAR_ATTEMPTS;
 use crate::{Binary, Expression, ExternalFunction, Graph, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.
@@ -52,6 +53,11 @@ impl Point {
             addition_theorems: true,
             uninterpreted: false,
         }
+    }
+
+    /// Points to try until one is in the domain.
+    pub(crate) fn attempts() -> impl Iterator<Item = Self> {
+        (0..MODULAR_ATTEMPTS).map(Self::new)
     }
 
     /// The same point with another value for `symbol`.

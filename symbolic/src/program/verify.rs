@@ -3,7 +3,6 @@
 
 use crate::algebra::hashing::Set;
 use crate::identity::modular_point::Point;
-use crate::limits::MODULAR_ATTEMPTS;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Expression, Graph};
 
@@ -37,8 +36,8 @@ impl Program {
     pub fn verify(&self, graph: &Graph, groups: &[&[Expression]]) -> Result<(), Fault> {
         self.verify_order()?;
         let roots = groups.concat();
-        let points = (0..MODULAR_ATTEMPTS)
-            .map(|seed| Point::new(seed).without_addition_theorems().uninterpreted());
+        let points = Point::attempts();
+        let points = points.map(|point| point.without_addition_theorems().uninterpreted());
         for point in points {
             let expected = point.evaluate(graph, &roots);
             if let (Some(expected), Some(found)) = (expected, self.evaluate_at(point)) {

@@ -7,7 +7,7 @@
 
 use crate::identity::modular_point::Point;
 use crate::identity::residue;
-use crate::limits::{MODULAR_ATTEMPTS, MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
+use crate::limits::{MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
@@ -116,8 +116,8 @@ impl Solution {
             return true;
         }
         let size = self.accelerations.len();
-        let points = (0..MODULAR_ATTEMPTS).map(Point::new);
-        let mut found = points.filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
+        let mut found =
+            Point::attempts().filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
         found.next().is_none_or(|(point, values)| {
             let (accelerations, rest) = values.split_at(size);
             let (forcing, mass) = rest.split_at(size);
