@@ -152,7 +152,7 @@ fn real_powers() {
 
 /// What a chain prints to can be exactly said for nested functions.
 #[test]
-fn a_deep_formula_is_printed_whole() {
+fn a_deep_formula_is_printed_completely() {
     let mut graph = Graph::new();
     let depth = 100_000;
     let mut chain = graph.symbol(X);

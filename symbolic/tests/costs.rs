@@ -7,7 +7,7 @@ use support::systems::{
     Chain, Rates, Spelling, cardan_rates, cart_pole, euler_rates, general_top, node_rates, top,
 };
 
-/// The cost of one evaluation of the accelerations, in additions; what is prepared costs nothing.
+/// The cost of one evaluation of the accelerations, in additions; hoisted invariants cost nothing.
 fn cost(mut model: Model) -> usize {
     let equations = Equations::derive(&mut model).unwrap();
     let solution = Kinetics::cheapest(&mut model, &equations).solution.unwrap();

@@ -1,4 +1,4 @@
-//! Traces, determinants and inverses, against elimination in numbers.
+//! Traces, determinants and inverses, against numerical elimination.
 
 mod support;
 

@@ -124,7 +124,7 @@ fn nothing_is_multiplied_out_beyond_a_count_of_terms() {
             factors.push((shifted, Rational::integer(2)));
         }
         let power = graph.product(factors.clone());
-        // Less itself but for one, multiplied out: Π − Π (1 − 1) …, which cancels if it is opened.
+        // Less itself but for one, expanded: Π − Π (1 − 1) …, which cancels if it is opened.
         let (last, _) = factors.pop().unwrap();
         let others = graph.product(factors);
         let x = graph.symbol(letters[count - 1]);
@@ -140,35 +140,35 @@ fn nothing_is_multiplied_out_beyond_a_count_of_terms() {
 }
 
 #[test]
-fn what_is_kept_whole_is_a_term_and_a_factor_of_its_own() {
+fn an_opaque_node_is_a_term_and_a_factor_of_its_own() {
     let (mut graph, [a, b, x]) = start();
     let inner = graph.add(a, b);
-    let whole = graph.opaque(inner);
-    assert_ne!(whole, inner);
+    let opaque = graph.opaque(inner);
+    assert_ne!(opaque, inner);
     // Sums and products neither merge it nor cancel it, and multiplying out stops at it.
-    let difference = graph.subtract(inner, whole);
+    let difference = graph.subtract(inner, opaque);
     assert!(!graph.is_zero(difference));
-    let quotient = graph.divide(inner, whole);
+    let quotient = graph.divide(inner, opaque);
     assert_ne!(quotient, graph.one());
-    let multiple = product(&mut graph, &[x, whole]);
+    let multiple = product(&mut graph, &[x, opaque]);
     assert_eq!(graph.simplest(multiple), multiple);
     let (first, second) = (graph.multiply(x, a), graph.multiply(x, b));
     let difference = sum(&mut graph, &[(multiple, 1), (first, -1), (second, -1)]);
     let simplest = graph.simplest(difference);
     assert!(!graph.is_zero(simplest));
-    // Twice whole is whole, and what has no parts needs no keeping.
-    assert_eq!(graph.opaque(whole), whole);
+    // An opaque node of an opaque node is itself, and a symbol needs none.
+    assert_eq!(graph.opaque(opaque), opaque);
     let one = graph.one();
     let sine = graph.unary(Unary::Sin, x);
     for atom in [x, one, sine] {
         assert_eq!(graph.opaque(atom), atom);
     }
     // It costs and it varies as what it keeps.
-    assert_eq!(graph.cost(&[whole]), graph.cost(&[inner]));
+    assert_eq!(graph.cost(&[opaque]), graph.cost(&[inner]));
     let symbol = Symbol::Parameter(0);
-    assert_eq!(graph.derivative(whole, symbol), graph.one());
+    assert_eq!(graph.derivative(opaque, symbol), graph.one());
     let with_square = [(symbol, graph.square(b))].into();
-    let substituted = graph.substitute(&[whole], &with_square)[0];
+    let substituted = graph.substitute(&[opaque], &with_square)[0];
     let square = graph.square(b);
     let expected = graph.add(square, b);
     assert_eq!(substituted, graph.opaque(expected));

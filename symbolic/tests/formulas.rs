@@ -225,12 +225,18 @@ fn effective_potential_of_a_heavy_top() {
     );
 }
 
-/// Each line: an expression, its Unicode and its LaTeX.
+/// Compares what is printed with lines of an expression, its Unicode and its LaTeX.
+fn assert_printed<const N: usize>(book: &Book, lines: [(Expression, &str, &str); N]) {
+    for (expression, unicode, latex) in lines {
+        assert_eq!(book.unicode(expression), unicode);
+        assert_eq!(book.latex(expression), latex);
+    }
+}
+
 #[test]
-fn small_formulas() {
-    let mut book = Book::new(&["x", "y"], &["a", "mass", "length"]);
-    let (x, y, a, mass, length) = (book.q(0), book.q(1), book.p(0), book.p(1), book.p(2));
-    let third = Rational::new(1, 3).unwrap();
+fn small_sums_products_and_quotients() {
+    let mut book = Book::new(&["x", "y"], &["mass", "length"]);
+    let (x, y, mass, length) = (book.q(0), book.q(1), book.p(0), book.p(1));
     let one = book.graph.one();
     let [sum, difference] = [book.graph.add(x, y), book.graph.subtract(x, y)];
     let graph = &mut book.graph;
@@ -241,30 +247,7 @@ fn small_formulas() {
     let over_seven = graph.scale(x, &Rational::new(-5, 7).unwrap());
     let heavy = graph.product([mass, length, x].map(|x| (x, Rational::ONE)));
     let energy = graph.multiply(mass, sum);
-    let root = graph.square_root(x);
-    let root_of_sum = graph.square_root(sum);
-    let over_root = graph.divide(a, root_of_sum);
-    let cube_root = graph.power(x, &third);
-    let power = graph.binary(Binary::Power, sum, y);
-    let doubled = graph.scale(x, &Rational::integer(2));
-    let sin_double = graph.unary(Unary::Sin, doubled);
-    let sin_double_squared = graph.square(sin_double);
-    let size = graph.unary(Unary::Abs, difference);
-    let nested = graph.subtract(size, y);
-    let nested = graph.unary(Unary::Abs, nested);
-    let decay = graph.unary(Unary::Exp, minus_x);
-    let least = graph.binary(Binary::Min, x, sum);
-    let two = graph.integer(2);
-    let root_two = graph.square_root(two);
-    let scaled_root = graph.multiply(x, root_two);
-    let pi = graph.pi();
-    let cylinder = graph.product([(pi, Rational::ONE), (x, Rational::integer(2))]);
-    let log = graph.unary(Unary::Ln, mass);
-    let gravity = book.number("9.81");
-    let fall = book.product([gravity, a, x]);
-    let planck = book.number("6.62607015e-34");
-    let quantum = book.graph.divide(planck, x);
-    for (expression, unicode, latex) in [
+    let lines = [
         (minus_x, "−x", "-x"),
         (from_one, "1 − x", "1 - x"),
         (difference, "x − y", "x - y"),
@@ -281,10 +264,65 @@ fn small_formulas() {
             "mass·(x + y)",
             "\\mathrm{mass}\\,\\left(x + y\\right)",
         ),
+    ];
+    assert_printed(&book, lines);
+}
+
+#[test]
+fn small_roots_powers_and_numbers() {
+    let mut book = Book::new(&["x", "y"], &["a"]);
+    let (x, y, a) = (book.q(0), book.q(1), book.p(0));
+    let third = Rational::new(1, 3).unwrap();
+    let graph = &mut book.graph;
+    let sum = graph.add(x, y);
+    let root = graph.square_root(x);
+    let root_of_sum = graph.square_root(sum);
+    let over_root = graph.divide(a, root_of_sum);
+    let cube_root = graph.power(x, &third);
+    let power = graph.binary(Binary::Power, sum, y);
+    let two = graph.integer(2);
+    let root_two = graph.square_root(two);
+    let scaled_root = graph.multiply(x, root_two);
+    let pi = graph.pi();
+    let cylinder = graph.product([(pi, Rational::ONE), (x, Rational::integer(2))]);
+    let gravity = book.number("9.81");
+    let fall = book.product([gravity, a, x]);
+    let planck = book.number("6.62607015e-34");
+    let quantum = book.graph.divide(planck, x);
+    let lines = [
         (root, "√x", "\\sqrt{x}"),
         (over_root, "a/√(x + y)", "\\frac{a}{\\sqrt{x + y}}"),
         (cube_root, "x^(1/3)", "x^{1/3}"),
         (power, "(x + y)^y", "\\left(x + y\\right)^{y}"),
+        (scaled_root, "√2 x", "\\sqrt{2} x"),
+        (cylinder, "π x²", "\\pi x^{2}"),
+        (fall, "9.81 a x", "9.81 a x"),
+        (
+            quantum,
+            "6.62607015×10⁻³⁴/x",
+            "\\frac{6.62607015 \\times 10^{-34}}{x}",
+        ),
+    ];
+    assert_printed(&book, lines);
+}
+
+#[test]
+fn small_functions() {
+    let mut book = Book::new(&["x", "y"], &["mass"]);
+    let (x, y, mass) = (book.q(0), book.q(1), book.p(0));
+    let [sum, difference] = [book.graph.add(x, y), book.graph.subtract(x, y)];
+    let graph = &mut book.graph;
+    let minus_x = graph.negate(x);
+    let doubled = graph.scale(x, &Rational::integer(2));
+    let sin_double = graph.unary(Unary::Sin, doubled);
+    let sin_double_squared = graph.square(sin_double);
+    let size = graph.unary(Unary::Abs, difference);
+    let nested = graph.subtract(size, y);
+    let nested = graph.unary(Unary::Abs, nested);
+    let decay = graph.unary(Unary::Exp, minus_x);
+    let least = graph.binary(Binary::Min, x, sum);
+    let log = graph.unary(Unary::Ln, mass);
+    let lines = [
         (
             sin_double_squared,
             "sin²(2 x)",
@@ -298,17 +336,61 @@ fn small_formulas() {
         ),
         (decay, "exp(−x)", "\\exp\\left(-x\\right)"),
         (least, "min(x, x + y)", "\\min\\left(x, x + y\\right)"),
-        (scaled_root, "√2 x", "\\sqrt{2} x"),
-        (cylinder, "π x²", "\\pi x^{2}"),
         (log, "ln(mass)", "\\ln\\left(\\mathrm{mass}\\right)"),
-        (fall, "9.81 a x", "9.81 a x"),
+    ];
+    assert_printed(&book, lines);
+}
+
+#[test]
+fn formulas_call_functions_by_their_names() {
+    let mut graph = Graph::new();
+    let stribeck = graph.declare_function("stribeck_curve", &["v"]);
+    let lift = graph.declare_function("lift", &["alpha", "mach"]);
+    let names = Names {
+        coordinates: vec!["x".into()],
+        parameters: vec!["mass".into()],
+        ..Names::default()
+    };
+    let [x, v, m] = [
+        Symbol::Coordinate(0),
+        Symbol::Velocity(0),
+        Symbol::Parameter(0),
+    ]
+    .map(|name| graph.symbol(name));
+    let friction = graph.apply(stribeck, &[v]);
+    let force = graph.multiply(friction, m);
+    let force = graph.negate(force);
+    let sum = graph.add(x, m);
+    let lifted = graph.apply(lift, &[sum, friction]);
+    let square = graph.square(lifted);
+    let quotient = graph.divide(x, lifted);
+    let undeclared = graph.derivative(lifted, Symbol::Coordinate(0));
+    for (root, unicode, latex) in [
         (
-            quantum,
-            "6.62607015×10⁻³⁴/x",
-            "\\frac{6.62607015 \\times 10^{-34}}{x}",
+            force,
+            "−mass·stribeck_curve(x\u{307})",
+            "-\\mathrm{mass}\\,\\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)",
+        ),
+        (
+            square,
+            "lift(x + mass, stribeck_curve(x\u{307}))²",
+            "\\operatorname{lift}\\left(x + \\mathrm{mass}, \
+             \\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)\\right)^{2}",
+        ),
+        (
+            quotient,
+            "x/lift(x + mass, stribeck_curve(x\u{307}))",
+            "\\frac{x}{\\operatorname{lift}\\left(x + \\mathrm{mass}, \
+             \\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)\\right)}",
+        ),
+        (
+            undeclared,
+            "∂lift/∂alpha(x + mass, stribeck_curve(x\u{307}))",
+            "\\operatorname{∂lift/∂alpha}\\left(x + \\mathrm{mass}, \
+             \\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)\\right)",
         ),
     ] {
-        assert_eq!(book.unicode(expression), unicode);
-        assert_eq!(book.latex(expression), latex);
+        assert_eq!(graph.display(root, &names).to_string(), unicode);
+        assert_eq!(graph.latex(root, &names).to_string(), latex);
     }
 }

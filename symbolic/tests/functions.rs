@@ -1,9 +1,9 @@
-//! Functions from outside, known by their names and derivatives alone.
+//! External functions, known by their names and derivatives alone.
 
 mod support;
 
 use lagrangian_symbolic::{
-    Equations, Expression, ExternalFunction, Graph, Kinetics, Model, Names, Node, Operation, Point,
+    Equations, Expression, ExternalFunction, Graph, Kinetics, Model, Node, Operation, Point,
     Program, Rational, Symbol, Unary,
 };
 use proptest::prelude::*;
@@ -12,23 +12,23 @@ use support::draft::{Draft, assert_close, value};
 use support::dual::Dual;
 use support::machine::run;
 use support::tree::{SYMBOLS, applications, at, points};
-use support::{evaluate, outside};
+use support::{evaluate, external};
 
 const X: Symbol = Symbol::Coordinate(0);
 const Y: Symbol = Symbol::Coordinate(1);
 
-/// The functions of [`outside`], and the coordinates x and y.
+/// The functions of [`external`], and the coordinates x and y.
 fn start() -> (Graph, [ExternalFunction; 3], [Expression; 2]) {
     let mut graph = Graph::new();
-    let functions = outside::functions(&mut graph);
+    let functions = external::functions(&mut graph);
     let letters = [X, Y].map(|symbol| graph.symbol(symbol));
     (graph, functions, letters)
 }
 
-/// The value of a function from outside.
+/// The value of an external function.
 fn known(function: ExternalFunction, arguments: &[f64]) -> f64 {
     let arguments: Vec<_> = arguments.iter().map(|x| Bounded::exact(*x)).collect();
-    outside::value(function, &arguments).value
+    external::value(function, &arguments).value
 }
 
 proptest! {
@@ -209,9 +209,9 @@ fn programs_apply_functions_once_and_in_order() {
     assert_eq!(parts.setup.functions(), [wave]);
     assert_eq!(parts.setup.count().functions, 1);
     assert_eq!(parts.kernel.count().functions, 2);
-    let prepared = parts.setup.evaluate_with(value, known).concat();
+    let invariants = parts.setup.evaluate_with(value, known).concat();
     let symbol = |symbol| match symbol {
-        Symbol::Invariant(index) => prepared[index as usize],
+        Symbol::Invariant(index) => invariants[index as usize],
         _ => value(symbol),
     };
     let found = parts.kernel.evaluate_with(symbol, known).concat();
@@ -259,10 +259,10 @@ fn contents_are_those_of_the_arguments() {
 }
 
 #[test]
-fn an_angle_within_a_function_from_outside_is_none() {
+fn an_angle_within_an_external_function_is_none() {
     let angles = |of_sine: bool| {
         let mut draft = Draft::new(1);
-        let [wave, ..] = outside::functions(&mut draft.graph);
+        let [wave, ..] = external::functions(&mut draft.graph);
         let (q, v) = (draft.q(0), draft.v(0));
         let sine = draft.sin(q);
         let argument = if of_sine { sine } else { q };
@@ -280,12 +280,12 @@ fn an_angle_within_a_function_from_outside_is_none() {
 }
 
 /// A particle on the curve (r, w(r)) beside one coupled to it, under a potential and a force, where w is
-/// from outside or is sin 2x.
-fn on_a_curve(from_outside: bool) -> Model {
+/// an external function or sin 2x.
+fn on_a_curve(is_external: bool) -> Model {
     let mut draft = Draft::new(2);
-    let [wave, _, product] = outside::functions(&mut draft.graph);
+    let [wave, _, product] = external::functions(&mut draft.graph);
     let wave = |draft: &mut Draft, x| {
-        if from_outside {
+        if is_external {
             return draft.graph.apply(wave, &[x]);
         }
         let double = draft.graph.scale(x, &Rational::integer(2));
@@ -300,7 +300,7 @@ fn on_a_curve(from_outside: bool) -> Model {
     let kinetic = draft.times(&[m, kinetic]);
     let kinetic = draft.half(kinetic);
     let between = draft.graph.subtract(x, y);
-    let potential = if from_outside {
+    let potential = if is_external {
         draft.graph.apply(product, &[between, height])
     } else {
         let (square, outer) = (draft.square(between), wave(&mut draft, height));
@@ -315,8 +315,8 @@ fn on_a_curve(from_outside: bool) -> Model {
 
 #[test]
 fn equations_with_functions_are_those_with_their_formulas() {
-    let [found, expected] = [true, false].map(|from_outside| {
-        let mut model = on_a_curve(from_outside);
+    let [found, expected] = [true, false].map(|is_external| {
+        let mut model = on_a_curve(is_external);
         let equations = Equations::derive(&mut model).unwrap();
         let kinetics = Kinetics::cheapest(&mut model, &equations);
         let solution = kinetics.solution.unwrap();
@@ -349,7 +349,7 @@ fn equations_with_functions_are_those_with_their_formulas() {
 fn a_function_of_a_velocity_is_no_polynomial() {
     // T = ½ (ẋ² + ẏ²) + w(ẏ): what is added to the squares is not linear.
     let mut draft = Draft::new(2);
-    let [wave, ..] = outside::functions(&mut draft.graph);
+    let [wave, ..] = external::functions(&mut draft.graph);
     let (y, vx, vy) = (draft.q(1), draft.v(0), draft.v(1));
     let squares = [vx, vy].map(|speed| draft.square(speed));
     let squares = draft.plus(&squares);
@@ -387,53 +387,4 @@ fn mixed_derivatives_that_are_declared_twice_are_no_contradiction() {
     let equations = Equations::derive(&mut model).unwrap();
     let kinetics = Kinetics::cheapest(&mut model, &equations);
     assert!(kinetics.solution.unwrap().holds(&model.graph, &equations));
-}
-
-#[test]
-fn formulas_call_functions_by_their_names() {
-    let mut graph = Graph::new();
-    let stribeck = graph.declare_function("stribeck_curve", &["v"]);
-    let lift = graph.declare_function("lift", &["alpha", "mach"]);
-    let names = Names {
-        coordinates: vec!["x".into()],
-        parameters: vec!["mass".into()],
-        ..Names::default()
-    };
-    let [x, v, m] = [X, Symbol::Velocity(0), Symbol::Parameter(0)].map(|name| graph.symbol(name));
-    let friction = graph.apply(stribeck, &[v]);
-    let force = graph.multiply(friction, m);
-    let force = graph.negate(force);
-    let sum = graph.add(x, m);
-    let lifted = graph.apply(lift, &[sum, friction]);
-    let square = graph.square(lifted);
-    let quotient = graph.divide(x, lifted);
-    let undeclared = graph.derivative(lifted, X);
-    for (root, unicode, latex) in [
-        (
-            force,
-            "−mass·stribeck_curve(x\u{307})",
-            "-\\mathrm{mass}\\,\\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)",
-        ),
-        (
-            square,
-            "lift(x + mass, stribeck_curve(x\u{307}))²",
-            "\\operatorname{lift}\\left(x + \\mathrm{mass}, \
-             \\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)\\right)^{2}",
-        ),
-        (
-            quotient,
-            "x/lift(x + mass, stribeck_curve(x\u{307}))",
-            "\\frac{x}{\\operatorname{lift}\\left(x + \\mathrm{mass}, \
-             \\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)\\right)}",
-        ),
-        (
-            undeclared,
-            "∂lift/∂alpha(x + mass, stribeck_curve(x\u{307}))",
-            "\\operatorname{∂lift/∂alpha}\\left(x + \\mathrm{mass}, \
-             \\operatorname{stribeck\\_curve}\\left(\\dot{x}\\right)\\right)",
-        ),
-    ] {
-        assert_eq!(graph.display(root, &names).to_string(), unicode);
-        assert_eq!(graph.latex(root, &names).to_string(), latex);
-    }
 }

@@ -39,7 +39,7 @@ proptest! {
         let difference = graph.subtract(x, x);
         prop_assert_eq!(difference, graph.zero());
         let yz = graph.multiply(y, z);
-        // Long products stay whole.
+        // Long products are not merged.
         prop_assume!([xy, yz].iter().all(|product| operands(&graph, *product) <= 16));
         let (left, right) = (graph.multiply(xy, z), graph.multiply(x, yz));
         let names = lagrangian_symbolic::Names::default();
@@ -196,7 +196,7 @@ fn inverse_functions_undo_one_another() {
 }
 
 #[test]
-fn numbers_and_common_factors_come_out_of_whole_powers() {
+fn numbers_and_common_factors_come_out_of_integer_powers() {
     let (mut graph, x, y) = start();
     // (2x + 4y)³ = 8 (x + 2y)³, and (x y + x)² = x² (y + 1)².
     let rest = graph.sum([(x, Rational::ONE), (y, Rational::integer(2))]);
@@ -223,7 +223,7 @@ fn numbers_and_common_factors_come_out_of_whole_powers() {
 }
 
 #[test]
-fn whole_powers_are_distributed_over_products_and_no_others() {
+fn integer_powers_are_distributed_over_products_and_no_others() {
     let (mut graph, x, y) = start();
     let product = graph.multiply(x, y);
     let minus_two = Rational::integer(-2);

@@ -1,6 +1,6 @@
 //! What is done to expressions changes how values are computed, and never the values.
 //!
-//! Random trees, evaluated as they stand in numbers that bound their own error, against the same trees
+//! Random trees, evaluated in numbers that bound their own error, against the same trees
 //! after each pass. Nothing is compared where the tree itself has no value, or none that rounding leaves
 //! any digit of.
 
@@ -81,7 +81,7 @@ proptest! {
     }
 
     #[test]
-    fn prepared_programs_keep_values(trees in pairs(), point in points()) {
+    fn staged_programs_keep_values(trees in pairs(), point in points()) {
         let value = |symbol| Bounded::exact(at(&point, symbol));
         let mut graph = Graph::new();
         let roots = family(&mut graph, &trees);
@@ -89,12 +89,12 @@ proptest! {
         let program = Program::schedule_for_staging(&graph, &groups);
         prop_assert!(is_verified(&program, &graph, &groups), "{program:?}");
         let parts = program.hoist_invariants();
-        let prepared = run(&parts.setup, |symbol| match symbol {
+        let invariants = run(&parts.setup, |symbol| match symbol {
             Symbol::Parameter(_) => value(symbol),
             _ => panic!("{symbol:?} varies"),
         });
         let found = run(&parts.kernel, |symbol| match symbol {
-            Symbol::Invariant(index) => prepared[0][index as usize],
+            Symbol::Invariant(index) => invariants[0][index as usize],
             _ => value(symbol),
         });
         for (written, found) in values(&trees, &value).into_iter().zip(found.concat()) {

@@ -133,13 +133,13 @@ fn programs_are_the_same_each_time() {
 }
 
 #[test]
-fn an_expression_and_the_same_kept_whole_are_one_value() {
+fn an_expression_and_its_opaque_node_are_one_value() {
     let mut graph = Graph::new();
     let [a, b, f, x] = parameters(&mut graph);
     let product = graph.multiply(a, b);
-    let whole = graph.opaque(product);
+    let opaque = graph.opaque(product);
     // 2 a b + x, and f a b + f x, which is no multiple of it.
-    let doubled = total(&mut graph, &[product, whole, x]);
+    let doubled = total(&mut graph, &[product, opaque, x]);
     let terms = products(&mut graph, &[&[f, product], &[f, x]]);
     let other = total(&mut graph, &terms);
     assert_costs(count(&graph, &[doubled, other]), 2, 3, 0);
@@ -150,15 +150,15 @@ fn what_is_shared_is_added_to_what_is_there_already() {
     let mut graph = Graph::new();
     let [a, b, x] = parameters(&mut graph);
     let sum = graph.add(a, b);
-    let whole = graph.opaque(sum);
+    let opaque = graph.opaque(sum);
     let two = Rational::integer(2);
     // With s = a + b, the first is 3 s + x, and s + x is no part of it.
     let first = graph.sum([
         (a, Rational::ONE),
         (b, Rational::ONE),
-        (whole, two),
+        (opaque, two),
         (x, Rational::ONE),
     ]);
-    let second = graph.add(whole, x);
+    let second = graph.add(opaque, x);
     assert_costs(count(&graph, &[first, second]), 3, 1, 0);
 }

@@ -1,4 +1,4 @@
-//! Elementary functions and their first two derivatives over the whole range of numbers.
+//! Elementary functions and their first two derivatives over the full range of binary64.
 //!
 //! What a derivative becomes as a program is run in binary64 and in binary32, and compared with values of
 //! four hundred digits (`tests/data/elementary_functions.py`): finite wherever those are, right to rounding, and 0

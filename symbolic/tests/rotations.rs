@@ -114,7 +114,7 @@ fn a_vector_along_an_axis_has_no_dead_terms() {
 }
 
 #[test]
-fn a_general_vector_is_turned_by_one_factor_after_the_other() {
+fn a_general_vector_is_rotated_by_one_factor_after_the_other() {
     let mut graph = Graph::new();
     let turn = by_coordinates(&mut graph, "zyx", 0);
     let forgetful = Matrix::new(3, 3, turn.elements().to_vec()).unwrap();
@@ -151,7 +151,7 @@ fn elements_are_taken_where_they_are_cheaper() {
     assert_eq!(graph.matrix_product(&row, &product), Some(row));
 }
 
-/// The operations of the positions of all links of a chain, each turned against the one before it by
+/// The operations of the positions of all links of a chain, each rotated relative to the one before it by
 /// two angles.
 fn chain(links: u32) -> usize {
     let mut graph = Graph::new();

@@ -1,4 +1,4 @@
-//! What depends on parameters alone is computed beforehand, and nothing else is.
+//! Invariants, which depend on parameters alone, are hoisted, and nothing else is.
 
 use lagrangian_symbolic::{Expression, Graph, OperationCount, Program, Rational, Staged, Symbol};
 
@@ -34,9 +34,9 @@ fn parts(graph: &Graph, roots: &[Expression]) -> Staged {
         Symbol::Parameter(_) => value(symbol),
         _ => panic!("{symbol:?} varies"),
     };
-    let prepared = parts.setup.evaluate(of_parameters).concat();
+    let invariants = parts.setup.evaluate(of_parameters).concat();
     let found = parts.kernel.evaluate(|symbol| match symbol {
-        Symbol::Invariant(index) => prepared[index as usize],
+        Symbol::Invariant(index) => invariants[index as usize],
         _ => value(symbol),
     });
     for (found, expected) in found.concat().into_iter().zip(graph.evaluate(roots, value)) {
@@ -92,11 +92,11 @@ fn numbers_in_front_of_terms_join_their_constant_factors() {
 }
 
 #[test]
-fn a_division_by_a_constant_is_prepared_as_a_multiplication() {
+fn a_division_by_an_invariant_is_hoisted_as_a_multiplication() {
     let (mut graph, [a, _, _, x, y]) = start();
     let by_parameter = graph.divide(x, a);
     assert_parts(&graph, &[by_parameter], [0, 0, 1], [0, 1, 0]);
-    // Where nothing is prepared it stays a division, which rounds once.
+    // Where nothing is hoisted it stays a division, which rounds once.
     let program = Program::schedule(&graph, &[&[by_parameter]]);
     assert_eq!(operations(&program), [0, 0, 1]);
     // What varies divides still.
@@ -122,7 +122,7 @@ fn constant_terms_are_gathered() {
     ];
     let sum = graph.sum(terms);
     assert_parts(&graph, &[sum], [1, 1, 0], [2, 1, 0]);
-    // A multiple of one parameter is prepared; a parameter or a number by itself is not.
+    // A multiple of one parameter is hoisted; a parameter or a number by itself is not.
     let multiple = graph.sum([(a, Rational::integer(2)), (x, one.clone())]);
     assert_parts(&graph, &[multiple], [0, 1, 0], [1, 0, 0]);
     let opposite = graph.subtract(x, a);
@@ -132,7 +132,7 @@ fn constant_terms_are_gathered() {
 }
 
 #[test]
-fn what_is_not_constant_is_not_prepared() {
+fn what_varies_is_not_hoisted() {
     for symbol in [
         Symbol::Time,
         Symbol::Coordinate(0),
@@ -159,7 +159,7 @@ fn what_is_not_constant_is_not_prepared() {
 }
 
 #[test]
-fn each_value_is_prepared_once_and_only_if_it_is_used() {
+fn each_invariant_is_hoisted_once_and_only_if_it_is_used() {
     let (mut graph, [a, b, c, x, y]) = start();
     // √(a² + b²) stands in both; c in neither part's arithmetic.
     let (a2, b2) = (graph.square(a), graph.square(b));

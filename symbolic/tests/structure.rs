@@ -1,4 +1,4 @@
-//! What is known of a system before any number is, and what has no equations of motion.
+//! The properties of coordinates, and declarations without equations of motion.
 
 mod support;
 

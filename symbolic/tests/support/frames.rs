@@ -1,10 +1,10 @@
-//! Rotations in numbers, by plain loops that know nothing of the library's.
+//! Numerical rotations, by plain loops independent of the library's.
 
 use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol};
 
 use super::draft::value;
 
-/// Rows of a matrix in numbers.
+/// Rows of a numerical matrix.
 pub(crate) type Rows = [[f64; 3]; 3];
 
 /// The twelve sequences of three axes of which neighbours differ.

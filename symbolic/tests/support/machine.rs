@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{Operand, Operation, Program, Rational, Symbol, Unary};
 
-use super::{Number, outside};
+use super::{Number, external};
 
 /// The outputs of a program, group by group.
 pub(crate) fn run<N: Number>(program: &Program, symbol: impl Fn(Symbol) -> N) -> Vec<Vec<N>> {
@@ -49,7 +49,7 @@ fn execute<N: Number>(operation: &Operation, values: &mut Vec<N>, symbol: &impl 
         Operation::Binary(function, x, y) => of(x).binary(*function, of(y)),
         Operation::Application(function, arguments) => {
             let arguments: Vec<N> = arguments.iter().map(of).collect();
-            outside::value(*function, &arguments)
+            external::value(*function, &arguments)
         }
     };
     values.push(value);

@@ -7,7 +7,7 @@ pub(crate) mod draft;
 pub(crate) mod dual;
 pub(crate) mod frames;
 pub(crate) mod machine;
-pub(crate) mod outside;
+pub(crate) mod external;
 pub(crate) mod rows;
 pub(crate) mod systems;
 pub(crate) mod tree;
@@ -51,7 +51,7 @@ pub(crate) fn evaluate<N: Number>(
             Node::Binary(function, x, y) => of(*x).binary(*function, of(*y)),
             Node::Application(function, arguments) => {
                 let arguments: Vec<N> = arguments.iter().map(|x| of(*x)).collect();
-                outside::value(*function, &arguments)
+                external::value(*function, &arguments)
             }
             Node::Opaque(x) => of(*x),
         };

@@ -1,8 +1,8 @@
-//! Matrices in numbers, by plain loops that know nothing of the library's.
+//! Numerical matrices, by plain loops independent of the library's.
 
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
 
-/// Rows in numbers.
+/// Numerical rows.
 pub(crate) type Rows = Vec<Vec<f64>>;
 
 /// How many points each identity is looked at.
@@ -57,7 +57,7 @@ pub(crate) fn assert_close(found: &Rows, expected: &Rows) {
     }
 }
 
-/// Compares a matrix with its rows in numbers at several points.
+/// Compares a matrix with its numerical rows at several points.
 #[track_caller]
 pub(crate) fn assert_values(graph: &Graph, matrix: &Matrix, expected: impl Fn(u64) -> Rows) {
     for point in 0..POINTS {

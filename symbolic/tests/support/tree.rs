@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Symbol, Unary};
 use proptest::prelude::*;
 
-use super::{Number, outside};
+use super::{Number, external};
 
 /// A tree of operations.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub(crate) enum Tree {
     Whole(Box<Tree>),
     Unary(Unary, Box<Tree>),
     Binary(Binary, Box<Tree>, Box<Tree>),
-    /// A function from outside, by its number.
+    /// An external function, by its number.
     Application(usize, Vec<Tree>),
 }
 
@@ -130,13 +130,13 @@ pub(crate) fn distributed() -> impl Strategy<Value = [Tree; 2]> {
     })
 }
 
-/// Trees in which functions from outside are applied to trees, and to what they are applied to.
+/// Trees in which external functions are applied to trees and to their applications.
 pub(crate) fn applications() -> impl Strategy<Value = Tree> {
-    (trees(), trees(), trees(), 0..outside::COUNT).prop_map(|(x, y, z, last)| {
+    (trees(), trees(), trees(), 0..external::COUNT).prop_map(|(x, y, z, last)| {
         let boxed = Box::new;
-        let inner = Tree::Application(outside::WAVE, vec![x]);
+        let inner = Tree::Application(external::WAVE, vec![x]);
         let product = Tree::Multiply(boxed(inner.clone()), boxed(z));
-        let arguments = [inner, product].into_iter().take(outside::arity(last));
+        let arguments = [inner, product].into_iter().take(external::arity(last));
         let outer = Tree::Application(last, arguments.collect());
         Tree::Add(boxed(outer), boxed(y))
     })
@@ -204,7 +204,7 @@ impl Tree {
             }
             Self::Application(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|x| x.build(graph)).collect();
-                let function = outside::functions(graph)[*function];
+                let function = external::functions(graph)[*function];
                 graph.apply(function, &arguments)
             }
         }
@@ -229,7 +229,7 @@ impl Tree {
             Self::Binary(function, x, y) => of(x).binary(*function, of(y)),
             Self::Application(function, arguments) => {
                 let arguments: Vec<N> = arguments.iter().map(of).collect();
-                outside::value_of(*function, &arguments)
+                external::value_of(*function, &arguments)
             }
         }
     }

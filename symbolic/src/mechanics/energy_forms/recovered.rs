@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_top_multiplied_out_gives_its_angular_velocities_back() {
+    fn an_expanded_top_gives_its_angular_velocities_back() {
         for spelling in [
             Spelling::Squares,
             Spelling::SecondMultipliedOut,

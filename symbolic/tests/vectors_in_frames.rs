@@ -1,4 +1,4 @@
-//! Vectors that remember how they were turned: what is computed before they are turned, where that would
+//! Vectors that remember their frames: what is computed before they are rotated, where that would
 //! be wrong, and all values against plain loops over numbers.
 
 mod support;
@@ -21,7 +21,7 @@ fn vector(graph: &mut Graph, first: u32) -> Matrix {
     Matrix::vector(symbols.map(|symbol| graph.symbol(symbol)).collect())
 }
 
-/// The same in numbers.
+/// The same numerically.
 fn numbers(first: u32) -> Numbers {
     [0, 1, 2].map(|i| value(Symbol::Parameter(first + i)))
 }
@@ -73,7 +73,7 @@ fn add(a: Numbers, b: Numbers) -> Numbers {
     core::array::from_fn(|i| a[i] + b[i])
 }
 
-/// The rotation of `by_coordinates` in numbers, at a time.
+/// The rotation of `by_coordinates` numerically, at a time.
 fn at(sequence: &str, first: u32, time: f64) -> Rows {
     let angles: Vec<f64> = (first..)
         .take(sequence.len())
@@ -151,8 +151,8 @@ fn lengths_and_angles_are_those_before_the_turn() {
     let by_product = graph.matrix_product(&x_row, &y).unwrap();
     assert_eq!(by_product.get(0, 0), graph.dot_product(&a, &b));
     // R S a · R b = S a · b.
-    let turned = product(&mut graph, &[&r, &s, &a]);
-    let found = graph.dot_product(&turned, &y).unwrap();
+    let rotated = product(&mut graph, &[&r, &s, &a]);
+    let found = graph.dot_product(&rotated, &y).unwrap();
     let before = product(&mut graph, &[&s, &a]);
     let expected = graph.dot_product(&before, &b).unwrap();
     assert_eq!(cost(&graph, &[found]), cost(&graph, &[expected]));
@@ -162,7 +162,7 @@ fn lengths_and_angles_are_those_before_the_turn() {
 }
 
 #[test]
-fn sums_and_multiples_are_turned_as_one() {
+fn sums_and_multiples_are_rotated_as_one() {
     let mut graph = Graph::new();
     let [r, s] = [("zyx", 0), ("y", 3)].map(|(axes, i)| by_coordinates(&mut graph, axes, i));
     let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
@@ -178,8 +178,8 @@ fn sums_and_multiples_are_turned_as_one() {
     let nothing = graph.matrix_sum(&terms).unwrap();
     assert_eq!(graph.norm_squared(&nothing), graph.zero());
     // R S a + R b = R (S a + b).
-    let turned = product(&mut graph, &[&r, &s, &a]);
-    let found = sum(&mut graph, &[&turned, &y]);
+    let rotated = product(&mut graph, &[&r, &s, &a]);
+    let found = sum(&mut graph, &[&rotated, &y]);
     let found = graph.norm_squared(&found);
     let expected = add(apply(&now("y", 3), numbers(0)), numbers(3));
     assert_is(&graph, found, dot(expected, expected));
@@ -187,7 +187,7 @@ fn sums_and_multiples_are_turned_as_one() {
 }
 
 #[test]
-fn vector_products_are_turned() {
+fn vector_products_are_rotated() {
     let mut graph = Graph::new();
     let [r, s] = [("zyx", 0), ("yx", 3)].map(|(axes, i)| by_coordinates(&mut graph, axes, i));
     let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
@@ -198,8 +198,8 @@ fn vector_products_are_turned() {
     assert_vector(&graph, &found, expected, ROUNDING);
     assert_eq!(product(&mut graph, &[&r.transpose(), &found]), before);
     // Only R is common to R S a and R b.
-    let turned = product(&mut graph, &[&r, &s, &a]);
-    let found = graph.cross_product(&turned, &y).unwrap();
+    let rotated = product(&mut graph, &[&r, &s, &a]);
+    let found = graph.cross_product(&rotated, &y).unwrap();
     let found = product(&mut graph, &[&r.transpose(), &found]);
     let expected = cross(apply(&now("yx", 3), numbers(0)), numbers(3));
     assert_vector(&graph, &found, expected, ROUNDING);
@@ -207,7 +207,7 @@ fn vector_products_are_turned() {
 }
 
 #[test]
-fn velocities_are_turned_with_the_body() {
+fn velocities_are_rotated_with_the_body() {
     // d/dt R v = R (ω × v + v̇), of a point that moves in the body.
     let mut graph = Graph::new();
     let r = by_coordinates(&mut graph, "zxz", 0);
@@ -257,13 +257,13 @@ fn a_tensor_in_space_is_one_in_the_body() {
     let expected = graph.dot_product(&body, &momentum);
 
     let back = r.transpose();
-    let turned = product(&mut graph, &[&r, &inertia, &back]);
-    let momentum = graph.matrix_product(&turned, &space).unwrap();
+    let rotated = product(&mut graph, &[&r, &inertia, &back]);
+    let momentum = graph.matrix_product(&rotated, &space).unwrap();
     assert_eq!(graph.dot_product(&space, &momentum), expected);
     let half = graph.matrix_product(&inertia, &back).unwrap();
     let momentum = product(&mut graph, &[&r, &half, &space]);
     assert_eq!(graph.dot_product(&space, &momentum), expected);
-    let row = graph.matrix_product(&space.transpose(), &turned).unwrap();
+    let row = graph.matrix_product(&space.transpose(), &rotated).unwrap();
     let both = graph.matrix_product(&row, &space).unwrap();
     let tensor = |i: u32, j: u32| value(Symbol::Parameter(3 * j + i));
     let spin = angular_velocity(|t| at("zxz", 0, t));
@@ -291,9 +291,9 @@ fn rotations_by_hand_count_if_they_are_rotations() {
     let constant = graph.symbol(Symbol::Parameter(9));
     let tilt = forgetful(&graph.rotation(&[(Axis::Y, constant), (axis('x'), angle)]));
     for rotation in [r, tilt] {
-        let turned = product(&mut graph, &[&rotation, &v]);
-        assert_eq!(graph.norm_squared(&turned), graph.norm_squared(&v));
-        assert_eq!(product(&mut graph, &[&rotation.transpose(), &turned]), v);
+        let rotated = product(&mut graph, &[&rotation, &v]);
+        assert_eq!(graph.norm_squared(&rotated), graph.norm_squared(&v));
+        assert_eq!(product(&mut graph, &[&rotation.transpose(), &rotated]), v);
     }
     // Three fifths and four fifths are a rotation exactly, rounded numbers are none.
     for (digits, is_exact) in [([3, 4, 5], true), ([600_001, 800_000, 1_000_000], false)] {
@@ -302,8 +302,8 @@ fn rotations_by_hand_count_if_they_are_rotations() {
         let (zero, one, minus) = (graph.zero(), graph.one(), graph.negate(sine));
         let elements = vec![cosine, sine, zero, minus, cosine, zero, zero, zero, one];
         let rotation = Matrix::new(3, 3, elements).unwrap();
-        let turned = product(&mut graph, &[&rotation, &v]);
-        let is_equal = graph.norm_squared(&turned) == graph.norm_squared(&v);
+        let rotated = product(&mut graph, &[&rotation, &v]);
+        let is_equal = graph.norm_squared(&rotated) == graph.norm_squared(&v);
         assert_eq!(is_equal, is_exact);
     }
 }
@@ -317,13 +317,13 @@ fn what_may_be_no_rotation_changes_lengths() {
     let trusted = support::rows::parameters(&mut graph, 3, 3, 10);
     let plain: Rows =
         [0, 1, 2].map(|i: u32| [0, 1, 2].map(|j: u32| value(Symbol::Parameter(10 + 3 * j + i))));
-    let turned = product(&mut graph, &[&trusted, &v]);
+    let rotated = product(&mut graph, &[&trusted, &v]);
     let expected = apply(&plain, numbers(0));
-    let square = graph.norm_squared(&turned);
+    let square = graph.norm_squared(&rotated);
     assert_relative(&graph, square, dot(expected, expected));
-    let back = product(&mut graph, &[&trusted.transpose(), &turned]);
+    let back = product(&mut graph, &[&trusted.transpose(), &rotated]);
     assert_ne!(back, v);
-    // Before a rotation it is part of what is turned, behind one it ends what cancels.
+    // Before a rotation it is part of the rotated vector, behind one it ends what cancels.
     let both = product(&mut graph, &[&r, &trusted, &v]);
     let square = graph.norm_squared(&both);
     assert_relative(&graph, square, dot(expected, expected));
@@ -332,7 +332,7 @@ fn what_may_be_no_rotation_changes_lengths() {
     let square = graph.norm_squared(&both);
     let expected = apply(&times(&plain, &now("zyx", 0)), numbers(0));
     assert_relative(&graph, square, dot(expected, expected));
-    // Its velocity along inertial axes is not turned back by it.
+    // Its velocity in the inertial frame is not rotated back by it.
     let mounted = product(&mut graph, &[&trusted, &r]);
     let velocity = graph.angular_velocity_inertial(&mounted, 3).unwrap();
     let square = graph.norm_squared(&velocity);
@@ -374,7 +374,7 @@ fn what_may_be_no_rotation_changes_lengths() {
 }
 
 #[test]
-fn vectors_turned_independently_are_added_by_elements() {
+fn vectors_in_independent_frames_are_added_by_elements() {
     let mut graph = Graph::new();
     let [r, s] = [("zx", 0), ("zx", 2)].map(|(axes, i)| by_coordinates(&mut graph, axes, i));
     let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
@@ -398,8 +398,8 @@ fn vectors_turned_independently_are_added_by_elements() {
     assert_relative(&graph, square, dot(add(p, q), add(p, q)));
     // Turned together by a third they are added before it.
     let t = by_coordinates(&mut graph, "y", 4);
-    let turned = product(&mut graph, &[&t, &both]);
-    let back = product(&mut graph, &[&t.transpose(), &turned]);
+    let rotated = product(&mut graph, &[&t, &both]);
+    let back = product(&mut graph, &[&t.transpose(), &rotated]);
     assert_vector(&graph, &back, add(p, q), ROUNDING);
 }
 
