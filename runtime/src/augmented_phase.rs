@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::{Initial, IntoVector, Phase, Sample, Scalar, State, VectorSpace};
+use crate::{InitialValue, IntoVector, Phase, Sample, Scalar, State, VectorSpace};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
 /// controller: what an integrator steps under [`WithController`](crate::WithController).
@@ -10,7 +10,7 @@ use crate::{Initial, IntoVector, Phase, Sample, Scalar, State, VectorSpace};
 /// A motion begins at a pair of a [`State`] and z:
 ///
 /// ```
-/// use lagrangian::{AugmentedPhase, Initial, Sample, State};
+/// use lagrangian::{AugmentedPhase, InitialValue, Sample, State};
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
 /// let start: Sample<AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_sample();
@@ -82,7 +82,8 @@ impl<S: Scalar, const N: usize, const K: usize> Sample<AugmentedPhase<S, N, K>> 
 }
 
 /// A motion under a law with states of its own begins at the state of the system beside those of the law.
-impl<S, C, const N: usize, const K: usize> Initial<AugmentedPhase<S, N, K>> for (State<S, N>, C)
+impl<S, C, const N: usize, const K: usize> InitialValue<AugmentedPhase<S, N, K>>
+    for (State<S, N>, C)
 where
     S: Scalar,
     C: IntoVector<S, K>,

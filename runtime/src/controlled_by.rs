@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::equations_of_motion::{component, magnitude, singularity, vanishing_inertia};
-use crate::{Component, Dynamics, Inputs, IntoVector, Phase, Scalar, Singularity, State};
+use crate::equations_of_motion::{component_name, error_scale, singularity, vanishing_inertia};
+use crate::{ComponentName, Dynamics, Inputs, IntoVector, Phase, Scalar, Singularity, State};
 
 /// A system under the static feedback u = law(t, q, q̇); made by
 /// [`Plant::controlled_by`](crate::Plant::controlled_by).
@@ -72,20 +72,20 @@ where
     }
 
     #[inline]
-    fn magnitude(&self, x: &Phase<S, N>) -> Phase<S, N> {
-        magnitude::<M, S, N>(x)
+    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        error_scale::<M, S, N>(x)
     }
 
     #[inline]
-    fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), least_pivot)
+    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), min_pivot)
     }
 
     fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
         vanishing_inertia(self.model, &x.at(t))
     }
 
-    fn component(&self, index: usize) -> Component {
-        component::<M, N>(index)
+    fn component_name(&self, index: usize) -> ComponentName {
+        component_name::<M, N>(index)
     }
 }

@@ -3,7 +3,7 @@
 use core::ops::RangeInclusive;
 
 use crate::slope::Slope;
-use crate::{Arguments, DerivativeError, Signature};
+use crate::{ArgumentValues, DerivativeError, FunctionSignature};
 
 /// At how many points of a region derivatives are compared.
 const POINTS: u32 = 256;
@@ -39,7 +39,7 @@ pub fn check_derivatives<const K: usize>(
     region: [RangeInclusive<f64>; K],
 ) -> Result<(), DerivativeError> {
     let check = Check {
-        signature: Signature {
+        signature: FunctionSignature {
             name: "f",
             arguments: NUMBERED.get(..K).unwrap_or(NUMBERED),
         },
@@ -56,7 +56,7 @@ const NUMBERED: &[&str] = &["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x�
 
 /// A function, its derivatives, and where they are compared.
 pub(crate) struct Check<V, D, const K: usize> {
-    pub(crate) signature: Signature,
+    pub(crate) signature: FunctionSignature,
     pub(crate) value: V,
     /// The derivative by an argument, if it is declared.
     pub(crate) derivative: D,
@@ -87,7 +87,7 @@ where
 
     /// There is a range for each argument, and all are ranges.
     fn check_region(&self) -> Result<(), DerivativeError> {
-        let Signature { name, arguments } = self.signature;
+        let FunctionSignature { name, arguments } = self.signature;
         let function = name;
         // Arguments without names are as many as there are ranges.
         if arguments.len() != K && arguments != NUMBERED {
@@ -169,7 +169,7 @@ where
         }
         match worst {
             Some((_, error)) => Err(error),
-            None if any && !any_measured => Err(DerivativeError::NoSlope {
+            None if any && !any_measured => Err(DerivativeError::NoNumericalDerivative {
                 function: self.signature.name,
                 argument: self.argument(argument),
             }),
@@ -215,8 +215,8 @@ where
             .unwrap_or("x")
     }
 
-    fn at(&self, point: [f64; K]) -> Arguments {
-        Arguments::new(self.signature.arguments, &point)
+    fn at(&self, point: [f64; K]) -> ArgumentValues {
+        ArgumentValues::new(self.signature.arguments, &point)
     }
 }
 

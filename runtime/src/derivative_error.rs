@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::Signature;
+use crate::FunctionSignature;
 use crate::singularity::Written;
 
 /// How many arguments a report carries.
@@ -10,13 +10,13 @@ const REPORTED: usize = 4;
 
 /// What a function was asked for: the names of its arguments and their values, the first four of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arguments {
+pub struct ArgumentValues {
     names: &'static [&'static str],
     values: [f64; REPORTED],
     count: usize,
 }
 
-impl Arguments {
+impl ArgumentValues {
     pub(crate) fn new(names: &'static [&'static str], values: &[f64]) -> Self {
         let mut reported = [f64::NAN; REPORTED];
         for (slot, value) in reported.iter_mut().zip(values) {
@@ -36,7 +36,7 @@ impl Arguments {
     }
 }
 
-impl fmt::Display for Arguments {
+impl fmt::Display for ArgumentValues {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (position, (name, value)) in self.iter().enumerate() {
             let separator = if position == 0 { "" } else { ", " };
@@ -61,7 +61,7 @@ pub enum DerivativeError {
         /// The argument by which it is differentiated.
         argument: &'static str,
         /// Where the two differ most.
-        point: Arguments,
+        point: ArgumentValues,
         /// The declared derivative there.
         declared: f64,
         /// The slope of the values there.
@@ -70,7 +70,7 @@ pub enum DerivativeError {
         uncertainty: f64,
     },
     /// The values of the function have no slope that could be measured anywhere in the region.
-    NoSlope {
+    NoNumericalDerivative {
         /// The function.
         function: &'static str,
         /// The argument along which there is none.
@@ -81,7 +81,7 @@ pub enum DerivativeError {
         /// The function.
         function: &'static str,
         /// Where it has that value.
-        point: Arguments,
+        point: ArgumentValues,
         /// The value.
         value: f64,
     },
@@ -109,7 +109,7 @@ pub enum DerivativeError {
     /// The model has no function of that name.
     UnknownFunction {
         /// Those that it has.
-        known: &'static [Signature],
+        known: &'static [FunctionSignature],
     },
 }
 
@@ -130,7 +130,7 @@ impl fmt::Display for DerivativeError {
                 Written(declared),
                 Written(measured)
             ),
-            Self::NoSlope { function, argument } => write!(
+            Self::NoNumericalDerivative { function, argument } => write!(
                 f,
                 "no slope of `{function}` along `{argument}` can be measured: its values jump or are noisy \
                  everywhere in this region"

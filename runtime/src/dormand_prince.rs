@@ -31,13 +31,13 @@ const ALL_STAGES: usize = 16;
 /// A step is accepted when the root mean square over the components of
 /// errorᵢ / (absolute + relative · sizeᵢ) is at most 1. The size of a component is the larger of
 /// |xᵢ| before and after the step, and 1 for a coordinate that is an angle
-/// ([`Dynamics::magnitude`]).
+/// ([`Dynamics::error_scale`]).
 ///
 /// Unless told otherwise both tolerances are 10⁻¹⁰. One of them may be zero: a motion without an absolute
 /// tolerance may start from rest, but one with a component that comes near to zero and is not exactly zero
 /// takes ever smaller steps. The integration ends near a singularity of the
 /// mass matrix where the estimated relative error of the accelerations exceeds the relative
-/// tolerance ([`Driver::allowed_loss`](crate::Driver::allowed_loss)).
+/// tolerance ([`Driver::singularity_tolerance`](crate::Driver::singularity_tolerance)).
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -66,8 +66,8 @@ const ALL_STAGES: usize = 16;
 pub struct Dop853 {
     tolerance: Tolerance,
     initial_step: Option<f64>,
-    maximal_step: Option<f64>,
-    minimal_step: f64,
+    max_step: Option<f64>,
+    min_step: f64,
 }
 
 impl Dop853 {
@@ -80,8 +80,8 @@ impl Dop853 {
                 absolute: 1e-10,
             },
             initial_step: None,
-            maximal_step: None,
-            minimal_step: 10.0,
+            max_step: None,
+            min_step: 10.0,
         }
     }
 
@@ -108,29 +108,29 @@ impl Dop853 {
 
     /// Sets the size that no step exceeds.
     #[must_use]
-    pub fn maximal_step(mut self, step: f64) -> Self {
-        self.maximal_step = Some(step);
+    pub fn max_step(mut self, step: f64) -> Self {
+        self.max_step = Some(step);
         self
     }
 
     /// Sets the size below which no step is tried, as a multiple of the spacing ε |t| of numbers at
     /// the time t; 10 unless told otherwise.
     #[must_use]
-    pub fn minimal_step(mut self, spacings: f64) -> Self {
-        self.minimal_step = spacings;
+    pub fn min_step(mut self, spacings: f64) -> Self {
+        self.min_step = spacings;
         self
     }
 
     fn check(&self) -> Result<(), IntegrationError> {
-        let steps = [self.initial_step, self.maximal_step];
+        let steps = [self.initial_step, self.max_step];
         for step in steps.into_iter().flatten() {
             if !(step.is_finite() && step > 0.0) {
                 return Err(IntegrationError::InvalidStep { step });
             }
         }
-        if !(self.minimal_step.is_finite() && self.minimal_step >= 0.0) {
+        if !(self.min_step.is_finite() && self.min_step >= 0.0) {
             return Err(IntegrationError::InvalidStep {
-                step: self.minimal_step,
+                step: self.min_step,
             });
         }
         self.tolerance.check()
@@ -169,7 +169,7 @@ impl Integrator for Dop853 {
         })
     }
 
-    fn allowed_loss(&self) -> f64 {
+    fn singularity_tolerance(&self) -> f64 {
         self.tolerance.relative
     }
 }
@@ -237,7 +237,10 @@ impl<X> Dop853Stepper<X> {
         self.evaluate(dynamics, (self.clock, &x), h, 1..STAGES);
         let slope = combination(&WEIGHTS, &self.stages, &x.zeroed());
         let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
-        let sizes = [dynamics.magnitude(&x), dynamics.magnitude(state.value())];
+        let sizes = [
+            dynamics.error_scale(&x),
+            dynamics.error_scale(state.value()),
+        ];
         let error = step_control::error(&self.stages, h, &sizes, self.method.tolerance);
         let finite = checked_state(dynamics, self.clock.after(h), state.value());
         (state, Attempt { error, finite })
@@ -268,12 +271,12 @@ impl<X> Dop853Stepper<X> {
     }
 
     fn longest(&self, step: f64) -> f64 {
-        self.method.maximal_step.map_or(step, |most| step.min(most))
+        self.method.max_step.map_or(step, |most| step.min(most))
     }
 }
 
 impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
-    const DENSE: bool = true;
+    const DENSE_OUTPUT: bool = true;
 
     fn time(&self) -> f64 {
         self.clock.time()
@@ -329,7 +332,7 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
             if self.statistics.steps > 0 {
                 self.statistics.rejected += 1;
             }
-            let least = self.method.minimal_step * f64::EPSILON * self.clock.time().abs();
+            let least = self.method.min_step * f64::EPSILON * self.clock.time().abs();
             if crawls || control.step() <= least.max(f64::MIN_POSITIVE) {
                 attempt.finite?;
                 let here = (self.clock.time(), self.state.value());

@@ -7,24 +7,16 @@
 use core::marker::PhantomData;
 
 use crate::{
-    Condition, Crossing, Dynamics, Initial, IntegrationError, Integrator, Met, Observer, Sample,
-    Scalar, Statistics,
-    condition::{AtZero, When},
+    Crossing, Dynamics, InitialValue, IntegrationError, Integrator, MetConditions, Observer,
+    Sample, Scalar, Statistics, StopCondition, Unconditional, Unobserved,
     integrator::checked_state,
     run::{Run, check_singularity},
+    stop_condition::{Predicate, ZeroCrossing},
 };
-
-/// No condition to stop on.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Unconditional;
-
-/// No observer.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Unobserved;
 
 /// Why an integration ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
+pub enum StopReason {
     /// The end was reached.
     Completed,
     /// The condition to stop on was met.
@@ -37,13 +29,13 @@ pub enum Reason {
 
 /// Where and how an integration ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ending<X> {
+pub struct Outcome<X> {
     /// The last state that was reached without an error.
     pub last: Sample<X>,
     /// Why it is the last.
-    pub reason: Reason,
+    pub reason: StopReason,
     /// Which conditions to stop on were met there; none unless they are the reason.
-    pub met: Met,
+    pub met: MetConditions,
     /// What it has cost.
     pub statistics: Statistics,
 }
@@ -67,17 +59,17 @@ pub struct Ending<X> {
 /// }
 ///
 /// let mut fastest = 0.0_f64;
-/// let ending = Dop853::new()
+/// let outcome = Dop853::new()
 ///     .driver()
-///     .maximal_steps(1000)
+///     .max_steps(1000)
 ///     .stop_at_zero(|_, x: &SVector<f64, 2>| x[0])
 ///     .observe(|progress: &Progress<'_, SVector<f64, 2>>| {
 ///         fastest = fastest.max(progress.x[1].abs());
 ///         ControlFlow::Continue(())
 ///     })
-///     .integrate_to(&Stone, (0.0, SVector::from([20.0, 0.0])), 10.0)?;
-/// assert_eq!(ending.reason, Reason::Condition);
-/// assert!((ending.last.t - 2.0).abs() < 1e-9);
+///     .run_until(&Stone, (0.0, SVector::from([20.0, 0.0])), 10.0)?;
+/// assert_eq!(outcome.reason, StopReason::Condition);
+/// assert!((outcome.last.t - 2.0).abs() < 1e-9);
 /// assert!((fastest - 20.0).abs() < 1e-9);
 /// # Ok::<(), IntegrationError>(())
 /// ```
@@ -108,9 +100,9 @@ pub struct Ending<X> {
 ///         Crossing::Falling,
 ///         |_, x: &Phase<f64, 1>| x.q[Ball::HEIGHT],
 ///     );
-///     let ending = driver.integrate_to(&ball.dynamics(), state, 2.995)?;
-///     state = ending.last.state();
-///     if ending.reason != Reason::Condition {
+///     let outcome = driver.run_until(&ball.dynamics(), state, 2.995)?;
+///     state = outcome.last.state();
+///     if outcome.reason != StopReason::Condition {
 ///         break;
 ///     }
 ///     state.v[Ball::HEIGHT] *= -0.5;
@@ -127,8 +119,8 @@ pub struct Ending<X> {
 #[derive(Clone, Debug)]
 pub struct Driver<I, C = Unconditional, O = Unobserved> {
     integrator: I,
-    maximal_steps: u64,
-    allowed_loss: Option<f64>,
+    max_steps: u64,
+    singularity_tolerance: Option<f64>,
     condition: C,
     observer: O,
 }
@@ -139,8 +131,8 @@ impl<I> Driver<I> {
     pub fn new(integrator: I) -> Self {
         Self {
             integrator,
-            maximal_steps: 100_000_000,
-            allowed_loss: None,
+            max_steps: 100_000_000,
+            singularity_tolerance: None,
             condition: Unconditional,
             observer: Unobserved,
         }
@@ -150,8 +142,8 @@ impl<I> Driver<I> {
 impl<I, C, O> Driver<I, C, O> {
     /// Limits the number of steps, those that are rejected included.
     #[must_use]
-    pub fn maximal_steps(mut self, steps: u64) -> Self {
-        self.maximal_steps = steps;
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.max_steps = steps;
         self
     }
 
@@ -162,29 +154,29 @@ impl<I, C, O> Driver<I, C, O> {
     /// It is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps unless set, but
     /// not below 4096 machine epsilons, since the pivots of regular models are small, too.
     #[must_use]
-    pub fn allowed_loss(mut self, loss: f64) -> Self {
-        self.allowed_loss = Some(loss);
+    pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
+        self.singularity_tolerance = Some(tolerance);
         self
     }
 
     /// Stops after the first step at whose end `condition(t, x)` holds. The state is of the dynamics' type, which a closure names: `|t, x: &Phase<f64, N>|` of a
     /// mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|` under a controller with states.
     #[must_use]
-    pub fn stop_when<F>(self, condition: F) -> Driver<I, When<F>, O> {
-        self.with_condition(When(condition))
+    pub fn stop_when<F>(self, condition: F) -> Driver<I, Predicate<F>, O> {
+        self.with_condition(Predicate(condition))
     }
 
     /// Stops where `function(t, x)` crosses zero in either direction, as
     /// [`stop_at_crossing`](Self::stop_at_crossing) does, of a closure as
     /// [`stop_when`](Self::stop_when) takes it.
     #[must_use]
-    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, AtZero<F>, O> {
+    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, ZeroCrossing<F>, O> {
         self.stop_at_crossing(Crossing::Either, function)
     }
 
     /// Stops where `function(t, x)` crosses zero in the direction of `crossing`, or arrives there. Of several
     /// conditions, `function` gives an array of values and `crossing` is as long an array;
-    /// [`Ending::met`] tells which were met. A closure names the type of the state, as under
+    /// [`Outcome::met`] tells which were met. A closure names the type of the state, as under
     /// [`stop_when`](Self::stop_when).
     ///
     /// A crossing is seen if the signs at the two ends of a step differ; where within the step is found by
@@ -195,15 +187,19 @@ impl<I, C, O> Driver<I, C, O> {
     /// A motion that begins on a zero leaves it first, to whichever side. See
     /// [how to go on](Driver#going-on-after-a-stop).
     #[must_use]
-    pub fn stop_at_crossing<F, K>(self, crossing: K, function: F) -> Driver<I, AtZero<F, K>, O> {
-        self.with_condition(AtZero { function, crossing })
+    pub fn stop_at_crossing<F, K>(
+        self,
+        crossing: K,
+        function: F,
+    ) -> Driver<I, ZeroCrossing<F, K>, O> {
+        self.with_condition(ZeroCrossing { function, crossing })
     }
 
     fn with_condition<E>(self, condition: E) -> Driver<I, E, O> {
         Driver {
             integrator: self.integrator,
-            maximal_steps: self.maximal_steps,
-            allowed_loss: self.allowed_loss,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
             condition,
             observer: self.observer,
         }
@@ -214,30 +210,31 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn observe<E>(self, observer: E) -> Driver<I, C, E> {
         Driver {
             integrator: self.integrator,
-            maximal_steps: self.maximal_steps,
-            allowed_loss: self.allowed_loss,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
             condition: self.condition,
             observer,
         }
     }
 
-    /// Integrates from `initial` to the time `end`, which may lie before.
+    /// Integrates from `initial` until the time `end`, which may lie before it, or until a condition or the observer
+    /// stops.
     ///
     /// # Errors
     ///
     /// Any of [`IntegrationError`].
-    pub fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
+    pub fn run_until<S: Scalar, D: Dynamics<S> + ?Sized>(
         self,
         dynamics: &D,
-        initial: impl Initial<D::State>,
+        initial: impl InitialValue<D::State>,
         end: f64,
-    ) -> Result<Ending<D::State>, IntegrationError>
+    ) -> Result<Outcome<D::State>, IntegrationError>
     where
         I: Integrator,
-        C: Condition<D::State>,
+        C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
-        self.visit(dynamics, initial, &[end])
+        self.run_through(dynamics, initial, &[end])
     }
 
     /// Integrates through each of `times`, which advance in one direction from the initial time.
@@ -246,19 +243,19 @@ impl<I, C, O> Driver<I, C, O> {
     /// # Errors
     ///
     /// Any of [`IntegrationError`].
-    pub fn visit<S: Scalar, D: Dynamics<S> + ?Sized>(
+    pub fn run_through<S: Scalar, D: Dynamics<S> + ?Sized>(
         mut self,
         dynamics: &D,
-        initial: impl Initial<D::State>,
+        initial: impl InitialValue<D::State>,
         times: &[f64],
-    ) -> Result<Ending<D::State>, IntegrationError>
+    ) -> Result<Outcome<D::State>, IntegrationError>
     where
         I: Integrator,
-        C: Condition<D::State>,
+        C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
-        let (ending, result) = self.run(dynamics, &initial.into_sample(), times, &mut |_| {});
-        result.map(|()| ending)
+        let (outcome, result) = self.run(dynamics, &initial.into_sample(), times, &mut |_| {});
+        result.map(|()| outcome)
     }
 
     /// Hands each sample to `collect` and then to the observer. Where it ended is known also after
@@ -269,16 +266,16 @@ impl<I, C, O> Driver<I, C, O> {
         initial: &Sample<D::State>,
         times: &[f64],
         collect: &mut dyn FnMut(&Sample<D::State>),
-    ) -> (Ending<D::State>, Result<(), IntegrationError>)
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
         I: Integrator,
-        C: Condition<D::State>,
+        C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
-        let mut ending = Ending {
+        let mut outcome = Outcome {
             last: initial.clone(),
-            reason: Reason::Error,
-            met: Met::default(),
+            reason: StopReason::Error,
+            met: MetConditions::default(),
             statistics: Statistics::default(),
         };
         let result = self.begin(dynamics, initial, times).and_then(|stepper| {
@@ -288,18 +285,18 @@ impl<I, C, O> Driver<I, C, O> {
                 start: initial.t,
                 end: times.last().copied().unwrap_or(initial.t),
                 waiting: times,
-                least_pivot: self.least_pivot::<S>(),
-                maximal_steps: self.maximal_steps,
+                min_pivot: self.min_pivot::<S>(),
+                max_steps: self.max_steps,
                 condition: &mut self.condition,
                 departure: None,
                 observer: &mut self.observer,
                 collect,
-                ending: &mut ending,
+                outcome: &mut outcome,
                 scalar: PhantomData,
             };
             run.complete()
         });
-        (ending, result)
+        (outcome, result)
     }
 
     /// Checks everything that can be checked beforehand, the singularity first: where M is singular
@@ -313,28 +310,30 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator,
     {
-        if let Some(loss) = self
-            .allowed_loss
-            .filter(|&loss| loss.is_nan() || loss <= 0.0)
+        if let Some(tolerance) = self
+            .singularity_tolerance
+            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
         {
-            return Err(IntegrationError::InvalidLoss { loss });
+            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
         }
         checked_state(dynamics, initial.t, &initial.x)?;
         check_times(initial.t, times)?;
-        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.least_pivot::<S>())?;
+        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S>())?;
         self.integrator
             .start(dynamics, initial.t, initial.x.clone())
     }
 
     /// The relative pivot below which the integration ends.
-    fn least_pivot<S: Scalar>(&self) -> f64
+    fn min_pivot<S: Scalar>(&self) -> f64
     where
         I: Integrator,
     {
         let epsilon = S::machine_epsilon();
-        let allowed = self
-            .allowed_loss
-            .unwrap_or_else(|| self.integrator.allowed_loss().max(4096.0 * epsilon));
+        let allowed = self.singularity_tolerance.unwrap_or_else(|| {
+            self.integrator
+                .singularity_tolerance()
+                .max(4096.0 * epsilon)
+        });
         epsilon / allowed
     }
 }

@@ -45,15 +45,15 @@ pub trait Dynamics<S: Scalar = f64> {
     /// The reason for a Lagrangian is a coordinate that is an angle. Its whole turns mean nothing,
     /// and its size is 1.
     #[inline]
-    fn magnitude(&self, x: &Self::State) -> Self::State {
+    fn error_scale(&self, x: &Self::State) -> Self::State {
         x.map(Scalar::abs)
     }
 
     /// What makes the derivative lose its accuracy at a state, if the smallest relative pivot of
-    /// the mass matrix (or what corresponds to it) is below `least_pivot`, or no number.
+    /// the mass matrix (or what corresponds to it) is below `min_pivot`, or no number.
     #[inline]
-    fn singularity(&self, t: S, x: &Self::State, least_pivot: f64) -> Option<Singularity> {
-        let _ = (t, x, least_pivot);
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        let _ = (t, x, min_pivot);
         None
     }
 
@@ -65,14 +65,14 @@ pub trait Dynamics<S: Scalar = f64> {
     }
 
     /// What the component of that index is called in error messages.
-    fn component(&self, index: usize) -> Component {
-        Component::Index(index)
+    fn component_name(&self, index: usize) -> ComponentName {
+        ComponentName::Index(index)
     }
 }
 
 /// What a component of a state is called in error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Component {
+pub enum ComponentName {
     /// The coordinate of that name.
     Coordinate(&'static str),
     /// The velocity of the coordinate of that name.
@@ -83,7 +83,7 @@ pub enum Component {
     Index(usize),
 }
 
-impl fmt::Display for Component {
+impl fmt::Display for ComponentName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Coordinate(name) => write!(f, "the coordinate {name}"),

@@ -5,7 +5,8 @@ use core::marker::PhantomData;
 use nalgebra::{SMatrix, SVector};
 
 use crate::{
-    Component, Dynamics, Factorization, Lagrangian, Phase, Scalar, Singularity, State, System,
+    ComponentName, Dynamics, Factorization, GeneralizedCoordinates, Lagrangian, Phase, Scalar,
+    Singularity, State,
 };
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
@@ -100,30 +101,30 @@ where
     }
 
     #[inline]
-    fn magnitude(&self, x: &Phase<S, N>) -> Phase<S, N> {
-        magnitude::<M, S, N>(x)
+    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        error_scale::<M, S, N>(x)
     }
 
     #[inline]
-    fn singularity(&self, t: S, x: &Phase<S, N>, least_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), least_pivot)
+    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), min_pivot)
     }
 
     fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
         vanishing_inertia(self.model, &x.at(t))
     }
 
-    fn component(&self, index: usize) -> Component {
-        component::<M, N>(index)
+    fn component_name(&self, index: usize) -> ComponentName {
+        component_name::<M, N>(index)
     }
 }
 
 /// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle, which is the same after a whole turn; and for
 /// one that is ignorable what it moves in a unit of time, if that is more than 1, wherever it is.
 #[inline]
-pub(crate) fn magnitude<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
+pub(crate) fn error_scale<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
 where
-    M: System<N> + ?Sized,
+    M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
     let mut sizes = Phase {
@@ -140,12 +141,12 @@ where
     sizes
 }
 
-/// The coordinate with the smallest relative pivot, if that is below `least_pivot`.
+/// The coordinate with the smallest relative pivot, if that is below `min_pivot`.
 #[inline]
 pub(crate) fn singularity<M, S, const N: usize>(
     model: &M,
     state: &State<S, N>,
-    least_pivot: f64,
+    min_pivot: f64,
 ) -> Option<Singularity>
 where
     M: Lagrangian<N, S> + ?Sized,
@@ -154,7 +155,7 @@ where
     let pivots = model.relative_pivots(state);
     let regular = pivots
         .iter()
-        .all(|pivot| pivot.abs().smallest() >= least_pivot);
+        .all(|pivot| pivot.abs().smallest() >= min_pivot);
     if regular {
         None
     } else {
@@ -166,7 +167,7 @@ where
 #[cold]
 fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
 where
-    M: System<N> + ?Sized,
+    M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
     // A pivot that is no number comes from a division by zero: nothing is smaller.
@@ -189,7 +190,7 @@ fn named<M, S, const N: usize>(
     state: &State<S, N>,
 ) -> Singularity
 where
-    M: System<N> + ?Sized,
+    M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
     let dependencies = Structure::<M, N>::SINGULARITIES
@@ -250,21 +251,23 @@ where
     SVector::from_fn(|i, _| S::one() / inverse[(i, i)].abs())
 }
 
-pub(crate) fn component<M: System<N> + ?Sized, const N: usize>(index: usize) -> Component {
+pub(crate) fn component_name<M: GeneralizedCoordinates<N> + ?Sized, const N: usize>(
+    index: usize,
+) -> ComponentName {
     let names = Structure::<M, N>::COORDINATES;
     let coordinate = names.get(index);
     let velocity = index.checked_sub(N).and_then(|i| names.get(i));
     match (coordinate, velocity) {
-        (Some(name), _) => Component::Coordinate(name),
-        (None, Some(name)) => Component::Velocity(name),
-        (None, None) => Component::Index(index),
+        (Some(name), _) => ComponentName::Coordinate(name),
+        (None, Some(name)) => ComponentName::Velocity(name),
+        (None, None) => ComponentName::Index(index),
     }
 }
 
 /// The constants of a system as slices that live as long as the program.
 struct Structure<M: ?Sized, const N: usize>(PhantomData<M>);
 
-impl<M: System<N> + ?Sized, const N: usize> Structure<M, N> {
+impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> Structure<M, N> {
     const COORDINATES: &'static [&'static str] = &M::COORDINATES;
     const SINGULARITIES: &'static [&'static [usize]] = &M::SINGULARITIES;
 }

@@ -3,12 +3,12 @@
 use core::fmt;
 
 use crate::singularity::Written;
-use crate::{Component, Singularity};
+use crate::{ComponentName, Singularity};
 
 /// Why an integration could not begin or could not go on.
 ///
 /// Errors are values; an integrator never panics. What a collecting integration had sampled before
-/// the error is in `Interrupted`.
+/// the error is in `PartialTrajectory`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError {
@@ -17,7 +17,7 @@ pub enum IntegrationError {
         /// The time of the state.
         time: f64,
         /// Its first component that is not finite.
-        component: Component,
+        component: ComponentName,
         /// The value of that component.
         value: f64,
     },
@@ -26,7 +26,7 @@ pub enum IntegrationError {
         /// The time of the state.
         time: f64,
         /// The first component whose derivative is not finite.
-        component: Component,
+        component: ComponentName,
         /// The derivative of that component.
         value: f64,
     },
@@ -41,7 +41,7 @@ pub enum IntegrationError {
         time: f64,
         /// The relative error in the accelerations, estimated as the machine epsilon over the
         /// smallest relative pivot.
-        estimated_loss: f64,
+        estimated_error: f64,
         /// Which coordinates make it so.
         singularity: Singularity,
     },
@@ -52,7 +52,7 @@ pub enum IntegrationError {
         /// The size of the step that was to be taken next.
         step: f64,
         /// The component whose error is the largest in relation to the tolerance; none for fixed steps.
-        component: Option<Component>,
+        component: Option<ComponentName>,
         /// Whether there is no absolute tolerance, so that a component near zero is allowed no error.
         relative_only: bool,
     },
@@ -85,10 +85,10 @@ pub enum IntegrationError {
         /// The absolute tolerance.
         absolute: f64,
     },
-    /// The allowed loss of accuracy near a singularity is not a positive number.
-    InvalidLoss {
-        /// That loss.
-        loss: f64,
+    /// The singularity tolerance is not a positive number.
+    InvalidSingularityTolerance {
+        /// That tolerance.
+        tolerance: f64,
     },
     /// The sample times do not advance in the direction of integration.
     UnorderedTimes {
@@ -126,12 +126,12 @@ impl fmt::Display for IntegrationError {
             }
             Self::SingularConfiguration {
                 time,
-                estimated_loss,
+                estimated_error,
                 singularity,
             } => write!(
                 f,
                 "at t = {} {singularity}; the estimated relative error of the accelerations is \
-                 {estimated_loss:.1e}",
+                 {estimated_error:.1e}",
                 Written(time)
             ),
             Self::StepTooSmall {
@@ -167,10 +167,10 @@ impl fmt::Display for IntegrationError {
                 Written(relative),
                 Written(absolute)
             ),
-            Self::InvalidLoss { loss } => {
+            Self::InvalidSingularityTolerance { tolerance } => {
                 write!(
                     f,
-                    "the allowed loss of accuracy must be positive, not {loss}"
+                    "the singularity tolerance must be positive, not {tolerance}"
                 )
             }
             Self::UnorderedTimes {
@@ -190,7 +190,7 @@ impl fmt::Display for IntegrationError {
 fn write_too_small(
     f: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),
-    component: Option<Component>,
+    component: Option<ComponentName>,
     relative_only: bool,
 ) -> fmt::Result {
     let time = Written(time);

@@ -7,7 +7,7 @@ use crate::{DerivativeError, Scalar};
 
 /// The name of a function and those of its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Signature {
+pub struct FunctionSignature {
     /// The name of the function.
     pub name: &'static str,
     /// The names of its arguments, in order.
@@ -20,11 +20,11 @@ pub struct Signature {
 /// those of the functions:
 ///
 /// ```
-/// # use lagrangian::{DerivativeError, Functions, Signature};
+/// # use lagrangian::{DerivativeError, ExternalFunctions, FunctionSignature};
 /// # struct Slider;
-/// # impl Functions for Slider {
+/// # impl ExternalFunctions for Slider {
 /// #     type Scalar = f64;
-/// #     const FUNCTIONS: &'static [Signature] = &[Signature { name: "friction", arguments: &["v"] }];
+/// #     const FUNCTIONS: &'static [FunctionSignature] = &[FunctionSignature { name: "friction", arguments: &["v"] }];
 /// #     fn function(&self, _: usize, x: &[f64]) -> f64 { x[0].tanh() }
 /// #     fn derivative(&self, _: usize, _: usize, x: &[f64]) -> Option<f64> { Some(x[0].cosh().powi(-2)) }
 /// # }
@@ -32,12 +32,12 @@ pub struct Signature {
 /// slider.check_derivatives("friction", [-3.0..=3.0])?;
 /// # Ok::<(), DerivativeError>(())
 /// ```
-pub trait Functions {
+pub trait ExternalFunctions {
     /// What the functions are evaluated on.
     type Scalar: Scalar;
 
     /// The functions, in the order of declaration.
-    const FUNCTIONS: &'static [Signature];
+    const FUNCTIONS: &'static [FunctionSignature];
 
     /// The value of a function, by its position; not a number unless there is one of so many arguments.
     fn function(&self, function: usize, arguments: &[Self::Scalar]) -> Self::Scalar;

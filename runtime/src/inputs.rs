@@ -3,7 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::linearization::below_zeros;
-use crate::{Lagrangian, Linearization, Outputs, OutputsWith, Scalar, State, System};
+use crate::{
+    GeneralizedCoordinates, Lagrangian, Linearization, Outputs, OutputsWith, Scalar, State,
+};
 
 /// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
 ///
@@ -96,7 +98,7 @@ pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
     inputs: SVector<S, U>,
 }
 
-impl<M, S, const N: usize, const U: usize> System<N> for WithInputs<'_, M, S, U>
+impl<M, S, const N: usize, const U: usize> GeneralizedCoordinates<N> for WithInputs<'_, M, S, U>
 where
     M: Inputs<N, U, S> + ?Sized,
     S: Scalar,

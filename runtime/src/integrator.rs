@@ -5,11 +5,11 @@
 //! end.
 
 use crate::{
-    Driver, Dynamics, Ending, Initial, IntegrationError, Sample, Scalar, VectorSpace,
-    driver::Unconditional, driver::Unobserved,
+    Driver, Dynamics, InitialValue, IntegrationError, Outcome, Sample, Scalar, Unconditional,
+    Unobserved, VectorSpace,
 };
 #[cfg(feature = "alloc")]
-use crate::{Interrupted, Trajectory};
+use crate::{PartialTrajectory, Trajectory};
 
 /// A method of integration and its settings: [`Dop853`](crate::Dop853),
 /// [`RungeKutta`](crate::RungeKutta).
@@ -31,7 +31,7 @@ pub trait Integrator {
 
     /// The relative error of the accelerations at which a [`Driver`] ends near a singularity,
     /// unless it is told otherwise.
-    fn allowed_loss(&self) -> f64;
+    fn singularity_tolerance(&self) -> f64;
 
     /// A driver of this method, to which limits, conditions and an observer can be given.
     fn driver(&self) -> Driver<Self, Unconditional, Unobserved>
@@ -49,14 +49,14 @@ pub trait Integrator {
     fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
-        initial: impl Initial<D::State>,
+        initial: impl InitialValue<D::State>,
         end: f64,
     ) -> Result<Sample<D::State>, IntegrationError>
     where
         Self: Clone,
     {
-        let ending: Ending<D::State> = self.driver().integrate_to(dynamics, initial, end)?;
-        Ok(ending.last)
+        let outcome: Outcome<D::State> = self.driver().run_until(dynamics, initial, end)?;
+        Ok(outcome.last)
     }
 
     /// The motion from `initial` at each of `times`, which advance in one direction.
@@ -68,9 +68,9 @@ pub trait Integrator {
     fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
-        initial: impl Initial<D::State>,
+        initial: impl InitialValue<D::State>,
         times: &[f64],
-    ) -> Result<Trajectory<D::State>, Interrupted<D::State>>
+    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
     where
         Self: Clone,
     {
@@ -120,7 +120,7 @@ pub trait Integrator {
 pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
     /// Whether [`interpolate`](Self::interpolate) is so cheap that sample times need not be ends of
     /// steps.
-    const DENSE: bool;
+    const DENSE_OUTPUT: bool;
 
     /// The time reached.
     fn time(&self) -> f64;
@@ -178,7 +178,7 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
         None => Ok(derivative),
         Some((index, value)) => Err(IntegrationError::NonFiniteDerivative {
             time: t,
-            component: dynamics.component(index),
+            component: dynamics.component_name(index),
             value: not_finite_of(value),
         }),
     }
@@ -197,7 +197,7 @@ pub(crate) fn checked_state<S: Scalar, D: Dynamics<S> + ?Sized>(
         None => Ok(()),
         Some((index, value)) => Err(IntegrationError::NonFiniteState {
             time: t,
-            component: dynamics.component(index),
+            component: dynamics.component_name(index),
             value: not_finite_of(value),
         }),
     }

@@ -2,14 +2,16 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{EquationsOfMotion, Factorization, Linearization, Scalar, State, System};
+use crate::{
+    EquationsOfMotion, Factorization, GeneralizedCoordinates, Linearization, Scalar, State,
+};
 
 /// A system that moves by Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6).
 ///
 /// `#[derive(Lagrangian)]` implements it; a model can also be written by hand against it. All
 /// methods are functions of the state alone, evaluate without allocating, and return what is not a
 /// number where the declaration has no value.
-pub trait Lagrangian<const N: usize, S: Scalar = f64>: System<N> {
+pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N> {
     /// What depends on the parameters alone; `()` for a model written by hand that prepares nothing.
     type Prepared: Clone + core::fmt::Debug;
 

@@ -26,7 +26,7 @@
 //!
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
 //! - [`trait@Lagrangian`] is what a model can do: mass matrix, forcing, accelerations, momenta, energy,
-//!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`], [`Energies`] and [`Functions`] stand
+//!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`], [`Energies`] and [`ExternalFunctions`] stand
 //!   beside it. A [`Plant`] is controlled by a law, with or without states of its own.
 //! - [`Dynamics`] is what an [`Integrator`] steps; [`trait@Lagrangian`] enters by its `dynamics`.
 //! - [`Scalar`] is what all of it is generic over: `f64`, `f32`, [`Lanes`], [`DoubleDouble`], and dual
@@ -43,7 +43,7 @@ mod lanes;
 mod sine_cosine;
 mod into_vector;
 mod state;
-mod system;
+mod generalized_coordinates;
 mod lagrangian;
 mod linearization;
 mod inputs;
@@ -72,7 +72,7 @@ mod runge_kutta;
 mod dormand_prince;
 mod driver;
 mod run;
-mod condition;
+mod stop_condition;
 mod observer;
 #[cfg(feature = "alloc")]
 mod trajectory;
@@ -86,17 +86,17 @@ pub mod prelude;
 pub mod __private;
 
 pub use augmented_phase::AugmentedPhase;
-pub use condition::{AtZero, Condition, Crossing, Met, When};
 pub use controlled_by::ControlledBy;
 pub use derivative_check::check_derivatives;
-pub use derivative_error::{Arguments, DerivativeError};
+pub use derivative_error::{ArgumentValues, DerivativeError};
 pub use dormand_prince::{Dop853, Dop853Stepper};
-pub use driver::{Driver, Ending, Reason, Unconditional, Unobserved};
-pub use dynamics::{Component, Dynamics};
+pub use driver::{Driver, Outcome, StopReason};
+pub use dynamics::{ComponentName, Dynamics};
 pub use equations_of_motion::EquationsOfMotion;
 pub use error::IntegrationError;
 pub use factorization::Factorization;
-pub use functions::{Functions, Signature};
+pub use functions::{ExternalFunctions, FunctionSignature};
+pub use generalized_coordinates::GeneralizedCoordinates;
 pub use inputs::{Inputs, WithInputs};
 pub use integrator::{Integrator, Statistics, Stepper};
 pub use into_vector::IntoVector;
@@ -106,18 +106,20 @@ pub use lagrangian_derive::Lagrangian;
 pub use linearization::Linearization;
 pub use nalgebra;
 pub use num_traits;
-pub use observer::{Observer, Occasion, Progress};
+pub use observer::{ObservationKind, Observer, Progress, Unobserved};
 pub use operations::{OperationCount, Operations};
 pub use outputs::{Outputs, OutputsWith};
 pub use phase::Phase;
 pub use plant::Plant;
 pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
-pub use sample::{Initial, Sample};
+pub use sample::{InitialValue, Sample};
 pub use scalar::{DoubleDouble, Lanes, Scalar};
 pub use singularity::Singularity;
 pub use state::State;
-pub use system::System;
+pub use stop_condition::{
+    Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
+};
 #[cfg(feature = "alloc")]
-pub use trajectory::{Interrupted, Trajectory};
+pub use trajectory::{PartialTrajectory, Trajectory};
 pub use vector_space::VectorSpace;
 pub use with_controller::WithController;

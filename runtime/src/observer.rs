@@ -2,7 +2,7 @@
 
 use core::ops::ControlFlow;
 
-use crate::{Statistics, driver::Unobserved};
+use crate::Statistics;
 
 /// What a [`Driver`](crate::Driver) shows every sample and the end of every step: a closure that
 /// takes a [`Progress`], or a type of one's own.
@@ -17,6 +17,10 @@ impl<X, F: FnMut(&Progress<'_, X>) -> ControlFlow<()>> Observer<X> for F {
     }
 }
 
+/// No observer.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unobserved;
+
 impl<X> Observer<X> for Unobserved {
     #[inline]
     fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
@@ -26,7 +30,7 @@ impl<X> Observer<X> for Unobserved {
 
 /// What there is to see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Occasion {
+pub enum ObservationKind {
     /// One of the times asked for. The samples within a step are shown before its end is.
     Sample,
     /// The end of a step.
@@ -37,7 +41,7 @@ pub enum Occasion {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress<'a, X> {
     /// What there is to see.
-    pub occasion: Occasion,
+    pub kind: ObservationKind,
     /// The time.
     pub t: f64,
     /// The state at that time.

@@ -4,12 +4,13 @@
 //! matrices in which they speak.
 
 pub use crate::{
-    AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Ending, Energies, Functions,
-    Inputs, IntegrationError, Integrator, Lagrangian, Linearization, Observer, Occasion, Outputs,
-    OutputsWith, Phase, Plant, Progress, Reason, RungeKutta, Sample, Scalar, State, Statistics,
-    Stepper, System, VectorSpace, WithController, WithInputs,
+    AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, ExternalFunctions,
+    GeneralizedCoordinates, Inputs, IntegrationError, Integrator, Lagrangian, Linearization,
+    ObservationKind, Observer, Outcome, Outputs, OutputsWith, Phase, Plant, Progress, RungeKutta,
+    Sample, Scalar, State, Statistics, Stepper, StopReason, VectorSpace, WithController,
+    WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 #[cfg(feature = "alloc")]
-pub use crate::{Interrupted, Trajectory};
+pub use crate::{PartialTrajectory, Trajectory};

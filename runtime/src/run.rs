@@ -3,8 +3,8 @@
 use core::{marker::PhantomData, ops::ControlFlow};
 
 use crate::{
-    Condition, Dynamics, Ending, IntegrationError, Met, Observer, Occasion, Progress, Reason,
-    Sample, Scalar, Stepper,
+    Dynamics, IntegrationError, MetConditions, ObservationKind, Observer, Outcome, Progress,
+    Sample, Scalar, Stepper, StopCondition, StopReason,
 };
 
 /// Times are told apart with certainty if they differ by so many machine epsilons of them and of the step.
@@ -21,15 +21,15 @@ pub(crate) struct Run<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
     pub(crate) end: f64,
     /// The sample times that have not been visited.
     pub(crate) waiting: &'a [f64],
-    pub(crate) least_pivot: f64,
-    pub(crate) maximal_steps: u64,
+    pub(crate) min_pivot: f64,
+    pub(crate) max_steps: u64,
     pub(crate) condition: &'a mut C,
     /// Within the first step, until when the condition's value has been looked at.
     pub(crate) departure: Option<f64>,
     pub(crate) observer: &'a mut O,
     pub(crate) collect: &'a mut dyn FnMut(&Sample<D::State>),
     /// Kept up to date, so that it is right however the run ends.
-    pub(crate) ending: &'a mut Ending<D::State>,
+    pub(crate) outcome: &'a mut Outcome<D::State>,
     pub(crate) scalar: PhantomData<S>,
 }
 
@@ -38,18 +38,18 @@ where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     T: Stepper<S, D::State>,
-    C: Condition<D::State>,
+    C: StopCondition<D::State>,
     O: Observer<D::State>,
 {
-    /// Goes on until there is a reason to end, which is in `ending` afterwards.
+    /// Goes on until there is a reason to end, which is in `outcome` afterwards.
     pub(crate) fn complete(&mut self) -> Result<(), IntegrationError> {
-        self.ending.statistics = self.stepper.statistics();
+        self.outcome.statistics = self.stepper.statistics();
         let mut value = self.condition.value(self.start, self.stepper.state());
         let mut reason = self.samples_until(self.start).err();
         let met = self.condition.met(value, value);
         if reason.is_none() && met.any() {
-            self.ending.met = met;
-            reason = Some(Reason::Condition);
+            self.outcome.met = met;
+            reason = Some(StopReason::Condition);
         }
         let mut departing = C::LOCATED;
         while reason.is_none() && self.stepper.time() - self.end != 0.0 {
@@ -63,24 +63,28 @@ where
             reason = visited.and_then(|()| self.visit_step(&mut value)).err();
             self.departure = None;
         }
-        self.ending.statistics = self.stepper.statistics();
-        self.ending.reason = reason.unwrap_or(Reason::Completed);
+        self.outcome.statistics = self.stepper.statistics();
+        self.outcome.reason = reason.unwrap_or(StopReason::Completed);
         Ok(())
     }
 
     /// Takes one step.
     fn step(&mut self) -> Result<(), IntegrationError> {
         let statistics = self.stepper.statistics();
-        if statistics.steps.saturating_add(statistics.rejected) >= self.maximal_steps {
+        if statistics.steps.saturating_add(statistics.rejected) >= self.max_steps {
             return Err(IntegrationError::TooManySteps {
                 time: self.stepper.time(),
-                limit: self.maximal_steps,
+                limit: self.max_steps,
             });
         }
-        let next = if T::DENSE { None } else { self.waiting.first() };
+        let next = if T::DENSE_OUTPUT {
+            None
+        } else {
+            self.waiting.first()
+        };
         let target = next.copied().unwrap_or(self.end);
         let result = self.stepper.step(self.dynamics, target);
-        self.ending.statistics = self.stepper.statistics();
+        self.outcome.statistics = self.stepper.statistics();
         result
     }
 
@@ -88,7 +92,7 @@ where
     /// visited.
     fn check_regular(&mut self) -> Result<(), IntegrationError> {
         let (t, x) = (self.stepper.time(), self.stepper.state());
-        let result = check_singularity(self.dynamics, t, x, self.least_pivot);
+        let result = check_singularity(self.dynamics, t, x, self.min_pivot);
         if result.is_err() {
             let before = if self.end >= self.start {
                 t.next_down()
@@ -106,7 +110,7 @@ where
     ///
     /// K. L. Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180 (1980);
     /// the instant is that of A. C. Hindmarsh et al., SUNDIALS, ACM TOMS **31** (2005) 363–396.
-    fn depart(&mut self, value: &mut C::Value) -> Result<(), Reason> {
+    fn depart(&mut self, value: &mut C::Value) -> Result<(), StopReason> {
         let instant = self.after(self.start);
         if instant - self.stepper.time() == 0.0 {
             return Ok(());
@@ -124,7 +128,7 @@ where
     /// Looks on, at times four times as far from the start each, until the condition's value has left zero: what
     /// is small beside numbers in it, such as a height above a floor that is not at 0, is rounded to zero for a
     /// while, and a flight that ends within the first step is not to be missed.
-    fn leave(&mut self, instant: f64, value: &mut C::Value) -> Result<(), Reason> {
+    fn leave(&mut self, instant: f64, value: &mut C::Value) -> Result<(), StopReason> {
         let (end, mut distance) = (self.stepper.time(), instant - self.start);
         while !C::has_signs(*value) {
             distance *= FARTHER;
@@ -158,7 +162,7 @@ where
     }
 
     /// Samples, condition and observer for the step just taken; the reason to end, if there is one.
-    fn visit_step(&mut self, value: &mut C::Value) -> Result<(), Reason> {
+    fn visit_step(&mut self, value: &mut C::Value) -> Result<(), StopReason> {
         let there = Sample {
             t: self.stepper.time(),
             x: self.stepper.state().clone(),
@@ -170,41 +174,46 @@ where
         }
         *value = self.condition.remembered(*value, after);
         self.samples_until(there.t)?;
-        self.ending.last = there;
-        self.show(Occasion::Step)?;
+        self.outcome.last = there;
+        self.show(ObservationKind::Step)?;
         if met.any() {
-            self.ending.met = met;
-            return Err(Reason::Condition);
+            self.outcome.met = met;
+            return Err(StopReason::Condition);
         }
         Ok(())
     }
 
     /// Stops where the condition, whose value was `before` at some time in the last step, is first met; at the
     /// latest `there`.
-    fn stop(&mut self, before: C::Value, there: Sample<D::State>, met: Met) -> Result<(), Reason> {
+    fn stop(
+        &mut self,
+        before: C::Value,
+        there: Sample<D::State>,
+        met: MetConditions,
+    ) -> Result<(), StopReason> {
         let (stop, met) = self.locate(before, there, met);
         // What is met at the same time, as far as time tells, is met together.
         let instant = self.after(stop.t);
         let next = self.at(instant);
         let value = self.condition.value(instant, &next.x);
         self.samples_until(stop.t)?;
-        self.ending.last = stop;
-        self.show(Occasion::Step)?;
-        self.ending.met = met.or(self.condition.met(before, value));
-        Err(Reason::Condition)
+        self.outcome.last = stop;
+        self.show(ObservationKind::Step)?;
+        self.outcome.met = met.or(self.condition.met(before, value));
+        Err(StopReason::Condition)
     }
 
     /// Visits the sample times up to `t` within the last step.
-    fn samples_until(&mut self, t: f64) -> Result<(), Reason> {
+    fn samples_until(&mut self, t: f64) -> Result<(), StopReason> {
         let forwards = self.end >= self.start;
         while let Some((&time, rest)) = self.waiting.split_first() {
             if (forwards && time > t) || (!forwards && time < t) {
                 break;
             }
             self.waiting = rest;
-            self.ending.last = self.at(time);
-            (self.collect)(&self.ending.last);
-            self.show(Occasion::Sample)?;
+            self.outcome.last = self.at(time);
+            (self.collect)(&self.outcome.last);
+            self.show(ObservationKind::Sample)?;
         }
         Ok(())
     }
@@ -224,8 +233,8 @@ where
         &mut self,
         before: C::Value,
         mut there: Sample<D::State>,
-        mut met: Met,
-    ) -> (Sample<D::State>, Met) {
+        mut met: MetConditions,
+    ) -> (Sample<D::State>, MetConditions) {
         let departure = self.departure.take();
         let mut here = departure.unwrap_or_else(|| self.stepper.previous_time());
         // A step has fewer than 2⁶⁴ numbers between its ends unless one of them is near zero.
@@ -246,18 +255,18 @@ where
         (there, met)
     }
 
-    fn show(&mut self, occasion: Occasion) -> Result<(), Reason> {
+    fn show(&mut self, kind: ObservationKind) -> Result<(), StopReason> {
         let progress = Progress {
-            occasion,
-            t: self.ending.last.t,
-            x: &self.ending.last.x,
+            kind,
+            t: self.outcome.last.t,
+            x: &self.outcome.last.x,
             start: self.start,
             end: self.end,
             statistics: self.stepper.statistics(),
         };
         match self.observer.observe(&progress) {
             ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Reason::Observer),
+            ControlFlow::Break(()) => Err(StopReason::Observer),
         }
     }
 }
@@ -267,16 +276,16 @@ pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,
     x: &D::State,
-    least_pivot: f64,
+    min_pivot: f64,
 ) -> Result<(), IntegrationError> {
-    if least_pivot <= 0.0 {
+    if min_pivot <= 0.0 {
         return Ok(());
     }
-    match dynamics.singularity(S::from_f64(t), x, least_pivot) {
+    match dynamics.singularity(S::from_f64(t), x, min_pivot) {
         None => Ok(()),
         Some(singularity) => Err(IntegrationError::SingularConfiguration {
             time: t,
-            estimated_loss: S::machine_epsilon() / singularity.relative_pivot(),
+            estimated_error: S::machine_epsilon() / singularity.relative_pivot(),
             singularity,
         }),
     }

@@ -164,7 +164,7 @@ impl<const STAGES: usize> Integrator for RungeKutta<STAGES> {
         })
     }
 
-    fn allowed_loss(&self) -> f64 {
+    fn singularity_tolerance(&self) -> f64 {
         1e-6
     }
 }
@@ -196,7 +196,7 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
 impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
     for RungeKuttaStepper<X, STAGES>
 {
-    const DENSE: bool = false;
+    const DENSE_OUTPUT: bool = false;
 
     fn time(&self) -> f64 {
         self.clock.time()

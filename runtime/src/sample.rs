@@ -42,36 +42,36 @@ impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {
             velocities, and under `with_controller` at that beside the states of the controller, `(state, [0.0])`; \
             other dynamics begin at a pair `(t, x)`"
 )]
-pub trait Initial<X> {
+pub trait InitialValue<X> {
     /// The time and the state.
     fn into_sample(self) -> Sample<X>;
 }
 
-impl<X> Initial<X> for Sample<X> {
+impl<X> InitialValue<X> for Sample<X> {
     fn into_sample(self) -> Self {
         self
     }
 }
 
-impl<X: Clone> Initial<X> for &Sample<X> {
+impl<X: Clone> InitialValue<X> for &Sample<X> {
     fn into_sample(self) -> Sample<X> {
         self.clone()
     }
 }
 
-impl<X> Initial<X> for (f64, X) {
+impl<X> InitialValue<X> for (f64, X) {
     fn into_sample(self) -> Sample<X> {
         self.into()
     }
 }
 
-impl<S: Scalar, const N: usize> Initial<Phase<S, N>> for State<S, N> {
+impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for State<S, N> {
     fn into_sample(self) -> Sample<Phase<S, N>> {
         self.into()
     }
 }
 
-impl<S: Scalar, const N: usize> Initial<Phase<S, N>> for &State<S, N> {
+impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for &State<S, N> {
     fn into_sample(self) -> Sample<Phase<S, N>> {
         self.into()
     }

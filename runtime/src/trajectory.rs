@@ -4,15 +4,15 @@ use alloc::{boxed::Box, vec::Vec};
 use core::fmt;
 
 use crate::{
-    AugmentedPhase, Condition, Driver, Dynamics, Ending, Initial, IntegrationError, Integrator,
-    Met, Observer, Phase, Reason, Sample, Scalar, State, Statistics,
+    AugmentedPhase, Driver, Dynamics, InitialValue, IntegrationError, Integrator, MetConditions,
+    Observer, Outcome, Phase, Sample, Scalar, State, Statistics, StopCondition, StopReason,
 };
 
 /// The samples of a motion, in the order of the times that were asked for, and how it ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory<X> {
     samples: Vec<Sample<X>>,
-    ending: Ending<X>,
+    outcome: Outcome<X>,
 }
 
 impl<X> Trajectory<X> {
@@ -44,25 +44,25 @@ impl<X> Trajectory<X> {
     /// stopped the motion before the end.
     #[must_use]
     pub fn last(&self) -> &Sample<X> {
-        &self.ending.last
+        &self.outcome.last
     }
 
     /// Why the motion ended.
     #[must_use]
-    pub fn reason(&self) -> Reason {
-        self.ending.reason
+    pub fn reason(&self) -> StopReason {
+        self.outcome.reason
     }
 
     /// Which conditions to stop on were met at its end.
     #[must_use]
-    pub fn met(&self) -> Met {
-        self.ending.met
+    pub fn met(&self) -> MetConditions {
+        self.outcome.met
     }
 
     /// What it has cost.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
-        self.ending.statistics
+        self.outcome.statistics
     }
 }
 
@@ -85,12 +85,12 @@ impl<S: Scalar, const N: usize, const K: usize> Trajectory<AugmentedPhase<S, N, 
 
 /// An error that stopped a motion, with the samples up to then.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Interrupted<X> {
+pub struct PartialTrajectory<X> {
     // One pointer, so that a result is not large because of its error.
     parts: Box<(IntegrationError, Trajectory<X>)>,
 }
 
-impl<X> Interrupted<X> {
+impl<X> PartialTrajectory<X> {
     /// What stopped it.
     #[must_use]
     pub fn error(&self) -> IntegrationError {
@@ -110,7 +110,7 @@ impl<X> Interrupted<X> {
     }
 }
 
-impl<X> fmt::Display for Interrupted<X> {
+impl<X> fmt::Display for PartialTrajectory<X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory().len();
         let plural = if samples == 1 { "" } else { "s" };
@@ -118,11 +118,11 @@ impl<X> fmt::Display for Interrupted<X> {
     }
 }
 
-impl<X: fmt::Debug> core::error::Error for Interrupted<X> {}
+impl<X: fmt::Debug> core::error::Error for PartialTrajectory<X> {}
 
-impl<X> From<Interrupted<X>> for IntegrationError {
-    fn from(interrupted: Interrupted<X>) -> Self {
-        interrupted.error()
+impl<X> From<PartialTrajectory<X>> for IntegrationError {
+    fn from(partial: PartialTrajectory<X>) -> Self {
+        partial.error()
     }
 }
 
@@ -136,21 +136,21 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
         mut self,
         dynamics: &D,
-        initial: impl Initial<D::State>,
+        initial: impl InitialValue<D::State>,
         times: &[f64],
-    ) -> Result<Trajectory<D::State>, Interrupted<D::State>>
+    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
     where
         I: Integrator,
-        C: Condition<D::State>,
+        C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
         let mut samples = Vec::with_capacity(times.len());
         let mut collect = |sample: &Sample<D::State>| samples.push(sample.clone());
-        let (ending, result) = self.run(dynamics, &initial.into_sample(), times, &mut collect);
-        let trajectory = Trajectory { samples, ending };
+        let (outcome, result) = self.run(dynamics, &initial.into_sample(), times, &mut collect);
+        let trajectory = Trajectory { samples, outcome };
         match result {
             Ok(()) => Ok(trajectory),
-            Err(error) => Err(Interrupted {
+            Err(error) => Err(PartialTrajectory {
                 parts: Box::new((error, trajectory)),
             }),
         }

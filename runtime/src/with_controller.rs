@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use crate::equations_of_motion::{component, magnitude, singularity, vanishing_inertia};
+use crate::equations_of_motion::{component_name, error_scale, singularity, vanishing_inertia};
 use crate::{
-    AugmentedPhase, Component, Dynamics, Inputs, IntoVector, Phase, Scalar, Singularity, State,
+    AugmentedPhase, ComponentName, Dynamics, Inputs, IntoVector, Phase, Scalar, Singularity, State,
 };
 
 /// A system under the dynamic feedback (u, ż) = law(t, q, q̇, z) of a controller with `K` states z; made by
@@ -82,25 +82,25 @@ where
     }
 
     #[inline]
-    fn magnitude(&self, x: &Self::State) -> Self::State {
-        let Phase { q, v } = magnitude::<M, S, N>(&x.phase());
+    fn error_scale(&self, x: &Self::State) -> Self::State {
+        let Phase { q, v } = error_scale::<M, S, N>(&x.phase());
         let controller = x.controller.map(Scalar::abs);
         AugmentedPhase { q, v, controller }
     }
 
     #[inline]
-    fn singularity(&self, t: S, x: &Self::State, least_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), least_pivot)
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), min_pivot)
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         vanishing_inertia(self.model, &x.at(t))
     }
 
-    fn component(&self, index: usize) -> Component {
+    fn component_name(&self, index: usize) -> ComponentName {
         match index.checked_sub(2 * N) {
-            Some(own) => Component::Controller(own),
-            None => component::<M, N>(index),
+            Some(own) => ComponentName::Controller(own),
+            None => component_name::<M, N>(index),
         }
     }
 }

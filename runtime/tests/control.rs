@@ -16,7 +16,7 @@ struct Spring {
     force: f64,
 }
 
-impl System<1> for Spring {
+impl GeneralizedCoordinates<1> for Spring {
     const COORDINATES: [&'static str; 1] = ["x"];
 }
 
@@ -141,7 +141,7 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
     let controlled = SPRING.controlled_by(law);
     let driver = RungeKutta::classical(0.1).driver();
     let statistics = driver
-        .integrate_to(&controlled, initial(), 1.0)
+        .run_until(&controlled, initial(), 1.0)
         .unwrap()
         .statistics;
     assert_eq!(statistics.steps, 10);
@@ -150,7 +150,7 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
     calls.set(0);
     let driver = Dop853::new().driver();
     let statistics = driver
-        .integrate_to(&controlled, initial(), 1.0)
+        .run_until(&controlled, initial(), 1.0)
         .unwrap()
         .statistics;
     assert_eq!(calls.get(), statistics.evaluations);

@@ -4,7 +4,7 @@ mod common;
 
 use common::assert_close;
 use lagrangian::prelude::*;
-use lagrangian::{Component, Interrupted};
+use lagrangian::{ComponentName, PartialTrajectory};
 use nalgebra::Matrix4;
 
 /// A mass on a spring: m ẍ = force − k x.
@@ -148,25 +148,25 @@ fn a_controllers_states_are_named_in_errors() {
         error.to_string(),
         "state 1 of the controller is NaN at t = 0"
     );
-    let interrupted: Interrupted<_> = precise()
+    let interrupted: PartialTrajectory<_> = precise()
         .sample(&controlled, (rest(), [0.0, -1.0]), &[1.0])
         .unwrap_err();
     let IntegrationError::NonFiniteDerivative { component, .. } = interrupted.error() else {
         panic!("{interrupted}");
     };
-    assert_eq!(component, Component::Controller(1));
+    assert_eq!(component, ComponentName::Controller(1));
 }
 
 #[test]
 fn a_condition_may_look_at_the_controllers_states() -> Result<(), IntegrationError> {
     // A clock.
     let controlled = SPRING.with_controller(|_, _| (1.0, 1.0));
-    let ending = precise()
+    let outcome = precise()
         .driver()
         .stop_at_zero(|_, x: &AugmentedPhase<f64, 1, 1>| x.controller[0] - 0.75)
-        .integrate_to(&controlled, (rest(), [0.0]), 10.0)?;
-    assert_eq!(ending.reason, Reason::Condition);
-    assert_close(ending.last.t, 0.75, 1e-12);
+        .run_until(&controlled, (rest(), [0.0]), 10.0)?;
+    assert_eq!(outcome.reason, StopReason::Condition);
+    assert_close(outcome.last.t, 0.75, 1e-12);
     Ok(())
 }
 

@@ -33,12 +33,12 @@ fn bounces<I: Integrator + Clone>(
     let mut state = State::new(0.0, [10.0], [0.0]);
     let mut times = Vec::new();
     while times.len() < count {
-        let driver = method.driver().maximal_steps(100_000);
+        let driver = method.driver().max_steps(100_000);
         let driver = driver.stop_at_crossing(crossing, |_, x: &Phase<f64, 1>| x.q[0]);
-        let ending = driver.integrate_to(&BALL.dynamics(), state, 1e3).unwrap();
-        assert_eq!(ending.reason, Reason::Condition, "after {times:?}");
-        assert!(ending.met.contains(0) && !ending.met.contains(1));
-        state = ending.last.state();
+        let outcome = driver.run_until(&BALL.dynamics(), state, 1e3).unwrap();
+        assert_eq!(outcome.reason, StopReason::Condition, "after {times:?}");
+        assert!(outcome.met.contains(0) && !outcome.met.contains(1));
+        state = outcome.last.state();
         assert!(state.v[0] < 0.0, "{state:?} after {} bounces", times.len());
         times.push(state.t);
         state.v[0] *= -restitution;
@@ -79,9 +79,9 @@ fn a_ball_bounces_on_a_floor_at_any_height() {
             let driver = Dop853::new().driver();
             let above = |_, x: &Phase<f64, 1>| x.q[0] - floor;
             let driver = driver.stop_at_crossing(Crossing::Falling, above);
-            let ending = driver.integrate_to(&BALL.dynamics(), state, 1e3).unwrap();
-            assert_eq!(ending.reason, Reason::Condition, "{floor}, {bounce}");
-            state = ending.last.state();
+            let outcome = driver.run_until(&BALL.dynamics(), state, 1e3).unwrap();
+            assert_eq!(outcome.reason, StopReason::Condition, "{floor}, {bounce}");
+            state = outcome.last.state();
             // The floor is met to the rounding of heights: an error in time of that over the velocity.
             let velocity = 0.5 * BALL.g * flight;
             let rounding = 8.0 * f64::EPSILON * (floor.abs() + 1.0) / velocity;
@@ -108,7 +108,7 @@ fn a_motion_that_goes_on_unchanged_finds_each_zero_once() {
         for i in 0..40 {
             let driver = method.driver();
             let driver = driver.stop_at_crossing(crossing, |_, x: &SVector<f64, 2>| x[0]);
-            sample = driver.integrate_to(&Oscillator, sample, 1e3).unwrap().last;
+            sample = driver.run_until(&Oscillator, sample, 1e3).unwrap().last;
             assert_close(sample.t, first + f64::from(i) * period, 1e-8);
         }
     }
@@ -122,13 +122,13 @@ fn a_start_on_a_zero_may_be_left_to_either_side() {
             let start = (0.0, SVector::from([0.0, velocity]));
             let driver = Dop853::new().driver();
             let driver = driver.stop_at_crossing(crossing, |_, x: &SVector<f64, 2>| x[0]);
-            let ending = driver.integrate_to(&Oscillator, start, end).unwrap();
+            let outcome = driver.run_until(&Oscillator, start, end).unwrap();
             // Positive first where velocity and direction of time have the same sign.
             let next = match (crossing, velocity * end > 0.0) {
                 (Crossing::Rising, true) | (Crossing::Falling, false) => 2.0 * PI,
                 _ => PI,
             };
-            assert_close(ending.last.t, next.copysign(end), 1e-8);
+            assert_close(outcome.last.t, next.copysign(end), 1e-8);
         }
     }
 }
@@ -138,9 +138,9 @@ fn zero(crossing: Crossing, begin: f64, function: fn(f64) -> f64) -> Option<f64>
     let advancing = equation::<1, _>(|_, _| SVector::from([1.0]));
     let driver = RungeKutta::classical(0.25).driver();
     let driver = driver.stop_at_crossing(crossing, |t, _: &SVector<f64, 1>| function(t));
-    let ending = driver.integrate_to(&advancing, (begin, SVector::from([begin])), 4.0);
-    let ending = ending.unwrap();
-    (ending.reason == Reason::Condition).then_some(ending.last.t)
+    let outcome = driver.run_until(&advancing, (begin, SVector::from([begin])), 4.0);
+    let outcome = outcome.unwrap();
+    (outcome.reason == StopReason::Condition).then_some(outcome.last.t)
 }
 
 #[test]
@@ -192,10 +192,10 @@ fn a_zero_without_change_of_sign_is_none() {
     // Two zeros within a step are seen by shorter steps.
     let close = |_, x: &SVector<f64, 2>| x[0] - 0.999;
     let start = (-1.0, SVector::from([1.0_f64.cos(), 1.0_f64.sin()]));
-    let method = Dop853::new().maximal_step(0.02);
+    let method = Dop853::new().max_step(0.02);
     let driver = method.driver().stop_at_crossing(Crossing::Rising, close);
-    let ending = driver.integrate_to(&Oscillator, start, 1.0).unwrap();
-    assert_close(ending.last.t, -0.999_f64.acos(), 1e-8);
+    let outcome = driver.run_until(&Oscillator, start, 1.0).unwrap();
+    assert_close(outcome.last.t, -0.999_f64.acos(), 1e-8);
 }
 
 #[test]
@@ -254,10 +254,10 @@ fn of_several_conditions_the_one_that_is_met_is_told() {
             .stop_at_crossing([Crossing::Falling; 2], |_, x: &SVector<f64, 2>| {
                 [x[0], 1.0 - x[0]]
             });
-        let ending = driver.integrate_to(&free, sample, 1e3).unwrap();
-        let met = [0, 1].map(|i| ending.met.contains(i));
+        let outcome = driver.run_until(&free, sample, 1e3).unwrap();
+        let met = [0, 1].map(|i| outcome.met.contains(i));
         assert_eq!(met, [bounce % 2 == 1, bounce % 2 == 0]);
-        sample = ending.last;
+        sample = outcome.last;
         assert_close(sample.t, 0.75 + f64::from(bounce), 1e-12);
         sample.x[1] = -sample.x[1];
     }
@@ -272,15 +272,15 @@ fn conditions_that_are_met_together_are_told_together() {
         let function = |_, x: &SVector<f64, 2>| [x[0], x[1]];
         let driver = Dop853::new().driver();
         let driver = driver.stop_at_crossing([Crossing::Falling; 2], function);
-        let ending = driver.integrate_to(&free, start, 10.0).unwrap();
-        assert!(ending.met.any() && ending.met.contains(0));
-        assert_eq!(ending.met.contains(1), together);
+        let outcome = driver.run_until(&free, start, 10.0).unwrap();
+        assert!(outcome.met.any() && outcome.met.contains(0));
+        assert_eq!(outcome.met.contains(1), together);
         if !together {
             let driver = Dop853::new().driver();
             let driver = driver.stop_at_crossing([Crossing::Falling; 2], function);
-            let ending = driver.integrate_to(&free, ending.last, 10.0).unwrap();
-            assert!(ending.met.contains(1) && !ending.met.contains(0));
-            assert_close(ending.last.t, 2.0 + apart, 1e-12);
+            let outcome = driver.run_until(&free, outcome.last, 10.0).unwrap();
+            assert!(outcome.met.contains(1) && !outcome.met.contains(0));
+            assert_close(outcome.last.t, 2.0 + apart, 1e-12);
         }
     }
 }
@@ -289,10 +289,13 @@ fn conditions_that_are_met_together_are_told_together() {
 #[test]
 fn a_zero_right_after_the_start_is_none_that_was_left() {
     let falling = equation::<1, _>(|_, _| SVector::from([-1.0]));
-    for (begin, expected) in [(1e-16, Reason::Condition), (-1e-16, Reason::Completed)] {
+    for (begin, expected) in [
+        (1e-16, StopReason::Condition),
+        (-1e-16, StopReason::Completed),
+    ] {
         let driver = Dop853::new().driver();
         let driver = driver.stop_at_crossing(Crossing::Falling, |_, x: &SVector<f64, 1>| x[0]);
-        let ending = driver.integrate_to(&falling, (1.0, SVector::from([begin])), 2.0);
-        assert_eq!(ending.unwrap().reason, expected);
+        let outcome = driver.run_until(&falling, (1.0, SVector::from([begin])), 2.0);
+        assert_eq!(outcome.unwrap().reason, expected);
     }
 }

@@ -3,7 +3,7 @@
 
 use core::ops::RangeInclusive;
 
-use lagrangian::{DerivativeError, Functions, Signature, check_derivatives};
+use lagrangian::{DerivativeError, ExternalFunctions, FunctionSignature, check_derivatives};
 
 type Function = fn(f64) -> f64;
 
@@ -207,19 +207,19 @@ struct Slider {
     factor: f64,
 }
 
-impl Functions for Slider {
+impl ExternalFunctions for Slider {
     type Scalar = f32;
 
-    const FUNCTIONS: &'static [Signature] = &[
-        Signature {
+    const FUNCTIONS: &'static [FunctionSignature] = &[
+        FunctionSignature {
             name: "friction",
             arguments: &["v"],
         },
-        Signature {
+        FunctionSignature {
             name: "slope",
             arguments: &["v"],
         },
-        Signature {
+        FunctionSignature {
             name: "wear",
             arguments: &["v", "load"],
         },

@@ -30,7 +30,7 @@ fn the_symmetric_top_conserves_energy_and_momenta() {
     let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.1).collect();
     let trajectory = tight().sample(&TOP.dynamics(), initial, &times).unwrap();
     assert_eq!(trajectory.len(), 101);
-    assert_eq!(trajectory.reason(), Reason::Completed);
+    assert_eq!(trajectory.reason(), StopReason::Completed);
     let steps = f64::from(u32::try_from(trajectory.statistics().steps).unwrap());
     let momenta = TOP.momenta(&initial);
     for state in trajectory.states() {
@@ -108,10 +108,10 @@ fn samples_are_taken_backwards_too() {
 fn the_size_of_an_angle_does_not_change_the_steps() {
     let run = |psi| {
         let driver = tight().driver();
-        let ending = driver.integrate_to(&TOP.dynamics(), top_state(psi), 5.0);
-        let Ending {
+        let outcome = driver.run_until(&TOP.dynamics(), top_state(psi), 5.0);
+        let Outcome {
             last, statistics, ..
-        } = ending.unwrap();
+        } = outcome.unwrap();
         // φ and ψ are ignorable: no other component depends on them, to the last bit.
         (statistics, last.x.q[0], last.x.q[1], last.x.v)
     };
@@ -127,7 +127,7 @@ fn the_size_of_an_angle_does_not_change_the_steps() {
         let initial = (0.0, SVector::from([x, x]));
         method
             .driver()
-            .integrate_to(&shifted, initial, 20.0)
+            .run_until(&shifted, initial, 20.0)
             .unwrap()
             .statistics
             .steps
@@ -155,14 +155,17 @@ fn a_condition_stops_at_the_end_of_a_step() {
     let trajectory = driver
         .sample(&Oscillator, start, &[0.5, 1.0, 100.0])
         .unwrap();
-    assert_eq!(trajectory.reason(), Reason::Condition);
+    assert_eq!(trajectory.reason(), StopReason::Condition);
     assert_eq!(trajectory.len(), 2);
     assert!(trajectory.last().t > 1.0 && trajectory.last().t < 10.0);
     assert_close(trajectory.last().x[0], trajectory.last().t.cos(), 1e-11);
 
     let driver = tight().driver().stop_when(|_, _: &SVector<f64, 2>| true);
-    let ending = driver.integrate_to(&Oscillator, start, 1.0).unwrap();
-    assert_eq!((ending.reason, ending.last.t), (Reason::Condition, 0.0));
+    let outcome = driver.run_until(&Oscillator, start, 1.0).unwrap();
+    assert_eq!(
+        (outcome.reason, outcome.last.t),
+        (StopReason::Condition, 0.0)
+    );
 }
 
 #[test]
@@ -171,9 +174,9 @@ fn a_zero_is_located_within_a_step() {
     let start = (0.0, SVector::from([1.0, 0.0]));
     let height = |_, x: &SVector<f64, 2>| x[0];
     let driver = tight().driver().stop_at_zero(height);
-    let ending = driver.integrate_to(&Oscillator, start, 10.0).unwrap();
-    assert_eq!(ending.reason, Reason::Condition);
-    assert_close(ending.last.t, quarter, 1e-11);
+    let outcome = driver.run_until(&Oscillator, start, 10.0).unwrap();
+    assert_eq!(outcome.reason, StopReason::Condition);
+    assert_close(outcome.last.t, quarter, 1e-11);
 
     let driver = RungeKutta::classical(0.01).driver().stop_at_zero(height);
     let trajectory = driver
@@ -186,16 +189,16 @@ fn a_zero_is_located_within_a_step() {
     // Backwards, and from a start at zero, which does not count.
     let driver = tight().driver().stop_at_zero(height);
     let begin = (quarter, SVector::from([0.0, -1.0]));
-    let ending = driver.integrate_to(&Oscillator, begin, -10.0).unwrap();
-    assert_close(ending.last.t, -quarter, 1e-11);
+    let outcome = driver.run_until(&Oscillator, begin, -10.0).unwrap();
+    assert_close(outcome.last.t, -quarter, 1e-11);
 }
 
 #[test]
 fn an_observer_sees_samples_and_steps_in_order_and_can_stop() {
     let start = (0.0, SVector::from([1.0, 0.0]));
-    let mut seen: Vec<(f64, f64, Occasion)> = Vec::new();
+    let mut seen: Vec<(f64, f64, ObservationKind)> = Vec::new();
     let observer = |progress: &Progress<'_, SVector<f64, 2>>| {
-        seen.push((progress.t, progress.fraction(), progress.occasion));
+        seen.push((progress.t, progress.fraction(), progress.kind));
         if progress.t < 4.0 {
             ControlFlow::Continue(())
         } else {
@@ -204,18 +207,18 @@ fn an_observer_sees_samples_and_steps_in_order_and_can_stop() {
     };
     let times = [0.0, 1.0, 1.1, 5.0, 10.0];
     let driver = tight().driver().observe(observer);
-    let ending = driver.visit(&Oscillator, start, &times).unwrap();
-    assert_eq!(ending.reason, Reason::Observer);
-    assert!(ending.last.t >= 4.0 && ending.last.t <= 5.0);
+    let outcome = driver.run_through(&Oscillator, start, &times).unwrap();
+    assert_eq!(outcome.reason, StopReason::Observer);
+    assert!(outcome.last.t >= 4.0 && outcome.last.t <= 5.0);
     assert!(seen.is_sorted_by(|a, b| a.0 <= b.0));
     let samples: Vec<f64> = seen
         .iter()
-        .filter(|(.., occasion)| *occasion == Occasion::Sample)
+        .filter(|(.., kind)| *kind == ObservationKind::Sample)
         .map(|(t, ..)| *t)
         .collect();
     assert_eq!(samples, [0.0, 1.0, 1.1]);
     let steps = seen.len() - samples.len();
-    assert_eq!(steps as u64, ending.statistics.steps);
+    assert_eq!(steps as u64, outcome.statistics.steps);
     assert!(
         seen.iter()
             .all(|(t, fraction, _)| (fraction * 10.0 - t).abs() < 1e-12)
@@ -263,8 +266,8 @@ fn a_multiple_of_the_step_takes_that_many_steps() {
         let driver = RungeKutta::classical(0.1).driver();
         let end = f64::from(steps) / 10.0;
         let start = (0.0, SVector::from([1.0, 0.0]));
-        let ending = driver.integrate_to(&Oscillator, start, end).unwrap();
-        assert_eq!(ending.statistics.steps, u64::from(steps));
+        let outcome = driver.run_until(&Oscillator, start, end).unwrap();
+        assert_eq!(outcome.statistics.steps, u64::from(steps));
     }
 }
 
@@ -282,7 +285,7 @@ fn landing_often_does_not_shorten_the_steps() {
     }
     let straight = tight()
         .driver()
-        .integrate_to(&dynamics, top_state(0.0), 2.0)
+        .run_until(&dynamics, top_state(0.0), 2.0)
         .unwrap();
     assert!(stepper.statistics().steps <= straight.statistics.steps + 3);
 }

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Oscillator, SymmetricTop, assert_close, equation};
-use lagrangian::Component;
+use lagrangian::ComponentName;
 use lagrangian::prelude::*;
 use nalgebra::SVector;
 
@@ -41,7 +41,7 @@ fn an_initial_state_that_is_not_finite_is_named() {
     let IntegrationError::NonFiniteState { component, .. } = error else {
         panic!("{error}")
     };
-    assert_eq!(component, Component::Index(1));
+    assert_eq!(component, ComponentName::Index(1));
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn a_derivative_that_is_not_finite_is_an_error_at_once() {
         else {
             panic!("{error}")
         };
-        assert!(time == 0.0 && component == Component::Index(1) && value.is_nan());
+        assert!(time == 0.0 && component == ComponentName::Index(1) && value.is_nan());
     }
 }
 
@@ -118,7 +118,7 @@ fn steps_and_tolerances_are_checked() {
                 .integrate_to(&Oscillator, START, 1.0)
                 .unwrap_err(),
             Dop853::new()
-                .maximal_step(step)
+                .max_step(step)
                 .integrate_to(&Oscillator, START, 1.0)
                 .unwrap_err(),
             Dop853::new()
@@ -174,7 +174,7 @@ fn a_step_that_is_too_small_keeps_the_samples_before_it() {
         interrupted.to_string().ends_with("(after 3 samples)"),
         "{interrupted}"
     );
-    assert_eq!(interrupted.trajectory().reason(), Reason::Error);
+    assert_eq!(interrupted.trajectory().reason(), StopReason::Error);
     let trajectory = interrupted.into_trajectory();
     for sample in trajectory.samples() {
         assert_close(sample.x[0] * (1.0 - sample.t), 1.0, 1e-8);
@@ -208,7 +208,7 @@ fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
     else {
         panic!("{interrupted}")
     };
-    assert_eq!(component, Component::Index(1));
+    assert_eq!(component, ComponentName::Index(1));
     assert_close(time, 0.5, 1e-9);
     assert_eq!(interrupted.trajectory().len(), 1);
 }
@@ -222,8 +222,8 @@ fn a_regular_configuration_is_none_to_a_tight_tolerance() {
         .relative_tolerance(1e-15)
         .absolute_tolerance(1e-12);
     assert!(tight.integrate_to(&TOP.dynamics(), state, 0.01).is_ok());
-    let driver = tight.driver().allowed_loss(1e-15);
-    let error = driver.integrate_to(&TOP.dynamics(), state, 0.01);
+    let driver = tight.driver().singularity_tolerance(1e-15);
+    let error = driver.run_until(&TOP.dynamics(), state, 0.01);
     assert!(error.is_err(), "unless it is asked for");
     let single = State::new(0.0, [0.0, 0.1, 0.0], [1.0, 0.0, 2.0_f32]);
     let fixed = RungeKutta::classical(0.001);
@@ -232,11 +232,11 @@ fn a_regular_configuration_is_none_to_a_tight_tolerance() {
 
 #[test]
 fn the_allowed_loss_must_be_positive() {
-    for loss in [0.0, -1.0, f64::NAN] {
-        let driver = Dop853::new().driver().allowed_loss(loss);
-        let error = driver.integrate_to(&Oscillator, START, 1.0).unwrap_err();
+    for tolerance in [0.0, -1.0, f64::NAN] {
+        let driver = Dop853::new().driver().singularity_tolerance(tolerance);
+        let error = driver.run_until(&Oscillator, START, 1.0).unwrap_err();
         assert!(
-            matches!(error, IntegrationError::InvalidLoss { .. }),
+            matches!(error, IntegrationError::InvalidSingularityTolerance { .. }),
             "{error}"
         );
     }
@@ -257,13 +257,13 @@ fn the_number_of_steps_is_limited() {
     for error in [
         Dop853::new()
             .driver()
-            .maximal_steps(3)
-            .integrate_to(&Oscillator, START, 1e3)
+            .max_steps(3)
+            .run_until(&Oscillator, START, 1e3)
             .unwrap_err(),
         RungeKutta::classical(0.1)
             .driver()
-            .maximal_steps(3)
-            .integrate_to(&Oscillator, START, 1e3)
+            .max_steps(3)
+            .run_until(&Oscillator, START, 1e3)
             .unwrap_err(),
     ] {
         let IntegrationError::TooManySteps { limit, time } = error else {
@@ -271,10 +271,10 @@ fn the_number_of_steps_is_limited() {
         };
         assert!(limit == 3 && time > 0.0 && time < 1e3);
     }
-    let short = RungeKutta::classical(0.2).driver().maximal_steps(4);
-    assert!(short.integrate_to(&Oscillator, START, 1.0).is_err());
-    let enough = RungeKutta::classical(0.25).driver().maximal_steps(4);
-    assert!(enough.integrate_to(&Oscillator, START, 1.0).is_ok());
+    let short = RungeKutta::classical(0.2).driver().max_steps(4);
+    assert!(short.run_until(&Oscillator, START, 1.0).is_err());
+    let enough = RungeKutta::classical(0.25).driver().max_steps(4);
+    assert!(enough.run_until(&Oscillator, START, 1.0).is_ok());
 }
 
 #[test]
@@ -300,13 +300,13 @@ fn an_upright_top_is_a_singular_configuration() {
     ] {
         let IntegrationError::SingularConfiguration {
             time,
-            estimated_loss,
+            estimated_error,
             singularity,
         } = error
         else {
             panic!("{error}")
         };
-        assert!(time == 0.0 && estimated_loss > 0.1);
+        assert!(time == 0.0 && estimated_error > 0.1);
         let named: Vec<_> = singularity.coordinates().collect();
         assert_eq!(named, [("theta", 0.0)]);
         assert!(error.to_string().contains("theta = 0"), "{error}");
@@ -320,12 +320,12 @@ fn an_upright_top_is_a_singular_configuration() {
 fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);
     let times: Vec<f64> = (0..100).map(|i| f64::from(i) * 0.01).collect();
-    let method = Dop853::new().maximal_step(1e-3);
+    let method = Dop853::new().max_step(1e-3);
     let interrupted = method.sample(&TOP.dynamics(), state, &times).unwrap_err();
     let error = interrupted.error();
     let IntegrationError::SingularConfiguration {
         time,
-        estimated_loss,
+        estimated_error,
         singularity,
     } = error
     else {
@@ -335,7 +335,7 @@ fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     assert!(name == "theta" && theta.abs() < 0.01 && theta != 0.0);
     // The relative pivot of ψ is I sin²θ / (I sin²θ + Iₛ cos²θ), ε = 2⁻⁵².
     let pivot = theta.sin().powi(2) / (theta.sin().powi(2) + 0.6 * theta.cos().powi(2));
-    assert_close(estimated_loss * pivot / f64::EPSILON, 1.0, 1e-6);
+    assert_close(estimated_error * pivot / f64::EPSILON, 1.0, 1e-6);
     let trajectory = interrupted.trajectory();
     assert!(trajectory.len() > 10);
     assert!(trajectory.samples().iter().all(|sample| sample.t <= time));
@@ -346,8 +346,8 @@ fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     // Told to go on, it passes within a step.
     let driver = RungeKutta::classical(1e-3)
         .driver()
-        .allowed_loss(f64::INFINITY);
-    assert!(driver.integrate_to(&TOP.dynamics(), state, 0.1).is_ok());
+        .singularity_tolerance(f64::INFINITY);
+    assert!(driver.run_until(&TOP.dynamics(), state, 0.1).is_ok());
 }
 
 #[test]
@@ -369,13 +369,13 @@ fn a_zero_inertia_is_an_error_at_the_start() {
         ] {
             let IntegrationError::SingularConfiguration {
                 time,
-                estimated_loss,
+                estimated_error,
                 ..
             } = error
             else {
                 panic!("{error}")
             };
-            assert!(time == 0.0 && estimated_loss.is_infinite(), "{error}");
+            assert!(time == 0.0 && estimated_error.is_infinite(), "{error}");
         }
     }
     let massless = common::Pendulum {
@@ -410,7 +410,7 @@ fn what_stays_exactly_zero_needs_no_tolerance() {
 fn the_samples_within_the_last_step_are_kept() {
     let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);
     let times: Vec<f64> = (0..30_000).map(|i| f64::from(i) * 1e-5).collect();
-    let method = Dop853::new().maximal_step(1e-3);
+    let method = Dop853::new().max_step(1e-3);
     let interrupted = method.sample(&TOP.dynamics(), state, &times).unwrap_err();
     let IntegrationError::SingularConfiguration { time, .. } = interrupted.error() else {
         panic!("{interrupted}")

@@ -199,14 +199,14 @@ fn where_it_is_singular_the_coordinates_are_named() {
     let start = State::new(0.0, [0.0, 0.2, 0.3], [0.0; 3]);
     let error = tight().integrate_to(&Pinched.dynamics(), start, 1.0);
     let IntegrationError::SingularConfiguration {
-        estimated_loss,
+        estimated_error,
         singularity,
         ..
     } = error.unwrap_err()
     else {
         panic!("{error:?}")
     };
-    assert!(estimated_loss.is_infinite());
+    assert!(estimated_error.is_infinite());
     assert!(
         ["x", "y"].contains(&singularity.coordinate()),
         "{singularity}"

@@ -62,7 +62,7 @@ fn the_step_is_that_of_the_fastest_lane() {
     let steps = |initial: State<Lanes<2>, 1>| {
         let driver = method.driver();
         driver
-            .integrate_to(&PENDULUM.dynamics(), initial, 10.0)
+            .run_until(&PENDULUM.dynamics(), initial, 10.0)
             .unwrap()
             .statistics
             .steps
@@ -203,8 +203,8 @@ fn a_lane_of_a_derived_model_gives_what_it_gives_alone() {
 fn a_lane_at_rest_needs_no_absolute_tolerance() {
     let method = Dop853::new().absolute_tolerance(0.0);
     let initial = State::new(Lanes::zero(), [Lanes([0.0, 0.5])], [Lanes([0.0, 0.0])]);
-    let driver = method.driver().maximal_steps(200);
-    let end = driver.integrate_to(&PENDULUM.dynamics(), initial, 1.0);
+    let driver = method.driver().max_steps(200);
+    let end = driver.run_until(&PENDULUM.dynamics(), initial, 1.0);
     let end = end.unwrap().last.state();
     assert_close(end.q[0].0[0], 0.0, 0.0);
     let alone =

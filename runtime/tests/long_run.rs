@@ -61,12 +61,12 @@ fn the_adaptive_method_keeps_the_energy_over_ten_thousand_radians() {
         .absolute_tolerance(1e-13);
     let driver = method.driver();
     let start = (0.0, SVector::from([1.0, 0.0]));
-    let ending = driver.integrate_to(&Oscillator, start, 1e4).unwrap();
+    let outcome = driver.run_until(&Oscillator, start, 1e4).unwrap();
     println!(
         "energy drift {:e} in {:?}",
-        ending.last.x.norm_squared() - 1.0,
-        ending.statistics
+        outcome.last.x.norm_squared() - 1.0,
+        outcome.statistics
     );
-    let steps = f64::from(u32::try_from(ending.statistics.steps).unwrap());
-    assert_close(ending.last.x.norm_squared(), 1.0, 2.0 * steps * 1e-13);
+    let steps = f64::from(u32::try_from(outcome.statistics.steps).unwrap());
+    assert_close(outcome.last.x.norm_squared(), 1.0, 2.0 * steps * 1e-13);
 }

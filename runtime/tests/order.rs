@@ -21,7 +21,7 @@ fn fixed_dop853(step: f64) -> Dop853 {
     Dop853::new()
         .absolute_tolerance(1e9)
         .initial_step(step)
-        .maximal_step(step)
+        .max_step(step)
 }
 
 /// The slope of log error over log step between two numbers of steps.
@@ -158,12 +158,12 @@ fn the_steps_are_those_of_the_reference_code() {
             .relative_tolerance(tolerance)
             .absolute_tolerance(tolerance);
         let start = (0.0, SVector::from([2.0, 0.0]));
-        let ending = method.driver().integrate_to(dynamics, start, end).unwrap();
+        let outcome = method.driver().run_until(dynamics, start, end).unwrap();
         let Statistics {
             steps,
             rejected,
             evaluations,
-        } = ending.statistics;
+        } = outcome.statistics;
         (steps, rejected, evaluations)
     };
     let van_der_pol = |stiffness: f64| {

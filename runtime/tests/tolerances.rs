@@ -3,7 +3,7 @@
 mod common;
 
 use common::{assert_close, equation};
-use lagrangian::Component;
+use lagrangian::ComponentName;
 use lagrangian::prelude::*;
 
 /// A point that falls, beside one on a spring.
@@ -34,8 +34,8 @@ fn a_relative_tolerance_alone_starts_from_rest() {
             .absolute_tolerance(absolute);
         for x in [0.0, 1.0] {
             let start = State::new(0.0, [0.0, x], [0.0, 0.0]);
-            let driver = method.driver().maximal_steps(60);
-            let end = driver.integrate_to(&FALLING.dynamics(), start, 1.25);
+            let driver = method.driver().max_steps(60);
+            let end = driver.run_until(&FALLING.dynamics(), start, 1.25);
             let end = end.unwrap().last.state();
             let fall = -0.5 * 9.81 * 1.25 * 1.25;
             assert_close(end.q[0], fall, 1e-10);
@@ -51,8 +51,8 @@ fn a_relative_tolerance_alone_keeps_an_equilibrium() {
     let method = Dop853::new().absolute_tolerance(0.0);
     let still = Falling { g: 0.0, ..FALLING };
     let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
-    let driver = method.driver().maximal_steps(60);
-    let end = driver.integrate_to(&still.dynamics(), start, 10.0).unwrap();
+    let driver = method.driver().max_steps(60);
+    let end = driver.run_until(&still.dynamics(), start, 10.0).unwrap();
     assert_eq!(end.last.state().q, start.q);
 }
 
@@ -64,8 +64,8 @@ fn an_absolute_tolerance_alone_is_enough() {
             .absolute_tolerance(1e-11);
         for x in [0.0, 1.0] {
             let start = State::new(0.0, [1.0, x], [0.0, 0.0]);
-            let driver = method.driver().maximal_steps(60);
-            let end = driver.integrate_to(&FALLING.dynamics(), start, 1.25);
+            let driver = method.driver().max_steps(60);
+            let end = driver.run_until(&FALLING.dynamics(), start, 1.25);
             let end = end.unwrap().last.state();
             assert_close(end.q[0], 1.0 - 0.5 * 9.81 * 1.25 * 1.25, 1e-10);
             assert_close(end.q[1], x * 1.25_f64.cos(), 1e-10);
@@ -106,8 +106,8 @@ fn noise_about_zero_asks_for_an_absolute_tolerance() {
         || equation::<2, _>(|_, x| SVector::from([x[1].cos() + 1.0, ((1.0 + x[0]) - 1.0) - x[0]]));
     let start = (0.0, SVector::from([0.1, 0.0]));
     let relative = Dop853::new().absolute_tolerance(0.0);
-    let driver = relative.driver().maximal_steps(50_000);
-    let error = driver.integrate_to(&noisy(), start, 1.0).unwrap_err();
+    let driver = relative.driver().max_steps(50_000);
+    let error = driver.run_until(&noisy(), start, 1.0).unwrap_err();
     let IntegrationError::StepTooSmall {
         component,
         relative_only,
@@ -119,7 +119,7 @@ fn noise_about_zero_asks_for_an_absolute_tolerance() {
     };
     assert_eq!(
         (component, relative_only),
-        (Some(Component::Index(1)), true)
+        (Some(ComponentName::Index(1)), true)
     );
     assert!(step > 0.0);
     assert!(
@@ -140,7 +140,7 @@ fn what_is_too_steep_is_named() {
     let IntegrationError::StepTooSmall { component, .. } = error else {
         panic!("{error}")
     };
-    assert_eq!(component, Some(Component::Index(1)));
+    assert_eq!(component, Some(ComponentName::Index(1)));
     let text = error.to_string();
     assert!(text.contains("component 1 of the state"), "{text}");
     assert!(!text.contains("set an absolute"), "{text}");
@@ -172,8 +172,8 @@ fn a_passage_too_near_to_the_pole_names_its_coordinate() {
         let method = Dop853::new()
             .relative_tolerance(tolerance)
             .absolute_tolerance(tolerance);
-        let driver = method.driver().maximal_steps(20_000);
-        let error = driver.integrate_to(&pendulum.dynamics(), start, 10.0);
+        let driver = method.driver().max_steps(20_000);
+        let error = driver.run_until(&pendulum.dynamics(), start, 10.0);
         let error = error.unwrap_err();
         let IntegrationError::VanishingInertia { singularity, .. } = error else {
             panic!("{error}")
@@ -207,6 +207,6 @@ fn a_steep_force_is_no_singularity_of_the_coordinates() {
         IntegrationError::NonFiniteState { component, .. } => Some(component),
         _ => panic!("{error}"),
     };
-    let x = [Component::Coordinate("x"), Component::Velocity("x")];
+    let x = [ComponentName::Coordinate("x"), ComponentName::Velocity("x")];
     assert!(named.is_some_and(|named| x.contains(&named)), "{error}");
 }

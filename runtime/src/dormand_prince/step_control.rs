@@ -184,7 +184,7 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     longest: f64,
     tolerance: Tolerance,
 ) -> f64 {
-    let size = dynamics.magnitude(x);
+    let size = dynamics.error_scale(x);
     let sizes = [size.clone(), size.clone()];
     let norm = |vector: &D::State| Scalar::sqrt(squares(tolerance.ratios(vector, &sizes, 0.0)).0);
     let (zeroth, first) = (norm(&size), norm(slope));
@@ -226,7 +226,7 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
             singularity,
         };
     }
-    let size = dynamics.magnitude(x);
+    let size = dynamics.error_scale(x);
     let sizes = [size.clone(), size];
     let error = combination(&FIFTH_ORDER_ERROR, stages, &x.zeroed());
     let ratios = tolerance.ratios(&error, &sizes, f64::INFINITY);
@@ -240,7 +240,7 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     IntegrationError::StepTooSmall {
         time,
         step,
-        component: Some(dynamics.component(worst.0)),
+        component: Some(dynamics.component_name(worst.0)),
         relative_only: tolerance.absolute == 0.0,
     }
 }

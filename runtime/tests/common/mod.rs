@@ -87,7 +87,7 @@ pub struct Pendulum {
     pub l: f64,
 }
 
-impl System<1> for Pendulum {
+impl GeneralizedCoordinates<1> for Pendulum {
     const COORDINATES: [&'static str; 1] = ["theta"];
     const ANGLES: [bool; 1] = [true];
 }
@@ -119,7 +119,7 @@ pub struct SymmetricTop {
     pub weight: f64,
 }
 
-impl System<3> for SymmetricTop {
+impl GeneralizedCoordinates<3> for SymmetricTop {
     const COORDINATES: [&'static str; 3] = ["phi", "theta", "psi"];
     const ANGLES: [bool; 3] = [true; 3];
     // The block of ψ is that of the whole matrix: det M = I² Iₛ sin²θ.
@@ -164,7 +164,7 @@ written_model!(SymmetricTop, 3);
 #[derive(Clone, Debug)]
 pub struct Crossed;
 
-impl System<2> for Crossed {
+impl GeneralizedCoordinates<2> for Crossed {
     const COORDINATES: [&'static str; 2] = ["x", "y"];
 }
 

@@ -1,50 +1,59 @@
 //! When to stop.
 
-use crate::driver::Unconditional;
+use detection::Detection;
 
 /// A condition on which a [`Driver`](crate::Driver) stops, or several; made by
 /// [`Driver::stop_when`](crate::Driver::stop_when), [`Driver::stop_at_zero`](crate::Driver::stop_at_zero)
-/// and [`Driver::stop_at_crossing`](crate::Driver::stop_at_crossing).
-pub trait Condition<X> {
-    /// Whether to find out where within a step the condition is first met.
-    const LOCATED: bool;
+/// and [`Driver::stop_at_crossing`](crate::Driver::stop_at_crossing), and by nothing else: the trait is sealed.
+pub trait StopCondition<X>: detection::Detection<X> {}
 
-    /// On what it depends.
-    type Value: Copy;
+impl<X, C: detection::Detection<X>> StopCondition<X> for C {}
 
-    /// The value at the time and state given.
-    fn value(&mut self, t: f64, x: &X) -> Self::Value;
+/// How a condition is evaluated: a matter between conditions and the driver.
+pub(crate) mod detection {
+    use super::MetConditions;
 
-    /// What is met by the value `after`, where it was `before`. At the start of the motion the two are the
-    /// same.
-    fn met(&self, before: Self::Value, after: Self::Value) -> Met;
+    /// What the driver asks of a condition.
+    pub trait Detection<X> {
+        /// Whether to find out where within a step the condition is first met.
+        const LOCATED: bool;
 
-    /// What is met within the resolution of time after the start.
-    fn met_on_departure(&self, before: Self::Value, after: Self::Value) -> Met {
-        self.met(before, after)
-    }
+        /// On what it depends.
+        type Value: Copy;
 
-    /// Whether a value tells on which side of zero each function is.
-    fn has_signs(value: Self::Value) -> bool {
-        let _ = value;
-        true
-    }
+        /// The value at the time and state given.
+        fn value(&mut self, t: f64, x: &X) -> Self::Value;
 
-    /// The value to compare the next with: `after`, unless that tells nothing.
-    fn remembered(&self, before: Self::Value, after: Self::Value) -> Self::Value {
-        let _ = before;
-        after
+        /// What is met by the value `after`, where it was `before`. At the start of the motion the two are the
+        /// same.
+        fn met(&self, before: Self::Value, after: Self::Value) -> MetConditions;
+
+        /// What is met within the resolution of time after the start.
+        fn met_on_departure(&self, before: Self::Value, after: Self::Value) -> MetConditions {
+            self.met(before, after)
+        }
+
+        /// Whether a value tells on which side of zero each function is.
+        fn has_signs(value: Self::Value) -> bool {
+            let _ = value;
+            true
+        }
+
+        /// The value to compare the next with: `after`, unless that tells nothing.
+        fn remembered(&self, before: Self::Value, after: Self::Value) -> Self::Value {
+            let _ = before;
+            after
+        }
     }
 }
 
 /// Which of the conditions to stop on are met: one, or the first 64 of several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Met(u64);
+pub struct MetConditions(u64);
 
-impl Met {
+impl MetConditions {
     /// Those of the conditions, counted from 0, for which `met` holds.
-    #[must_use]
-    pub fn of(conditions: impl Iterator<Item = bool>) -> Self {
+    pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {
         let bits = (0..u64::BITS).zip(conditions);
         Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
     }
@@ -71,23 +80,27 @@ impl Met {
     }
 }
 
-impl<X> Condition<X> for Unconditional {
+/// No condition to stop on.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unconditional;
+
+impl<X> Detection<X> for Unconditional {
     const LOCATED: bool = false;
 
     type Value = ();
 
     fn value(&mut self, _: f64, _: &X) {}
 
-    fn met(&self, (): (), (): ()) -> Met {
-        Met::default()
+    fn met(&self, (): (), (): ()) -> MetConditions {
+        MetConditions::default()
     }
 }
 
 /// That a function of time and state is true at the end of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct When<F>(pub F);
+pub struct Predicate<F>(pub(crate) F);
 
-impl<X, F: FnMut(f64, &X) -> bool> Condition<X> for When<F> {
+impl<X, F: FnMut(f64, &X) -> bool> Detection<X> for Predicate<F> {
     const LOCATED: bool = false;
 
     type Value = bool;
@@ -96,8 +109,8 @@ impl<X, F: FnMut(f64, &X) -> bool> Condition<X> for When<F> {
         (self.0)(t, x)
     }
 
-    fn met(&self, _: bool, after: bool) -> Met {
-        Met::of([after].into_iter())
+    fn met(&self, _: bool, after: bool) -> MetConditions {
+        MetConditions::of([after].into_iter())
     }
 }
 
@@ -146,14 +159,14 @@ fn signed(before: f64, after: f64) -> f64 {
 /// That a function of time and state crosses zero, or one of several functions: `crossing` is a [`Crossing`]
 /// of one value, or an array of them for an array of values.
 #[derive(Clone, Copy, Debug)]
-pub struct AtZero<F, C = Crossing> {
+pub struct ZeroCrossing<F, C = Crossing> {
     /// The function.
-    pub function: F,
+    pub(crate) function: F,
     /// In which direction it crosses.
-    pub crossing: C,
+    pub(crate) crossing: C,
 }
 
-impl<X, F: FnMut(f64, &X) -> f64> Condition<X> for AtZero<F, Crossing> {
+impl<X, F: FnMut(f64, &X) -> f64> Detection<X> for ZeroCrossing<F, Crossing> {
     const LOCATED: bool = true;
 
     type Value = f64;
@@ -162,12 +175,12 @@ impl<X, F: FnMut(f64, &X) -> f64> Condition<X> for AtZero<F, Crossing> {
         (self.function)(t, x)
     }
 
-    fn met(&self, before: f64, after: f64) -> Met {
-        Met::of([self.crossing.between(before, after)].into_iter())
+    fn met(&self, before: f64, after: f64) -> MetConditions {
+        MetConditions::of([self.crossing.between(before, after)].into_iter())
     }
 
-    fn met_on_departure(&self, before: f64, after: f64) -> Met {
-        Met::of([self.crossing.on_departure(before, after)].into_iter())
+    fn met_on_departure(&self, before: f64, after: f64) -> MetConditions {
+        MetConditions::of([self.crossing.on_departure(before, after)].into_iter())
     }
 
     fn has_signs(value: f64) -> bool {
@@ -179,7 +192,7 @@ impl<X, F: FnMut(f64, &X) -> f64> Condition<X> for AtZero<F, Crossing> {
     }
 }
 
-impl<X, F, const K: usize> Condition<X> for AtZero<F, [Crossing; K]>
+impl<X, F, const K: usize> Detection<X> for ZeroCrossing<F, [Crossing; K]>
 where
     F: FnMut(f64, &X) -> [f64; K],
 {
@@ -194,16 +207,20 @@ where
         (self.function)(t, x)
     }
 
-    fn met(&self, before: [f64; K], after: [f64; K]) -> Met {
+    fn met(&self, before: [f64; K], after: [f64; K]) -> MetConditions {
         let values = before.into_iter().zip(after);
         let crossings = self.crossing.iter().zip(values);
-        Met::of(crossings.map(|(crossing, (before, after))| crossing.between(before, after)))
+        MetConditions::of(
+            crossings.map(|(crossing, (before, after))| crossing.between(before, after)),
+        )
     }
 
-    fn met_on_departure(&self, before: [f64; K], after: [f64; K]) -> Met {
+    fn met_on_departure(&self, before: [f64; K], after: [f64; K]) -> MetConditions {
         let values = before.into_iter().zip(after);
         let crossings = self.crossing.iter().zip(values);
-        Met::of(crossings.map(|(crossing, (before, after))| crossing.on_departure(before, after)))
+        MetConditions::of(
+            crossings.map(|(crossing, (before, after))| crossing.on_departure(before, after)),
+        )
     }
 
     fn has_signs(value: [f64; K]) -> bool {

@@ -1,7 +1,7 @@
 //! What is known of a system before any number is.
 
 /// The names and the structure of a system with `N` degrees of freedom, known at compile time.
-pub trait System<const N: usize> {
+pub trait GeneralizedCoordinates<const N: usize> {
     /// The names of the coordinates, in order.
     const COORDINATES: [&'static str; N];
 
