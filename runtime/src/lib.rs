@@ -38,88 +38,36 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+mod number_format;
 mod scalar;
-mod lanes;
-mod sine_cosine;
-mod into_vector;
-mod state;
-mod generalized_coordinates;
-mod lagrangian;
-mod linearization;
-mod inputs;
-mod plant;
-mod outputs;
-mod functions;
-mod slope;
-mod derivative_check;
-mod derivative_error;
-mod operations;
-mod factorization;
-mod lanewise;
-mod pivoting;
-mod vector_space;
-mod phase;
-mod sample;
-mod dynamics;
-mod singularity;
-mod equations_of_motion;
-mod augmented_phase;
-mod controlled_by;
-mod with_controller;
-mod integrator;
-mod compensated;
-mod runge_kutta;
-mod dormand_prince;
-mod driver;
-mod run;
-mod stop_condition;
-mod observer;
-#[cfg(feature = "alloc")]
-mod trajectory;
-mod error;
-#[cfg(test)]
-mod order_conditions;
+mod linalg;
+mod integrate;
+mod model;
+#[cfg(feature = "derivative-checks")]
+mod check;
 pub mod prelude;
 
 #[doc(hidden)]
-#[path = "private.rs"]
-pub mod __private;
+pub use model::emitted as __private;
 
-pub use augmented_phase::AugmentedPhase;
-pub use controlled_by::ControlledBy;
-pub use derivative_check::check_derivatives;
-pub use derivative_error::{ArgumentValues, DerivativeError};
-pub use dormand_prince::{Dop853, Dop853Stepper};
-pub use driver::{Driver, Outcome, StopReason};
-pub use dynamics::{ComponentName, Dynamics};
-pub use equations_of_motion::EquationsOfMotion;
-pub use error::IntegrationError;
-pub use factorization::Factorization;
-pub use functions::{ExternalFunctions, FunctionSignature};
-pub use generalized_coordinates::GeneralizedCoordinates;
-pub use inputs::{Inputs, WithInputs};
-pub use integrator::{Integrator, Statistics, Stepper};
-pub use into_vector::IntoVector;
-pub use lagrangian::{Energies, Lagrangian};
-#[doc = include_str!("declaration.md")]
-pub use lagrangian_derive::Lagrangian;
-pub use linearization::Linearization;
-pub use nalgebra;
-pub use num_traits;
-pub use observer::{ObservationKind, Observer, Progress, Unobserved};
-pub use operations::{OperationCount, Operations};
-pub use outputs::{Outputs, OutputsWith};
-pub use phase::Phase;
-pub use plant::Plant;
-pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
-pub use sample::{InitialValue, Sample};
-pub use scalar::{DoubleDouble, Lanes, Scalar};
-pub use singularity::Singularity;
-pub use state::State;
-pub use stop_condition::{
-    Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
+#[cfg(feature = "derivative-checks")]
+pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
+pub use integrate::{
+    ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Crossing, Dop853, Dop853Stepper, Driver,
+    Dynamics, InitialValue, IntegrationError, Integrator, MetConditions, ObservationKind, Observer,
+    Outcome, Predicate, Progress, RungeKutta, RungeKuttaStepper, Sample, Singularity, Statistics,
+    Stepper, StopCondition, StopReason, Unconditional, Unobserved, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
-pub use trajectory::{PartialTrajectory, Trajectory};
-pub use vector_space::VectorSpace;
-pub use with_controller::WithController;
+pub use integrate::{PartialTrajectory, Trajectory};
+#[doc = include_str!("declaration.md")]
+pub use lagrangian_derive::Lagrangian;
+pub use linalg::{Factorization, IntoVector, VectorSpace};
+pub use model::{
+    AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, ExternalFunctions,
+    FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, OperationCount,
+    Operations, Outputs, OutputsWith, Phase, Plant, State, WithController, WithInputs,
+};
+pub use nalgebra;
+pub use num_traits;
+pub use scalar::{DoubleDouble, Lanes, Scalar};

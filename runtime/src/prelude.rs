@@ -12,5 +12,7 @@ pub use crate::{
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
+#[cfg(feature = "derivative-checks")]
+pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
 pub use crate::{PartialTrajectory, Trajectory};

@@ -3,7 +3,9 @@
 
 use core::ops::RangeInclusive;
 
-use lagrangian::{DerivativeError, ExternalFunctions, FunctionSignature, check_derivatives};
+use lagrangian::{
+    CheckDerivatives as _, DerivativeError, ExternalFunctions, FunctionSignature, check_derivatives,
+};
 
 type Function = fn(f64) -> f64;
 

@@ -7,7 +7,7 @@ use core::str::FromStr;
 use num_traits::{One as _, Zero as _};
 
 use super::DoubleDouble;
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Digits beyond these change nothing.
 const MOST_DIGITS: u32 = 34;

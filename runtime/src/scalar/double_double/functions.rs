@@ -5,7 +5,7 @@ use num_traits::{One as _, Zero as _};
 
 use super::constants::{HALF_PI, INVERSE_FACTORIALS, LN_2, PI};
 use super::{DoubleDouble, two_product};
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// The largest argument of a sine that is reduced in all digits: a quarter of a turn has as many as the number
 /// of them leaves.

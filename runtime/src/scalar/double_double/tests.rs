@@ -5,7 +5,7 @@ use std::string::ToString;
 use num_traits::{One as _, Zero as _};
 
 use super::DoubleDouble;
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Relative to what is expected.
 const TOLERANCE: f64 = 1e-30;

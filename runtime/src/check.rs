@@ -1,0 +1,8 @@
+//! Checks of derivatives that were written by hand, for tests. Needs the feature `derivative-checks`.
+
+mod derivative_check;
+mod derivative_error;
+mod numerical_derivative;
+
+pub use derivative_check::{CheckDerivatives, check_derivatives};
+pub use derivative_error::{ArgumentValues, DerivativeError};

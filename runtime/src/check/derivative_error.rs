@@ -1,0 +1,173 @@
+//! What is wrong with declared derivatives.
+
+use core::fmt;
+
+use crate::model::FunctionSignature;
+use crate::number_format::Readable;
+
+/// How many arguments a report carries.
+const REPORTED: usize = 4;
+
+/// What a function was asked for: the names of its arguments and their values, the first four of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArgumentValues {
+    names: &'static [&'static str],
+    values: [f64; REPORTED],
+    count: usize,
+}
+
+impl ArgumentValues {
+    pub(crate) fn new(names: &'static [&'static str], values: &[f64]) -> Self {
+        let mut reported = [f64::NAN; REPORTED];
+        for (slot, value) in reported.iter_mut().zip(values) {
+            *slot = *value;
+        }
+        Self {
+            names,
+            values: reported,
+            count: values.len(),
+        }
+    }
+
+    /// The names and the values, in order.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+        let names = self.names.iter().copied();
+        names.zip(self.values).take(self.count)
+    }
+}
+
+impl fmt::Display for ArgumentValues {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (position, (name, value)) in self.iter().enumerate() {
+            let separator = if position == 0 { "" } else { ", " };
+            write!(f, "{separator}{name} = {}", Readable(value))?;
+        }
+        let left_out = self.count.saturating_sub(REPORTED);
+        if left_out > 0 {
+            write!(f, " and {left_out} more")?;
+        }
+        Ok(())
+    }
+}
+
+/// Why declared derivatives are not, or not known to be, those of a function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum DerivativeError {
+    /// A declared derivative is not the slope of the values.
+    Wrong {
+        /// The function.
+        function: &'static str,
+        /// The argument by which it is differentiated.
+        argument: &'static str,
+        /// Where the two differ most.
+        point: ArgumentValues,
+        /// The declared derivative there.
+        declared: f64,
+        /// The slope of the values there.
+        measured: f64,
+        /// How far that is from the true slope at most, by estimate.
+        uncertainty: f64,
+    },
+    /// The values of the function have no slope that could be measured anywhere in the region.
+    NoNumericalDerivative {
+        /// The function.
+        function: &'static str,
+        /// The argument along which there is none.
+        argument: &'static str,
+    },
+    /// A value of the function is not finite.
+    NonFiniteValue {
+        /// The function.
+        function: &'static str,
+        /// Where it has that value.
+        point: ArgumentValues,
+        /// The value.
+        value: f64,
+    },
+    /// No derivative of the function is declared.
+    NotDeclared {
+        /// The function.
+        function: &'static str,
+    },
+    /// The range of an argument is empty or not finite.
+    InvalidRange {
+        /// The function.
+        function: &'static str,
+        /// The argument.
+        argument: &'static str,
+    },
+    /// There are more or fewer ranges than the function has arguments.
+    ArgumentCount {
+        /// The function.
+        function: &'static str,
+        /// How many arguments it has.
+        expected: usize,
+        /// How many ranges there are.
+        found: usize,
+    },
+    /// The model has no function of that name.
+    UnknownFunction {
+        /// Those that it has.
+        known: &'static [FunctionSignature],
+    },
+}
+
+impl fmt::Display for DerivativeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Wrong {
+                function,
+                argument,
+                point,
+                declared,
+                measured,
+                uncertainty,
+            } => write!(
+                f,
+                "the declared derivative ∂{function}/∂{argument} is {} where {point}, but the slope of \
+                 `{function}` there is {} within {uncertainty:.1e}",
+                Readable(declared),
+                Readable(measured)
+            ),
+            Self::NoNumericalDerivative { function, argument } => write!(
+                f,
+                "no slope of `{function}` along `{argument}` can be measured: its values jump or are noisy \
+                 everywhere in this region"
+            ),
+            Self::NonFiniteValue {
+                function,
+                point,
+                value,
+            } => write!(
+                f,
+                "`{function}` is {value} where {point}: choose a region in which it has values"
+            ),
+            Self::NotDeclared { function } => {
+                write!(f, "no derivative of `{function}` is declared")
+            }
+            Self::InvalidRange { function, argument } => write!(
+                f,
+                "the range of `{argument}`, an argument of `{function}`, must be finite and not empty"
+            ),
+            Self::ArgumentCount {
+                function,
+                expected,
+                found,
+            } => write!(
+                f,
+                "`{function}` has {expected} arguments: write a range for each, not {found}"
+            ),
+            Self::UnknownFunction { known } => {
+                f.write_str("there is no function of this name; those of the declaration are")?;
+                for (position, signature) in known.iter().enumerate() {
+                    let separator = if position == 0 { " " } else { ", " };
+                    write!(f, "{separator}`{}`", signature.name)?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl core::error::Error for DerivativeError {}

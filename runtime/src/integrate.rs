@@ -1,0 +1,41 @@
+//! Numerical integration of ordinary differential equations ẋ = f(t, x).
+//!
+//! Nothing here knows of mass matrices or angles: a [`Dynamics`] tells its derivative, the scale of its errors and
+//! where it is singular. A method ([`Integrator`]) starts a [`Stepper`]; a [`Driver`] takes its steps, locates
+//! the stop conditions and samples.
+
+mod dynamics;
+mod singularity;
+mod error;
+mod sample;
+mod stepper;
+mod compensated;
+mod runge_kutta;
+mod dormand_prince;
+mod stop_condition;
+mod observer;
+mod outcome;
+#[cfg(feature = "alloc")]
+mod trajectory;
+mod integration;
+mod driver;
+mod integrator;
+#[cfg(test)]
+mod order_conditions;
+
+pub use dormand_prince::{Dop853, Dop853Stepper};
+pub use driver::Driver;
+pub use dynamics::{ComponentName, Dynamics};
+pub use error::IntegrationError;
+pub use integrator::Integrator;
+pub use observer::{ObservationKind, Observer, Progress, Unobserved};
+pub use outcome::{Outcome, StopReason};
+pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
+pub use sample::{InitialValue, Sample};
+pub use singularity::Singularity;
+pub use stepper::{Statistics, Stepper};
+pub use stop_condition::{
+    Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
+};
+#[cfg(feature = "alloc")]
+pub use trajectory::{PartialTrajectory, Trajectory};

@@ -1,0 +1,403 @@
+//! The adaptive method of Dormand and Prince of order 8.
+//!
+//! Reference: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition,
+//! II.4 (step control), II.5 (the method), II.6 and II.10 (dense output and error estimate); their
+//! code is DOP853, and this follows it in all that decides on a step.
+
+mod coefficients;
+mod dense_output;
+mod step_control;
+
+use super::compensated::{Clock, Compensated};
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::runge_kutta::{combination, stage};
+use super::stepper::{Statistics, Stepper};
+use super::stepper::{checked_derivative, checked_state};
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+use coefficients::{MATRIX, NODES, WEIGHTS};
+use dense_output::DenseOutput;
+pub(crate) use step_control::Tolerance;
+use step_control::{Attempt, StepControl, too_small};
+
+/// Stages of the method, without the derivative at the end of the step, which is the first stage of
+/// the next.
+const STAGES: usize = 12;
+
+/// Stages with the end of the step and the three that only the dense output needs.
+const ALL_STAGES: usize = 16;
+
+/// The Dormand–Prince method 8(5,3) with step-size control and dense output of order 7.
+///
+/// A step is accepted when the root mean square over the components of
+/// errorᵢ / (absolute + relative · sizeᵢ) is at most 1. The size of a component is the larger of
+/// |xᵢ| before and after the step, and 1 for a coordinate that is an angle
+/// ([`Dynamics::error_scale`]).
+///
+/// Unless told otherwise both tolerances are 10⁻¹⁰. One of them may be zero: a motion without an absolute
+/// tolerance may start from rest, but one with a component that comes near to zero and is not exactly zero
+/// takes ever smaller steps. The integration ends near a singularity of the
+/// mass matrix where the estimated relative error of the accelerations exceeds the relative
+/// tolerance ([`Driver::singularity_tolerance`](crate::Driver::singularity_tolerance)).
+///
+/// ```
+/// use lagrangian::prelude::*;
+/// use lagrangian::nalgebra::SVector;
+///
+/// /// ẍ = −x.
+/// struct Oscillator;
+///
+/// impl Dynamics for Oscillator {
+///     type State = SVector<f64, 2>;
+///
+///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+///         SVector::from([x[1], -x[0]])
+///     }
+/// }
+///
+/// let initial = (0.0, SVector::from([1.0, 0.0]));
+/// let method = Dop853::new().relative_tolerance(1e-12).absolute_tolerance(1e-12);
+/// let trajectory = method.sample(&Oscillator, initial, &[1.0, 2.0, 3.0])?;
+/// for sample in trajectory.samples() {
+///     assert!((sample.x[0] - sample.t.cos()).abs() < 1e-11);
+/// }
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dop853 {
+    tolerance: Tolerance,
+    initial_step: Option<f64>,
+    max_step: Option<f64>,
+    min_step: f64,
+}
+
+impl Dop853 {
+    /// The method with its default settings.
+    #[must_use]
+    pub fn new() -> Self {
+        Self {
+            tolerance: Tolerance {
+                relative: 1e-10,
+                absolute: 1e-10,
+            },
+            initial_step: None,
+            max_step: None,
+            min_step: 10.0,
+        }
+    }
+
+    /// Sets the error allowed in a step, relative to the size of a component.
+    #[must_use]
+    pub fn relative_tolerance(mut self, relative: f64) -> Self {
+        self.tolerance.relative = relative;
+        self
+    }
+
+    /// Sets the error allowed in a step, in the units of a component.
+    #[must_use]
+    pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
+        self.tolerance.absolute = absolute;
+        self
+    }
+
+    /// Sets the size of the first step that is tried, in place of an automatic choice.
+    #[must_use]
+    pub fn initial_step(mut self, step: f64) -> Self {
+        self.initial_step = Some(step);
+        self
+    }
+
+    /// Sets the size that no step exceeds.
+    #[must_use]
+    pub fn max_step(mut self, step: f64) -> Self {
+        self.max_step = Some(step);
+        self
+    }
+
+    /// Sets the size below which no step is tried, as a multiple of the spacing ε |t| of numbers at
+    /// the time t; 10 unless told otherwise.
+    #[must_use]
+    pub fn min_step(mut self, spacings: f64) -> Self {
+        self.min_step = spacings;
+        self
+    }
+
+    fn check(&self) -> Result<(), IntegrationError> {
+        let steps = [self.initial_step, self.max_step];
+        for step in steps.into_iter().flatten() {
+            if !(step.is_finite() && step > 0.0) {
+                return Err(IntegrationError::InvalidStep { step });
+            }
+        }
+        if !(self.min_step.is_finite() && self.min_step >= 0.0) {
+            return Err(IntegrationError::InvalidStep {
+                step: self.min_step,
+            });
+        }
+        self.tolerance.check()
+    }
+}
+
+impl Default for Dop853 {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Integrator for Dop853 {
+    type Stepper<S: Scalar, X: VectorSpace<S>> = Dop853Stepper<X>;
+
+    fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        t: f64,
+        x: D::State,
+    ) -> Result<Self::Stepper<S, D::State>, IntegrationError> {
+        self.check()?;
+        let derivative = checked_derivative(dynamics, t, &x)?;
+        let clock = Clock::new(t);
+        Ok(Dop853Stepper {
+            method: *self,
+            clock,
+            state: Compensated::new(x),
+            control: None,
+            stages: core::array::from_fn(|_| derivative.clone()),
+            last: None,
+            statistics: Statistics {
+                evaluations: 1,
+                ..Statistics::default()
+            },
+        })
+    }
+
+    fn singularity_tolerance(&self) -> f64 {
+        self.tolerance.relative
+    }
+}
+
+/// Takes the steps of [`Dop853`].
+///
+/// Time and state are sums with a carry, so that their rounding errors do not grow over a long run.
+#[derive(Clone, Debug)]
+pub struct Dop853Stepper<X> {
+    method: Dop853,
+    clock: Clock,
+    state: Compensated<X>,
+    /// The size of the next step, once the first was chosen.
+    control: Option<StepControl>,
+    /// The derivatives kᵢ of the last step; that at `STAGES` belongs to the present state.
+    stages: [X; ALL_STAGES],
+    last: Option<LastStep<X>>,
+    statistics: Statistics,
+}
+
+/// What interpolation needs of the last step.
+#[derive(Clone, Debug)]
+struct LastStep<X> {
+    clock: Clock,
+    x: X,
+    h: f64,
+    dense: Option<DenseOutput<X>>,
+}
+
+impl<X> Dop853Stepper<X> {
+    /// The derivatives kᵢ of the stages from `first` to before `end`, over a step h from (t, x).
+    #[inline]
+    fn evaluate<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        from: (Clock, &X),
+        h: f64,
+        stages: core::ops::Range<usize>,
+    ) where
+        X: VectorSpace<S>,
+    {
+        let (clock, x) = from;
+        let rows = NODES.iter().zip(MATRIX).enumerate();
+        for (i, (node, row)) in rows.take(stages.end).skip(stages.start) {
+            let (done, rest) = self.stages.split_at_mut(i);
+            if let Some(next) = rest.first_mut() {
+                *next = stage(dynamics, clock.after(node * h), x, h, row, done);
+                self.statistics.evaluations += 1;
+            }
+        }
+    }
+
+    /// Tries a step of size `h`; the state is not touched.
+    fn attempt<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        h: f64,
+    ) -> (Compensated<X>, Attempt)
+    where
+        X: VectorSpace<S>,
+    {
+        let x = self.state.value().clone();
+        // The first stage is what the last step ended with.
+        self.stages[0] = self.stages[STAGES].clone();
+        self.evaluate(dynamics, (self.clock, &x), h, 1..STAGES);
+        let slope = combination(&WEIGHTS, &self.stages, &x.zeroed());
+        let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
+        let sizes = [
+            dynamics.error_scale(&x),
+            dynamics.error_scale(state.value()),
+        ];
+        let error = step_control::error(&self.stages, h, &sizes, self.method.tolerance);
+        let finite = checked_state(dynamics, self.clock.after(h), state.value());
+        (state, Attempt { error, finite })
+    }
+
+    /// The size of the first step in the direction of `remaining`.
+    fn first_step<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        remaining: f64,
+    ) -> f64
+    where
+        X: VectorSpace<S>,
+    {
+        let longest = self.longest(remaining.abs());
+        if let Some(step) = self.method.initial_step {
+            return step.min(longest);
+        }
+        self.statistics.evaluations += 1;
+        step_control::initial_step(
+            dynamics,
+            self.clock,
+            self.state.value(),
+            &self.stages[STAGES],
+            longest.copysign(remaining),
+            self.method.tolerance,
+        )
+    }
+
+    fn longest(&self, step: f64) -> f64 {
+        self.method.max_step.map_or(step, |most| step.min(most))
+    }
+}
+
+impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
+    const DENSE_OUTPUT: bool = true;
+
+    fn time(&self) -> f64 {
+        self.clock.time()
+    }
+
+    fn state(&self) -> &X {
+        self.state.value()
+    }
+
+    fn previous_time(&self) -> f64 {
+        self.last
+            .as_ref()
+            .map_or(self.clock, |last| last.clock)
+            .time()
+    }
+
+    fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    fn step<D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        target: f64,
+    ) -> Result<(), IntegrationError> {
+        let remaining = self.clock.until(target);
+        if remaining == 0.0 {
+            return Ok(());
+        }
+        if !remaining.is_finite() {
+            return Err(IntegrationError::NonFiniteTime { time: target });
+        }
+        let mut control = match self.control {
+            Some(control) => control,
+            None => StepControl::new(self.first_step(dynamics, remaining)),
+        };
+        self.last = None;
+        loop {
+            let proposed = self.longest(control.step());
+            let lands = 1.01 * proposed >= remaining.abs();
+            let h = if lands {
+                remaining
+            } else {
+                proposed.copysign(remaining)
+            };
+            let (state, attempt) = self.attempt(dynamics, h);
+            let crawls = control.crawls(h, remaining);
+            if !crawls && control.accepts(&attempt, h.abs()) {
+                self.accept(dynamics, state, h, lands.then_some(target));
+                self.control = Some(control);
+                return Ok(());
+            }
+            if self.statistics.steps > 0 {
+                self.statistics.rejected += 1;
+            }
+            let least = self.method.min_step * f64::EPSILON * self.clock.time().abs();
+            if crawls || control.step() <= least.max(f64::MIN_POSITIVE) {
+                attempt.finite?;
+                let here = (self.clock.time(), self.state.value());
+                let (step, tolerance) = (control.step(), self.method.tolerance);
+                return Err(too_small(dynamics, here, step, &self.stages, tolerance));
+            }
+        }
+    }
+
+    fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X {
+        let Some(mut last) = self.last.take() else {
+            return self.state.value().clone();
+        };
+        let dense = last.dense.take().unwrap_or_else(|| {
+            self.evaluate(
+                dynamics,
+                (last.clock, &last.x),
+                last.h,
+                STAGES + 1..ALL_STAGES,
+            );
+            DenseOutput::new(&last.x, self.state.value(), last.h, &self.stages)
+        });
+        let x = dense.at(last.clock.until(t) / last.h);
+        last.dense = Some(dense);
+        self.last = Some(last);
+        x
+    }
+
+    fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D) {
+        let t = S::from_f64(self.clock.time());
+        self.stages[STAGES] = dynamics.derivative(t, self.state.value());
+        self.statistics.evaluations += 1;
+        self.control = None;
+        self.last = None;
+    }
+}
+
+impl<X> Dop853Stepper<X> {
+    /// Makes `state` the present one, at the time `landing` or else a step `h` from now.
+    fn accept<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        state: Compensated<X>,
+        h: f64,
+        landing: Option<f64>,
+    ) where
+        X: VectorSpace<S>,
+    {
+        self.last = Some(LastStep {
+            clock: self.clock,
+            x: self.state.value().clone(),
+            h,
+            dense: None,
+        });
+        match landing {
+            Some(target) => self.clock = Clock::new(target),
+            None => self.clock.advance(h),
+        }
+        self.state = state;
+        let t = S::from_f64(self.clock.time());
+        self.stages[STAGES] = dynamics.derivative(t, self.state.value());
+        self.statistics.evaluations += 1;
+        self.statistics.steps += 1;
+    }
+}

@@ -1,0 +1,60 @@
+//! The state between the ends of a step.
+
+use super::{ALL_STAGES, STAGES, coefficients::DENSE};
+use crate::integrate::runge_kutta::combination;
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// The polynomial of order 7 through a step: Hairer, Nørsett & Wanner, II.6, (6.11) and below.
+///
+/// In θ = (t − t₀)/h it is r₀ + θ (r₁ + (1 − θ) (r₂ + θ (r₃ + (1 − θ) (r₄ + …)))).
+#[derive(Clone, Debug)]
+pub(super) struct DenseOutput<X> {
+    start: X,
+    coefficients: [X; 7],
+}
+
+impl<X> DenseOutput<X> {
+    /// The polynomial from `start` to `end`, a step `h`, through the derivatives of all stages.
+    pub(super) fn new<S: Scalar>(start: &X, end: &X, h: f64, stages: &[X; ALL_STAGES]) -> Self
+    where
+        X: VectorSpace<S>,
+    {
+        let length = S::from_f64(h);
+        let scaled = |slope: &X| slope.map(|slope| slope * length);
+        let minus = |mut a: X, b: &X| {
+            a.add_scaled(-S::one(), b);
+            a
+        };
+        let zero = start.zeroed();
+        let difference = minus(end.clone(), start);
+        let at_start = minus(scaled(&stages[0]), &difference);
+        let at_end = minus(
+            minus(difference.clone(), &scaled(&stages[STAGES])),
+            &at_start,
+        );
+        let [a, b, c, d] = DENSE.map(|row| scaled(&combination(&row, stages, &zero)));
+        Self {
+            start: start.clone(),
+            coefficients: [difference, at_start, at_end, a, b, c, d],
+        }
+    }
+
+    /// The state at the fraction θ of the step.
+    pub(super) fn at<S: Scalar>(&self, fraction: f64) -> X
+    where
+        X: VectorSpace<S>,
+    {
+        let theta = S::from_f64(fraction);
+        let rest = S::from_f64(1.0 - fraction);
+        let mut value = self.start.zeroed();
+        // The innermost factor of the seven is θ, and they alternate outwards.
+        for (i, coefficient) in self.coefficients.iter().enumerate().rev() {
+            value.add_scaled(S::one(), coefficient);
+            let factor = if i % 2 == 0 { theta } else { rest };
+            value = value.map(|component| component * factor);
+        }
+        value.add_scaled(S::one(), &self.start);
+        value
+    }
+}

@@ -1,0 +1,249 @@
+//! How long a step may be: Hairer, Nørsett & Wanner, II.4 and II.10.
+
+use super::coefficients::{FIFTH_ORDER_ERROR, THIRD_ORDER, WEIGHTS};
+use super::{ALL_STAGES, STAGES};
+use crate::integrate::compensated::Clock;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::runge_kutta::combination;
+use crate::linalg::VectorSpace;
+use crate::linalg::lane_select::{divisor, is_zero};
+use crate::scalar::Scalar;
+
+/// A new step is that which would just meet the tolerance, times this.
+const SAFETY: f64 = 0.9;
+
+/// A step is at most this much shorter than the one before.
+const MOST_SHORTENING: f64 = 1.0 / 0.333;
+
+/// A step is at most this much longer than the one before.
+const MOST_LENGTHENING: f64 = 6.0;
+
+/// The error of a step goes with the eighth power of its size.
+const ORDER: f64 = 8.0;
+
+/// After so many steps that lead nowhere there are no more.
+const MOST_CRAWLED: u32 = 10_000;
+
+/// The errors that are allowed in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tolerance {
+    pub(crate) relative: f64,
+    pub(crate) absolute: f64,
+}
+
+impl Tolerance {
+    pub(crate) fn check(self) -> Result<(), IntegrationError> {
+        let Self { relative, absolute } = self;
+        let valid = |tolerance: f64| tolerance.is_finite() && tolerance >= 0.0;
+        if valid(relative) && valid(absolute) && relative + absolute > 0.0 {
+            Ok(())
+        } else {
+            Err(IntegrationError::InvalidTolerance { relative, absolute })
+        }
+    }
+
+    /// A component in relation to the error allowed at the larger of two sizes, in the worst of its lanes.
+    /// One that is zero has no error; any other that is allowed none counts as `unscaled`.
+    #[inline]
+    fn ratio<S: Scalar>(self, component: S, [before, after]: [S; 2], unscaled: f64) -> f64 {
+        let size = component.abs();
+        let relative = S::from_f64(self.relative);
+        let allowed = S::from_f64(self.absolute) + relative * before.max(after);
+        if allowed.smallest() > 0.0 {
+            return (size / allowed).largest();
+        }
+        let without = is_zero(allowed);
+        let ratio = (size / divisor(allowed) * (S::one() - without)).largest();
+        if (size * without).largest() > 0.0 {
+            ratio.max(unscaled)
+        } else {
+            ratio
+        }
+    }
+
+    /// The ratios of all components.
+    #[inline]
+    fn ratios<S: Scalar, X: VectorSpace<S>>(
+        self,
+        vector: &X,
+        [before, after]: &[X; 2],
+        unscaled: f64,
+    ) -> impl Iterator<Item = f64> {
+        let sizes = before.components().zip(after.components());
+        let scaled = vector.components().zip(sizes);
+        scaled.map(move |(component, (a, b))| self.ratio(component, [a, b], unscaled))
+    }
+}
+
+/// The sum of the squares of ratios, and their number.
+#[inline]
+fn squares(ratios: impl Iterator<Item = f64>) -> (f64, f64) {
+    ratios.fold((0.0, 0.0), |(sum, count), ratio| {
+        (sum + ratio * ratio, count + 1.0)
+    })
+}
+
+/// What came of trying a step.
+pub(super) struct Attempt {
+    /// The estimated error in relation to the tolerance.
+    pub(super) error: f64,
+    /// Whether the new state is finite.
+    pub(super) finite: Result<(), IntegrationError>,
+}
+
+/// The error of a step in relation to the tolerance: h e₅² / √(e₅² + 0.01 e₃²), (10.17) of II.10,
+/// where e₅ and e₃ are the root mean squares of the estimates of orders 5 and 3.
+#[inline]
+pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
+    stages: &[X; ALL_STAGES],
+    h: f64,
+    sizes: &[X; 2],
+    tolerance: Tolerance,
+) -> f64 {
+    let zero = sizes[0].zeroed();
+    let fifth = combination(&FIFTH_ORDER_ERROR, stages, &zero);
+    let mut third = combination(&WEIGHTS, stages, &zero);
+    third.add_scaled(-S::one(), &combination(&THIRD_ORDER, stages, &zero));
+    let (fifth, components) = squares(tolerance.ratios(&fifth, sizes, f64::INFINITY));
+    let (third, _) = squares(tolerance.ratios(&third, sizes, f64::INFINITY));
+    let denominator = fifth + 0.01 * third;
+    if denominator == 0.0 {
+        return 0.0;
+    }
+    h.abs() * fifth / Scalar::sqrt(components * denominator)
+}
+
+/// The size of the next step, a positive number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct StepControl {
+    step: f64,
+    /// Whether the last attempt was rejected: the next step is then not to be longer.
+    rejected: bool,
+    /// How many attempts on end were of steps that lead nowhere.
+    crawled: u32,
+}
+
+impl StepControl {
+    pub(super) fn new(step: f64) -> Self {
+        Self {
+            step,
+            rejected: false,
+            crawled: 0,
+        }
+    }
+
+    /// Whether steps have been so short for so long that the rest of the way would take 10¹⁵ of them, as they
+    /// are near t = 0, where no step is too short to advance the time.
+    pub(super) fn crawls(&mut self, h: f64, remaining: f64) -> bool {
+        let crawling = h.abs() < f64::EPSILON * remaining.abs();
+        self.crawled = if crawling { self.crawled + 1 } else { 0 };
+        self.crawled > MOST_CRAWLED
+    }
+
+    pub(super) fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// Decides on a step of size `h`, and what to try next.
+    pub(super) fn accepts(&mut self, attempt: &Attempt, h: f64) -> bool {
+        if attempt.finite.is_err() || !attempt.error.is_finite() {
+            self.step = h / MOST_SHORTENING;
+            self.rejected = true;
+            return false;
+        }
+        let shortening = Scalar::powf(attempt.error, 1.0 / ORDER) / SAFETY;
+        if attempt.error > 1.0 {
+            self.step = h / shortening.min(MOST_SHORTENING);
+            self.rejected = true;
+            return false;
+        }
+        let step = h / shortening.clamp(1.0 / MOST_LENGTHENING, MOST_SHORTENING);
+        // A step cut short to land on a time says nothing against the longer one planned before.
+        let planned = if self.rejected { step.min(h) } else { step };
+        self.step = if h < self.step {
+            planned.max(self.step)
+        } else {
+            planned
+        };
+        self.rejected = false;
+        true
+    }
+}
+
+/// The size of the first step from `(clock, x)`, where the derivative is `slope`; at most
+/// `longest`, whose sign is the direction. It costs one evaluation.
+///
+/// An explicit Euler step estimates the second derivative; the step is such that h⁸ times the
+/// larger of the derivatives is 0.01: II.4, the algorithm at its end. A component that is zero and has no
+/// absolute tolerance tells nothing yet.
+pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    clock: Clock,
+    x: &D::State,
+    slope: &D::State,
+    longest: f64,
+    tolerance: Tolerance,
+) -> f64 {
+    let size = dynamics.error_scale(x);
+    let sizes = [size.clone(), size.clone()];
+    let norm = |vector: &D::State| Scalar::sqrt(squares(tolerance.ratios(vector, &sizes, 0.0)).0);
+    let (zeroth, first) = (norm(&size), norm(slope));
+    let guess = 0.01 * zeroth / first;
+    let told = first > 1e-5 && zeroth > 1e-5 && guess.is_normal();
+    let guess = if told { guess } else { 1e-6 };
+    let guess = guess.min(longest.abs());
+
+    let euler = guess.copysign(longest);
+    let mut ahead = x.clone();
+    ahead.add_scaled(S::from_f64(euler), slope);
+    let mut change = dynamics.derivative(S::from_f64(clock.after(euler)), &ahead);
+    change.add_scaled(-S::one(), slope);
+    let steepest = (norm(&change) / guess).max(first);
+    let step = if steepest <= 1e-15 {
+        (guess * 1e-3).max(1e-6)
+    } else if steepest.is_finite() {
+        Scalar::powf(0.01 / steepest, 1.0 / ORDER)
+    } else {
+        guess
+    };
+    step.min(100.0 * guess).min(longest.abs())
+}
+
+/// Why no step that advances the time meets the tolerance at (t, x), where `stages` are those of the last
+/// that was tried.
+#[cold]
+pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    (time, x): (f64, &D::State),
+    step: f64,
+    stages: &[D::State; ALL_STAGES],
+    tolerance: Tolerance,
+) -> IntegrationError {
+    if let Some(singularity) = dynamics.vanishing_inertia(S::from_f64(time), x) {
+        return IntegrationError::VanishingInertia {
+            time,
+            step,
+            singularity,
+        };
+    }
+    let size = dynamics.error_scale(x);
+    let sizes = [size.clone(), size];
+    let error = combination(&FIFTH_ORDER_ERROR, stages, &x.zeroed());
+    let ratios = tolerance.ratios(&error, &sizes, f64::INFINITY);
+    let worst =
+        ratios.enumerate().fold(
+            (0, -1.0),
+            |worst, (i, ratio)| {
+                if ratio > worst.1 { (i, ratio) } else { worst }
+            },
+        );
+    IntegrationError::StepTooSmall {
+        time,
+        step,
+        component: Some(dynamics.component_name(worst.0)),
+        relative_only: tolerance.absolute == 0.0,
+    }
+}
+
+const _: () = assert!(FIFTH_ORDER_ERROR.len() == STAGES && THIRD_ORDER.len() == STAGES);

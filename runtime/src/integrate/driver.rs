@@ -1,0 +1,369 @@
+//! Steps a motion until there is a reason to end.
+//!
+//! Comes in: a method, the dynamics, where to begin, at which times to sample and how far to go.
+//! Goes out: samples to an observer, and how it ended. Nothing here allocates but
+//! [`Driver::sample`], which collects. Errors are values; each time is visited once, in order.
+
+use core::marker::PhantomData;
+
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::integration::{Integration, check_singularity};
+use super::integrator::Integrator;
+use super::observer::{Observer, Unobserved};
+use super::outcome::{Outcome, StopReason};
+use super::sample::{InitialValue, Sample};
+use super::stepper::Statistics;
+use super::stepper::checked_state;
+use super::stop_condition::{
+    Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
+};
+#[cfg(feature = "alloc")]
+use super::trajectory::{PartialTrajectory, Trajectory};
+use crate::scalar::Scalar;
+
+/// A method of integration with limits, a condition to stop on and an observer.
+///
+/// ```
+/// use core::ops::ControlFlow;
+/// use lagrangian::prelude::*;
+/// use lagrangian::nalgebra::SVector;
+///
+/// /// A stone: height and velocity.
+/// struct Stone;
+///
+/// impl Dynamics for Stone {
+///     type State = SVector<f64, 2>;
+///
+///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+///         SVector::from([x[1], -10.0])
+///     }
+/// }
+///
+/// let mut fastest = 0.0_f64;
+/// let outcome = Dop853::new()
+///     .driver()
+///     .max_steps(1000)
+///     .stop_at_zero(|_, x: &SVector<f64, 2>| x[0])
+///     .observe(|progress: &Progress<'_, SVector<f64, 2>>| {
+///         fastest = fastest.max(progress.x[1].abs());
+///         ControlFlow::Continue(())
+///     })
+///     .run_until(&Stone, (0.0, SVector::from([20.0, 0.0])), 10.0)?;
+/// assert_eq!(outcome.reason, StopReason::Condition);
+/// assert!((outcome.last.t - 2.0).abs() < 1e-9);
+/// assert!((fastest - 20.0).abs() < 1e-9);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// # Going on after a stop
+///
+/// Change the state where the motion stopped, or the model, and integrate from there. The zero on which the new
+/// motion begins is not found again. Where a velocity is reversed, tell in which direction the function
+/// crosses: a ball bounces where its height falls through zero.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(height),
+///     kinetic = 0.5 * m * dot(height).powi(2),
+///     potential = m * g * height,
+/// )]
+/// struct Ball { m: f64, g: f64 }
+///
+/// let ball = Ball { m: 0.1, g: 10.0 };
+/// let method = Dop853::new();
+/// let mut state = State::new(0.0, [5.0], [0.0]);
+/// let mut bounces = 0;
+/// loop {
+///     let driver = method.driver().stop_at_crossing(
+///         Crossing::Falling,
+///         |_, x: &Phase<f64, 1>| x.q[Ball::HEIGHT],
+///     );
+///     let outcome = driver.run_until(&ball.dynamics(), state, 2.995)?;
+///     state = outcome.last.state();
+///     if outcome.reason != StopReason::Condition {
+///         break;
+///     }
+///     state.v[Ball::HEIGHT] *= -0.5;
+///     bounces += 1;
+/// }
+/// // It falls for 1 s and flies for 1 s, ½ s, ¼ s, …: the ninth bounce is at t = 3 − 2⁻⁷.
+/// assert_eq!((bounces, state.t), (9, 2.995));
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// Flights become shorter without end here. Once one is shorter than times can tell apart, its end is not seen, and
+/// the ball falls through the floor: let it rest where its velocity is small, as by `if state.v[0].abs() < 1e-6`. A
+/// driver is used up by an integration; one with the same conditions is a `clone()`.
+#[derive(Clone, Debug)]
+pub struct Driver<I, C = Unconditional, O = Unobserved> {
+    integrator: I,
+    max_steps: u64,
+    singularity_tolerance: Option<f64>,
+    condition: C,
+    observer: O,
+}
+
+impl<I> Driver<I> {
+    /// The driver of a method, with no condition, no observer, and at most 10⁸ steps.
+    #[must_use]
+    pub fn new(integrator: I) -> Self {
+        Self {
+            integrator,
+            max_steps: 100_000_000,
+            singularity_tolerance: None,
+            condition: Unconditional,
+            observer: Unobserved,
+        }
+    }
+}
+
+impl<I, C, O> Driver<I, C, O> {
+    /// Limits the number of steps, those that are rejected included.
+    #[must_use]
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.max_steps = steps;
+        self
+    }
+
+    /// Sets the relative error of the accelerations at which the integration ends near a
+    /// singularity of the mass matrix, estimated as the machine epsilon over the smallest relative
+    /// pivot. Infinity turns the check off.
+    ///
+    /// It is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps unless set, but
+    /// not below 4096 machine epsilons, since the pivots of regular models are small, too.
+    #[must_use]
+    pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
+        self.singularity_tolerance = Some(tolerance);
+        self
+    }
+
+    /// Stops after the first step at whose end `condition(t, x)` holds. The state is of the dynamics' type, which a closure names: `|t, x: &Phase<f64, N>|` of a
+    /// mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|` under a controller with states.
+    #[must_use]
+    pub fn stop_when<F>(self, condition: F) -> Driver<I, Predicate<F>, O> {
+        self.with_condition(Predicate(condition))
+    }
+
+    /// Stops where `function(t, x)` crosses zero in either direction, as
+    /// [`stop_at_crossing`](Self::stop_at_crossing) does, of a closure as
+    /// [`stop_when`](Self::stop_when) takes it.
+    #[must_use]
+    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, ZeroCrossing<F>, O> {
+        self.stop_at_crossing(Crossing::Either, function)
+    }
+
+    /// Stops where `function(t, x)` crosses zero in the direction of `crossing`, or arrives there. Of several
+    /// conditions, `function` gives an array of values and `crossing` is as long an array;
+    /// [`Outcome::met`] tells which were met. A closure names the type of the state, as under
+    /// [`stop_when`](Self::stop_when).
+    ///
+    /// A crossing is seen if the signs at the two ends of a step differ; where within the step is found by
+    /// bisection, and the state is that just after it. A zero without change of sign is not seen, nor are two
+    /// within one step: shorten the steps by the method's maximal step. Where the function is not a
+    /// number, or zero for a while, the sign before is remembered.
+    ///
+    /// A motion that begins on a zero leaves it first, to whichever side. See
+    /// [how to go on](Driver#going-on-after-a-stop).
+    #[must_use]
+    pub fn stop_at_crossing<F, K>(
+        self,
+        crossing: K,
+        function: F,
+    ) -> Driver<I, ZeroCrossing<F, K>, O> {
+        self.with_condition(ZeroCrossing { function, crossing })
+    }
+
+    fn with_condition<E>(self, condition: E) -> Driver<I, E, O> {
+        Driver {
+            integrator: self.integrator,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
+            condition,
+            observer: self.observer,
+        }
+    }
+
+    /// Shows every sample and the end of every step to `observer`, which may stop.
+    #[must_use]
+    pub fn observe<E>(self, observer: E) -> Driver<I, C, E> {
+        Driver {
+            integrator: self.integrator,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
+            condition: self.condition,
+            observer,
+        }
+    }
+
+    /// Integrates from `initial` until the time `end`, which may lie before it, or until a condition or the observer
+    /// stops.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn run_until<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        initial: impl InitialValue<D::State>,
+        end: f64,
+    ) -> Result<Outcome<D::State>, IntegrationError>
+    where
+        I: Integrator,
+        C: StopCondition<D::State>,
+        O: Observer<D::State>,
+    {
+        self.run_through(dynamics, initial, &[end])
+    }
+
+    /// Integrates through each of `times`, which advance in one direction from the initial time.
+    /// The observer sees the samples; nothing is collected.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn run_through<S: Scalar, D: Dynamics<S> + ?Sized>(
+        mut self,
+        dynamics: &D,
+        initial: impl InitialValue<D::State>,
+        times: &[f64],
+    ) -> Result<Outcome<D::State>, IntegrationError>
+    where
+        I: Integrator,
+        C: StopCondition<D::State>,
+        O: Observer<D::State>,
+    {
+        let (outcome, result) = self.run(dynamics, &initial.into_sample(), times, &mut |_| {});
+        result.map(|()| outcome)
+    }
+
+    /// The motion from `initial` at each of `times`, which advance in one direction. An empty list
+    /// gives an empty trajectory.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the samples up to then.
+    #[cfg(feature = "alloc")]
+    pub fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
+        mut self,
+        dynamics: &D,
+        initial: impl InitialValue<D::State>,
+        times: &[f64],
+    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    where
+        I: Integrator,
+        C: StopCondition<D::State>,
+        O: Observer<D::State>,
+    {
+        let mut samples = alloc::vec::Vec::with_capacity(times.len());
+        let mut collect = |sample: &Sample<D::State>| samples.push(sample.clone());
+        let (outcome, result) = self.run(dynamics, &initial.into_sample(), times, &mut collect);
+        let trajectory = Trajectory { samples, outcome };
+        match result {
+            Ok(()) => Ok(trajectory),
+            Err(error) => Err(PartialTrajectory::new(error, trajectory)),
+        }
+    }
+
+    /// Hands each sample to `collect` and then to the observer. Where it ended is known also after
+    /// an error.
+    pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        initial: &Sample<D::State>,
+        times: &[f64],
+        collect: &mut dyn FnMut(&Sample<D::State>),
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
+    where
+        I: Integrator,
+        C: StopCondition<D::State>,
+        O: Observer<D::State>,
+    {
+        let mut outcome = Outcome {
+            last: initial.clone(),
+            reason: StopReason::Error,
+            met: MetConditions::default(),
+            statistics: Statistics::default(),
+        };
+        let result = self.begin(dynamics, initial, times).and_then(|stepper| {
+            let mut integration = Integration {
+                dynamics,
+                stepper,
+                start: initial.t,
+                end: times.last().copied().unwrap_or(initial.t),
+                waiting: times,
+                min_pivot: self.min_pivot::<S>(),
+                max_steps: self.max_steps,
+                condition: &mut self.condition,
+                departure: None,
+                observer: &mut self.observer,
+                collect,
+                outcome: &mut outcome,
+                scalar: PhantomData,
+            };
+            integration.complete()
+        });
+        (outcome, result)
+    }
+
+    /// Checks everything that can be checked beforehand, the singularity first: where M is singular
+    /// the accelerations are not finite, and that would say less.
+    fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        initial: &Sample<D::State>,
+        times: &[f64],
+    ) -> Result<I::Stepper<S, D::State>, IntegrationError>
+    where
+        I: Integrator,
+    {
+        if let Some(tolerance) = self
+            .singularity_tolerance
+            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
+        {
+            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
+        }
+        checked_state(dynamics, initial.t, &initial.x)?;
+        check_times(initial.t, times)?;
+        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S>())?;
+        self.integrator
+            .start(dynamics, initial.t, initial.x.clone())
+    }
+
+    /// The relative pivot below which the integration ends.
+    fn min_pivot<S: Scalar>(&self) -> f64
+    where
+        I: Integrator,
+    {
+        let epsilon = S::machine_epsilon();
+        let allowed = self.singularity_tolerance.unwrap_or_else(|| {
+            self.integrator
+                .singularity_tolerance()
+                .max(4096.0 * epsilon)
+        });
+        epsilon / allowed
+    }
+}
+
+/// An error unless the times are finite and advance in the direction from `start` to the last.
+fn check_times(start: f64, times: &[f64]) -> Result<(), IntegrationError> {
+    if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
+        return Err(IntegrationError::NonFiniteTime { time });
+    }
+    let backwards = times.last().is_some_and(|&end| end < start);
+    let mut previous = start;
+    for (index, &time) in times.iter().enumerate() {
+        if (time < previous && !backwards) || (time > previous && backwards) {
+            return Err(IntegrationError::UnorderedTimes {
+                index,
+                time,
+                previous,
+            });
+        }
+        previous = time;
+    }
+    Ok(())
+}

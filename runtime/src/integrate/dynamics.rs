@@ -1,0 +1,97 @@
+//! What an integrator knows of the system it integrates.
+
+use core::fmt;
+
+use super::singularity::Singularity;
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// A system of first-order differential equations ẋ = f(t, x).
+///
+/// Integrators step anything that implements it. A Lagrangian enters through
+/// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
+///
+/// ```
+/// use lagrangian::{Dop853, Dynamics, Integrator};
+/// use lagrangian::nalgebra::SVector;
+///
+/// /// ẋ = −x.
+/// struct Decay;
+///
+/// impl Dynamics for Decay {
+///     type State = SVector<f64, 1>;
+///
+///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+///         -x
+///     }
+/// }
+///
+/// let end = Dop853::new().integrate_to(&Decay, (0.0, SVector::from([1.0])), 1.0)?;
+/// assert!((end.x[0] - (-1.0_f64).exp()).abs() < 1e-9);
+/// # Ok::<(), lagrangian::IntegrationError>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not something that an integrator steps",
+    note = "a model enters as `&model.dynamics()`, or under a control law as `&model.controlled_by(…)` or \
+            `&model.with_controller(…)`, whose law returns as many numbers as there are inputs"
+)]
+pub trait Dynamics<S: Scalar = f64> {
+    /// The state x.
+    type State: VectorSpace<S>;
+
+    /// The derivative f(t, x).
+    fn derivative(&self, t: S, x: &Self::State) -> Self::State;
+
+    /// The size of each component with which its error is compared: |xᵢ| unless there is a reason.
+    ///
+    /// The reason for a Lagrangian is a coordinate that is an angle. Its whole turns mean nothing,
+    /// and its size is 1.
+    #[inline]
+    fn error_scale(&self, x: &Self::State) -> Self::State {
+        x.map(Scalar::abs)
+    }
+
+    /// What makes the derivative lose its accuracy at a state, if the smallest relative pivot of
+    /// the mass matrix (or what corresponds to it) is below `min_pivot`, or no number.
+    #[inline]
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        let _ = (t, x, min_pivot);
+        None
+    }
+
+    /// The coordinate whose inertia has nearly vanished at a state, so that it moves too fast for any step, if
+    /// there is one; asked for where no step is small enough.
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        let _ = (t, x);
+        None
+    }
+
+    /// What the component of that index is called in error messages.
+    fn component_name(&self, index: usize) -> ComponentName {
+        ComponentName::Index(index)
+    }
+}
+
+/// What a component of a state is called in error messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ComponentName {
+    /// The coordinate of that name.
+    Coordinate(&'static str),
+    /// The velocity of the coordinate of that name.
+    Velocity(&'static str),
+    /// The state of that index of a controller.
+    Controller(usize),
+    /// A component without a name.
+    Index(usize),
+}
+
+impl fmt::Display for ComponentName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Coordinate(name) => write!(f, "the coordinate {name}"),
+            Self::Velocity(name) => write!(f, "the velocity of {name}"),
+            Self::Controller(index) => write!(f, "state {index} of the controller"),
+            Self::Index(index) => write!(f, "component {index} of the state"),
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! Why an integration could not go on.
+
+use core::fmt;
+
+use super::dynamics::ComponentName;
+use super::singularity::Singularity;
+use crate::number_format::Readable;
+
+/// Why an integration could not begin or could not go on.
+///
+/// Errors are values; an integrator never panics. What a collecting integration had sampled before
+/// the error is in `PartialTrajectory`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum IntegrationError {
+    /// The state is not finite.
+    NonFiniteState {
+        /// The time of the state.
+        time: f64,
+        /// Its first component that is not finite.
+        component: ComponentName,
+        /// The value of that component.
+        value: f64,
+    },
+    /// The state is finite but its derivative is not.
+    NonFiniteDerivative {
+        /// The time of the state.
+        time: f64,
+        /// The first component whose derivative is not finite.
+        component: ComponentName,
+        /// The derivative of that component.
+        value: f64,
+    },
+    /// A time to begin with or to integrate to is not finite, or differs between lanes.
+    NonFiniteTime {
+        /// That time.
+        time: f64,
+    },
+    /// The mass matrix is singular, or so near to it that more accuracy is lost than is allowed.
+    SingularConfiguration {
+        /// The time of the configuration.
+        time: f64,
+        /// The relative error in the accelerations, estimated as the machine epsilon over the
+        /// smallest relative pivot.
+        estimated_error: f64,
+        /// Which coordinates make it so.
+        singularity: Singularity,
+    },
+    /// The tolerance asks for a step that is too small to advance the time.
+    StepTooSmall {
+        /// The time reached.
+        time: f64,
+        /// The size of the step that was to be taken next.
+        step: f64,
+        /// The component whose error is the largest in relation to the tolerance; none for fixed steps.
+        component: Option<ComponentName>,
+        /// Whether there is no absolute tolerance, so that a component near zero is allowed no error.
+        relative_only: bool,
+    },
+    /// A coordinate moves too fast for any step, because its inertia has nearly vanished: the coordinates are
+    /// singular nearby.
+    VanishingInertia {
+        /// The time reached.
+        time: f64,
+        /// The size of the step that was to be taken next.
+        step: f64,
+        /// Which coordinates make it so; its relative pivot is the inertia in relation to that elsewhere.
+        singularity: Singularity,
+    },
+    /// The limit on the number of steps was reached before the end.
+    TooManySteps {
+        /// The time reached.
+        time: f64,
+        /// The limit.
+        limit: u64,
+    },
+    /// A step size is not a positive finite number.
+    InvalidStep {
+        /// That step size.
+        step: f64,
+    },
+    /// The tolerances are negative, not finite, or both zero.
+    InvalidTolerance {
+        /// The relative tolerance.
+        relative: f64,
+        /// The absolute tolerance.
+        absolute: f64,
+    },
+    /// The singularity tolerance is not a positive number.
+    InvalidSingularityTolerance {
+        /// That tolerance.
+        tolerance: f64,
+    },
+    /// The sample times do not advance in the direction of integration.
+    UnorderedTimes {
+        /// The index of the first time that does not.
+        index: usize,
+        /// That time.
+        time: f64,
+        /// The time before it.
+        previous: f64,
+    },
+}
+
+impl fmt::Display for IntegrationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NonFiniteState {
+                time,
+                component,
+                value,
+            } => write!(f, "{component} is {value} at t = {}", Readable(time)),
+            Self::NonFiniteDerivative {
+                time,
+                component,
+                value,
+            } => write!(
+                f,
+                "the derivative of {component} is {value} at t = {}",
+                Readable(time)
+            ),
+            Self::NonFiniteTime { time } => {
+                write!(
+                    f,
+                    "a time to integrate from or to must be finite, and the same in all lanes, not {time}"
+                )
+            }
+            Self::SingularConfiguration {
+                time,
+                estimated_error,
+                singularity,
+            } => write!(
+                f,
+                "at t = {} {singularity}; the estimated relative error of the accelerations is \
+                 {estimated_error:.1e}",
+                Readable(time)
+            ),
+            Self::StepTooSmall {
+                time,
+                step,
+                component,
+                relative_only,
+            } => write_too_small(f, (time, step), component, relative_only),
+            Self::VanishingInertia {
+                time,
+                step,
+                singularity,
+            } => write_vanishing(f, (time, step), &singularity),
+            Self::TooManySteps { time, limit } => {
+                write!(
+                    f,
+                    "the limit of {limit} steps is reached at t = {}: raise it, or look for forces that \
+                     jump, such as dry friction, which want fixed steps or a smooth form",
+                    Readable(time)
+                )
+            }
+            Self::InvalidStep { step } => {
+                write!(
+                    f,
+                    "a step size must be positive and finite, not {}",
+                    Readable(step)
+                )
+            }
+            Self::InvalidTolerance { relative, absolute } => write!(
+                f,
+                "tolerances must be finite, not negative and not both zero, not {} (relative) and {} \
+                 (absolute)",
+                Readable(relative),
+                Readable(absolute)
+            ),
+            Self::InvalidSingularityTolerance { tolerance } => {
+                write!(
+                    f,
+                    "the singularity tolerance must be positive, not {tolerance}"
+                )
+            }
+            Self::UnorderedTimes {
+                index,
+                time,
+                previous,
+            } => write!(
+                f,
+                "sample times must advance from the initial time towards the last: {time} at index \
+                 {index} comes after {previous}"
+            ),
+        }
+    }
+}
+
+/// That no step meets the tolerance, and what to do about it.
+fn write_too_small(
+    f: &mut fmt::Formatter<'_>,
+    (time, step): (f64, f64),
+    component: Option<ComponentName>,
+    relative_only: bool,
+) -> fmt::Result {
+    let time = Readable(time);
+    write!(f, "the step {step:e} is too small at t = {time}")?;
+    match component {
+        Some(component) => write!(f, ": {component} does not meet the tolerance there")?,
+        None => f.write_str(" to advance the time: set a longer one")?,
+    }
+    if relative_only {
+        f.write_str("; set an absolute tolerance, unless it is far from zero")?;
+    }
+    Ok(())
+}
+
+/// That a coordinate moves too fast, and where.
+fn write_vanishing(
+    f: &mut fmt::Formatter<'_>,
+    (time, step): (f64, f64),
+    singularity: &Singularity,
+) -> fmt::Result {
+    let (time, coordinate) = (Readable(time), singularity.coordinate());
+    write!(
+        f,
+        "the step {step:e} is too small at t = {time}: {coordinate} moves too fast, since its inertia \
+         has nearly vanished"
+    )?;
+    singularity.write_coordinates(f)?;
+    f.write_str("; use coordinates that are regular there, for Euler angles another sequence")
+}
+
+impl core::error::Error for IntegrationError {}

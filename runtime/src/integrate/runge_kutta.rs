@@ -1,0 +1,272 @@
+//! Explicit Runge–Kutta methods of fixed step.
+//!
+//! A method is a table of coefficients and a reference; the step is written once. The adaptive
+//! method of order 8 is [`Dop853`](crate::Dop853).
+
+use super::compensated::{Clock, Compensated};
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::stepper::{Statistics, Stepper};
+use super::stepper::{checked_derivative, checked_state};
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// The coefficients of an explicit Runge–Kutta method in Butcher's notation.
+///
+/// ```text
+/// kᵢ = f(t + cᵢ h, x + h Σⱼ aᵢⱼ kⱼ),   x(t + h) ≈ x + h Σᵢ bᵢ kᵢ
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ButcherTableau<const STAGES: usize> {
+    /// The nodes cᵢ.
+    pub nodes: [f64; STAGES],
+    /// The rows of the matrix aᵢⱼ, each up to its last entry before the diagonal. What a row has
+    /// beyond that is not read.
+    pub matrix: [&'static [f64]; STAGES],
+    /// The weights bᵢ.
+    pub weights: [f64; STAGES],
+}
+
+/// The classical method of order 4: Kutta, *Z. Math. Phys.* **46** (1901) 435; Hairer, Nørsett &
+/// Wanner, *Solving Ordinary Differential Equations I*, table II.1.2.
+pub const CLASSICAL_FOURTH_ORDER: ButcherTableau<4> = ButcherTableau {
+    nodes: [0.0, 0.5, 0.5, 1.0],
+    matrix: [&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
+    weights: [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
+};
+
+/// The coefficients' sum Σ aⱼ kⱼ, without the terms that are zero.
+#[inline]
+pub(crate) fn combination<S: Scalar, X: VectorSpace<S>>(
+    coefficients: &[f64],
+    derivatives: &[X],
+    zero: &X,
+) -> X {
+    let mut sum = zero.clone();
+    for (&coefficient, derivative) in coefficients.iter().zip(derivatives) {
+        if coefficient != 0.0 {
+            sum.add_scaled(S::from_f64(coefficient), derivative);
+        }
+    }
+    sum
+}
+
+/// The derivative kᵢ = f(t + cᵢ h, x + h Σ aᵢⱼ kⱼ) of a stage.
+#[inline]
+pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    t: f64,
+    x: &D::State,
+    h: f64,
+    row: &[f64],
+    derivatives: &[D::State],
+) -> D::State {
+    let mut at = x.clone();
+    let slope = combination(row, derivatives, &x.zeroed());
+    at.add_scaled(S::from_f64(h), &slope);
+    dynamics.derivative(S::from_f64(t), &at)
+}
+
+/// An explicit Runge–Kutta method with steps of fixed size.
+///
+/// The times asked for need not be multiples of the step. What lies between two of them is divided
+/// into equal steps that are at most as long as the given one.
+///
+/// Nothing controls the error: halve the step and compare. Near a singularity of the mass matrix
+/// the integration ends where the estimated relative error of the accelerations exceeds 10⁻⁶.
+///
+/// ```
+/// use lagrangian::{Dynamics, Integrator, RungeKutta};
+/// use lagrangian::nalgebra::SVector;
+///
+/// /// ẍ = −x.
+/// struct Oscillator;
+///
+/// impl Dynamics for Oscillator {
+///     type State = SVector<f64, 2>;
+///
+///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+///         SVector::from([x[1], -x[0]])
+///     }
+/// }
+///
+/// let initial = (0.0, SVector::from([1.0, 0.0]));
+/// let end = RungeKutta::classical(0.01).integrate_to(&Oscillator, initial, 1.0)?;
+/// assert!((end.x[0] - 1.0_f64.cos()).abs() < 1e-9);
+/// # Ok::<(), lagrangian::IntegrationError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RungeKutta<const STAGES: usize> {
+    tableau: ButcherTableau<STAGES>,
+    step: f64,
+}
+
+impl RungeKutta<4> {
+    /// The classical method of order 4 with steps of size `step`.
+    #[must_use]
+    pub fn classical(step: f64) -> Self {
+        Self::new(CLASSICAL_FOURTH_ORDER, step)
+    }
+}
+
+impl<const STAGES: usize> RungeKutta<STAGES> {
+    /// The method of the given coefficients with steps of size `step`, a positive number also for
+    /// running backwards.
+    #[must_use]
+    pub fn new(tableau: ButcherTableau<STAGES>, step: f64) -> Self {
+        Self { tableau, step }
+    }
+
+    /// The increment h Σ bᵢ kᵢ over a step h from (t, x).
+    #[inline]
+    fn increment<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        clock: &Clock,
+        x: &D::State,
+        h: f64,
+    ) -> D::State {
+        let zero = x.zeroed();
+        let mut derivatives: [D::State; STAGES] = core::array::from_fn(|_| zero.clone());
+        let rows = self.tableau.nodes.iter().zip(&self.tableau.matrix);
+        for (i, (node, row)) in rows.enumerate() {
+            let (done, rest) = derivatives.split_at_mut(i);
+            if let Some(next) = rest.first_mut() {
+                *next = stage(dynamics, clock.after(node * h), x, h, row, done);
+            }
+        }
+        combination(&self.tableau.weights, &derivatives, &zero).map(|slope| slope * S::from_f64(h))
+    }
+}
+
+impl<const STAGES: usize> Integrator for RungeKutta<STAGES> {
+    type Stepper<S: Scalar, X: VectorSpace<S>> = RungeKuttaStepper<X, STAGES>;
+
+    fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        t: f64,
+        x: D::State,
+    ) -> Result<Self::Stepper<S, D::State>, IntegrationError> {
+        if !(self.step.is_finite() && self.step > 0.0) {
+            return Err(IntegrationError::InvalidStep { step: self.step });
+        }
+        checked_derivative(dynamics, t, &x)?;
+        let clock = Clock::new(t);
+        let state = Compensated::new(x);
+        Ok(RungeKuttaStepper {
+            method: *self,
+            clock,
+            previous: (clock, state.value().clone()),
+            state,
+            statistics: Statistics {
+                evaluations: 1,
+                ..Statistics::default()
+            },
+        })
+    }
+
+    fn singularity_tolerance(&self) -> f64 {
+        1e-6
+    }
+}
+
+/// Takes the steps of a [`RungeKutta`] method.
+///
+/// Time and state are sums with a carry, so that their rounding errors do not grow over a long run.
+#[derive(Clone, Debug)]
+pub struct RungeKuttaStepper<X, const STAGES: usize> {
+    method: RungeKutta<STAGES>,
+    clock: Clock,
+    state: Compensated<X>,
+    /// Where the last step began.
+    previous: (Clock, X),
+    statistics: Statistics,
+}
+
+impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
+    fn count_step(&mut self) {
+        self.statistics.steps += 1;
+        self.count_evaluations();
+    }
+
+    fn count_evaluations(&mut self) {
+        self.statistics.evaluations += STAGES as u64;
+    }
+}
+
+impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
+    for RungeKuttaStepper<X, STAGES>
+{
+    const DENSE_OUTPUT: bool = false;
+
+    fn time(&self) -> f64 {
+        self.clock.time()
+    }
+
+    fn state(&self) -> &X {
+        self.state.value()
+    }
+
+    fn previous_time(&self) -> f64 {
+        self.previous.0.time()
+    }
+
+    fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    fn step<D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        target: f64,
+    ) -> Result<(), IntegrationError> {
+        let remaining = self.clock.until(target);
+        if remaining == 0.0 {
+            return Ok(());
+        }
+        if !remaining.is_finite() {
+            return Err(IntegrationError::NonFiniteTime { time: target });
+        }
+        // A division that is exact but for rounding must not add a step.
+        let steps = libm::ceil(remaining.abs() / self.method.step * (1.0 - 1e-9)).max(1.0);
+        let h = remaining / steps;
+        let mut clock = self.clock;
+        if steps > 1.0 {
+            if h.abs() <= f64::EPSILON * clock.time().abs() {
+                return Err(IntegrationError::StepTooSmall {
+                    time: clock.time(),
+                    step: h.abs(),
+                    component: None,
+                    relative_only: false,
+                });
+            }
+            clock.advance(h);
+        } else {
+            clock = Clock::new(target);
+        }
+        let x = self.state.value();
+        let increment = self.method.increment(dynamics, &self.clock, x, h);
+        let state = self.state.plus(increment);
+        checked_state(dynamics, clock.time(), state.value())?;
+        self.previous = (self.clock, x.clone());
+        self.clock = clock;
+        self.state = state;
+        self.count_step();
+        Ok(())
+    }
+
+    /// The method's own step, of the length that leads to `t`: as accurate as the step itself.
+    fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X {
+        let (clock, x) = &self.previous;
+        let h = clock.until(t);
+        let increment = self.method.increment(dynamics, clock, x, h);
+        let mut x = x.clone();
+        x.add_scaled(S::one(), &increment);
+        self.count_evaluations();
+        x
+    }
+
+    fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, _: &D) {}
+}

@@ -1,0 +1,124 @@
+//! Where the equations of motion cannot be solved for the accelerations.
+
+use core::fmt;
+
+use crate::number_format::Readable;
+
+/// How many values of coordinates a report carries.
+const REPORTED: usize = 6;
+
+/// A configuration in which the mass matrix is singular, or so near to it that the accelerations
+/// have lost their accuracy.
+///
+/// z-x-z Euler angles are singular where sin θ = 0; there φ and ψ turn about the same axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Singularity {
+    relative_pivot: f64,
+    coordinate: usize,
+    names: &'static [&'static str],
+    dependencies: &'static [usize],
+    values: [f64; REPORTED],
+}
+
+impl Singularity {
+    /// The singularity in the block of the mass matrix that belongs to `coordinate`.
+    ///
+    /// `names` are those of all coordinates, `dependencies` the indices of those on which the
+    /// determinant of the block depends, and `value` gives the value of a coordinate.
+    pub fn new(
+        relative_pivot: f64,
+        coordinate: usize,
+        names: &'static [&'static str],
+        dependencies: &'static [usize],
+        value: impl Fn(usize) -> f64,
+    ) -> Self {
+        let mut values = [f64::NAN; REPORTED];
+        for (slot, index) in values.iter_mut().zip(dependencies) {
+            *slot = value(*index);
+        }
+        Self {
+            relative_pivot,
+            coordinate,
+            names,
+            dependencies,
+            values,
+        }
+    }
+
+    /// The pivot of the mass matrix's factorization relative to what it was before elimination.
+    #[must_use]
+    pub fn relative_pivot(&self) -> f64 {
+        self.relative_pivot
+    }
+
+    /// The coordinate whose pivot it is.
+    #[must_use]
+    pub fn coordinate(&self) -> &'static str {
+        self.name(self.coordinate)
+    }
+
+    /// Names and values of the coordinates on which the singularity depends, at most six of them.
+    /// None if parameters or the time alone make the mass matrix singular.
+    pub fn coordinates(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+        let names = self.dependencies.iter().map(|index| self.name(*index));
+        names.zip(self.values)
+    }
+
+    /// Where it is, as the end of a clause.
+    pub(crate) fn write_coordinates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, (name, value)) in self.coordinates().enumerate() {
+            let separator = if i == 0 { " where" } else { "," };
+            write!(f, "{separator} {name} = {}", Readable(value))?;
+        }
+        let left_out = self.dependencies.len().saturating_sub(REPORTED);
+        if left_out > 0 {
+            write!(f, " and {left_out} more")?;
+        }
+        Ok(())
+    }
+
+    fn name(&self, index: usize) -> &'static str {
+        self.names.get(index).copied().unwrap_or("?")
+    }
+}
+
+impl fmt::Display for Singularity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let coordinate = self.coordinate();
+        let pivot = self.relative_pivot;
+        write!(
+            f,
+            "the mass matrix is singular or nearly so (relative pivot {pivot:.1e} at {coordinate})"
+        )?;
+        self.write_coordinates(f)?;
+        if self.dependencies.is_empty() {
+            f.write_str(
+                "; it is so whatever the coordinates are: look for a parameter such as a mass or \
+                 an inertia that is zero or not a number",
+            )
+        } else {
+            f.write_str(
+                "; use coordinates that are regular there, for Euler angles another sequence, \
+                 unless a mass or an inertia is zero or not a number",
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Singularity;
+
+    #[test]
+    fn values_beyond_the_sixth_are_counted() {
+        const NAMES: &[&str] = &["a", "b", "c", "d", "e", "f", "g"];
+        let report = Singularity::new(0.0, 9, NAMES, &[0, 1, 2, 3, 4, 5, 6], |i| {
+            f64::from(u8::try_from(i).unwrap())
+        });
+        assert_eq!(report.coordinates().count(), 6);
+        assert_eq!(report.coordinate(), "?");
+        let text = std::format!("{report}");
+        assert!(text.contains("where a = 0, b = 1"), "{text}");
+        assert!(text.contains("f = 5 and 1 more"), "{text}");
+    }
+}

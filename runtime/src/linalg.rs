@@ -1,0 +1,11 @@
+//! Vectors and matrices of scalars: solving M q̈ = f, also lane by lane.
+
+mod factorization;
+mod into_vector;
+pub(crate) mod lane_select;
+mod pivoting;
+mod vector_space;
+
+pub use factorization::Factorization;
+pub use into_vector::IntoVector;
+pub use vector_space::VectorSpace;

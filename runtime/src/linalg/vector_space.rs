@@ -1,0 +1,65 @@
+//! What a state must offer to be integrated.
+//!
+//! An explicit method adds multiples of derivatives to a state and looks at the components for
+//! their size. It needs nothing else, so that coordinates and velocities, Euler's equations with a
+//! quaternion or a plain vector are stepped by the same code.
+
+use nalgebra::SVector;
+
+use crate::scalar::Scalar;
+
+/// A state that can be integrated: an element of a vector space over the scalars `S`.
+///
+/// ```
+/// use lagrangian::VectorSpace;
+/// use lagrangian::nalgebra::SVector;
+///
+/// let mut x = SVector::from([1.0, 2.0]);
+/// x.add_scaled(0.5, &SVector::from([4.0, -4.0]));
+/// assert_eq!(x, SVector::from([3.0, 0.0]));
+/// ```
+pub trait VectorSpace<S: Scalar>: Clone {
+    /// Adds `factor · other` to this state.
+    fn add_scaled(&mut self, factor: S, other: &Self);
+
+    /// The state whose components are `function` of the components of this one.
+    #[must_use]
+    fn map(&self, function: impl FnMut(S) -> S) -> Self;
+
+    /// The components, in an order that never changes.
+    fn components(&self) -> impl Iterator<Item = S> + '_;
+
+    /// The origin of the space.
+    #[inline]
+    #[must_use]
+    fn zeroed(&self) -> Self {
+        self.map(|_| S::zero())
+    }
+
+    /// The index and the value of the first component that is not finite.
+    #[must_use]
+    fn first_non_finite(&self) -> Option<(usize, S)> {
+        self.components()
+            .enumerate()
+            .find(|(_, component)| !component.is_finite())
+    }
+}
+
+impl<S: Scalar, const D: usize> VectorSpace<S> for SVector<S, D> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        for (component, summand) in self.iter_mut().zip(other.iter()) {
+            *component = summand.mul_add(factor, *component);
+        }
+    }
+
+    #[inline]
+    fn map(&self, function: impl FnMut(S) -> S) -> Self {
+        nalgebra::Matrix::map(self, function)
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        self.iter().copied()
+    }
+}

@@ -1,0 +1,34 @@
+//! Mechanical systems: what the derive macro implements, and what a model offers to an integrator and to a
+//! controller.
+
+mod generalized_coordinates;
+mod state;
+mod phase;
+mod linearization;
+mod operations;
+mod lagrangian;
+mod equations_of_motion;
+mod inputs;
+mod outputs;
+mod external_functions;
+mod augmented_phase;
+mod controlled_by;
+mod with_controller;
+mod plant;
+#[doc(hidden)]
+pub mod emitted;
+
+pub use augmented_phase::AugmentedPhase;
+pub use controlled_by::ControlledBy;
+pub use equations_of_motion::EquationsOfMotion;
+pub use external_functions::{ExternalFunctions, FunctionSignature};
+pub use generalized_coordinates::GeneralizedCoordinates;
+pub use inputs::{Inputs, WithInputs};
+pub use lagrangian::{Energies, Lagrangian};
+pub use linearization::Linearization;
+pub use operations::{OperationCount, Operations};
+pub use outputs::{Outputs, OutputsWith};
+pub use phase::Phase;
+pub use plant::Plant;
+pub use state::State;
+pub use with_controller::WithController;

@@ -1,0 +1,116 @@
+//! Coordinates, velocities, and the states of a controller.
+
+use nalgebra::SVector;
+
+use super::phase::Phase;
+use super::state::State;
+#[cfg(feature = "alloc")]
+use crate::integrate::Trajectory;
+use crate::integrate::{InitialValue, Sample};
+use crate::linalg::{IntoVector, VectorSpace};
+use crate::scalar::Scalar;
+
+/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
+/// controller: what an integrator steps under [`WithController`](crate::WithController).
+///
+/// A motion begins at a pair of a [`State`] and z:
+///
+/// ```
+/// use lagrangian::{AugmentedPhase, InitialValue, Sample, State};
+///
+/// let state = State::new(2.0, [0.5], [0.0]);
+/// let start: Sample<AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_sample();
+/// assert_eq!(start.state(), state);
+/// assert_eq!(start.x.controller[1], 0.25);
+/// ```
+///
+/// Its components are the coordinates, the velocities, then the states of the controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AugmentedPhase<S: Scalar, const N: usize, const K: usize> {
+    /// Coordinates q.
+    pub q: SVector<S, N>,
+    /// Velocities q̇.
+    pub v: SVector<S, N>,
+    /// The states z of the controller.
+    pub controller: SVector<S, K>,
+}
+
+impl<S: Scalar, const N: usize, const K: usize> AugmentedPhase<S, N, K> {
+    /// Coordinates and velocities alone.
+    #[inline]
+    #[must_use]
+    pub fn phase(&self) -> Phase<S, N> {
+        Phase {
+            q: self.q,
+            v: self.v,
+        }
+    }
+
+    /// The state of the mechanical system at time `t`.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, t: S) -> State<S, N> {
+        self.phase().at(t)
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> VectorSpace<S> for AugmentedPhase<S, N, K> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.q.add_scaled(factor, &other.q);
+        self.v.add_scaled(factor, &other.v);
+        self.controller.add_scaled(factor, &other.controller);
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        Self {
+            q: self.q.map(&mut function),
+            v: self.v.map(&mut function),
+            controller: self.controller.map(&mut function),
+        }
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        let motion = self.q.iter().chain(self.v.iter());
+        motion.chain(self.controller.iter()).copied()
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Sample<AugmentedPhase<S, N, K>> {
+    /// The sample as a state of the mechanical system.
+    #[inline]
+    #[must_use]
+    pub fn state(&self) -> State<S, N> {
+        self.x.at(S::from_f64(self.t))
+    }
+}
+
+/// A motion under a law with states of its own begins at the state of the system beside those of the law.
+impl<S, C, const N: usize, const K: usize> InitialValue<AugmentedPhase<S, N, K>>
+    for (State<S, N>, C)
+where
+    S: Scalar,
+    C: IntoVector<S, K>,
+{
+    fn into_sample(self) -> Sample<AugmentedPhase<S, N, K>> {
+        let (state, controller) = self;
+        let Sample { t, x } = Sample::from(state);
+        let Phase { q, v } = x;
+        let controller = controller.into_vector();
+        let x = AugmentedPhase { q, v, controller };
+        Sample { t, x }
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S: Scalar, const N: usize, const K: usize> Trajectory<AugmentedPhase<S, N, K>> {
+    /// The samples as states of the mechanical system; those of the controller are in
+    /// [`samples`](Self::samples).
+    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
+        self.samples()
+            .iter()
+            .map(Sample::<AugmentedPhase<S, N, K>>::state)
+    }
+}

@@ -1,0 +1,96 @@
+//! A system under a control law without memory.
+
+use nalgebra::SVector;
+
+use super::equations_of_motion::{component_name, error_scale, singularity, vanishing_inertia};
+use super::inputs::Inputs;
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::linalg::IntoVector;
+use crate::scalar::Scalar;
+
+/// A system under the static feedback u = law(t, q, q̇); made by
+/// [`Plant::controlled_by`](crate::Plant::controlled_by).
+///
+/// What depends on the parameters alone is computed when it is made.
+#[derive(Debug)]
+pub struct ControlledBy<'a, M, C, S, const N: usize, const U: usize>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    model: &'a M,
+    prepared: M::Prepared,
+    law: C,
+}
+
+impl<'a, M, C, S, const N: usize, const U: usize> ControlledBy<'a, M, C, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    /// The model under a law on any scalar on which the model is evaluated, such as
+    /// `|state: &State<f32, 2>| …`.
+    pub fn new<R>(model: &'a M, law: C) -> Self
+    where
+        C: Fn(&State<S, N>) -> R,
+        R: IntoVector<S, U>,
+    {
+        Self {
+            model,
+            prepared: model.prepare(),
+            law,
+        }
+    }
+
+    /// The inputs u that the law sets at a state.
+    #[inline]
+    pub fn inputs<R>(&self, state: &State<S, N>) -> SVector<S, U>
+    where
+        C: Fn(&State<S, N>) -> R,
+        R: IntoVector<S, U>,
+    {
+        (self.law)(state).into_vector()
+    }
+}
+
+impl<M, C, R, S, const N: usize, const U: usize> Dynamics<S> for ControlledBy<'_, M, C, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    C: Fn(&State<S, N>) -> R,
+    R: IntoVector<S, U>,
+    S: Scalar,
+{
+    type State = Phase<S, N>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+        let state = x.at(t);
+        let inputs = self.inputs(&state);
+        Phase {
+            q: x.v,
+            v: self
+                .model
+                .accelerations_prepared_with(&state, &inputs, &self.prepared),
+        }
+    }
+
+    #[inline]
+    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        error_scale::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        vanishing_inertia(self.model, &x.at(t))
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        component_name::<M, N>(index)
+    }
+}

@@ -1,0 +1,276 @@
+//! The door through which a Lagrangian system enters an integrator.
+
+use core::marker::PhantomData;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::generalized_coordinates::GeneralizedCoordinates;
+use super::lagrangian::Lagrangian;
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::linalg::Factorization;
+use crate::scalar::Scalar;
+
+/// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
+/// [`Lagrangian::dynamics`].
+///
+/// What depends on the parameters alone is computed when it is made.
+///
+/// # Many motions at once
+///
+/// Integrations do not change it, so that threads share it. A parallel iterator, such as rayon's
+/// `amplitudes.par_iter().map(|amplitude| …)`, does the same as the threads here:
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let dynamics = pendulum.dynamics();
+/// let swing = &|amplitude: f64| {
+///     let start = State::new(0.0, [amplitude], [0.0]);
+///     Dop853::new().integrate_to(&dynamics, start, 10.0)
+/// };
+/// let amplitudes = [0.5, 1.0, 1.5, 2.0];
+/// let ends = std::thread::scope(|scope| {
+///     let threads = amplitudes.map(|amplitude| scope.spawn(move || swing(amplitude)));
+///     threads.map(|thread| thread.join().expect("an integration does not panic"))
+/// });
+/// for (end, amplitude) in ends.into_iter().zip(amplitudes) {
+///     assert_eq!(end?, swing(amplitude)?);
+/// }
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// A model on a scalar of several lanes integrates several motions in one thread, with the steps of the
+/// one that needs the shortest.
+#[derive(Debug)]
+pub struct EquationsOfMotion<'a, M, S, const N: usize>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    model: &'a M,
+    prepared: M::Prepared,
+}
+
+impl<'a, M, S, const N: usize> EquationsOfMotion<'a, M, S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    pub(crate) fn new(model: &'a M) -> Self {
+        Self {
+            model,
+            prepared: model.prepare(),
+        }
+    }
+}
+
+impl<M, S, const N: usize> Clone for EquationsOfMotion<'_, M, S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+        }
+    }
+}
+
+impl<M, S, const N: usize> Dynamics<S> for EquationsOfMotion<'_, M, S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    type State = Phase<S, N>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+        Phase {
+            q: x.v,
+            v: self.model.accelerations_prepared(&x.at(t), &self.prepared),
+        }
+    }
+
+    #[inline]
+    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        error_scale::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        vanishing_inertia(self.model, &x.at(t))
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        component_name::<M, N>(index)
+    }
+}
+
+/// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle, which is the same after a whole turn; and for
+/// one that is ignorable what it moves in a unit of time, if that is more than 1, wherever it is.
+#[inline]
+pub(crate) fn error_scale<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
+where
+    M: GeneralizedCoordinates<N> + ?Sized,
+    S: Scalar,
+{
+    let mut sizes = Phase {
+        q: x.q.map(Scalar::abs),
+        v: x.v.map(Scalar::abs),
+    };
+    for (i, size) in sizes.q.iter_mut().enumerate() {
+        if M::ANGLES[i] {
+            *size = S::one();
+        } else if M::IGNORABLE[i] {
+            *size = sizes.v[i].max(S::one());
+        }
+    }
+    sizes
+}
+
+/// The coordinate with the smallest relative pivot, if that is below `min_pivot`.
+#[inline]
+pub(crate) fn singularity<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let pivots = model.relative_pivots(state);
+    let regular = pivots
+        .iter()
+        .all(|pivot| pivot.abs().smallest() >= min_pivot);
+    if regular {
+        None
+    } else {
+        Some(report::<M, S, N>(&pivots, state))
+    }
+}
+
+/// Names the coordinates that make the smallest of the relative pivots small.
+#[cold]
+fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
+where
+    M: GeneralizedCoordinates<N> + ?Sized,
+    S: Scalar,
+{
+    // A pivot that is no number comes from a division by zero: nothing is smaller.
+    let sizes = pivots.iter().map(|pivot| {
+        let size = pivot.abs().smallest();
+        if size.is_nan() { 0.0 } else { size }
+    });
+    let (coordinate, least) = sizes
+        .enumerate()
+        .fold((0, f64::INFINITY), |least, (i, size)| {
+            if size < least.1 { (i, size) } else { least }
+        });
+    named::<M, S, N>(coordinate, least, state)
+}
+
+/// A coordinate, and those that make its block of the mass matrix singular.
+fn named<M, S, const N: usize>(
+    coordinate: usize,
+    relative_pivot: f64,
+    state: &State<S, N>,
+) -> Singularity
+where
+    M: GeneralizedCoordinates<N> + ?Sized,
+    S: Scalar,
+{
+    let dependencies = Structure::<M, N>::SINGULARITIES
+        .get(coordinate)
+        .copied()
+        .unwrap_or_default();
+    Singularity::new(
+        relative_pivot,
+        coordinate,
+        Structure::<M, N>::COORDINATES,
+        dependencies,
+        |i| state.q.get(i).map_or(f64::NAN, |value| value.smallest()),
+    )
+}
+
+/// An inertia that is this small in relation to what it is elsewhere has nearly vanished.
+const VANISHING: f64 = 1e-6;
+
+/// How far away elsewhere is, in each of the coordinates on which an inertia depends.
+const ELSEWHERE: [f64; 3] = [-1.0, 0.5, 1.0];
+
+/// The coordinate whose inertia is the smallest in relation to what it is elsewhere, if it has nearly vanished.
+#[cold]
+pub(crate) fn vanishing_inertia<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let here = inertias(model, state);
+    let ratios = (0..N).map(|i| {
+        let elsewhere = ELSEWHERE.map(|distance| {
+            let mut moved = *state;
+            for j in M::SINGULARITIES[i] {
+                moved.q[*j] += S::from_f64(distance);
+            }
+            inertias(model, &moved)[i].smallest()
+        });
+        let most = elsewhere.into_iter().fold(0.0, f64::max);
+        (i, here[i].smallest() / most)
+    });
+    let least = ratios.fold((0, VANISHING), |least, (i, ratio)| {
+        if ratio < least.1 { (i, ratio) } else { least }
+    });
+    (least.1 < VANISHING).then(|| named::<M, S, N>(least.0, least.1, state))
+}
+
+/// The size of the inertia of each coordinate where the others are free, 1 / (M⁻¹)ᵢᵢ.
+fn inertias<M, S, const N: usize>(model: &M, state: &State<S, N>) -> SVector<S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let unit = SMatrix::<S, N, N>::from_fn(|i, j| if i == j { S::one() } else { S::zero() });
+    let inverse = Factorization::new(model.mass_matrix(state)).solve(&unit);
+    SVector::from_fn(|i, _| S::one() / inverse[(i, i)].abs())
+}
+
+pub(crate) fn component_name<M: GeneralizedCoordinates<N> + ?Sized, const N: usize>(
+    index: usize,
+) -> ComponentName {
+    let names = Structure::<M, N>::COORDINATES;
+    let coordinate = names.get(index);
+    let velocity = index.checked_sub(N).and_then(|i| names.get(i));
+    match (coordinate, velocity) {
+        (Some(name), _) => ComponentName::Coordinate(name),
+        (None, Some(name)) => ComponentName::Velocity(name),
+        (None, None) => ComponentName::Index(index),
+    }
+}
+
+/// The constants of a system as slices that live as long as the program.
+struct Structure<M: ?Sized, const N: usize>(PhantomData<M>);
+
+impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> Structure<M, N> {
+    const COORDINATES: &'static [&'static str] = &M::COORDINATES;
+    const SINGULARITIES: &'static [&'static [usize]] = &M::SINGULARITIES;
+}

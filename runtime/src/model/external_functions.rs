@@ -1,0 +1,36 @@
+//! External functions: those that a declaration uses and Rust code computes.
+
+use crate::scalar::Scalar;
+
+/// The name of a function and those of its arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FunctionSignature {
+    /// The name of the function.
+    pub name: &'static str,
+    /// The names of its arguments, in order.
+    pub arguments: &'static [&'static str],
+}
+
+/// A model whose declaration has `function(name(argument, …) = …)`.
+///
+/// `#[derive(Lagrangian)]` implements it. The feature `derivative-checks` adds a test that the declared derivatives are
+/// those of the functions, `CheckDerivatives`.
+pub trait ExternalFunctions {
+    /// What the functions are evaluated on.
+    type Scalar: Scalar;
+
+    /// The functions, in the order of declaration.
+    const FUNCTIONS: &'static [FunctionSignature];
+
+    /// The value of a function, by its position; not a number unless there is one of so many arguments.
+    fn function(&self, function: usize, arguments: &[Self::Scalar]) -> Self::Scalar;
+
+    /// The declared derivative of a function by one of its arguments, by their positions; none where none
+    /// is declared.
+    fn derivative(
+        &self,
+        function: usize,
+        argument: usize,
+        arguments: &[Self::Scalar],
+    ) -> Option<Self::Scalar>;
+}

@@ -1,0 +1,178 @@
+//! Forces and torques that something outside of the model sets.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::generalized_coordinates::GeneralizedCoordinates;
+use super::lagrangian::Lagrangian;
+use super::linearization::Linearization;
+use super::linearization::below_zeros;
+use super::state::State;
+use crate::scalar::Scalar;
+
+/// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
+///
+/// The methods of [`Lagrangian`] use the values of the fields. Those here take the inputs as an
+/// argument, so that they can vary in time and be of any scalar.
+pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N, S> {
+    /// The names of the inputs, in order.
+    const INPUTS: [&'static str; U];
+
+    /// The inputs as the fields have them.
+    fn inputs(&self) -> SVector<S, U>;
+
+    /// The Lagrangian function L under these inputs.
+    fn lagrangian_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> S;
+
+    /// The energy function Σ pᵢ q̇ᵢ − L under these inputs.
+    fn energy_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> S;
+
+    /// The forcing f in M q̈ = f under these inputs.
+    fn forcing_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+
+    /// The generalized forces Q under these inputs.
+    fn generalized_forces_with(&self, state: &State<S, N>, inputs: &SVector<S, U>)
+    -> SVector<S, N>;
+
+    /// The accelerations q̈ under these inputs.
+    fn accelerations_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+
+    /// The accelerations q̈ under these inputs, from what [`prepare`](Lagrangian::prepare) gave for the
+    /// same parameters.
+    fn accelerations_prepared_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        _prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.accelerations_with(state, inputs)
+    }
+
+    /// M q̈ − f under these inputs.
+    fn inverse_dynamics_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N>;
+
+    /// The derivatives of the accelerations with respect to q, q̇ and t, these inputs held.
+    fn linearize_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N>;
+
+    /// The derivatives ∂q̈ᵢ/∂uⱼ in row i, column j.
+    fn input_jacobian_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U>;
+
+    /// The derivatives ∂q̈ᵢ/∂uⱼ at the inputs that the fields have.
+    fn input_jacobian(&self, state: &State<S, N>) -> SMatrix<S, N, U> {
+        self.input_jacobian_with(state, &self.inputs())
+    }
+
+    /// The input matrix B = (0; ∂q̈/∂u) in ẋ = A x + B u, where x = (q, q̇) and u are deviations from this
+    /// state and these inputs. It has `D` = 2 `N` rows.
+    ///
+    /// A is the [`state_matrix`](Linearization::state_matrix) of
+    /// [`linearize_with`](Self::linearize_with), where both are shown.
+    fn input_matrix_with<const D: usize>(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+    ) -> SMatrix<S, D, U> {
+        below_zeros(&self.input_jacobian_with(state, inputs))
+    }
+
+    /// The input matrix B at the inputs that the fields have.
+    fn input_matrix<const D: usize>(&self, state: &State<S, N>) -> SMatrix<S, D, U> {
+        below_zeros(&self.input_jacobian(state))
+    }
+
+    /// The same system under other inputs, held constant.
+    fn with_inputs(&self, inputs: impl Into<SVector<S, U>>) -> WithInputs<'_, Self, S, U> {
+        WithInputs {
+            model: self,
+            inputs: inputs.into(),
+        }
+    }
+}
+
+/// A model under inputs that are held constant; see [`Inputs::with_inputs`].
+#[derive(Debug)]
+pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
+    pub(super) model: &'a M,
+    pub(super) inputs: SVector<S, U>,
+}
+
+impl<M, S, const N: usize, const U: usize> GeneralizedCoordinates<N> for WithInputs<'_, M, S, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    const COORDINATES: [&'static str; N] = M::COORDINATES;
+    const ANGLES: [bool; N] = M::ANGLES;
+    const IGNORABLE: [bool; N] = M::IGNORABLE;
+    const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
+}
+
+impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    type Prepared = M::Prepared;
+
+    fn lagrangian(&self, state: &State<S, N>) -> S {
+        self.model.lagrangian_with(state, &self.inputs)
+    }
+
+    fn energy(&self, state: &State<S, N>) -> S {
+        self.model.energy_with(state, &self.inputs)
+    }
+
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.momenta(state)
+    }
+
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
+        self.model.mass_matrix(state)
+    }
+
+    fn forcing(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.forcing_with(state, &self.inputs)
+    }
+
+    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.generalized_forces_with(state, &self.inputs)
+    }
+
+    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.accelerations_with(state, &self.inputs)
+    }
+
+    fn prepare(&self) -> Self::Prepared {
+        self.model.prepare()
+    }
+
+    fn accelerations_prepared(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.model
+            .accelerations_prepared_with(state, &self.inputs, prepared)
+    }
+
+    fn inverse_dynamics(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N> {
+        self.model
+            .inverse_dynamics_with(state, &self.inputs, accelerations)
+    }
+
+    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N> {
+        self.model.linearize_with(state, &self.inputs)
+    }
+
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.relative_pivots(state)
+    }
+}

@@ -1,0 +1,109 @@
+//! Derivatives of the accelerations.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::linalg::lane_select::Lanewise;
+use crate::scalar::Scalar;
+
+/// The derivatives of the accelerations q̈(q, q̇, t) of a system with `N` degrees of freedom; given by
+/// [`linearize`](crate::Lagrangian::linearize).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linearization<S: Scalar, const N: usize> {
+    /// ∂q̈ᵢ/∂qⱼ in row i, column j.
+    pub position: SMatrix<S, N, N>,
+    /// ∂q̈ᵢ/∂q̇ⱼ in row i, column j.
+    pub velocity: SMatrix<S, N, N>,
+    /// ∂q̈ᵢ/∂t.
+    pub time: SVector<S, N>,
+}
+
+impl<S: Scalar, const N: usize> Linearization<S, N> {
+    /// The state matrix A = (0, 1; ∂q̈/∂q, ∂q̈/∂q̇) of the first-order system ẋ = A x + B u, where
+    /// x = (q, q̇) and u are deviations from where it was linearized; B is the
+    /// [`input_matrix`](crate::Inputs::input_matrix). It has `D` = 2 `N` rows and columns.
+    ///
+    /// That is all of the linear system about an equilibrium. About a point of a motion x is the deviation
+    /// from that motion, and A and B vary along it.
+    ///
+    /// ```
+    /// use lagrangian::nalgebra::{Matrix3, Vector2};
+    /// use lagrangian::prelude::*;
+    ///
+    /// /// An inverted pendulum with a motor: l² θ̈ = g l sin θ + torque/m.
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     coordinates(theta),
+    ///     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
+    ///     potential = m * g * l * cos(theta),
+    ///     force(theta = torque),
+    /// )]
+    /// struct Inverted { m: f64, l: f64, g: f64, #[lagrangian(input)] torque: f64 }
+    ///
+    /// let model = Inverted { m: 2.0, l: 0.5, g: 9.81, torque: 0.0 };
+    /// let upright = State::new(0.0, [0.0], [0.0]);
+    /// let a: Matrix2<f64> = model.linearize(&upright).state_matrix();
+    /// let b = model.input_matrix::<2>(&upright);
+    /// assert_eq!(a, Matrix2::new(0.0, 1.0, 9.81 / 0.5, 0.0));
+    /// assert_eq!(b, Vector2::new(0.0, 2.0));
+    ///
+    /// // Discretized for inputs that are held over a period h: exp((A, B; 0, 0) h) = (Ad, Bd; 0, 1);
+    /// // Van Loan, IEEE Trans. Autom. Control 23 (1978) 395.
+    /// let h = 0.01;
+    /// let mut block = Matrix3::zeros();
+    /// block.fixed_view_mut::<2, 2>(0, 0).copy_from(&(a * h));
+    /// block.fixed_view_mut::<2, 1>(0, 2).copy_from(&(b * h));
+    /// let discrete = block.exp();
+    /// let rate = (9.81_f64 / 0.5).sqrt();
+    /// assert!((discrete[(0, 0)] - (rate * h).cosh()).abs() < 1e-15);
+    /// assert!((discrete[(0, 2)] - 2.0 * ((rate * h).cosh() - 1.0) / rate.powi(2)).abs() < 1e-15);
+    /// ```
+    ///
+    /// Another `D` does not compile:
+    ///
+    /// ```compile_fail,E0080
+    /// # use lagrangian::{Linearization, nalgebra::{SMatrix, SVector}};
+    /// # let zeros = SMatrix::<f64, 2, 2>::zeros();
+    /// # let linearization = Linearization { position: zeros, velocity: zeros, time: SVector::zeros() };
+    /// let a: SMatrix<f64, 3, 3> = linearization.state_matrix();
+    /// ```
+    #[must_use]
+    pub fn state_matrix<const D: usize>(&self) -> SMatrix<S, D, D> {
+        const {
+            assert!(
+                D == 2 * N,
+                "the state matrix has twice as many rows and columns as there are coordinates: `D` is 2 `N`, \
+                 as in `state_matrix::<4>()` for two"
+            );
+        }
+        SMatrix::from_fn(|i, j| match (i.checked_sub(N), j.checked_sub(N)) {
+            (None, None) => S::zero(),
+            (None, Some(j)) => S::from_f64(if i == j { 1.0 } else { 0.0 }),
+            (Some(i), None) => self.position[(i, j)],
+            (Some(i), Some(j)) => self.velocity[(i, j)],
+        })
+    }
+}
+
+impl<S: Scalar, const N: usize> Lanewise<S> for Linearization<S, N> {
+    fn or(self, other: Self, chosen: S) -> Self {
+        Self {
+            position: self.position.or(other.position, chosen),
+            velocity: self.velocity.or(other.velocity, chosen),
+            time: self.time.or(other.time, chosen),
+        }
+    }
+}
+
+/// A matrix of which the upper half is zero.
+pub(crate) fn below_zeros<S: Scalar, const D: usize, const N: usize, const U: usize>(
+    lower: &SMatrix<S, N, U>,
+) -> SMatrix<S, D, U> {
+    const {
+        assert!(
+            D == 2 * N,
+            "the input matrix has twice as many rows as there are coordinates: `D` is 2 `N`, as in \
+             `input_matrix::<4>(…)` for two"
+        );
+    }
+    SMatrix::from_fn(|i, j| i.checked_sub(N).map_or(S::zero(), |i| lower[(i, j)]))
+}

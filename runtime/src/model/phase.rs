@@ -1,0 +1,125 @@
+//! Coordinates and velocities, without the time.
+
+use nalgebra::SVector;
+
+use super::state::State;
+#[cfg(feature = "alloc")]
+use crate::integrate::Trajectory;
+use crate::integrate::{InitialValue, Sample};
+use crate::linalg::{IntoVector, VectorSpace};
+use crate::scalar::Scalar;
+
+/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: what an integrator
+/// steps. With a time it is a [`State`].
+///
+/// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components
+/// are the coordinates, then the velocities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase<S: Scalar, const N: usize> {
+    /// Coordinates q.
+    pub q: SVector<S, N>,
+    /// Velocities q̇.
+    pub v: SVector<S, N>,
+}
+
+impl<S: Scalar, const N: usize> Phase<S, N> {
+    /// The phase with coordinates `q` and velocities `v`, from arrays or vectors.
+    pub fn new(q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
+        Self {
+            q: q.into_vector(),
+            v: v.into_vector(),
+        }
+    }
+
+    /// The state that has this phase at time `t`.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, t: S) -> State<S, N> {
+        State {
+            t,
+            q: self.q,
+            v: self.v,
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize> From<State<S, N>> for Phase<S, N> {
+    #[inline]
+    fn from(state: State<S, N>) -> Self {
+        Self {
+            q: state.q,
+            v: state.v,
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.q.add_scaled(factor, &other.q);
+        self.v.add_scaled(factor, &other.v);
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        Self {
+            q: self.q.map(&mut function),
+            v: self.v.map(&mut function),
+        }
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        self.q.iter().chain(self.v.iter()).copied()
+    }
+}
+
+impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {
+    /// The sample as a state of the mechanical system.
+    #[inline]
+    #[must_use]
+    pub fn state(&self) -> State<S, N> {
+        self.x.at(S::from_f64(self.t))
+    }
+}
+
+impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for State<S, N> {
+    fn into_sample(self) -> Sample<Phase<S, N>> {
+        self.into()
+    }
+}
+
+impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for &State<S, N> {
+    fn into_sample(self) -> Sample<Phase<S, N>> {
+        self.into()
+    }
+}
+
+impl<S: Scalar, const N: usize> From<State<S, N>> for Sample<Phase<S, N>> {
+    /// The time is that of all lanes, and not a number if they differ.
+    fn from(state: State<S, N>) -> Self {
+        let (least, most) = (state.t.smallest(), state.t.largest());
+        let t = if least < most { f64::NAN } else { least };
+        Self { t, x: state.into() }
+    }
+}
+
+impl<S: Scalar, const N: usize> From<&State<S, N>> for Sample<Phase<S, N>> {
+    fn from(state: &State<S, N>) -> Self {
+        (*state).into()
+    }
+}
+
+impl<S: Scalar, const N: usize> From<Sample<Phase<S, N>>> for State<S, N> {
+    fn from(sample: Sample<Phase<S, N>>) -> Self {
+        sample.state()
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>> {
+    /// The samples as states of the mechanical system.
+    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
+        self.samples().iter().map(Sample::<Phase<S, N>>::state)
+    }
+}

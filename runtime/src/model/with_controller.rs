@@ -1,0 +1,110 @@
+//! A system under a control law with memory.
+
+use nalgebra::SVector;
+
+use super::augmented_phase::AugmentedPhase;
+use super::equations_of_motion::{component_name, error_scale, singularity, vanishing_inertia};
+use super::inputs::Inputs;
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::linalg::IntoVector;
+use crate::scalar::Scalar;
+
+/// A system under the dynamic feedback (u, ż) = law(t, q, q̇, z) of a controller with `K` states z; made by
+/// [`Plant::with_controller`](crate::Plant::with_controller).
+///
+/// Its state is the augmented one (q, q̇, z), which moves by (q̇, q̈(q, q̇, t, u), ż). The size to which an
+/// error in zₖ is compared is |zₖ|. What depends on the parameters alone is computed when it is made.
+#[derive(Debug)]
+pub struct WithController<'a, M, C, S, const N: usize, const U: usize, const K: usize>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    model: &'a M,
+    prepared: M::Prepared,
+    law: C,
+}
+
+impl<'a, M, C, S, const N: usize, const U: usize, const K: usize>
+    WithController<'a, M, C, S, N, U, K>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    /// The model under a controller on any scalar on which the model is evaluated, such as
+    /// `|state: &State<f32, 2>, z: &SVector<f32, 1>| …`.
+    pub fn new<R, Z>(model: &'a M, law: C) -> Self
+    where
+        C: Fn(&State<S, N>, &SVector<S, K>) -> (R, Z),
+        R: IntoVector<S, U>,
+        Z: IntoVector<S, K>,
+    {
+        Self {
+            model,
+            prepared: model.prepare(),
+            law,
+        }
+    }
+
+    /// The inputs u that the controller sets at a state of the system and its own states z.
+    #[inline]
+    pub fn inputs<R, Z>(&self, state: &State<S, N>, controller: &SVector<S, K>) -> SVector<S, U>
+    where
+        C: Fn(&State<S, N>, &SVector<S, K>) -> (R, Z),
+        R: IntoVector<S, U>,
+    {
+        (self.law)(state, controller).0.into_vector()
+    }
+}
+
+impl<M, C, R, Z, S, const N: usize, const U: usize, const K: usize> Dynamics<S>
+    for WithController<'_, M, C, S, N, U, K>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    C: Fn(&State<S, N>, &SVector<S, K>) -> (R, Z),
+    R: IntoVector<S, U>,
+    Z: IntoVector<S, K>,
+    S: Scalar,
+{
+    type State = AugmentedPhase<S, N, K>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Self::State) -> Self::State {
+        let state = x.at(t);
+        let (inputs, controller) = (self.law)(&state, &x.controller);
+        AugmentedPhase {
+            q: x.v,
+            v: self.model.accelerations_prepared_with(
+                &state,
+                &inputs.into_vector(),
+                &self.prepared,
+            ),
+            controller: controller.into_vector(),
+        }
+    }
+
+    #[inline]
+    fn error_scale(&self, x: &Self::State) -> Self::State {
+        let Phase { q, v } = error_scale::<M, S, N>(&x.phase());
+        let controller = x.controller.map(Scalar::abs);
+        AugmentedPhase { q, v, controller }
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        vanishing_inertia(self.model, &x.at(t))
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        match index.checked_sub(2 * N) {
+            Some(own) => ComponentName::Controller(own),
+            None => component_name::<M, N>(index),
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Numbers in sentences.
+
+use core::fmt;
+
+/// A number in a sentence: without exponent where that is easily read.
+pub(crate) struct Readable(pub(crate) f64);
+
+impl fmt::Display for Readable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = self;
+        let size = value.abs();
+        if size == 0.0 || (1e-4..1e7).contains(&size) || !size.is_finite() {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Readable;
+
+    #[test]
+    fn numbers_are_written_as_they_are_read() {
+        let written = [0.0, 0.5, 123_456.0, 1.75e-9, -2e10, f64::INFINITY]
+            .map(|value| std::format!("{}", Readable(value)));
+        assert_eq!(written, ["0", "0.5", "123456", "1.75e-9", "-2e10", "inf"]);
+    }
+}

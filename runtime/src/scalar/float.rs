@@ -1,0 +1,155 @@
+//! `f64` and `f32` as scalars.
+
+use super::{Scalar, sine_cosine};
+
+/// Forwards the elementary functions to the standard library, or to `libm` without it.
+macro_rules! elementary {
+    ($($name:ident $libm:ident ($($argument:ident)?);)*) => {$(
+        #[inline]
+        fn $name(self $(, $argument: Self)?) -> Self {
+            #[cfg(feature = "std")]
+            return self.$name($($argument)?);
+            #[cfg(not(feature = "std"))]
+            return libm::$libm(self $(, $argument)?);
+        }
+    )*};
+}
+
+/// Those of the standard library overflow at half of the largest number, and lose digits where acosh begins
+/// and where atanh ends.
+macro_rules! inverse_hyperbolic {
+    ($($name:ident $libm:ident;)*) => {$(
+        #[inline]
+        fn $name(self) -> Self {
+            libm::$libm(self)
+        }
+    )*};
+}
+
+macro_rules! float_scalar {
+    ($float:ident, $from:expr, $fma:ident, { $($own:tt)* } $($table:tt)*) => {
+        impl Scalar for $float {
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                $from(value)
+            }
+
+            #[inline]
+            fn min_positive() -> Self {
+                $float::MIN_POSITIVE
+            }
+
+            #[inline]
+            fn smallest(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn largest(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn machine_epsilon() -> f64 {
+                $float::EPSILON.into()
+            }
+
+            // Without the instruction a fused multiplication is a call into the mathematics
+            // library, many times slower than the two operations.
+            #[cfg(target_feature = "fma")]
+            #[inline]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                #[cfg(feature = "std")]
+                return self.mul_add(factor, summand);
+                #[cfg(not(feature = "std"))]
+                return libm::$fma(self, factor, summand);
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+
+            #[inline]
+            fn signum(self) -> Self {
+                if self == 0.0 { 0.0 } else { $float::signum(self) }
+            }
+
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                $float::min(self, other)
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                $float::max(self, other)
+            }
+
+            $($own)*
+
+            elementary! { $($table)* }
+        }
+    };
+}
+
+/// Sine and cosine in a function of their own: the compiler makes one call of the two only where they
+/// stand together, and inlined they drift apart.
+#[cfg(feature = "std")]
+#[inline(never)]
+fn sine_and_cosine_f32(x: f32) -> (f32, f32) {
+    x.sin_cos()
+}
+
+#[allow(clippy::cast_possible_truncation)] // Rounding to the narrower format is what is asked for.
+const fn nearest_f32(value: f64) -> f32 {
+    value as f32
+}
+
+float_scalar! { f64, core::convert::identity, fma,
+    {
+        #[inline]
+        fn sin_cos(self) -> (Self, Self) {
+            sine_cosine::sine_and_cosine(self)
+        }
+
+        #[inline]
+        fn sines_and_cosines<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+            sine_cosine::sines_and_cosines(angles)
+        }
+
+        inverse_hyperbolic! { asinh asinh; acosh acosh; atanh atanh; }
+
+        // What one of them alone does not need, the compiler leaves out.
+        #[inline]
+        fn sin(self) -> Self {
+            sine_cosine::sine_and_cosine(self).0
+        }
+
+        #[inline]
+        fn cos(self) -> Self {
+            sine_cosine::sine_and_cosine(self).1
+        }
+    }
+    tan tan();
+    asin asin(); acos acos(); atan atan(); atan2 atan2(x);
+    sinh sinh(); cosh cosh(); tanh tanh();
+    exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
+}
+
+float_scalar! { f32, nearest_f32, fmaf,
+    {
+        #[inline]
+        fn sin_cos(self) -> (Self, Self) {
+            #[cfg(feature = "std")]
+            return sine_and_cosine_f32(self);
+            #[cfg(not(feature = "std"))]
+            return libm::sincosf(self);
+        }
+
+        inverse_hyperbolic! { asinh asinhf; acosh acoshf; atanh atanhf; }
+    }
+    sin sinf(); cos cosf(); tan tanf();
+    asin asinf(); acos acosf(); atan atanf(); atan2 atan2f(x);
+    sinh sinhf(); cosh coshf(); tanh tanhf();
+    exp expf(); ln logf(); sqrt sqrtf(); powf powf(exponent);
+}

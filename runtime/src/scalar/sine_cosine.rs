@@ -1,0 +1,216 @@
+//! Sine and cosine of one or of several angles, without a call and without a branch.
+//!
+//! The angle is reduced by the nearest multiple of π/2, in the manner of Cody and Waite (Software Manual
+//! for the Elementary Functions, 1980), to r + tail with |r| ≤ π/4; there sin and cos are minimax
+//! polynomials, and the quadrant exchanges them and sets their signs through their bits. For several
+//! angles the same straight line is computed on vectors.
+//!
+//! Below [`LARGEST`] the error is less than 1 unit in the last place (measured in
+//! `tests/tests/sine_cosine.rs`, beside the reduction's worst cases). Larger angles, infinities and NaN
+//! go to the platform's library. `runtime/scripts/sine_cosine_constants.py` computes the constants.
+
+use core::f64::consts::FRAC_2_PI;
+
+use super::simd::Lanes;
+
+/// Up to here the whole number n of quarter turns is below 2¹⁶, and its products with the first two
+/// parts of π/2 are exact.
+const LARGEST: f64 = 100_000.0;
+
+/// π/2 in three parts, 37 bits in each of the first two. What they leave is below n · 2⁻¹²⁸, and no
+/// binary64 number up to [`LARGEST`] is closer to a multiple n of π/2 than n · 2⁻⁶⁶.
+const HALF_PI: [f64; 3] = [
+    1.570_796_326_792_333_3,
+    2.563_344_151_583_955_8e-12,
+    1.056_299_906_698_742_8e-23,
+];
+
+/// (sin r − r) / r³ in powers of r², to 2⁻⁵⁷ of sin r.
+const SINE: [f64; 6] = [
+    -0.166_666_666_666_666_3,
+    0.008_333_333_333_321_84,
+    -0.000_198_412_698_293_585_28,
+    2.755_731_353_851_423_4e-6,
+    -2.505_073_438_925_796e-8,
+    1.589_543_328_945_913_3e-10,
+];
+
+/// (cos r − 1 + r²/2) / r⁴ in powers of r², to 2⁻⁶³ of cos r.
+const COSINE: [f64; 6] = [
+    0.041_666_666_666_666_595,
+    -0.001_388_888_888_887_334_2,
+    2.480_158_728_900_208e-5,
+    -2.755_731_421_703_865e-7,
+    2.087_570_539_594_815_5e-9,
+    -1.135_874_923_225_579e-11,
+];
+
+/// Added to a number below it, 2⁵² leaves no room for a fraction: the sum is rounded to a whole number,
+/// which stands in its last bits.
+const NO_FRACTION: f64 = 4_503_599_627_370_496.0;
+
+/// The sign of a number is its highest bit.
+const NEGATIVE_ZERO: f64 = -0.0;
+
+/// Sine and cosine of one angle.
+#[inline]
+pub(crate) fn sine_and_cosine(x: f64) -> (f64, f64) {
+    if is_reducible(x) {
+        straight::<1, f64>(x)
+    } else {
+        by_library(x)
+    }
+}
+
+/// The sines and the cosines of several angles, each as [`sine_and_cosine`] gives them.
+#[inline]
+pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64; K]) {
+    let (mut sines, mut cosines) = ([0.0; K], [0.0; K]);
+    if x.iter().all(|x| is_reducible(*x)) {
+        together(&x, &mut sines, &mut cosines);
+    } else {
+        for i in 0..K {
+            (sines[i], cosines[i]) = one_of_several(x[i]);
+        }
+    }
+    (sines, cosines)
+}
+
+/// In vectors where there are any.
+#[cfg(feature = "std")]
+#[inline]
+fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
+    let mut done = 0;
+    while K > done + 2 {
+        block::<4, wide::f64x4, K>(done, x, sines, cosines);
+        done += 4;
+    }
+    if K > done {
+        block::<2, wide::f64x2, K>(done, x, sines, cosines);
+    }
+}
+
+#[cfg(not(feature = "std"))]
+#[inline]
+fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
+    for i in 0..K {
+        block::<1, f64, K>(i, x, sines, cosines);
+    }
+}
+
+/// Those from `start` on, so far as there are.
+#[inline]
+fn block<const WIDTH: usize, L: Lanes<WIDTH>, const K: usize>(
+    start: usize,
+    x: &[f64; K],
+    sines: &mut [f64; K],
+    cosines: &mut [f64; K],
+) {
+    let angle = |lane: usize| {
+        if start + lane < K {
+            x[start + lane]
+        } else {
+            0.0
+        }
+    };
+    let (sine, cosine) = straight(L::from_fn(angle));
+    let (sine, cosine) = (sine.to_array(), cosine.to_array());
+    for lane in 0..WIDTH {
+        if start + lane < K {
+            (sines[start + lane], cosines[start + lane]) = (sine[lane], cosine[lane]);
+        }
+    }
+}
+
+#[inline]
+fn is_reducible(x: f64) -> bool {
+    x.abs() <= LARGEST
+}
+
+/// Without a branch, for angles up to [`LARGEST`].
+#[inline]
+fn straight<const WIDTH: usize, L: Lanes<WIDTH>>(x: L) -> (L, L) {
+    let negative = L::all(NEGATIVE_ZERO).to_bits();
+    // The sine of the magnitude, so that −0 keeps its sign.
+    let sign = x.to_bits() & negative;
+    let Reduced { r, tail, quarters } = reduced(L::from_bits(x.to_bits() ^ sign));
+    let (sine, cosine) = (sine(r, tail).to_bits(), cosine(r, tail).to_bits());
+    // After an odd number of quarters the sine is the cosine of r. Of 0, 1, 2, 3 of them the sine is
+    // negative after 2 and 3, the cosine after 1 and 2.
+    let exchange = (sine ^ cosine) & L::repeat_lowest(quarters);
+    let below = quarters << 62;
+    let left = below ^ (quarters << 63);
+    (
+        L::from_bits(sine ^ exchange ^ ((below & negative) ^ sign)),
+        L::from_bits(cosine ^ exchange ^ (left & negative)),
+    )
+}
+
+/// What is left of an angle by a whole number of quarter turns: r + tail.
+struct Reduced<L, B> {
+    r: L,
+    /// Less than 2⁻¹⁰ of r, and than 2⁻⁵³.
+    tail: L,
+    /// The last two bits count the quarter turns.
+    quarters: B,
+}
+
+/// For 0 ≤ x up to [`LARGEST`].
+#[inline]
+fn reduced<const WIDTH: usize, L: Lanes<WIDTH>>(x: L) -> Reduced<L, L::Bits> {
+    let rounded = x.mul_add(L::all(FRAC_2_PI), L::all(NO_FRACTION));
+    let minus_n = L::all(NO_FRACTION) - rounded;
+    let [first, second, third] = HALF_PI;
+    // This sum is exact, and so is the product in the next: what that rounds off is found again.
+    let most = minus_n.mul_add(L::all(first), x);
+    let r = minus_n.mul_add(L::all(second), most);
+    let lost = minus_n.mul_add(L::all(second), most - r);
+    Reduced {
+        r,
+        tail: minus_n.mul_add(L::all(third), lost),
+        quarters: rounded.to_bits(),
+    }
+}
+
+/// sin (r + tail) for |r| ≤ π/4.
+#[inline]
+fn sine<const WIDTH: usize, L: Lanes<WIDTH>>(r: L, tail: L) -> L {
+    let z = r * r;
+    let slope = L::all(1.0) - L::all(0.5) * z;
+    r + (r * z).mul_add(polynomial(SINE, z), tail * slope)
+}
+
+/// cos (r + tail) for |r| ≤ π/4.
+#[inline]
+fn cosine<const WIDTH: usize, L: Lanes<WIDTH>>(r: L, tail: L) -> L {
+    let z = r * r;
+    let half = L::all(0.5) * z;
+    let most = L::all(1.0) - half;
+    let lost = (L::all(1.0) - most) - half;
+    most + (z * z).mul_add(polynomial(COSINE, z), lost - r * tail)
+}
+
+/// In parts that depend less on each other than Horner's products do.
+#[inline]
+fn polynomial<const WIDTH: usize, L: Lanes<WIDTH>>(c: [f64; 6], z: L) -> L {
+    let pair = |even: f64, odd: f64| L::all(odd).mul_add(z, L::all(even));
+    let [low, middle, high] = [pair(c[0], c[1]), pair(c[2], c[3]), pair(c[4], c[5])];
+    let square = z * z;
+    (square * square).mul_add(high, square.mul_add(middle, low))
+}
+
+#[cold]
+#[inline(never)]
+fn by_library(x: f64) -> (f64, f64) {
+    #[cfg(feature = "std")]
+    return x.sin_cos();
+    #[cfg(not(feature = "std"))]
+    return libm::sincos(x);
+}
+
+/// Number by number: of an array that a call can see, the compiler keeps nothing in registers.
+#[cold]
+#[inline(never)]
+fn one_of_several(x: f64) -> (f64, f64) {
+    sine_and_cosine(x)
+}
