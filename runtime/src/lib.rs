@@ -38,6 +38,7 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+mod limits;
 mod number_format;
 mod scalar;
 mod linalg;

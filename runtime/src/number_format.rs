@@ -1,15 +1,17 @@
-//! Numbers in sentences.
+//! Numbers in messages.
 
 use core::fmt;
 
-/// A number in a sentence: without exponent where that is easily read.
+use crate::limits::PRINTED_WITHOUT_EXPONENT;
+
+/// A number in a message: without an exponent where that is easily read.
 pub(crate) struct Readable(pub(crate) f64);
 
 impl fmt::Display for Readable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value) = self;
         let size = value.abs();
-        if size == 0.0 || (1e-4..1e7).contains(&size) || !size.is_finite() {
+        if size == 0.0 || PRINTED_WITHOUT_EXPONENT.contains(&size) || !size.is_finite() {
             write!(f, "{value}")
         } else {
             write!(f, "{value:e}")

@@ -4,11 +4,11 @@ use core::ops::RangeInclusive;
 
 use super::derivative_error::{ArgumentValues, DerivativeError};
 use super::numerical_derivative::Slope;
+use crate::limits::derivative_checks::{
+    ERROR_ESTIMATES, MAX_RELATIVE_ERROR, POINTS, RATIO_ITERATIONS,
+};
 use crate::model::{ExternalFunctions, FunctionSignature};
 use crate::scalar::Scalar;
-
-/// At how many points of a region derivatives are compared.
-const POINTS: u32 = 256;
 
 /// Compares the derivatives of a function with those of its values, at points spread over a region.
 ///
@@ -205,8 +205,8 @@ where
             } else {
                 (slope.value.abs(), f64::INFINITY)
             };
-            any_measured |= slope.error <= LARGEST_ERROR * size.max(scale);
-            let tolerance = 4.0 * slope.error + libm::sqrt(self.epsilon) * size;
+            any_measured |= slope.error <= MAX_RELATIVE_ERROR * size.max(scale);
+            let tolerance = ERROR_ESTIMATES * slope.error + libm::sqrt(self.epsilon) * size;
             if distance > tolerance && worst.is_none_or(|(known, _)| distance > known) {
                 let error = DerivativeError::Wrong {
                     function: self.signature.name,
@@ -246,7 +246,8 @@ where
     /// possible, powers of the root of xᴷ⁺¹ = x + 1 that generalizes the golden ratio.
     fn points(&self) -> impl Iterator<Item = [f64; K]> {
         let dimension = self.region.iter().fold(0.0, |count, _| count + 1.0);
-        let root = (0..32).fold(2.0, |x, _| libm::pow(1.0 + x, 1.0 / (dimension + 1.0)));
+        let root =
+            (0..RATIO_ITERATIONS).fold(2.0, |x, _| libm::pow(1.0 + x, 1.0 / (dimension + 1.0)));
         // The middle of a region is where functions like to have a kink.
         (1..=POINTS).map(move |n| {
             let mut share = 1.0;
@@ -271,6 +272,3 @@ where
         ArgumentValues::new(self.signature.arguments, &point)
     }
 }
-
-/// A slope of which the relative error is larger says nothing.
-const LARGEST_ERROR: f64 = 1e-2;

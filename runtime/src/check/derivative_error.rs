@@ -2,23 +2,21 @@
 
 use core::fmt;
 
+use crate::limits::derivative_checks::REPORTED_ARGUMENTS;
 use crate::model::FunctionSignature;
 use crate::number_format::Readable;
-
-/// How many arguments a report carries.
-const REPORTED: usize = 4;
 
 /// What a function was asked for: the names of its arguments and their values, the first four of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArgumentValues {
     names: &'static [&'static str],
-    values: [f64; REPORTED],
+    values: [f64; REPORTED_ARGUMENTS],
     count: usize,
 }
 
 impl ArgumentValues {
     pub(crate) fn new(names: &'static [&'static str], values: &[f64]) -> Self {
-        let mut reported = [f64::NAN; REPORTED];
+        let mut reported = [f64::NAN; REPORTED_ARGUMENTS];
         for (slot, value) in reported.iter_mut().zip(values) {
             *slot = *value;
         }
@@ -42,7 +40,7 @@ impl fmt::Display for ArgumentValues {
             let separator = if position == 0 { "" } else { ", " };
             write!(f, "{separator}{name} = {}", Readable(value))?;
         }
-        let left_out = self.count.saturating_sub(REPORTED);
+        let left_out = self.count.saturating_sub(REPORTED_ARGUMENTS);
         if left_out > 0 {
             write!(f, " and {left_out} more")?;
         }

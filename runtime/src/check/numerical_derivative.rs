@@ -5,6 +5,10 @@
 //! Engineering Software 4, 1982, 75–76). Steps are not stopped at the first sign of rounding, so that steep
 //! functions are resolved; and their ratio is irrational, so that no period hides between them.
 
+use crate::limits::derivative_checks::{
+    COLUMNS, MIN_JUMP, ROUNDING_AMPLIFICATION, SHORTER_STEPS, STEP_RATIO, STEPS,
+};
+
 /// A slope and an estimate of its error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slope {
@@ -22,17 +26,6 @@ struct Quotient {
     /// What rounding the values may have changed.
     rounding: f64,
 }
-
-/// How many steps are tried, from the longest to about 10⁻⁸ of it.
-const STEPS: usize = 40;
-/// The ratio of each step to the one before.
-const RATIO: f64 = 0.618_033_988_749_894_9;
-/// How many powers of the step are extrapolated, and the value itself.
-const COLUMNS: usize = 4;
-/// How many shorter steps must have been tried for a slope to be trusted.
-const WITNESSES: usize = 8;
-/// Jumps that are smaller than this, relative to the values, are noise and no steps of the function.
-const SMALLEST_JUMP: f64 = 1e-5;
 
 impl Slope {
     /// The slope of `value` at `x` from values at most `reach` away from there; none if there are none.
@@ -59,7 +52,7 @@ impl Slope {
         let mut step = reach;
         let mut quotients = [(); STEPS].map(|()| {
             let quotient = quotient(step);
-            step *= RATIO;
+            step *= STEP_RATIO;
             quotient
         });
         let jump = jump(&quotients, quotient);
@@ -74,7 +67,7 @@ impl Slope {
 fn best(quotients: &[Quotient; STEPS]) -> Option<Slope> {
     let tableau = tableau(quotients);
     let mut best: Option<Slope> = None;
-    for row in 1..STEPS - WITNESSES {
+    for row in 1..STEPS - SHORTER_STEPS {
         for column in 1..COLUMNS {
             let value = tableau[row][column];
             let neighbours = [tableau[row][column - 1], tableau[row - 1][column - 1]];
@@ -85,8 +78,9 @@ fn best(quotients: &[Quotient; STEPS]) -> Option<Slope> {
                 (tableau[shorter][column] - value).abs() * quotients[shorter].step / step
             });
             let noise = noise.filter(|noise| noise.is_finite()).fold(0.0, f64::max);
-            // The tableau magnifies rounding less than fourfold.
-            let error = neighbours[0].max(neighbours[1]) + noise + 4.0 * quotients[row].rounding;
+            let error = neighbours[0].max(neighbours[1])
+                + noise
+                + ROUNDING_AMPLIFICATION * quotients[row].rounding;
             if error.is_finite() && best.is_none_or(|best| error < best.error) {
                 best = Some(Slope { value, error });
             }
@@ -102,7 +96,7 @@ fn tableau(quotients: &[Quotient; STEPS]) -> [[f64; COLUMNS]; STEPS] {
         let mut row = [quotient.value; COLUMNS];
         let mut weight = 1.0;
         for column in 1..COLUMNS {
-            weight /= RATIO * RATIO;
+            weight /= STEP_RATIO * STEP_RATIO;
             let left = row[column - 1];
             row[column] = left + (left - above[column - 1]) / (weight - 1.0);
         }
@@ -134,11 +128,7 @@ fn jump(quotients: &[Quotient; STEPS], quotient: impl Fn(f64) -> Quotient) -> f6
     let jump = (2.0 * outside.value * outside.step).abs();
     let size = quotients.iter().map(|quotient| quotient.size);
     let size = size.filter(|size| size.is_finite()).fold(0.0, f64::max);
-    if jump <= SMALLEST_JUMP * size {
-        jump
-    } else {
-        0.0
-    }
+    if jump <= MIN_JUMP * size { jump } else { 0.0 }
 }
 
 #[cfg(test)]

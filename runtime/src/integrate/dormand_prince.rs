@@ -15,6 +15,7 @@ use super::integrator::Integrator;
 use super::runge_kutta::{combination, stage};
 use super::stepper::{Statistics, Stepper};
 use super::stepper::{checked_derivative, checked_state};
+use crate::limits::dormand_prince as limits;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 use coefficients::{MATRIX, NODES, WEIGHTS};
@@ -79,12 +80,12 @@ impl Dop853 {
     pub fn new() -> Self {
         Self {
             tolerance: Tolerance {
-                relative: 1e-10,
-                absolute: 1e-10,
+                relative: limits::TOLERANCE,
+                absolute: limits::TOLERANCE,
             },
             initial_step: None,
             max_step: None,
-            min_step: 10.0,
+            min_step: limits::MIN_STEP,
         }
     }
 
@@ -319,15 +320,15 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
         self.last = None;
         loop {
             let proposed = self.longest(control.step());
-            let lands = 1.01 * proposed >= remaining.abs();
+            let lands = limits::LANDING * proposed >= remaining.abs();
             let h = if lands {
                 remaining
             } else {
                 proposed.copysign(remaining)
             };
             let (state, attempt) = self.attempt(dynamics, h);
-            let crawls = control.crawls(h, remaining);
-            if !crawls && control.accepts(&attempt, h.abs()) {
+            let stalls = control.stalls(h, remaining);
+            if !stalls && control.accepts(&attempt, h.abs()) {
                 self.accept(dynamics, state, h, lands.then_some(target));
                 self.control = Some(control);
                 return Ok(());
@@ -336,7 +337,7 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
                 self.statistics.rejected += 1;
             }
             let least = self.method.min_step * f64::EPSILON * self.clock.time().abs();
-            if crawls || control.step() <= least.max(f64::MIN_POSITIVE) {
+            if stalls || control.step() <= least.max(f64::MIN_POSITIVE) {
                 attempt.finite?;
                 let here = (self.clock.time(), self.state.value());
                 let (step, tolerance) = (control.step(), self.method.tolerance);

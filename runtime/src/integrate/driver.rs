@@ -20,6 +20,7 @@ use super::stop_condition::{
 };
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialTrajectory, Trajectory};
+use crate::limits::{MAX_STEPS, MIN_SINGULARITY_TOLERANCE};
 use crate::scalar::Scalar;
 
 /// A method of integration with limits, a condition to stop on and an observer.
@@ -113,7 +114,7 @@ impl<I> Driver<I> {
     pub fn new(integrator: I) -> Self {
         Self {
             integrator,
-            max_steps: 100_000_000,
+            max_steps: MAX_STEPS,
             singularity_tolerance: None,
             condition: Unconditional,
             observer: Unobserved,
@@ -342,7 +343,7 @@ impl<I, C, O> Driver<I, C, O> {
         let allowed = self.singularity_tolerance.unwrap_or_else(|| {
             self.integrator
                 .singularity_tolerance()
-                .max(4096.0 * epsilon)
+                .max(MIN_SINGULARITY_TOLERANCE * epsilon)
         });
         epsilon / allowed
     }

@@ -9,13 +9,8 @@ use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
 use super::stepper::Stepper;
 use super::stop_condition::{MetConditions, StopCondition};
+use crate::limits::events::{BISECTIONS, DEPARTURE_GROWTH, TIME_RESOLUTION};
 use crate::scalar::Scalar;
-
-/// Times are told apart with certainty if they differ by so many machine epsilons of them and of the step.
-const RESOLUTION: f64 = 100.0;
-
-/// By what factor each time after the start is farther than the one before, while the condition stays at zero.
-const FARTHER: f64 = 4.0;
 
 /// An integration under way.
 pub(crate) struct Integration<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
@@ -135,7 +130,7 @@ where
     fn leave(&mut self, instant: f64, value: &mut C::Value) -> Result<(), StopReason> {
         let (end, mut distance) = (self.stepper.time(), instant - self.start);
         while !C::has_signs(*value) {
-            distance *= FARTHER;
+            distance *= DEPARTURE_GROWTH;
             let instant = self.start + distance;
             if distance.abs() >= (end - self.start).abs() || instant - self.start == 0.0 {
                 break;
@@ -157,7 +152,7 @@ where
     fn after(&self, t: f64) -> f64 {
         let end = self.stepper.time();
         let step = end - self.stepper.previous_time();
-        let resolution = RESOLUTION * f64::EPSILON * (t.abs() + step.abs());
+        let resolution = TIME_RESOLUTION * f64::EPSILON * (t.abs() + step.abs());
         if resolution < (end - t).abs() {
             t + resolution.copysign(step)
         } else {
@@ -241,8 +236,7 @@ where
     ) -> (Sample<D::State>, MetConditions) {
         let departure = self.departure.take();
         let mut here = departure.unwrap_or_else(|| self.stepper.previous_time());
-        // A step has fewer than 2⁶⁴ numbers between its ends unless one of them is near zero.
-        for _ in 0..64 {
+        for _ in 0..BISECTIONS {
             let middle = here + 0.5 * (there.t - here);
             if middle.to_bits() == here.to_bits() || middle.to_bits() == there.t.to_bits() {
                 break;

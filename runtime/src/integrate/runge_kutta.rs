@@ -9,6 +9,7 @@ use super::error::IntegrationError;
 use super::integrator::Integrator;
 use super::stepper::{Statistics, Stepper};
 use super::stepper::{checked_derivative, checked_state};
+use crate::limits::{FIXED_STEP_SINGULARITY_TOLERANCE, fixed_steps};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -168,7 +169,7 @@ impl<const STAGES: usize> Integrator for RungeKutta<STAGES> {
     }
 
     fn singularity_tolerance(&self) -> f64 {
-        1e-6
+        FIXED_STEP_SINGULARITY_TOLERANCE
     }
 }
 
@@ -230,7 +231,8 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
             return Err(IntegrationError::NonFiniteTime { time: target });
         }
         // A division that is exact but for rounding must not add a step.
-        let steps = libm::ceil(remaining.abs() / self.method.step * (1.0 - 1e-9)).max(1.0);
+        let steps =
+            libm::ceil(remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING)).max(1.0);
         let h = remaining / steps;
         let mut clock = self.clock;
         if steps > 1.0 {

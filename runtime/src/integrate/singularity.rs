@@ -2,10 +2,8 @@
 
 use core::fmt;
 
+use crate::limits::REPORTED_COORDINATES;
 use crate::number_format::Readable;
-
-/// How many values of coordinates a report carries.
-const REPORTED: usize = 6;
 
 /// A configuration in which the mass matrix is singular, or so near to it that the accelerations
 /// have lost their accuracy.
@@ -17,7 +15,7 @@ pub struct Singularity {
     coordinate: usize,
     names: &'static [&'static str],
     dependencies: &'static [usize],
-    values: [f64; REPORTED],
+    values: [f64; REPORTED_COORDINATES],
 }
 
 impl Singularity {
@@ -32,7 +30,7 @@ impl Singularity {
         dependencies: &'static [usize],
         value: impl Fn(usize) -> f64,
     ) -> Self {
-        let mut values = [f64::NAN; REPORTED];
+        let mut values = [f64::NAN; REPORTED_COORDINATES];
         for (slot, index) in values.iter_mut().zip(dependencies) {
             *slot = value(*index);
         }
@@ -70,7 +68,7 @@ impl Singularity {
             let separator = if i == 0 { " where" } else { "," };
             write!(f, "{separator} {name} = {}", Readable(value))?;
         }
-        let left_out = self.dependencies.len().saturating_sub(REPORTED);
+        let left_out = self.dependencies.len().saturating_sub(REPORTED_COORDINATES);
         if left_out > 0 {
             write!(f, " and {left_out} more")?;
         }

@@ -9,6 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::lane_select::{Lanewise, greater};
 use super::pivoting::{self, Pivoted};
+use crate::limits::RIGHT_HAND_SIDES_AT_ONCE;
 use crate::scalar::Scalar;
 
 /// A factored mass matrix.
@@ -32,9 +33,6 @@ enum Form<S, const N: usize> {
     /// L U, whose rows were exchanged, with the exchanges.
     Exchanged(SVector<S, N>),
 }
-
-/// Right-hand sides that are solved for together.
-const WIDTH: usize = 4;
 
 impl<S: Scalar, const N: usize> Factorization<S, N> {
     /// Factors the symmetric matrix `mass`, of which only the lower triangle is read.
@@ -133,9 +131,9 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     fn solve_symmetric<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
         let mut x = *right;
         let mut column = 0;
-        while column + WIDTH <= K {
-            self.solve_columns::<K, WIDTH>(&mut x, column);
-            column += WIDTH;
+        while column + RIGHT_HAND_SIDES_AT_ONCE <= K {
+            self.solve_columns::<K, RIGHT_HAND_SIDES_AT_ONCE>(&mut x, column);
+            column += RIGHT_HAND_SIDES_AT_ONCE;
         }
         while column < K {
             self.solve_columns::<K, 1>(&mut x, column);

@@ -9,6 +9,7 @@ use super::lagrangian::Lagrangian;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
@@ -209,12 +210,6 @@ where
     )
 }
 
-/// An inertia that is this small in relation to what it is elsewhere has nearly vanished.
-const VANISHING: f64 = 1e-6;
-
-/// How far away elsewhere is, in each of the coordinates on which an inertia depends.
-const ELSEWHERE: [f64; 3] = [-1.0, 0.5, 1.0];
-
 /// The coordinate whose inertia is the smallest in relation to what it is elsewhere, if it has nearly vanished.
 #[cold]
 pub(crate) fn vanishing_inertia<M, S, const N: usize>(
@@ -227,7 +222,7 @@ where
 {
     let here = inertias(model, state);
     let ratios = (0..N).map(|i| {
-        let elsewhere = ELSEWHERE.map(|distance| {
+        let elsewhere = REFERENCE_OFFSETS.map(|distance| {
             let mut moved = *state;
             for j in M::SINGULARITIES[i] {
                 moved.q[*j] += S::from_f64(distance);
@@ -237,10 +232,10 @@ where
         let most = elsewhere.into_iter().fold(0.0, f64::max);
         (i, here[i].smallest() / most)
     });
-    let least = ratios.fold((0, VANISHING), |least, (i, ratio)| {
+    let least = ratios.fold((0, VANISHING_INERTIA), |least, (i, ratio)| {
         if ratio < least.1 { (i, ratio) } else { least }
     });
-    (least.1 < VANISHING).then(|| named::<M, S, N>(least.0, least.1, state))
+    (least.1 < VANISHING_INERTIA).then(|| named::<M, S, N>(least.0, least.1, state))
 }
 
 /// The size of the inertia of each coordinate where the others are free, 1 / (M⁻¹)ᵢᵢ.

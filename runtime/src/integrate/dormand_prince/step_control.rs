@@ -6,24 +6,13 @@ use crate::integrate::compensated::Clock;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::runge_kutta::combination;
+use crate::limits::dormand_prince::{
+    MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, NEGLIGIBLE, ORDER, PROBE, SAFETY,
+    SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
+};
 use crate::linalg::VectorSpace;
 use crate::linalg::lane_select::{divisor, is_zero};
 use crate::scalar::Scalar;
-
-/// A new step is that which would just meet the tolerance, times this.
-const SAFETY: f64 = 0.9;
-
-/// A step is at most this much shorter than the one before.
-const MOST_SHORTENING: f64 = 1.0 / 0.333;
-
-/// A step is at most this much longer than the one before.
-const MOST_LENGTHENING: f64 = 6.0;
-
-/// The error of a step goes with the eighth power of its size.
-const ORDER: f64 = 8.0;
-
-/// After so many steps that lead nowhere there are no more.
-const MOST_CRAWLED: u32 = 10_000;
 
 /// The errors that are allowed in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,7 +96,7 @@ pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
     third.add_scaled(-S::one(), &combination(&THIRD_ORDER, stages, &zero));
     let (fifth, components) = squares(tolerance.ratios(&fifth, sizes, f64::INFINITY));
     let (third, _) = squares(tolerance.ratios(&third, sizes, f64::INFINITY));
-    let denominator = fifth + 0.01 * third;
+    let denominator = fifth + THIRD_ORDER_WEIGHT * third;
     if denominator == 0.0 {
         return 0.0;
     }
@@ -121,7 +110,7 @@ pub(super) struct StepControl {
     /// Whether the last attempt was rejected: the next step is then not to be longer.
     rejected: bool,
     /// How many attempts on end were of steps that lead nowhere.
-    crawled: u32,
+    stalled: u32,
 }
 
 impl StepControl {
@@ -129,16 +118,16 @@ impl StepControl {
         Self {
             step,
             rejected: false,
-            crawled: 0,
+            stalled: 0,
         }
     }
 
     /// Whether steps have been so short for so long that the rest of the way would take 10¹⁵ of them, as they
     /// are near t = 0, where no step is too short to advance the time.
-    pub(super) fn crawls(&mut self, h: f64, remaining: f64) -> bool {
-        let crawling = h.abs() < f64::EPSILON * remaining.abs();
-        self.crawled = if crawling { self.crawled + 1 } else { 0 };
-        self.crawled > MOST_CRAWLED
+    pub(super) fn stalls(&mut self, h: f64, remaining: f64) -> bool {
+        let stalling = h.abs() < f64::EPSILON * remaining.abs();
+        self.stalled = if stalling { self.stalled + 1 } else { 0 };
+        self.stalled > MAX_STALLED_ATTEMPTS
     }
 
     pub(super) fn step(&self) -> f64 {
@@ -148,17 +137,17 @@ impl StepControl {
     /// Decides on a step of size `h`, and what to try next.
     pub(super) fn accepts(&mut self, attempt: &Attempt, h: f64) -> bool {
         if attempt.finite.is_err() || !attempt.error.is_finite() {
-            self.step = h / MOST_SHORTENING;
+            self.step = h / MAX_SHRINKAGE;
             self.rejected = true;
             return false;
         }
         let shortening = Scalar::powf(attempt.error, 1.0 / ORDER) / SAFETY;
         if attempt.error > 1.0 {
-            self.step = h / shortening.min(MOST_SHORTENING);
+            self.step = h / shortening.min(MAX_SHRINKAGE);
             self.rejected = true;
             return false;
         }
-        let step = h / shortening.clamp(1.0 / MOST_LENGTHENING, MOST_SHORTENING);
+        let step = h / shortening.clamp(1.0 / MAX_GROWTH, MAX_SHRINKAGE);
         // A step cut short to land on a time says nothing against the longer one planned before.
         let planned = if self.rejected { step.min(h) } else { step };
         self.step = if h < self.step {
@@ -189,25 +178,25 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     let sizes = [size.clone(), size.clone()];
     let norm = |vector: &D::State| Scalar::sqrt(squares(tolerance.ratios(vector, &sizes, 0.0)).0);
     let (zeroth, first) = (norm(&size), norm(slope));
-    let guess = 0.01 * zeroth / first;
-    let told = first > 1e-5 && zeroth > 1e-5 && guess.is_normal();
-    let guess = if told { guess } else { 1e-6 };
-    let guess = guess.min(longest.abs());
+    let probe = PROBE * zeroth / first;
+    let scaled = first > NEGLIGIBLE && zeroth > NEGLIGIBLE && probe.is_normal();
+    let probe = if scaled { probe } else { SMALL_STEP };
+    let probe = probe.min(longest.abs());
 
-    let euler = guess.copysign(longest);
+    let euler = probe.copysign(longest);
     let mut ahead = x.clone();
     ahead.add_scaled(S::from_f64(euler), slope);
     let mut change = dynamics.derivative(S::from_f64(clock.after(euler)), &ahead);
     change.add_scaled(-S::one(), slope);
-    let steepest = (norm(&change) / guess).max(first);
-    let step = if steepest <= 1e-15 {
-        (guess * 1e-3).max(1e-6)
+    let steepest = (norm(&change) / probe).max(first);
+    let step = if steepest <= ZERO_DERIVATIVE {
+        (probe * SHORTENED_PROBE).max(SMALL_STEP)
     } else if steepest.is_finite() {
-        Scalar::powf(0.01 / steepest, 1.0 / ORDER)
+        Scalar::powf(PROBE / steepest, 1.0 / ORDER)
     } else {
-        guess
+        probe
     };
-    step.min(100.0 * guess).min(longest.abs())
+    step.min(MAX_PROBES * probe).min(longest.abs())
 }
 
 /// Why no step that advances the time meets the tolerance at (t, x), where `stages` are those of the last

@@ -1,0 +1,144 @@
+//! The limits and tuning constants of the crate, with the reason of each.
+//!
+//! Not here: the coefficients of a method, which stand with it (`integrate/dormand_prince/coefficients.rs`), and the
+//! ranges of the elementary functions (`scalar/sine_cosine.rs`, `scalar/double_double/constants.rs`), which follow
+//! from the format of the numbers.
+
+/// Steps, rejected ones included, after which a driver gives up unless told otherwise: more than a motion
+/// needs, but an end to a run whose steps have become tiny.
+pub(crate) const MAX_STEPS: u64 = 100_000_000;
+
+/// A driver does not look for less accuracy near a singularity than this many machine epsilons, unless told so:
+/// the relative pivots of regular models are small, too, and are not to be taken for a singularity.
+pub(crate) const MIN_SINGULARITY_TOLERANCE: f64 = 4096.0;
+
+/// The singularity tolerance of methods with fixed steps, which have no tolerance of their own: by
+/// judgement, what one expects of the classical method.
+pub(crate) const FIXED_STEP_SINGULARITY_TOLERANCE: f64 = 1e-6;
+
+/// An inertia that is this small in relation to what it is elsewhere has nearly vanished. By judgement,
+/// between the ratios near 1 of regular models and the rounding errors of M⁻¹.
+pub(crate) const VANISHING_INERTIA: f64 = 1e-6;
+
+/// How far away elsewhere is, in each of the coordinates on which an inertia depends. Three distances without a
+/// common period, so that not all of them meet the next zero of a sine.
+pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];
+
+/// Right-hand sides that are solved for together: as many `f64` as a vector register of 256 bits holds.
+pub(crate) const RIGHT_HAND_SIDES_AT_ONCE: usize = 4;
+
+/// Coordinates of a singularity that a report carries, so that errors stay `Copy` and small.
+pub(crate) const REPORTED_COORDINATES: usize = 6;
+
+/// Numbers whose magnitude is in this range are printed without an exponent.
+pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
+
+/// Location of events: stop conditions within a step.
+pub(crate) mod events {
+    /// Two times are told apart with certainty if they differ by this many machine epsilons of the time and of the
+    /// step: the value that SUNDIALS takes for the same purpose.
+    pub(crate) const TIME_RESOLUTION: f64 = 100.0;
+
+    /// By what factor each time after the start is farther than the one before, while the function stays at zero.
+    /// It trades evaluations, logarithmic in the step, for the shortest flight that is seen.
+    pub(crate) const DEPARTURE_GROWTH: f64 = 4.0;
+
+    /// Halvings of a step. Between its ends are fewer than 2⁶⁴ numbers unless one of them is near zero.
+    pub(crate) const BISECTIONS: usize = 64;
+}
+
+/// Fixed steps.
+pub(crate) mod fixed_steps {
+    /// A way that is a multiple of the step but for this relative rounding takes no further step.
+    pub(crate) const ROUNDING: f64 = 1e-9;
+}
+
+/// Step size control of DOP853. Values and names of the parameters are those of the code DOP853 by Hairer and Wanner,
+/// unless said otherwise; see `integrate/dormand_prince/step_control.rs`.
+pub(crate) mod dormand_prince {
+    /// Relative and absolute tolerance unless set: a method of order 8 is made for tight ones.
+    pub(crate) const TOLERANCE: f64 = 1e-10;
+
+    /// No step is tried below this multiple of the spacing ε |t| of times, unless set.
+    pub(crate) const MIN_STEP: f64 = 10.0;
+
+    /// A step that reaches the target when it is made this much longer is made to land on it, so that no tiny
+    /// step is left.
+    pub(crate) const LANDING: f64 = 1.01;
+
+    /// The new step is the one that would just meet the tolerance times this (SAFE).
+    pub(crate) const SAFETY: f64 = 0.9;
+
+    /// A step is at most this much shorter than the one before (1/FAC1).
+    pub(crate) const MAX_SHRINKAGE: f64 = 1.0 / 0.333;
+
+    /// A step is at most this much longer than the one before (FAC2).
+    pub(crate) const MAX_GROWTH: f64 = 6.0;
+
+    /// The error estimate is of the order of hᵖ with this p.
+    pub(crate) const ORDER: f64 = 8.0;
+
+    /// The weight of the third-order error estimate in (10.17) of section II.10.
+    pub(crate) const THIRD_ORDER_WEIGHT: f64 = 0.01;
+
+    /// Attempts in a row with steps below ε times the remaining way, after which the integration gives up: it would
+    /// take 10¹⁵ steps more. Our own; near t = 0 no step is too short to advance the time.
+    pub(crate) const MAX_STALLED_ATTEMPTS: u32 = 10_000;
+
+    /// The change of the state in the explicit Euler step that probes the second derivative, relative to the state.
+    pub(crate) const PROBE: f64 = 0.01;
+
+    /// Below this norm of the state or of its derivative the probe cannot be scaled.
+    pub(crate) const NEGLIGIBLE: f64 = 1e-5;
+
+    /// The probe where it cannot be scaled, and the least first step where nothing changes.
+    pub(crate) const SMALL_STEP: f64 = 1e-6;
+
+    /// Derivatives of this norm count as zero.
+    pub(crate) const ZERO_DERIVATIVE: f64 = 1e-15;
+
+    /// Where derivatives are zero, the first step in relation to the probe.
+    pub(crate) const SHORTENED_PROBE: f64 = 1e-3;
+
+    /// The first step is at most this many times the probe.
+    pub(crate) const MAX_PROBES: f64 = 100.0;
+}
+
+/// Checks of derivatives that were written by hand.
+#[cfg(feature = "derivative-checks")]
+pub(crate) mod derivative_checks {
+    /// Points of a region at which derivatives are compared: a wrong branch that covers 2 % of the region is hit
+    /// about five times.
+    pub(crate) const POINTS: u32 = 256;
+
+    /// A numerical derivative whose relative error is larger confirms nothing.
+    pub(crate) const MAX_RELATIVE_ERROR: f64 = 1e-2;
+
+    /// A declared derivative is wrong if it is farther from the numerical one than this many error estimates.
+    pub(crate) const ERROR_ESTIMATES: f64 = 4.0;
+
+    /// Fixed-point iterations for the generalized golden ratio, each of which divides the error by 3 or more.
+    pub(crate) const RATIO_ITERATIONS: usize = 32;
+
+    /// Step lengths of the difference quotients, from the longest to about 10⁻⁸ of it, where rounding takes over.
+    pub(crate) const STEPS: usize = 40;
+
+    /// The ratio of each step length to the one before: irrational, so that no period hides between them.
+    pub(crate) const STEP_RATIO: f64 = 0.618_033_988_749_894_9;
+
+    /// Columns of the extrapolation tableau: the quotient itself, and three powers of the squared step removed.
+    pub(crate) const COLUMNS: usize = 4;
+
+    /// Shorter steps that must have been tried for a derivative to be trusted.
+    pub(crate) const SHORTER_STEPS: usize = 8;
+
+    /// By how much at most the tableau amplifies rounding errors: Π (1 + ρ²ⁱ)/(1 − ρ²ⁱ) over i = 1, 2, 3
+    /// is 3.4 for the ratio ρ of steps.
+    pub(crate) const ROUNDING_AMPLIFICATION: f64 = 4.0;
+
+    /// Jumps that are smaller than this, relative to the values, are noise and no steps of the function.
+    pub(crate) const MIN_JUMP: f64 = 1e-5;
+
+    /// Arguments that a report carries, so that errors stay `Copy` and small.
+    pub(crate) const REPORTED_ARGUMENTS: usize = 4;
+}
