@@ -1,17 +1,19 @@
-//! Sums that keep what rounding takes away.
+//! Compensated summation of times and states.
+//!
+//! W. Kahan, *Further Remarks on Reducing Truncation Errors*, Comm. ACM **8** (1965) 40. For integrators: Hairer, Lubich &
+//! Wanner, *Geometric Numerical Integration*, 2nd edition (2006), VIII.5.
 
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// A value and the part of it that was lost in rounding: Kahan's compensated summation.
+/// A state and its compensation: what rounding has removed from it.
 ///
 /// After n steps the rounding error of a plain sum has grown like n (like √n at best), that of a
-/// compensated sum not at all. See Hairer, Lubich & Wanner, *Geometric Numerical Integration*,
-/// VIII.5.
+/// compensated sum not at all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Compensated<X> {
     value: X,
-    carry: X,
+    compensation: X,
 }
 
 impl<X> Compensated<X> {
@@ -19,21 +21,24 @@ impl<X> Compensated<X> {
     where
         X: VectorSpace<S>,
     {
-        let carry = value.zeroed();
-        Self { value, carry }
+        let compensation = value.zeroed();
+        Self {
+            value,
+            compensation,
+        }
     }
 
     pub(crate) fn value(&self) -> &X {
         &self.value
     }
 
-    /// This value plus `increment`; what rounding takes from the sum is carried to the next.
+    /// This state plus `increment`; the rounding error of the sum becomes the compensation.
     #[inline]
     pub(crate) fn plus<S: Scalar>(&self, mut increment: X) -> Self
     where
         X: VectorSpace<S>,
     {
-        increment.add_scaled(S::one(), &self.carry);
+        increment.add_scaled(S::one(), &self.compensation);
         let mut value = self.value.clone();
         value.add_scaled(S::one(), &increment);
         let mut gained = value.clone();
@@ -41,41 +46,44 @@ impl<X> Compensated<X> {
         increment.add_scaled(-S::one(), &gained);
         Self {
             value,
-            carry: increment,
+            compensation: increment,
         }
     }
 }
 
-/// The time of a stepper, with its carry.
+/// The time of a stepper, as a compensated sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Clock {
     time: f64,
-    carry: f64,
+    compensation: f64,
 }
 
 impl Clock {
     pub(crate) fn new(time: f64) -> Self {
-        Self { time, carry: 0.0 }
+        Self {
+            time,
+            compensation: 0.0,
+        }
     }
 
     pub(crate) fn time(&self) -> f64 {
         self.time
     }
 
-    /// The time from now to `target`.
+    /// The duration from now to `target`.
     pub(crate) fn until(&self, target: f64) -> f64 {
-        (target - self.time) - self.carry
+        (target - self.time) - self.compensation
     }
 
     /// The time at a duration from now.
     pub(crate) fn after(&self, duration: f64) -> f64 {
-        self.time + (duration + self.carry)
+        self.time + (duration + self.compensation)
     }
 
     pub(crate) fn advance(&mut self, step: f64) {
-        let increment = step + self.carry;
+        let increment = step + self.compensation;
         let time = self.time + increment;
-        self.carry = increment - (time - self.time);
+        self.compensation = increment - (time - self.time);
         self.time = time;
     }
 }

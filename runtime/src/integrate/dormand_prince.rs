@@ -1,8 +1,8 @@
-//! The adaptive method of Dormand and Prince of order 8.
+//! The Dormand–Prince method 8(5,3), DOP853.
 //!
-//! Reference: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition,
-//! II.4 (step control), II.5 (the method), II.6 and II.10 (dense output and error estimate); their
-//! code is DOP853, and this follows it in all that decides on a step.
+//! P. J. Prince & J. R. Dormand, *High order embedded Runge–Kutta formulae*, J. Comput. Appl. Math. **7** (1981) 67–75;
+//! Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.4 (step size control),
+//! II.5 (the method), II.6 and II.10 (dense output and error estimate). Steps are chosen as by their code DOP853.
 
 mod coefficients;
 mod dense_output;
@@ -24,22 +24,22 @@ pub(crate) use step_control::Tolerance;
 use step_control::{Attempt, StepControl, too_small};
 
 /// Stages of the method, without the derivative at the end of the step, which is the first stage of
-/// the next.
+/// the next step (first same as last).
 const STAGES: usize = 12;
 
-/// Stages with the end of the step and the three that only the dense output needs.
+/// The stages, the derivative at the end of the step, and the three additional stages of the dense output.
 const ALL_STAGES: usize = 16;
 
 /// The Dormand–Prince method 8(5,3) with step-size control and dense output of order 7.
 ///
 /// A step is accepted when the root mean square over the components of
-/// errorᵢ / (absolute + relative · sizeᵢ) is at most 1. The size of a component is the larger of
+/// errorᵢ / (absolute + relative · scaleᵢ) is at most 1. The scale of a component is the larger of
 /// |xᵢ| before and after the step, and 1 for a coordinate that is an angle
 /// ([`Dynamics::error_scale`]).
 ///
-/// Unless told otherwise both tolerances are 10⁻¹⁰. One of them may be zero: a motion without an absolute
-/// tolerance may start from rest, but one with a component that comes near to zero and is not exactly zero
-/// takes ever smaller steps. The integration ends near a singularity of the
+/// The default of both tolerances is 10⁻¹⁰. One of them may be zero. Without an absolute tolerance an
+/// integration may start from rest, but steps become ever smaller where a component comes near to zero and is not
+/// exactly zero. The integration ends near a singularity of the
 /// mass matrix where the estimated relative error of the accelerations exceeds the relative
 /// tolerance ([`Driver::singularity_tolerance`](crate::Driver::singularity_tolerance)).
 ///
@@ -89,36 +89,36 @@ impl Dop853 {
         }
     }
 
-    /// Sets the error allowed in a step, relative to the size of a component.
+    /// Sets the tolerance of the error of a step relative to the scale of a component.
     #[must_use]
     pub fn relative_tolerance(mut self, relative: f64) -> Self {
         self.tolerance.relative = relative;
         self
     }
 
-    /// Sets the error allowed in a step, in the units of a component.
+    /// Sets the tolerance of the error of a step in the units of a component.
     #[must_use]
     pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
         self.tolerance.absolute = absolute;
         self
     }
 
-    /// Sets the size of the first step that is tried, in place of an automatic choice.
+    /// Sets the size of the first step, in place of the automatic choice.
     #[must_use]
     pub fn initial_step(mut self, step: f64) -> Self {
         self.initial_step = Some(step);
         self
     }
 
-    /// Sets the size that no step exceeds.
+    /// Sets the largest step size.
     #[must_use]
     pub fn max_step(mut self, step: f64) -> Self {
         self.max_step = Some(step);
         self
     }
 
-    /// Sets the size below which no step is tried, as a multiple of the spacing ε |t| of numbers at
-    /// the time t; 10 unless told otherwise.
+    /// Sets the smallest step size, as a multiple of the spacing ε |t| of numbers at
+    /// the time t. The default is 10.
     #[must_use]
     pub fn min_step(mut self, spacings: f64) -> Self {
         self.min_step = spacings;
@@ -180,21 +180,21 @@ impl Integrator for Dop853 {
 
 /// Takes the steps of [`Dop853`].
 ///
-/// Time and state are sums with a carry, so that their rounding errors do not grow over a long run.
+/// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
 #[derive(Clone, Debug)]
 pub struct Dop853Stepper<X> {
     method: Dop853,
     clock: Clock,
     state: Compensated<X>,
-    /// The size of the next step, once the first was chosen.
+    /// The size of the next step, once the first is chosen.
     control: Option<StepControl>,
-    /// The derivatives kᵢ of the last step; that at `STAGES` belongs to the present state.
+    /// The derivatives kᵢ of the last step; the one at `STAGES` is that of the present state.
     stages: [X; ALL_STAGES],
     last: Option<LastStep<X>>,
     statistics: Statistics,
 }
 
-/// What interpolation needs of the last step.
+/// The last step, as dense output needs it.
 #[derive(Clone, Debug)]
 struct LastStep<X> {
     clock: Clock,
@@ -226,7 +226,7 @@ impl<X> Dop853Stepper<X> {
         }
     }
 
-    /// Tries a step of size `h`; the state is not touched.
+    /// Computes a step of size `h` and its error; the state does not change.
     fn attempt<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -236,21 +236,21 @@ impl<X> Dop853Stepper<X> {
         X: VectorSpace<S>,
     {
         let x = self.state.value().clone();
-        // The first stage is what the last step ended with.
+        // First same as last.
         self.stages[0] = self.stages[STAGES].clone();
         self.evaluate(dynamics, (self.clock, &x), h, 1..STAGES);
         let slope = combination(&WEIGHTS, &self.stages, &x.zeroed());
         let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
-        let sizes = [
+        let scales = [
             dynamics.error_scale(&x),
             dynamics.error_scale(state.value()),
         ];
-        let error = step_control::error(&self.stages, h, &sizes, self.method.tolerance);
+        let error = step_control::error(&self.stages, h, &scales, self.method.tolerance);
         let finite = checked_state(dynamics, self.clock.after(h), state.value());
         (state, Attempt { error, finite })
     }
 
-    /// The size of the first step in the direction of `remaining`.
+    /// The size of the first step, in the direction of `remaining`.
     fn first_step<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -259,7 +259,7 @@ impl<X> Dop853Stepper<X> {
     where
         X: VectorSpace<S>,
     {
-        let longest = self.longest(remaining.abs());
+        let longest = self.limited(remaining.abs());
         if let Some(step) = self.method.initial_step {
             return step.min(longest);
         }
@@ -274,7 +274,7 @@ impl<X> Dop853Stepper<X> {
         )
     }
 
-    fn longest(&self, step: f64) -> f64 {
+    fn limited(&self, step: f64) -> f64 {
         self.method.max_step.map_or(step, |most| step.min(most))
     }
 }
@@ -319,7 +319,7 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
         };
         self.last = None;
         loop {
-            let proposed = self.longest(control.step());
+            let proposed = self.limited(control.step());
             let lands = limits::LANDING * proposed >= remaining.abs();
             let h = if lands {
                 remaining
@@ -375,7 +375,7 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
 }
 
 impl<X> Dop853Stepper<X> {
-    /// Makes `state` the present one, at the time `landing` or else a step `h` from now.
+    /// Accepts `state`, at the time `landing` or else a step `h` from now.
     fn accept<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,

@@ -1,8 +1,8 @@
-//! Steps a motion until there is a reason to end.
+//! The driver of an integration: limits, stop conditions, samples.
 //!
-//! Comes in: a method, the dynamics, where to begin, at which times to sample and how far to go.
-//! Goes out: samples to an observer, and how it ended. Nothing here allocates but
-//! [`Driver::sample`], which collects. Errors are values; each time is visited once, in order.
+//! Input: a method, the dynamics, the initial value, sample times and the final time. Output: samples to an
+//! observer, and the outcome. Nothing here allocates but [`Driver::sample`], which collects. Errors are values; the
+//! sample times are visited in order, each once.
 
 use core::marker::PhantomData;
 
@@ -23,7 +23,7 @@ use super::trajectory::{PartialTrajectory, Trajectory};
 use crate::limits::{MAX_STEPS, MIN_SINGULARITY_TOLERANCE};
 use crate::scalar::Scalar;
 
-/// A method of integration with limits, a condition to stop on and an observer.
+/// A method of integration with limits, a stop condition and an observer.
 ///
 /// ```
 /// use core::ops::ControlFlow;
@@ -57,11 +57,11 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// # Going on after a stop
+/// # Restarting after a stop
 ///
-/// Change the state where the motion stopped, or the model, and integrate from there. The zero on which the new
-/// motion begins is not found again. Where a velocity is reversed, tell in which direction the function
-/// crosses: a ball bounces where its height falls through zero.
+/// Change the state at which the integration stopped, or the model, and integrate from there. The zero at the new
+/// initial time is not reported again. Where a velocity is reversed, give the direction of the crossing: a ball
+/// bounces where its height falls through zero.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -96,9 +96,9 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// Flights become shorter without end here. Once one is shorter than times can tell apart, its end is not seen, and
-/// the ball falls through the floor: let it rest where its velocity is small, as by `if state.v[0].abs() < 1e-6`. A
-/// driver is used up by an integration; one with the same conditions is a `clone()`.
+/// The flights become ever shorter here (Zeno behaviour). Once one is shorter than the resolution of time, its end is
+/// not detected, and the ball falls through the floor: let it rest where its velocity is small, as by
+/// `if state.v[0].abs() < 1e-6`. An integration consumes its driver; one with the same settings is a `clone()`.
 #[derive(Clone, Debug)]
 pub struct Driver<I, C = Unconditional, O = Unobserved> {
     integrator: I,
@@ -109,7 +109,7 @@ pub struct Driver<I, C = Unconditional, O = Unobserved> {
 }
 
 impl<I> Driver<I> {
-    /// The driver of a method, with no condition, no observer, and at most 10⁸ steps.
+    /// The driver of a method, without stop condition and observer, and with at most 10⁸ steps.
     #[must_use]
     pub fn new(integrator: I) -> Self {
         Self {
@@ -123,7 +123,7 @@ impl<I> Driver<I> {
 }
 
 impl<I, C, O> Driver<I, C, O> {
-    /// Limits the number of steps, those that are rejected included.
+    /// Limits the number of steps, rejected ones included.
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.max_steps = steps;
@@ -131,44 +131,44 @@ impl<I, C, O> Driver<I, C, O> {
     }
 
     /// Sets the relative error of the accelerations at which the integration ends near a
-    /// singularity of the mass matrix, estimated as the machine epsilon over the smallest relative
+    /// singularity of the mass matrix. The error is estimated as the machine epsilon over the smallest relative
     /// pivot. Infinity turns the check off.
     ///
-    /// It is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps unless set, but
-    /// not below 4096 machine epsilons, since the pivots of regular models are small, too.
+    /// The default is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps, but not below 4096
+    /// machine epsilons, since the pivots of regular models are small, too.
     #[must_use]
     pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
         self.singularity_tolerance = Some(tolerance);
         self
     }
 
-    /// Stops after the first step at whose end `condition(t, x)` holds. The state is of the dynamics' type, which a closure names: `|t, x: &Phase<f64, N>|` of a
-    /// mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|` under a controller with states.
+    /// Stops after the first step at whose end `condition(t, x)` holds. A closure names the type of the state, which is
+    /// that of the dynamics: `|t, x: &Phase<f64, N>|` of a mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|`
+    /// under a controller with states.
     #[must_use]
     pub fn stop_when<F>(self, condition: F) -> Driver<I, Predicate<F>, O> {
         self.with_condition(Predicate(condition))
     }
 
-    /// Stops where `function(t, x)` crosses zero in either direction, as
-    /// [`stop_at_crossing`](Self::stop_at_crossing) does, of a closure as
-    /// [`stop_when`](Self::stop_when) takes it.
+    /// Stops where `function(t, x)` crosses zero in either direction; see
+    /// [`stop_at_crossing`](Self::stop_at_crossing).
     #[must_use]
     pub fn stop_at_zero<F>(self, function: F) -> Driver<I, ZeroCrossing<F>, O> {
         self.stop_at_crossing(Crossing::Either, function)
     }
 
-    /// Stops where `function(t, x)` crosses zero in the direction of `crossing`, or arrives there. Of several
-    /// conditions, `function` gives an array of values and `crossing` is as long an array;
-    /// [`Outcome::met`] tells which were met. A closure names the type of the state, as under
+    /// Stops where `function(t, x)` crosses zero in the direction `crossing`, or reaches it. For several event
+    /// functions, `function` returns an array of values and `crossing` is an array of the same length;
+    /// [`Outcome::met`] tells which of them stopped the integration. A closure names the type of the state, as under
     /// [`stop_when`](Self::stop_when).
     ///
-    /// A crossing is seen if the signs at the two ends of a step differ; where within the step is found by
-    /// bisection, and the state is that just after it. A zero without change of sign is not seen, nor are two
-    /// within one step: shorten the steps by the method's maximal step. Where the function is not a
-    /// number, or zero for a while, the sign before is remembered.
+    /// A crossing is detected if the signs at the two ends of a step differ. It is located within the step by
+    /// bisection of the dense output, and the state is that just after it. A zero without a change of sign is not
+    /// detected, nor are two within one step: limit the step size of the method. Where the function is NaN, or
+    /// zero for a while, the last sign counts.
     ///
-    /// A motion that begins on a zero leaves it first, to whichever side. See
-    /// [how to go on](Driver#going-on-after-a-stop).
+    /// A zero at the initial time is not a crossing. See
+    /// [how to restart](Driver#restarting-after-a-stop).
     #[must_use]
     pub fn stop_at_crossing<F, K>(
         self,
@@ -188,7 +188,7 @@ impl<I, C, O> Driver<I, C, O> {
         }
     }
 
-    /// Shows every sample and the end of every step to `observer`, which may stop.
+    /// Calls `observer` at every sample and at the end of every step; it may stop the integration.
     #[must_use]
     pub fn observe<E>(self, observer: E) -> Driver<I, C, E> {
         Driver {
@@ -269,8 +269,7 @@ impl<I, C, O> Driver<I, C, O> {
         }
     }
 
-    /// Hands each sample to `collect` and then to the observer. Where it ended is known also after
-    /// an error.
+    /// Passes each sample to `collect` and then to the observer. The outcome is known after an error, too.
     pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -299,7 +298,7 @@ impl<I, C, O> Driver<I, C, O> {
                 min_pivot: self.min_pivot::<S>(),
                 max_steps: self.max_steps,
                 condition: &mut self.condition,
-                departure: None,
+                evaluated_until: None,
                 observer: &mut self.observer,
                 collect,
                 outcome: &mut outcome,
@@ -310,8 +309,8 @@ impl<I, C, O> Driver<I, C, O> {
         (outcome, result)
     }
 
-    /// Checks everything that can be checked beforehand, the singularity first: where M is singular
-    /// the accelerations are not finite, and that would say less.
+    /// Checks the settings, times and initial value. The singularity comes before the derivative: where M is
+    /// singular, the accelerations are not finite, and an error about them would say less.
     fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
@@ -334,7 +333,7 @@ impl<I, C, O> Driver<I, C, O> {
             .start(dynamics, initial.t, initial.x.clone())
     }
 
-    /// The relative pivot below which the integration ends.
+    /// The smallest relative pivot that does not end the integration.
     fn min_pivot<S: Scalar>(&self) -> f64
     where
         I: Integrator,

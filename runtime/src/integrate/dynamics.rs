@@ -1,4 +1,4 @@
-//! What an integrator knows of the system it integrates.
+//! Systems of ordinary differential equations, as an integrator sees them.
 
 use core::fmt;
 
@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 
 /// A system of first-order differential equations ẋ = f(t, x).
 ///
-/// Integrators step anything that implements it. A Lagrangian enters through
+/// Integrators step anything that implements it. The equations of motion of a model are made by
 /// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
 ///
 /// ```
@@ -42,37 +42,36 @@ pub trait Dynamics<S: Scalar = f64> {
     /// The derivative f(t, x).
     fn derivative(&self, t: S, x: &Self::State) -> Self::State;
 
-    /// The size of each component with which its error is compared: |xᵢ| unless there is a reason.
+    /// The scale of each component to which the relative tolerance refers: |xᵢ| by default.
     ///
-    /// The reason for a Lagrangian is a coordinate that is an angle. Its whole turns mean nothing,
-    /// and its size is 1.
+    /// For a coordinate that is an angle it is 1, since whole turns do not matter.
     #[inline]
     fn error_scale(&self, x: &Self::State) -> Self::State {
         x.map(Scalar::abs)
     }
 
-    /// What makes the derivative lose its accuracy at a state, if the smallest relative pivot of
-    /// the mass matrix (or what corresponds to it) is below `min_pivot`, or no number.
+    /// The singularity near a state, if the smallest relative pivot of the mass matrix (or what corresponds to it)
+    /// is below `min_pivot` or NaN.
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
         let _ = (t, x, min_pivot);
         None
     }
 
-    /// The coordinate whose inertia has nearly vanished at a state, so that it moves too fast for any step, if
-    /// there is one; asked for where no step is small enough.
+    /// The coordinate whose inertia has nearly vanished at a state, if there is one: it moves too fast for any step.
+    /// Called where no step is small enough.
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         let _ = (t, x);
         None
     }
 
-    /// What the component of that index is called in error messages.
+    /// The name of a component in error messages.
     fn component_name(&self, index: usize) -> ComponentName {
         ComponentName::Index(index)
     }
 }
 
-/// What a component of a state is called in error messages.
+/// The name of a component of a state in error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ComponentName {
     /// The coordinate of that name.

@@ -1,4 +1,4 @@
-//! Why an integration could not go on.
+//! The errors of an integration.
 
 use core::fmt;
 
@@ -6,10 +6,9 @@ use super::dynamics::ComponentName;
 use super::singularity::Singularity;
 use crate::number_format::Readable;
 
-/// Why an integration could not begin or could not go on.
+/// Why an integration could not start or could not continue.
 ///
-/// Errors are values; an integrator never panics. What a collecting integration had sampled before
-/// the error is in `PartialTrajectory`.
+/// Errors are values; an integrator never panics. The samples before the error are in `PartialTrajectory`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError {
@@ -31,30 +30,31 @@ pub enum IntegrationError {
         /// The derivative of that component.
         value: f64,
     },
-    /// A time to begin with or to integrate to is not finite, or differs between lanes.
+    /// An initial, final or sample time is not finite, or differs between lanes.
     NonFiniteTime {
         /// That time.
         time: f64,
     },
-    /// The mass matrix is singular, or so near to it that more accuracy is lost than is allowed.
+    /// The mass matrix is singular, or so ill-conditioned that the error of the accelerations exceeds the singularity
+    /// tolerance.
     SingularConfiguration {
         /// The time of the configuration.
         time: f64,
         /// The relative error in the accelerations, estimated as the machine epsilon over the
         /// smallest relative pivot.
         estimated_error: f64,
-        /// Which coordinates make it so.
+        /// The coordinates that make it so.
         singularity: Singularity,
     },
-    /// The tolerance asks for a step that is too small to advance the time.
+    /// The tolerance requires a step that is too small to advance the time.
     StepTooSmall {
         /// The time reached.
         time: f64,
-        /// The size of the step that was to be taken next.
+        /// The size of the next step.
         step: f64,
-        /// The component whose error is the largest in relation to the tolerance; none for fixed steps.
+        /// The component with the largest error relative to the tolerance; none for fixed steps.
         component: Option<ComponentName>,
-        /// Whether there is no absolute tolerance, so that a component near zero is allowed no error.
+        /// Whether the absolute tolerance is zero, so that a component near zero may have no error.
         relative_only: bool,
     },
     /// A coordinate moves too fast for any step, because its inertia has nearly vanished: the coordinates are
@@ -62,9 +62,9 @@ pub enum IntegrationError {
     VanishingInertia {
         /// The time reached.
         time: f64,
-        /// The size of the step that was to be taken next.
+        /// The size of the next step.
         step: f64,
-        /// Which coordinates make it so; its relative pivot is the inertia in relation to that elsewhere.
+        /// The coordinates that make it so; its relative pivot is the inertia relative to that elsewhere.
         singularity: Singularity,
     },
     /// The limit on the number of steps was reached before the end.
@@ -79,7 +79,7 @@ pub enum IntegrationError {
         /// That step size.
         step: f64,
     },
-    /// The tolerances are negative, not finite, or both zero.
+    /// A tolerance is negative or not finite, or both are zero.
     InvalidTolerance {
         /// The relative tolerance.
         relative: f64,
@@ -91,9 +91,9 @@ pub enum IntegrationError {
         /// That tolerance.
         tolerance: f64,
     },
-    /// The sample times do not advance in the direction of integration.
+    /// The sample times are not ordered in the direction of integration.
     UnorderedTimes {
-        /// The index of the first time that does not.
+        /// The index of the first time that is out of order.
         index: usize,
         /// That time.
         time: f64,
@@ -149,8 +149,8 @@ impl fmt::Display for IntegrationError {
             Self::TooManySteps { time, limit } => {
                 write!(
                     f,
-                    "the limit of {limit} steps is reached at t = {}: raise it, or look for forces that \
-                     jump, such as dry friction, which want fixed steps or a smooth form",
+                    "the limit of {limit} steps is reached at t = {}: raise it, or look for discontinuous \
+                     forces, such as dry friction, which need fixed steps or a smooth approximation",
                     Readable(time)
                 )
             }

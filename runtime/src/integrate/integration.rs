@@ -1,4 +1,10 @@
-//! An integration under way: the loop of the driver.
+//! The loop of the driver: steps, samples, observations, and the location of stop conditions within a step.
+//!
+//! A change of sign of an event function over a step is located by bisection of the interpolated state. L. F. Shampine &
+//! S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000) 43–54, show
+//! that the error of an integration which restarts there is of the order of the method. A zero at the initial time is
+//! left as by K. L. Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180
+//! (1980).
 
 use core::{marker::PhantomData, ops::ControlFlow};
 
@@ -12,22 +18,22 @@ use super::stop_condition::{MetConditions, StopCondition};
 use crate::limits::events::{BISECTIONS, DEPARTURE_GROWTH, TIME_RESOLUTION};
 use crate::scalar::Scalar;
 
-/// An integration under way.
+/// An integration in progress.
 pub(crate) struct Integration<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
     pub(crate) dynamics: &'a D,
     pub(crate) stepper: T,
     pub(crate) start: f64,
     pub(crate) end: f64,
-    /// The sample times that have not been visited.
+    /// The sample times that are left.
     pub(crate) waiting: &'a [f64],
     pub(crate) min_pivot: f64,
     pub(crate) max_steps: u64,
     pub(crate) condition: &'a mut C,
-    /// Within the first step, until when the condition's value has been looked at.
-    pub(crate) departure: Option<f64>,
+    /// Within the first step, the time up to which the condition has been evaluated.
+    pub(crate) evaluated_until: Option<f64>,
     pub(crate) observer: &'a mut O,
     pub(crate) collect: &'a mut dyn FnMut(&Sample<D::State>),
-    /// Kept up to date, so that it is right however the run ends.
+    /// Up to date at any time, so that it is valid after an error, too.
     pub(crate) outcome: &'a mut Outcome<D::State>,
     pub(crate) scalar: PhantomData<S>,
 }
@@ -40,7 +46,7 @@ where
     C: StopCondition<D::State>,
     O: Observer<D::State>,
 {
-    /// Goes on until there is a reason to end, which is in `outcome` afterwards.
+    /// Steps until there is a reason to stop, and stores it in `outcome`.
     pub(crate) fn complete(&mut self) -> Result<(), IntegrationError> {
         self.outcome.statistics = self.stepper.statistics();
         let mut value = self.condition.value(self.start, self.stepper.state());
@@ -50,17 +56,17 @@ where
             self.outcome.met = met;
             reason = Some(StopReason::Condition);
         }
-        let mut departing = C::LOCATED;
+        let mut at_start = C::LOCATED;
         while reason.is_none() && self.stepper.time() - self.end != 0.0 {
             self.step()?;
             self.check_regular()?;
             let mut visited = Ok(());
-            if departing {
-                visited = self.depart(&mut value);
-                departing = false;
+            if at_start {
+                visited = self.leave_initial_time(&mut value);
+                at_start = false;
             }
             reason = visited.and_then(|()| self.visit_step(&mut value)).err();
-            self.departure = None;
+            self.evaluated_until = None;
         }
         self.outcome.statistics = self.stepper.statistics();
         self.outcome.reason = reason.unwrap_or(StopReason::Completed);
@@ -87,8 +93,7 @@ where
         result
     }
 
-    /// An error if the state that was reached is too near to a singularity. The samples before it are
-    /// visited.
+    /// An error if the present state is too near to a singularity. The samples before it are collected first.
     fn check_regular(&mut self) -> Result<(), IntegrationError> {
         let (t, x) = (self.stepper.time(), self.stepper.state());
         let result = check_singularity(self.dynamics, t, x, self.min_pivot);
@@ -98,56 +103,57 @@ where
             } else {
                 t.next_up()
             };
-            // The error says more than why the observer may have wanted to stop.
+            // The error takes precedence over a stop by the observer.
             let _ = self.samples_until(before);
         }
         result
     }
 
-    /// The condition's value at the first instant after the start that time resolves. The start may stand on a zero,
-    /// such as one at which the motion was stopped before, and the sign there may be on either side of it.
+    /// The value of the condition at the first time that can be told from the initial one. There may be a zero at the
+    /// initial time, such as the one at which the integration stopped before, and rounding may put the initial value
+    /// on either side of it.
     ///
-    /// K. L. Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180 (1980);
-    /// the instant is that of A. C. Hindmarsh et al., SUNDIALS, ACM TOMS **31** (2005) 363–396.
-    fn depart(&mut self, value: &mut C::Value) -> Result<(), StopReason> {
-        let instant = self.after(self.start);
-        if instant - self.stepper.time() == 0.0 {
+    /// Hiebert & Shampine (1980); the time is that of SUNDIALS: A. C. Hindmarsh et al., ACM Trans. Math. Softw. **31**
+    /// (2005) 363–396.
+    fn leave_initial_time(&mut self, value: &mut C::Value) -> Result<(), StopReason> {
+        let time_after = self.after(self.start);
+        if time_after - self.stepper.time() == 0.0 {
             return Ok(());
         }
-        let there = self.at(instant);
-        let after = self.condition.value(instant, &there.x);
-        let met = self.condition.met_on_departure(*value, after);
+        let there = self.at(time_after);
+        let after = self.condition.value(time_after, &there.x);
+        let met = self.condition.met_after_start(*value, after);
         if met.any() {
             return self.stop(*value, there, met);
         }
-        *value = self.condition.remembered(*value, after);
-        self.leave(instant, value)
+        *value = self.condition.last_signed(*value, after);
+        self.leave_zero(time_after, value)
     }
 
-    /// Looks on, at times four times as far from the start each, until the condition's value has left zero: what
-    /// is small beside numbers in it, such as a height above a floor that is not at 0, is rounded to zero for a
-    /// while, and a flight that ends within the first step is not to be missed.
-    fn leave(&mut self, instant: f64, value: &mut C::Value) -> Result<(), StopReason> {
-        let (end, mut distance) = (self.stepper.time(), instant - self.start);
-        while !C::has_signs(*value) {
+    /// Evaluates the condition at times each four times as far from the initial one, until it is not zero. A
+    /// difference of nearly equal numbers, such as a height above a floor that is not at 0, is rounded to zero for a
+    /// while, and a flight that ends within the first step must not be missed.
+    fn leave_zero(&mut self, time_after: f64, value: &mut C::Value) -> Result<(), StopReason> {
+        let (end, mut distance) = (self.stepper.time(), time_after - self.start);
+        while !C::is_signed(*value) {
             distance *= DEPARTURE_GROWTH;
-            let instant = self.start + distance;
-            if distance.abs() >= (end - self.start).abs() || instant - self.start == 0.0 {
+            let time_after = self.start + distance;
+            if distance.abs() >= (end - self.start).abs() || time_after - self.start == 0.0 {
                 break;
             }
-            let there = self.at(instant);
-            let after = self.condition.value(instant, &there.x);
+            let there = self.at(time_after);
+            let after = self.condition.value(time_after, &there.x);
             let met = self.condition.met(*value, after);
             if met.any() {
                 return self.stop(*value, there, met);
             }
-            *value = self.condition.remembered(*value, after);
-            self.departure = Some(instant);
+            *value = self.condition.last_signed(*value, after);
+            self.evaluated_until = Some(time_after);
         }
         Ok(())
     }
 
-    /// The first instant after a time within the last step that is told apart from it with certainty; at most
+    /// The first time after `t` within the last step that can be told from it with certainty; at most
     /// the end of the step.
     fn after(&self, t: f64) -> f64 {
         let end = self.stepper.time();
@@ -160,7 +166,7 @@ where
         }
     }
 
-    /// Samples, condition and observer for the step just taken; the reason to end, if there is one.
+    /// Samples, condition and observer for the step just taken; the reason to stop, if there is one.
     fn visit_step(&mut self, value: &mut C::Value) -> Result<(), StopReason> {
         let there = Sample {
             t: self.stepper.time(),
@@ -171,10 +177,10 @@ where
         if met.any() && C::LOCATED {
             return self.stop(*value, there, met);
         }
-        *value = self.condition.remembered(*value, after);
+        *value = self.condition.last_signed(*value, after);
         self.samples_until(there.t)?;
         self.outcome.last = there;
-        self.show(ObservationKind::Step)?;
+        self.notify(ObservationKind::Step)?;
         if met.any() {
             self.outcome.met = met;
             return Err(StopReason::Condition);
@@ -182,8 +188,8 @@ where
         Ok(())
     }
 
-    /// Stops where the condition, whose value was `before` at some time in the last step, is first met; at the
-    /// latest `there`.
+    /// Stops where the condition, whose value was `before` at some time in the last step, is first met, at the
+    /// latest at `there`.
     fn stop(
         &mut self,
         before: C::Value,
@@ -191,18 +197,18 @@ where
         met: MetConditions,
     ) -> Result<(), StopReason> {
         let (stop, met) = self.locate(before, there, met);
-        // What is met at the same time, as far as time tells, is met together.
-        let instant = self.after(stop.t);
-        let next = self.at(instant);
-        let value = self.condition.value(instant, &next.x);
+        // Conditions that are met within the resolution of time are met together.
+        let time_after = self.after(stop.t);
+        let next = self.at(time_after);
+        let value = self.condition.value(time_after, &next.x);
         self.samples_until(stop.t)?;
         self.outcome.last = stop;
-        self.show(ObservationKind::Step)?;
+        self.notify(ObservationKind::Step)?;
         self.outcome.met = met.or(self.condition.met(before, value));
         Err(StopReason::Condition)
     }
 
-    /// Visits the sample times up to `t` within the last step.
+    /// Takes the samples up to `t` within the last step.
     fn samples_until(&mut self, t: f64) -> Result<(), StopReason> {
         let forwards = self.end >= self.start;
         while let Some((&time, rest)) = self.waiting.split_first() {
@@ -212,7 +218,7 @@ where
             self.waiting = rest;
             self.outcome.last = self.at(time);
             (self.collect)(&self.outcome.last);
-            self.show(ObservationKind::Sample)?;
+            self.notify(ObservationKind::Sample)?;
         }
         Ok(())
     }
@@ -227,15 +233,16 @@ where
         Sample { t, x }
     }
 
-    /// Where in the last step the condition, whose value was `before`, is first met, by bisection, and what of it.
+    /// Where in the last step the condition, whose value was `before`, is first met, by bisection, and which of its
+    /// parts are.
     fn locate(
         &mut self,
         before: C::Value,
         mut there: Sample<D::State>,
         mut met: MetConditions,
     ) -> (Sample<D::State>, MetConditions) {
-        let departure = self.departure.take();
-        let mut here = departure.unwrap_or_else(|| self.stepper.previous_time());
+        let evaluated_until = self.evaluated_until.take();
+        let mut here = evaluated_until.unwrap_or_else(|| self.stepper.previous_time());
         for _ in 0..BISECTIONS {
             let middle = here + 0.5 * (there.t - here);
             if middle.to_bits() == here.to_bits() || middle.to_bits() == there.t.to_bits() {
@@ -253,7 +260,7 @@ where
         (there, met)
     }
 
-    fn show(&mut self, kind: ObservationKind) -> Result<(), StopReason> {
+    fn notify(&mut self, kind: ObservationKind) -> Result<(), StopReason> {
         let progress = Progress {
             kind,
             t: self.outcome.last.t,
@@ -269,7 +276,7 @@ where
     }
 }
 
-/// An error where a relative pivot is below the least allowed one.
+/// An error if a relative pivot is below `min_pivot`.
 pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,

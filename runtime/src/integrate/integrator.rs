@@ -1,7 +1,7 @@
-//! What all methods of integration have in common.
+//! The interface of all methods of integration.
 //!
 //! An [`Integrator`] is a method with its settings. It starts a [`Stepper`], which is at a time and
-//! a state, and owns what a state cannot hold. A [`Driver`] takes steps until there is a reason to
+//! a state, and owns what the method remembers between steps. A [`Driver`] takes steps until there is a reason to
 //! stop.
 
 use super::driver::Driver;
@@ -23,7 +23,7 @@ pub trait Integrator {
     /// What takes the steps.
     type Stepper<S: Scalar, X: VectorSpace<S>>: Stepper<S, X>;
 
-    /// A stepper at time `t` and state `x`. It evaluates the derivative there once.
+    /// A stepper at time `t` and state `x`. Costs one evaluation of the derivative.
     ///
     /// # Errors
     ///
@@ -35,11 +35,11 @@ pub trait Integrator {
         x: D::State,
     ) -> Result<Self::Stepper<S, D::State>, IntegrationError>;
 
-    /// The relative error of the accelerations at which a [`Driver`] ends near a singularity,
-    /// unless it is told otherwise.
+    /// The relative error of the accelerations at which a [`Driver`] of this method ends near a singularity
+    /// by default ([`Driver::singularity_tolerance`]).
     fn singularity_tolerance(&self) -> f64;
 
-    /// A driver of this method, to which limits, conditions and an observer can be given.
+    /// A driver of this method, to which limits, stop conditions and an observer can be added.
     fn driver(&self) -> Driver<Self, Unconditional, Unobserved>
     where
         Self: Clone,
@@ -47,7 +47,7 @@ pub trait Integrator {
         Driver::new(self.clone())
     }
 
-    /// Integrates from `initial` to the time `end`, which may lie before.
+    /// Integrates from `initial` to the time `end`, which may lie before it, and returns the final state.
     ///
     /// # Errors
     ///

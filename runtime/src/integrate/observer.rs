@@ -1,13 +1,13 @@
-//! Who watches a motion.
+//! Observers of an integration.
 
 use core::ops::ControlFlow;
 
 use super::stepper::Statistics;
 
-/// What a [`Driver`](crate::Driver) shows every sample and the end of every step: a closure that
-/// takes a [`Progress`], or a type of one's own.
+/// What a [`Driver`](crate::Driver) calls at every sample and at the end of every step: a closure that
+/// takes a [`Progress`], or a type of your own.
 pub trait Observer<X> {
-    /// Looks at the motion, and stops it by [`ControlFlow::Break`].
+    /// Called with the present state; [`ControlFlow::Break`] stops the integration.
     fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()>;
 }
 
@@ -28,41 +28,41 @@ impl<X> Observer<X> for Unobserved {
     }
 }
 
-/// What there is to see.
+/// What an observer is called for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObservationKind {
-    /// One of the times asked for. The samples within a step are shown before its end is.
+    /// One of the sample times. The samples within a step come before its end.
     Sample,
     /// The end of a step.
     Step,
 }
 
-/// How far a motion has come.
+/// The progress of an integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress<'a, X> {
-    /// What there is to see.
+    /// What the observer is called for.
     pub kind: ObservationKind,
     /// The time.
     pub t: f64,
     /// The state at that time.
     pub x: &'a X,
-    /// The time at which the motion began.
+    /// The initial time.
     pub start: f64,
-    /// The time at which it is to end.
+    /// The final time.
     pub end: f64,
-    /// What it has cost.
+    /// The cost so far.
     pub statistics: Statistics,
 }
 
 impl<X> Progress<'_, X> {
-    /// The part of the way that is done, from 0 to 1.
+    /// The fraction of the time interval that is done, from 0 to 1.
     #[must_use]
     pub fn fraction(&self) -> f64 {
-        let whole = self.end - self.start;
-        if whole == 0.0 {
+        let interval = self.end - self.start;
+        if interval == 0.0 {
             1.0
         } else {
-            (self.t - self.start) / whole
+            (self.t - self.start) / interval
         }
     }
 }

@@ -1,14 +1,14 @@
-//! The conditions that the coefficients of a Runge–Kutta method of order p fulfil.
+//! The order conditions of Runge–Kutta methods.
 //!
 //! There is one for each rooted tree τ with at most p vertices: Σ bᵢ Φᵢ(τ) = 1/γ(τ). Hairer,
-//! Nørsett & Wanner, II.2, theorem 2.13. There are 1, 1, 2, 4, 9, 20, 48, 115 trees of 1 to 8
+//! Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.2, theorem 2.13. There are 1, 1, 2, 4, 9, 20, 48, 115 trees of 1 to 8
 //! vertices.
 
 use std::vec::Vec;
 
 use super::runge_kutta::CLASSICAL_FOURTH_ORDER;
 
-/// A rooted tree: the trees that hang on its root, by their indices in a list of all trees.
+/// A rooted tree: the subtrees at its root, by their indices in a list of all trees.
 struct Tree {
     children: Vec<usize>,
     order: usize,

@@ -4,12 +4,12 @@ use super::sample::Sample;
 use super::stepper::Statistics;
 use super::stop_condition::MetConditions;
 
-/// Why an integration ended.
+/// Why an integration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
-    /// The end was reached.
+    /// The final time was reached.
     Completed,
-    /// The condition to stop on was met.
+    /// A stop condition was met.
     Condition,
     /// The observer stopped it.
     Observer,
@@ -17,15 +17,15 @@ pub enum StopReason {
     Error,
 }
 
-/// Where and how an integration ended.
+/// How an integration ended: where, why, and at what cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome<X> {
     /// The last state that was reached without an error.
     pub last: Sample<X>,
     /// Why it is the last.
     pub reason: StopReason,
-    /// Which conditions to stop on were met there; none unless they are the reason.
+    /// Which stop conditions were met there; none unless they are the reason.
     pub met: MetConditions,
-    /// What it has cost.
+    /// Its cost.
     pub statistics: Statistics,
 }

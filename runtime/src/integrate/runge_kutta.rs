@@ -1,7 +1,8 @@
-//! Explicit Runge–Kutta methods of fixed step.
+//! Explicit Runge–Kutta methods with fixed steps.
 //!
-//! A method is a table of coefficients and a reference; the step is written once. The adaptive
-//! method of order 8 is [`Dop853`](crate::Dop853).
+//! A method is its Butcher tableau, with a reference; the step is written once. Hairer, Nørsett & Wanner, *Solving
+//! Ordinary Differential Equations I*, 2nd edition (1993), II.1. The adaptive method of order 8 is
+//! [`Dop853`](crate::Dop853).
 
 use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
@@ -13,7 +14,7 @@ use crate::limits::{FIXED_STEP_SINGULARITY_TOLERANCE, fixed_steps};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// The coefficients of an explicit Runge–Kutta method in Butcher's notation.
+/// The Butcher tableau of an explicit Runge–Kutta method.
 ///
 /// ```text
 /// kᵢ = f(t + cᵢ h, x + h Σⱼ aᵢⱼ kⱼ),   x(t + h) ≈ x + h Σᵢ bᵢ kᵢ
@@ -22,8 +23,8 @@ use crate::scalar::Scalar;
 pub struct ButcherTableau<const STAGES: usize> {
     /// The nodes cᵢ.
     pub nodes: [f64; STAGES],
-    /// The rows of the matrix aᵢⱼ, each up to its last entry before the diagonal. What a row has
-    /// beyond that is not read.
+    /// The rows of the Runge–Kutta matrix aᵢⱼ, each up to its last entry before the diagonal. Entries beyond that
+    /// are not read.
     pub matrix: [&'static [f64]; STAGES],
     /// The weights bᵢ.
     pub weights: [f64; STAGES],
@@ -37,7 +38,7 @@ pub const CLASSICAL_FOURTH_ORDER: ButcherTableau<4> = ButcherTableau {
     weights: [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
 };
 
-/// The coefficients' sum Σ aⱼ kⱼ, without the terms that are zero.
+/// The linear combination Σ aⱼ kⱼ, without the terms whose coefficient is zero.
 #[inline]
 pub(crate) fn combination<S: Scalar, X: VectorSpace<S>>(
     coefficients: &[f64],
@@ -71,10 +72,10 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
 
 /// An explicit Runge–Kutta method with steps of fixed size.
 ///
-/// The times asked for need not be multiples of the step. What lies between two of them is divided
+/// Sample times need not be multiples of the step. The interval between two of them is divided
 /// into equal steps that are at most as long as the given one.
 ///
-/// Nothing controls the error: halve the step and compare. Near a singularity of the mass matrix
+/// There is no error control: halve the step and compare. Near a singularity of the mass matrix
 /// the integration ends where the estimated relative error of the accelerations exceeds 10⁻⁶.
 ///
 /// ```
@@ -112,8 +113,8 @@ impl RungeKutta<4> {
 }
 
 impl<const STAGES: usize> RungeKutta<STAGES> {
-    /// The method of the given coefficients with steps of size `step`, a positive number also for
-    /// running backwards.
+    /// The method of a tableau with steps of size `step`, which is positive also when integrating
+    /// backwards.
     #[must_use]
     pub fn new(tableau: ButcherTableau<STAGES>, step: f64) -> Self {
         Self { tableau, step }
@@ -175,7 +176,7 @@ impl<const STAGES: usize> Integrator for RungeKutta<STAGES> {
 
 /// Takes the steps of a [`RungeKutta`] method.
 ///
-/// Time and state are sums with a carry, so that their rounding errors do not grow over a long run.
+/// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
 #[derive(Clone, Debug)]
 pub struct RungeKuttaStepper<X, const STAGES: usize> {
     method: RungeKutta<STAGES>,
@@ -230,7 +231,7 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
         if !remaining.is_finite() {
             return Err(IntegrationError::NonFiniteTime { time: target });
         }
-        // A division that is exact but for rounding must not add a step.
+        // A quotient that is a whole number but for rounding must not add a step.
         let steps =
             libm::ceil(remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING)).max(1.0);
         let h = remaining / steps;
@@ -259,7 +260,7 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
         Ok(())
     }
 
-    /// The method's own step, of the length that leads to `t`: as accurate as the step itself.
+    /// A step of the method from the last time to `t`: as accurate as the step itself.
     fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X {
         let (clock, x) = &self.previous;
         let h = clock.until(t);

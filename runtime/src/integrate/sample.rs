@@ -1,9 +1,9 @@
 //! A state at a time, for any dynamics.
 
-/// A state `x` at a time `t`: where an integration begins, what it hands out, where it ends.
+/// A state `x` at a time `t`: an initial value, a sample, a final state.
 ///
 /// Times are `f64` whatever the scalars of the state are. For a mechanical system it is made from a
-/// [`State`](crate::State), and viewed as one by [`state`](Self::state); for other dynamics from a pair:
+/// [`State`](crate::State), and viewed as one by [`state`](Self::state); for other dynamics it is made from a pair:
 ///
 /// ```
 /// use lagrangian::{Sample, State};
@@ -22,7 +22,7 @@ pub struct Sample<X> {
     pub x: X,
 }
 
-/// Where an integration begins: a [`Sample`], a pair of a time and a state, or the [`State`](crate::State) of a mechanical
+/// The initial value of an integration: a [`Sample`], a pair of a time and a state, or the [`State`](crate::State) of a mechanical
 /// system with as many coordinates as it has.
 #[diagnostic::on_unimplemented(
     message = "an integration of `{X}` does not begin at `{Self}`",

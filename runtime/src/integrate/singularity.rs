@@ -1,14 +1,14 @@
-//! Where the equations of motion cannot be solved for the accelerations.
+//! Reports of singular mass matrices.
 
 use core::fmt;
 
 use crate::limits::REPORTED_COORDINATES;
 use crate::number_format::Readable;
 
-/// A configuration in which the mass matrix is singular, or so near to it that the accelerations
+/// A configuration in which the mass matrix is singular, or so ill-conditioned that the accelerations
 /// have lost their accuracy.
 ///
-/// z-x-z Euler angles are singular where sin θ = 0; there φ and ψ turn about the same axis.
+/// z-x-z Euler angles are singular where sin θ = 0 (gimbal lock); there φ and ψ turn about the same axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
     relative_pivot: f64,
@@ -43,13 +43,13 @@ impl Singularity {
         }
     }
 
-    /// The pivot of the mass matrix's factorization relative to what it was before elimination.
+    /// The relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination.
     #[must_use]
     pub fn relative_pivot(&self) -> f64 {
         self.relative_pivot
     }
 
-    /// The coordinate whose pivot it is.
+    /// The coordinate to which the pivot belongs.
     #[must_use]
     pub fn coordinate(&self) -> &'static str {
         self.name(self.coordinate)
@@ -62,7 +62,7 @@ impl Singularity {
         names.zip(self.values)
     }
 
-    /// Where it is, as the end of a clause.
+    /// The configuration, as the end of a clause.
     pub(crate) fn write_coordinates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, (name, value)) in self.coordinates().enumerate() {
             let separator = if i == 0 { " where" } else { "," };

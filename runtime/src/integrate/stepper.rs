@@ -1,17 +1,17 @@
-//! A motion in progress, step by step, and what is checked before each.
+//! Steppers, and the check that times, states and derivatives are finite.
 
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// A motion in progress.
+/// An integration in progress, step by step.
 ///
-/// A clone of it is a checkpoint: the motion continued from the clone is the same to the last bit.
-/// It does not hold the dynamics; they are given to each step, and must be the same until
+/// A clone is a checkpoint: the integration continued from it is the same to the last bit.
+/// The dynamics are passed to each step, and must be the same until
 /// [`restart`](Self::restart).
 ///
-/// A force that a controller sets ten times a second and holds in between:
+/// A sampled controller with a zero-order hold, ten times a second:
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -45,7 +45,7 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
-    /// Whether [`interpolate`](Self::interpolate) is so cheap that sample times need not be ends of
+    /// Whether [`interpolate`](Self::interpolate) is dense output, so cheap that sample times need not be ends of
     /// steps.
     const DENSE_OUTPUT: bool;
 
@@ -58,16 +58,15 @@ pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
     /// The time from which the last step was taken.
     fn previous_time(&self) -> f64;
 
-    /// What has been done so far.
+    /// The cost so far.
     fn statistics(&self) -> Statistics;
 
     /// Takes one step towards the time `target` and never beyond it; the last one lands on it
-    /// exactly. At the target there is nothing to do.
+    /// exactly. At the target it does nothing.
     ///
     /// # Errors
     ///
-    /// If no step can be taken that is finite and meets the tolerance. The stepper stays at its
-    /// time and state.
+    /// If no step gives a finite state and meets the tolerance. The stepper keeps its time and state.
     fn step<D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -77,23 +76,23 @@ pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
     /// The state at a time within the last step.
     fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X;
 
-    /// Forgets what was remembered of the dynamics, which have changed: an input that is held for a
-    /// while, a load that was picked up.
+    /// Discards what was computed from the dynamics, because they have changed: a new value of a held input, a load
+    /// that was picked up.
     fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D);
 }
 
-/// What an integration has cost.
+/// The cost of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
-    /// Steps taken.
+    /// Accepted steps.
     pub steps: u64,
-    /// Steps tried and taken back, because the estimated error exceeded the tolerance.
+    /// Rejected steps, whose estimated error exceeded the tolerance.
     pub rejected: u64,
     /// Evaluations of the derivative.
     pub evaluations: u64,
 }
 
-/// An error unless the time, the state and its derivative are finite. Returns the derivative.
+/// The derivative; an error unless it, the time and the state are finite.
 pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,
@@ -106,7 +105,7 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
         Some((index, value)) => Err(IntegrationError::NonFiniteDerivative {
             time: t,
             component: dynamics.component_name(index),
-            value: not_finite_of(value),
+            value: non_finite_lane(value),
         }),
     }
 }
@@ -125,13 +124,13 @@ pub(crate) fn checked_state<S: Scalar, D: Dynamics<S> + ?Sized>(
         Some((index, value)) => Err(IntegrationError::NonFiniteState {
             time: t,
             component: dynamics.component_name(index),
-            value: not_finite_of(value),
+            value: non_finite_lane(value),
         }),
     }
 }
 
-/// Of several lanes, one that is not finite.
-fn not_finite_of<S: Scalar>(value: S) -> f64 {
+/// The value of a lane that is not finite.
+fn non_finite_lane<S: Scalar>(value: S) -> f64 {
     let least = value.smallest();
     if least.is_finite() {
         value.largest()

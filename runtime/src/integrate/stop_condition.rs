@@ -1,58 +1,58 @@
-//! When to stop.
+//! Stop conditions: predicates, and event functions whose zero crossings are located.
 
 use detection::Detection;
 
-/// A condition on which a [`Driver`](crate::Driver) stops, or several; made by
+/// A condition, or several, on which a [`Driver`](crate::Driver) stops; made by
 /// [`Driver::stop_when`](crate::Driver::stop_when), [`Driver::stop_at_zero`](crate::Driver::stop_at_zero)
 /// and [`Driver::stop_at_crossing`](crate::Driver::stop_at_crossing), and by nothing else: the trait is sealed.
 pub trait StopCondition<X>: detection::Detection<X> {}
 
 impl<X, C: detection::Detection<X>> StopCondition<X> for C {}
 
-/// How a condition is evaluated: a matter between conditions and the driver.
+/// How conditions are evaluated.
 pub(crate) mod detection {
     use super::MetConditions;
 
-    /// What the driver asks of a condition.
+    /// What the driver calls.
     pub trait Detection<X> {
-        /// Whether to find out where within a step the condition is first met.
+        /// Whether to locate where within a step the condition is first met.
         const LOCATED: bool;
 
-        /// On what it depends.
+        /// The value of the condition: a truth value, or that of the event functions.
         type Value: Copy;
 
         /// The value at the time and state given.
         fn value(&mut self, t: f64, x: &X) -> Self::Value;
 
-        /// What is met by the value `after`, where it was `before`. At the start of the motion the two are the
-        /// same.
+        /// The conditions that are met by the value `after`, where it was `before`. At the initial time the two are
+        /// the same.
         fn met(&self, before: Self::Value, after: Self::Value) -> MetConditions;
 
-        /// What is met within the resolution of time after the start.
-        fn met_on_departure(&self, before: Self::Value, after: Self::Value) -> MetConditions {
+        /// The conditions that are met within the resolution of time after the initial time.
+        fn met_after_start(&self, before: Self::Value, after: Self::Value) -> MetConditions {
             self.met(before, after)
         }
 
-        /// Whether a value tells on which side of zero each function is.
-        fn has_signs(value: Self::Value) -> bool {
+        /// Whether every event function is positive or negative.
+        fn is_signed(value: Self::Value) -> bool {
             let _ = value;
             true
         }
 
-        /// The value to compare the next with: `after`, unless that tells nothing.
-        fn remembered(&self, before: Self::Value, after: Self::Value) -> Self::Value {
+        /// The value to compare the next one with: `after`, but the last sign of what is zero or NaN.
+        fn last_signed(&self, before: Self::Value, after: Self::Value) -> Self::Value {
             let _ = before;
             after
         }
     }
 }
 
-/// Which of the conditions to stop on are met: one, or the first 64 of several.
+/// Which stop conditions are met: a set of indices below 64.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MetConditions(u64);
 
 impl MetConditions {
-    /// Those of the conditions, counted from 0, for which `met` holds.
+    /// The set of the indices at which the iterator is true.
     pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {
         let bits = (0..u64::BITS).zip(conditions);
         Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
@@ -73,14 +73,14 @@ impl MetConditions {
         shifted.is_some_and(|bits| bits & 1 == 1)
     }
 
-    /// The conditions that are met here or there.
+    /// The union of two sets.
     #[must_use]
     pub(crate) fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 }
 
-/// No condition to stop on.
+/// No stop condition.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unconditional;
 
@@ -96,7 +96,7 @@ impl<X> Detection<X> for Unconditional {
     }
 }
 
-/// That a function of time and state is true at the end of a step.
+/// The condition that a function of time and state is true at the end of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Predicate<F>(pub(crate) F);
 
@@ -114,8 +114,7 @@ impl<X, F: FnMut(f64, &X) -> bool> Detection<X> for Predicate<F> {
     }
 }
 
-/// In which direction a function crosses zero in the course of an integration, also of one that runs
-/// backwards.
+/// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// From negative to positive.
@@ -127,8 +126,7 @@ pub enum Crossing {
 }
 
 impl Crossing {
-    /// Whether zero is crossed, or arrived at, between two values. From zero nothing is crossed: a motion that
-    /// begins there leaves it first. What is no number has no sign.
+    /// Whether zero is crossed or reached between two values. From zero there is no crossing, and NaN has no sign.
     fn between(self, before: f64, after: f64) -> bool {
         let rises = before < 0.0 && after >= 0.0;
         let falls = before > 0.0 && after <= 0.0;
@@ -139,30 +137,30 @@ impl Crossing {
         }
     }
 
-    /// The same between the start and the next instant that time resolves. Where the direction does not matter, it is
-    /// taken for the zero on which the motion began.
-    fn on_departure(self, before: f64, after: f64) -> bool {
+    /// The same between the initial time and the next time that can be told from it. For either direction, a change
+    /// of sign there is taken for the zero at the initial time.
+    fn after_start(self, before: f64, after: f64) -> bool {
         self != Self::Either && self.between(before, after)
     }
 }
 
-/// Whether a number is positive or negative.
+/// Whether a number is positive or negative: not zero and not NaN.
 fn has_sign(value: f64) -> bool {
     !value.is_nan() && value != 0.0
 }
 
-/// The last value that has a sign.
+/// `after`, or `before` if it has no sign.
 fn signed(before: f64, after: f64) -> f64 {
     if has_sign(after) { after } else { before }
 }
 
-/// That a function of time and state crosses zero, or one of several functions: `crossing` is a [`Crossing`]
-/// of one value, or an array of them for an array of values.
+/// The condition that an event function of time and state crosses zero, or one of several: `crossing` is a
+/// [`Crossing`] for one value, or an array of them for an array of values.
 #[derive(Clone, Copy, Debug)]
 pub struct ZeroCrossing<F, C = Crossing> {
-    /// The function.
+    /// The event function.
     pub(crate) function: F,
-    /// In which direction it crosses.
+    /// The direction of the crossing.
     pub(crate) crossing: C,
 }
 
@@ -179,15 +177,15 @@ impl<X, F: FnMut(f64, &X) -> f64> Detection<X> for ZeroCrossing<F, Crossing> {
         MetConditions::of([self.crossing.between(before, after)].into_iter())
     }
 
-    fn met_on_departure(&self, before: f64, after: f64) -> MetConditions {
-        MetConditions::of([self.crossing.on_departure(before, after)].into_iter())
+    fn met_after_start(&self, before: f64, after: f64) -> MetConditions {
+        MetConditions::of([self.crossing.after_start(before, after)].into_iter())
     }
 
-    fn has_signs(value: f64) -> bool {
+    fn is_signed(value: f64) -> bool {
         has_sign(value)
     }
 
-    fn remembered(&self, before: f64, after: f64) -> f64 {
+    fn last_signed(&self, before: f64, after: f64) -> f64 {
         signed(before, after)
     }
 }
@@ -215,19 +213,19 @@ where
         )
     }
 
-    fn met_on_departure(&self, before: [f64; K], after: [f64; K]) -> MetConditions {
+    fn met_after_start(&self, before: [f64; K], after: [f64; K]) -> MetConditions {
         let values = before.into_iter().zip(after);
         let crossings = self.crossing.iter().zip(values);
         MetConditions::of(
-            crossings.map(|(crossing, (before, after))| crossing.on_departure(before, after)),
+            crossings.map(|(crossing, (before, after))| crossing.after_start(before, after)),
         )
     }
 
-    fn has_signs(value: [f64; K]) -> bool {
+    fn is_signed(value: [f64; K]) -> bool {
         value.into_iter().all(has_sign)
     }
 
-    fn remembered(&self, before: [f64; K], after: [f64; K]) -> [f64; K] {
+    fn last_signed(&self, before: [f64; K], after: [f64; K]) -> [f64; K] {
         core::array::from_fn(|i| signed(before[i], after[i]))
     }
 }

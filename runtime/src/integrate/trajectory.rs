@@ -1,4 +1,4 @@
-//! Motions that are kept. Needs the feature `alloc`.
+//! Sampled motions. Needs the feature `alloc`.
 
 use alloc::{boxed::Box, vec::Vec};
 use core::fmt;
@@ -9,7 +9,7 @@ use super::sample::Sample;
 use super::stepper::Statistics;
 use super::stop_condition::MetConditions;
 
-/// The samples of a motion, in the order of the times that were asked for, and how it ended.
+/// The samples of a motion, in the order of the requested times, and its outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory<X> {
     pub(super) samples: Vec<Sample<X>>,
@@ -42,35 +42,35 @@ impl<X> Trajectory<X> {
     }
 
     /// The last state that was reached without an error. It is the last sample unless something
-    /// stopped the motion before the end.
+    /// stopped the integration before the final time.
     #[must_use]
     pub fn last(&self) -> &Sample<X> {
         &self.outcome.last
     }
 
-    /// Why the motion ended.
+    /// Why the integration stopped.
     #[must_use]
     pub fn reason(&self) -> StopReason {
         self.outcome.reason
     }
 
-    /// Which conditions to stop on were met at its end.
+    /// Which stop conditions were met at its end.
     #[must_use]
     pub fn met(&self) -> MetConditions {
         self.outcome.met
     }
 
-    /// What it has cost.
+    /// Its cost.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.outcome.statistics
     }
 }
 
-/// An error that stopped a motion, with the samples up to then.
+/// An error that stopped an integration, with the trajectory up to then.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartialTrajectory<X> {
-    // One pointer, so that a result is not large because of its error.
+    // One pointer, so that a `Result` is not large because of its error.
     parts: Box<(IntegrationError, Trajectory<X>)>,
 }
 
@@ -81,19 +81,19 @@ impl<X> PartialTrajectory<X> {
         }
     }
 
-    /// What stopped it.
+    /// The error.
     #[must_use]
     pub fn error(&self) -> IntegrationError {
         self.parts.0
     }
 
-    /// The motion up to there. Its [`last`](Trajectory::last) state is the last that was reached.
+    /// The trajectory up to the error. Its [`last`](Trajectory::last) state is the last that was reached.
     #[must_use]
     pub fn trajectory(&self) -> &Trajectory<X> {
         &self.parts.1
     }
 
-    /// The motion up to there, to keep.
+    /// The trajectory up to the error, owned.
     #[must_use]
     pub fn into_trajectory(self) -> Trajectory<X> {
         self.parts.1

@@ -1,11 +1,11 @@
 //! The coefficients of the Dormand–Prince method 8(5,3) and of its dense output.
 //!
-//! Source: Prince & Dormand, *J. Comput. Appl. Math.* **7** (1981) 67; the error estimators of
+//! P. J. Prince & J. R. Dormand, J. Comput. Appl. Math. **7** (1981) 67–75; the error estimators of
 //! orders 5 and 3 and the dense output by Hairer, Nørsett & Wanner, *Solving Ordinary Differential
-//! Equations I*, 2nd edition, II.5, II.6 and II.10 (the code DOP853). The tests below verify every
+//! Equations I*, 2nd edition (1993), II.5, II.6 and II.10 (the code DOP853). The tests below verify every
 //! order condition.
 
-// The digits are those that were published, more than a double holds.
+// The published digits, more than an `f64` holds.
 #![allow(clippy::excessive_precision, clippy::unreadable_literal)]
 
 /// The nodes cᵢ: twelve stages, the end of the step, and the three stages of the dense output.

@@ -1,11 +1,12 @@
-//! The state between the ends of a step.
+//! Dense output: the state between the ends of a step.
 
 use super::{ALL_STAGES, STAGES, coefficients::DENSE};
 use crate::integrate::runge_kutta::combination;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// The polynomial of order 7 through a step: Hairer, Nørsett & Wanner, II.6, (6.11) and below.
+/// The interpolating polynomial of order 7: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd
+/// edition (1993), II.6, (6.11) and below.
 ///
 /// In θ = (t − t₀)/h it is r₀ + θ (r₁ + (1 − θ) (r₂ + θ (r₃ + (1 − θ) (r₄ + …)))).
 #[derive(Clone, Debug)]

@@ -1,4 +1,5 @@
-//! How long a step may be: Hairer, Nørsett & Wanner, II.4 and II.10.
+//! Step size control: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.4
+//! (control and first step) and II.10 (error estimate).
 
 use super::coefficients::{FIFTH_ORDER_ERROR, THIRD_ORDER, WEIGHTS};
 use super::{ALL_STAGES, STAGES};
@@ -14,7 +15,7 @@ use crate::linalg::VectorSpace;
 use crate::linalg::lane_select::{divisor, is_zero};
 use crate::scalar::Scalar;
 
-/// The errors that are allowed in a step.
+/// The tolerances of the error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Tolerance {
     pub(crate) relative: f64,
@@ -32,8 +33,8 @@ impl Tolerance {
         }
     }
 
-    /// A component in relation to the error allowed at the larger of two sizes, in the worst of its lanes.
-    /// One that is zero has no error; any other that is allowed none counts as `unscaled`.
+    /// A component over its tolerance at the larger of two scales, in the worst of its lanes.
+    /// A component that is zero counts as 0; any other one with the tolerance zero counts as `unscaled`.
     #[inline]
     fn ratio<S: Scalar>(self, component: S, [before, after]: [S; 2], unscaled: f64) -> f64 {
         let size = component.abs();
@@ -59,8 +60,8 @@ impl Tolerance {
         [before, after]: &[X; 2],
         unscaled: f64,
     ) -> impl Iterator<Item = f64> {
-        let sizes = before.components().zip(after.components());
-        let scaled = vector.components().zip(sizes);
+        let scales = before.components().zip(after.components());
+        let scaled = vector.components().zip(scales);
         scaled.map(move |(component, (a, b))| self.ratio(component, [a, b], unscaled))
     }
 }
@@ -73,29 +74,29 @@ fn squares(ratios: impl Iterator<Item = f64>) -> (f64, f64) {
     })
 }
 
-/// What came of trying a step.
+/// The result of an attempted step.
 pub(super) struct Attempt {
-    /// The estimated error in relation to the tolerance.
+    /// The estimated error over the tolerance.
     pub(super) error: f64,
     /// Whether the new state is finite.
     pub(super) finite: Result<(), IntegrationError>,
 }
 
-/// The error of a step in relation to the tolerance: h e₅² / √(e₅² + 0.01 e₃²), (10.17) of II.10,
+/// The error of a step over the tolerance: h e₅² / √(e₅² + 0.01 e₃²), (10.17) of II.10,
 /// where e₅ and e₃ are the root mean squares of the estimates of orders 5 and 3.
 #[inline]
 pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
     stages: &[X; ALL_STAGES],
     h: f64,
-    sizes: &[X; 2],
+    scales: &[X; 2],
     tolerance: Tolerance,
 ) -> f64 {
-    let zero = sizes[0].zeroed();
+    let zero = scales[0].zeroed();
     let fifth = combination(&FIFTH_ORDER_ERROR, stages, &zero);
     let mut third = combination(&WEIGHTS, stages, &zero);
     third.add_scaled(-S::one(), &combination(&THIRD_ORDER, stages, &zero));
-    let (fifth, components) = squares(tolerance.ratios(&fifth, sizes, f64::INFINITY));
-    let (third, _) = squares(tolerance.ratios(&third, sizes, f64::INFINITY));
+    let (fifth, components) = squares(tolerance.ratios(&fifth, scales, f64::INFINITY));
+    let (third, _) = squares(tolerance.ratios(&third, scales, f64::INFINITY));
     let denominator = fifth + THIRD_ORDER_WEIGHT * third;
     if denominator == 0.0 {
         return 0.0;
@@ -107,9 +108,9 @@ pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct StepControl {
     step: f64,
-    /// Whether the last attempt was rejected: the next step is then not to be longer.
+    /// Whether the last attempt was rejected: the next step must then not be longer.
     rejected: bool,
-    /// How many attempts on end were of steps that lead nowhere.
+    /// The number of attempts in a row with negligible steps.
     stalled: u32,
 }
 
@@ -122,8 +123,8 @@ impl StepControl {
         }
     }
 
-    /// Whether steps have been so short for so long that the rest of the way would take 10¹⁵ of them, as they
-    /// are near t = 0, where no step is too short to advance the time.
+    /// Whether steps have been negligible for so long that the integration makes no progress. It happens near t = 0,
+    /// where no step is too short to advance the time.
     pub(super) fn stalls(&mut self, h: f64, remaining: f64) -> bool {
         let stalling = h.abs() < f64::EPSILON * remaining.abs();
         self.stalled = if stalling { self.stalled + 1 } else { 0 };
@@ -134,7 +135,7 @@ impl StepControl {
         self.step
     }
 
-    /// Decides on a step of size `h`, and what to try next.
+    /// Accepts or rejects a step of size `h`, and chooses the next size.
     pub(super) fn accepts(&mut self, attempt: &Attempt, h: f64) -> bool {
         if attempt.finite.is_err() || !attempt.error.is_finite() {
             self.step = h / MAX_SHRINKAGE;
@@ -148,7 +149,7 @@ impl StepControl {
             return false;
         }
         let step = h / shortening.clamp(1.0 / MAX_GROWTH, MAX_SHRINKAGE);
-        // A step cut short to land on a time says nothing against the longer one planned before.
+        // A step that was shortened to land on a time does not shorten the one planned before.
         let planned = if self.rejected { step.min(h) } else { step };
         self.step = if h < self.step {
             planned.max(self.step)
@@ -164,8 +165,8 @@ impl StepControl {
 /// `longest`, whose sign is the direction. It costs one evaluation.
 ///
 /// An explicit Euler step estimates the second derivative; the step is such that h⁸ times the
-/// larger of the derivatives is 0.01: II.4, the algorithm at its end. A component that is zero and has no
-/// absolute tolerance tells nothing yet.
+/// larger of the derivatives is 0.01 (II.4, "Starting Step Size"). A component that is zero and has no
+/// absolute tolerance does not count.
 pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     clock: Clock,
@@ -175,8 +176,8 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     tolerance: Tolerance,
 ) -> f64 {
     let size = dynamics.error_scale(x);
-    let sizes = [size.clone(), size.clone()];
-    let norm = |vector: &D::State| Scalar::sqrt(squares(tolerance.ratios(vector, &sizes, 0.0)).0);
+    let scales = [size.clone(), size.clone()];
+    let norm = |vector: &D::State| Scalar::sqrt(squares(tolerance.ratios(vector, &scales, 0.0)).0);
     let (zeroth, first) = (norm(&size), norm(slope));
     let probe = PROBE * zeroth / first;
     let scaled = first > NEGLIGIBLE && zeroth > NEGLIGIBLE && probe.is_normal();
@@ -199,8 +200,8 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     step.min(MAX_PROBES * probe).min(longest.abs())
 }
 
-/// Why no step that advances the time meets the tolerance at (t, x), where `stages` are those of the last
-/// that was tried.
+/// The error of a step size that is too small to advance the time at (t, x), where `stages` are those of the last
+/// attempt.
 #[cold]
 pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -217,9 +218,9 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
         };
     }
     let size = dynamics.error_scale(x);
-    let sizes = [size.clone(), size];
+    let scales = [size.clone(), size];
     let error = combination(&FIFTH_ORDER_ERROR, stages, &x.zeroed());
-    let ratios = tolerance.ratios(&error, &sizes, f64::INFINITY);
+    let ratios = tolerance.ratios(&error, &scales, f64::INFINITY);
     let worst =
         ratios.enumerate().fold(
             (0, -1.0),
