@@ -1,8 +1,8 @@
-//! The numbers a model can be evaluated on.
+//! Scalars: the numbers on which a model can be evaluated.
 //!
-//! What the derive emits is generic over [`Scalar`] and straight-line. Control flow (a pivot that
-//! vanishes, a step that is too long) is in this crate, and looks at a scalar only through
-//! [`Scalar::smallest`] and [`Scalar::largest`], so that SIMD lanes and dual numbers fit.
+//! Emitted code is generic over [`Scalar`] and straight-line. Control flow (a pivot that
+//! vanishes, a step that is too long) is in this crate, and reads a scalar only by
+//! [`Scalar::smallest`] and [`Scalar::largest`], so that SIMD lanes and dual numbers are possible.
 
 mod arithmetic;
 mod double_double;
@@ -20,12 +20,12 @@ use num_traits::{One, Zero};
 pub use double_double::DoubleDouble;
 pub use lanes::Lanes;
 
-/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes. Those that
-/// are there are listed [below](#scalars).
+/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes. The
+/// implementations are listed [below](#scalars).
 ///
 /// Implement it for a type of your own to evaluate every derived model on it. The elementary
 /// functions are those of the declaration language; angles are in radians. Lanes do not depend on each
-/// other: what one gives is what it gives alone, though rounded otherwise where M is factored in numbers
+/// other: a lane has the result that it has alone. Only rounding errors differ, where M is factored numerically
 /// and that of another lane is not positive definite.
 ///
 /// ```
@@ -35,7 +35,7 @@ pub use lanes::Lanes;
 /// #[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = 0.5 * k * x.powi(2))]
 /// struct Oscillator { m: f64, k: f64 }
 ///
-/// /// The acceleration on any scalar: what it carries, x carries into it.
+/// /// The acceleration on any scalar: derivatives with respect to x are propagated to it.
 /// fn acceleration<S: Scalar>(x: S) -> S {
 ///     let state = State::new(S::zero(), [x], [S::zero()]);
 ///     Oscillator { m: 2.0, k: 3.0 }.accelerations(&state)[Oscillator::X]
@@ -47,9 +47,9 @@ pub use lanes::Lanes;
 ///
 /// A type of your own is `Copy`, `Debug` and `PartialEq`, from which `nalgebra::Scalar` follows; it has the
 /// operators `+ - * /`, `+= -= *= /=` and the minus sign, and
-/// [`Zero`](crate::num_traits::Zero) and [`One`](crate::num_traits::One), which this crate hands on.
+/// [`Zero`](crate::num_traits::Zero) and [`One`](crate::num_traits::One), which this crate re-exports.
 ///
-/// Parameters are of the scalar, too, in a `struct Oscillator<T: Scalar> { m: T, k: T }`.
+/// Parameters are of the scalar type, too, in a `struct Oscillator<T: Scalar> { m: T, k: T }`.
 ///
 /// # Scalars
 ///
@@ -62,9 +62,9 @@ pub use lanes::Lanes;
 /// | `num_dual::DualSVec64<N>` | the gradient with respect to `N` quantities | feature `num-dual` |
 /// | `num_dual::Dual2_64`, `HyperDual64` | second derivatives, in one direction or two | feature `num-dual` |
 ///
-/// Dual numbers differentiate with respect to whatever brings a derivative in: a parameter, an initial
-/// value, the time, an input. An integration differentiates the steps that it takes; those of an adaptive
-/// method are chosen by the values alone. A motion that knows how it depends on a mass and on a length:
+/// Dual numbers differentiate with respect to whatever has a derivative part: a parameter, an initial
+/// value, the time, an input. An integration on dual numbers differentiates its steps; an adaptive
+/// method chooses their sizes by the values alone. The sensitivity of a motion to a mass and a stiffness:
 ///
 #[cfg_attr(feature = "num-dual", doc = "```")]
 #[cfg_attr(not(feature = "num-dual"), doc = "```ignore")]
@@ -109,25 +109,25 @@ pub trait Scalar:
     /// The scalar nearest to `value`, in every lane, with no derivative part.
     fn from_f64(value: f64) -> Self;
 
-    /// The quotient of two numbers, in every lane: how a constant that `f64` does not have, such as the
-    /// 0.1 of a declaration, reaches the scalar. One of more digits than `f64` divides on its own.
+    /// The quotient of two numbers, in every lane: how a constant that `f64` cannot represent, such as the
+    /// 0.1 of a declaration, is converted. A scalar of more digits than `f64` divides in its own arithmetic.
     #[inline]
     #[must_use]
     fn ratio(numerator: f64, denominator: f64) -> Self {
         Self::from_f64(numerator / denominator)
     }
 
-    /// π. A scalar of more digits than `f64` has them here.
+    /// π, with all digits of the scalar.
     #[inline]
     #[must_use]
     fn pi() -> Self {
         Self::from_f64(core::f64::consts::PI)
     }
 
-    /// The smallest positive number that has all digits: added to a root, it changes nothing but 0.
+    /// The smallest positive normal number: added to a root, it changes nothing but 0.
     ///
-    /// Emitted code does so where it divides by a root and the quotient has a limit. That of `f32` serves
-    /// every format of at least as many digits, unless those are needed below 10⁻³⁰ or so.
+    /// Emitted code adds it where it divides by a root and the quotient has a limit. The default, that of `f32`,
+    /// serves every format of at least that range, unless digits are needed below 10⁻³⁰ or so.
     #[inline]
     #[must_use]
     fn min_positive() -> Self {
@@ -143,7 +143,7 @@ pub trait Scalar:
     /// The distance from 1 to the next larger number, by which rounding errors are estimated.
     #[must_use]
     fn machine_epsilon() -> f64 {
-        // A double-double resolves about 2⁻¹⁰⁴; the bound ends the loop for exact arithmetic.
+        // The machine epsilon of a double-double is about 2⁻¹⁰⁴; the bound ends the loop for exact arithmetic.
         let halvings = (0..110).take_while(|&n| {
             let half = Self::from_f64(libm::ldexp(0.5, -n));
             ((Self::one() + half) - Self::one()).largest() > 0.0
@@ -173,8 +173,8 @@ pub trait Scalar:
 
     /// Sines and cosines of several angles, each as [`sin_cos`](Self::sin_cos) gives them.
     ///
-    /// Emitted code asks for those of the coordinates at once; a type that computes several angles
-    /// faster together than one by one does so here.
+    /// Emitted code calls it for the angles of all coordinates at once; override it for a type that computes several angles
+    /// faster together than one by one.
     #[inline]
     #[must_use]
     fn sines_and_cosines<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
@@ -227,8 +227,8 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
-    /// The square root. A number that carries derivatives has those of a sum of squares at 0: where its own
-    /// are 0, so are those of the root.
+    /// The square root. The derivative parts of a root of 0 are those of a sum of squares: where those of the
+    /// radicand are 0, so are those of the root.
     #[must_use]
     fn sqrt(self) -> Self;
     /// `self` to a real power; NaN where real numbers have none.
@@ -237,13 +237,13 @@ pub trait Scalar:
     /// The absolute value.
     #[must_use]
     fn abs(self) -> Self;
-    /// −1, 0 or 1. Unlike [`f64::signum`], it is 0 at 0, where |x| has no slope.
+    /// −1, 0 or 1. Unlike [`f64::signum`], it is 0 at 0, where |x| has no derivative.
     #[must_use]
     fn signum(self) -> Self;
-    /// The lesser of two numbers; in lanes, the other one where one of them is no number.
+    /// The lesser of two numbers; in lanes, the other one where one of them is NaN.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The greater of two numbers; in lanes, the other one where one of them is no number.
+    /// The greater of two numbers; in lanes, the other one where one of them is NaN.
     #[must_use]
     fn max(self, other: Self) -> Self;
 }

@@ -1,13 +1,14 @@
-//! Solving M q̈ = f for the accelerations.
+//! Factorization of the mass matrix, to solve M q̈ = f for the accelerations.
 //!
-//! Comes in: the symmetric mass matrix. Goes out: solutions for any number of right-hand sides, and
-//! how much was lost on the way. A positive definite M is factored as L D Lᵀ without pivoting, which
-//! is stable; a regular M that is not (L = ẋ ẏ) takes a cold path with exchange of rows (`pivoting.rs`). A
-//! singular M gives values that are not finite, and no panic. Lanes do not depend on each other.
+//! Input: the symmetric mass matrix. Output: solutions for any number of right-hand sides, and
+//! an estimate of the accuracy. A positive definite M is factored as L D Lᵀ without pivoting, which
+//! is stable (N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition (2002), chapter 10). An
+//! indefinite regular M, as that of L = ẋ ẏ, takes a cold path with pivoting (`pivoting.rs`). A
+//! singular M gives values that are not finite, and no panic. SIMD lanes do not depend on each other.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::lane_select::{Lanewise, greater};
+use super::lane_select::{LaneSelect, greater};
 use super::pivoting::{self, Pivoted};
 use crate::limits::RIGHT_HAND_SIDES_AT_ONCE;
 use crate::scalar::Scalar;
@@ -15,23 +16,23 @@ use crate::scalar::Scalar;
 /// A factored mass matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Factorization<S: Scalar, const N: usize> {
-    /// Below the diagonal the unit lower factor; above it U of the cold path.
+    /// Below the diagonal the unit lower triangular factor L; above it U of the cold path.
     factors: SMatrix<S, N, N>,
     /// The reciprocals of the pivots.
     reciprocals: SVector<S, N>,
-    /// In lanes that are positive definite, each pivot in relation to what it was before elimination; 0 in
+    /// In lanes that are positive definite, each pivot over the diagonal entry of M; 0 in
     /// the others.
     relative_pivots: SVector<S, N>,
-    form: Form<S, N>,
+    kind: Kind<S, N>,
 }
 
-/// What the factors are those of.
+/// The kind of factorization.
 #[derive(Clone, Copy, Debug)]
-enum Form<S, const N: usize> {
+enum Kind<S, const N: usize> {
     /// L D Lᵀ.
-    Symmetric,
-    /// L U, whose rows were exchanged, with the exchanges.
-    Exchanged(SVector<S, N>),
+    Ldlt,
+    /// P M = L U, with the row interchanges.
+    PivotedLu(SVector<S, N>),
 }
 
 impl<S: Scalar, const N: usize> Factorization<S, N> {
@@ -63,20 +64,20 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             relative_pivots[j] = pivot / mass[(j, j)];
             definite &= pivot.smallest() > 0.0;
         }
-        let symmetric = Self {
+        let ldlt = Self {
             factors,
             reciprocals,
             relative_pivots,
-            form: Form::Symmetric,
+            kind: Kind::Ldlt,
         };
         if definite {
-            symmetric
+            ldlt
         } else {
-            symmetric.with_pivoting(&mass)
+            ldlt.with_pivoting(&mass)
         }
     }
 
-    /// The cold path, for a matrix that is not positive definite in every lane.
+    /// The cold path, if M is not positive definite in every lane.
     #[cold]
     #[inline(never)]
     fn with_pivoting(&self, lower: &SMatrix<S, N, N>) -> Self {
@@ -86,25 +87,25 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         let Pivoted {
             factors,
             reciprocals,
-            exchanges,
+            interchanges,
         } = Pivoted::new(full);
         Self {
             factors,
             reciprocals,
-            relative_pivots: self.relative_pivots.or(SVector::zeros(), definite),
-            form: Form::Exchanged(exchanges),
+            relative_pivots: self.relative_pivots.select(SVector::zeros(), definite),
+            kind: Kind::PivotedLu(interchanges),
         }
     }
 
-    /// For each coordinate, how much is left of a relative accuracy of 1: the pivot in relation to the diagonal
-    /// entry of a positive definite matrix, and the reciprocal of (|M⁻¹| |M|)ᵢᵢ (Bauer, 1963) of another. NaN
+    /// For each coordinate, the reciprocal of a condition number: for a positive definite matrix the pivot over the diagonal
+    /// entry, for another one the reciprocal of (|M⁻¹| |M|)ᵢᵢ (Bauer, 1963). NaN
     /// or 0 if M is singular. Neither depends on the units of the coordinates.
     #[inline]
     #[must_use]
     pub fn relative_pivots(&self) -> SVector<S, N> {
-        match &self.form {
-            Form::Symmetric => self.relative_pivots,
-            Form::Exchanged(_) => self.reciprocal_conditions(),
+        match &self.kind {
+            Kind::Ldlt => self.relative_pivots,
+            Kind::PivotedLu(_) => self.reciprocal_conditions(),
         }
     }
 
@@ -114,21 +115,21 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         let conditions = pivoting::reciprocal_conditions(&self.factors);
         let pivots = self.relative_pivots.iter();
         let definite = pivots.fold(S::one(), |all, pivot| all * greater(*pivot, S::zero()));
-        self.relative_pivots.or(conditions, definite)
+        self.relative_pivots.select(conditions, definite)
     }
 
     /// The solutions X of M X = B, column by column.
     #[inline]
     #[must_use]
     pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
-        match &self.form {
-            Form::Symmetric => self.solve_symmetric(right),
-            Form::Exchanged(exchanges) => self.solve_pivoted(right, exchanges),
+        match &self.kind {
+            Kind::Ldlt => self.solve_ldlt(right),
+            Kind::PivotedLu(interchanges) => self.solve_pivoted(right, interchanges),
         }
     }
 
     #[inline]
-    fn solve_symmetric<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
+    fn solve_ldlt<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
         let mut x = *right;
         let mut column = 0;
         while column + RIGHT_HAND_SIDES_AT_ONCE <= K {
@@ -142,7 +143,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         x
     }
 
-    /// Solves for as many columns at once as the processor has lanes, beginning with one.
+    /// Solves for `W` columns at once, from column `first` on.
     #[inline]
     fn solve_columns<const K: usize, const W: usize>(
         &self,
@@ -176,9 +177,9 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     fn solve_pivoted<const K: usize>(
         &self,
         right: &SMatrix<S, N, K>,
-        exchanges: &SVector<S, N>,
+        interchanges: &SVector<S, N>,
     ) -> SMatrix<S, N, K> {
-        pivoting::solve(&self.factors, &self.reciprocals, exchanges, right)
+        pivoting::solve(&self.factors, &self.reciprocals, interchanges, right)
     }
 }
 

@@ -1,10 +1,10 @@
-//! What becomes a vector of as many components as a system has.
+//! Conversion into vectors of fixed size.
 
 use nalgebra::SVector;
 
 use crate::scalar::Scalar;
 
-/// `K` numbers as they are written: an `SVector<S, K>`, an array `[S; K]`, or a number if `K` is 1.
+/// `K` numbers: an `SVector<S, K>`, an array `[S; K]`, or a number if `K` is 1.
 ///
 /// ```
 /// use lagrangian::IntoVector;

@@ -1,91 +1,90 @@
-//! Decisions taken lane by lane.
+//! Branch-free selection, lane by lane, as with the masks of SIMD instructions.
 //!
-//! The lanes of a [`Scalar`] may want different things, and of a scalar it cannot be asked which lane wants
-//! what. A decision is therefore a number itself, 1 in the lanes that want something and 0 in the others,
-//! and what was not chosen vanishes by arithmetic, also where it is not finite.
+//! The lanes of a [`Scalar`] may need different branches, and a scalar cannot be asked which lane needs which.
+//! A mask is therefore a scalar itself, 1 in the lanes where a condition holds and 0 in the others, and the value
+//! that is not selected is removed by arithmetic, also where it is not finite.
 
 use nalgebra::SMatrix;
 
 use crate::scalar::Scalar;
 
-/// 1 where `left` is greater than `right`, in every lane that is so; 0 elsewhere.
+/// The mask of left > right.
 #[inline]
 pub(crate) fn greater<S: Scalar>(left: S, right: S) -> S {
     (left - right).signum().max(S::zero())
 }
 
-/// 1 where a number is zero; 0 elsewhere.
+/// The mask of x = 0.
 #[inline]
-pub(crate) fn is_zero<S: Scalar>(number: S) -> S {
-    S::one() - number.signum().abs()
+pub(crate) fn is_zero<S: Scalar>(x: S) -> S {
+    S::one() - x.signum().abs()
 }
 
-/// The number itself; 1 where it is zero, so that it can be divided by.
+/// x, or 1 where it is zero, so that it can be divided by.
 #[inline]
-pub(crate) fn divisor<S: Scalar>(number: S) -> S {
-    number + is_zero(number)
+pub(crate) fn one_if_zero<S: Scalar>(x: S) -> S {
+    x + is_zero(x)
 }
 
-/// An index as a number that lanes can have different ones of.
+/// An index as a scalar, of which lanes can have different values.
 #[inline]
-pub(crate) fn number<S: Scalar>(index: usize) -> S {
+pub(crate) fn from_index<S: Scalar>(index: usize) -> S {
     (0..index).fold(S::zero(), |number, _| number + S::one())
 }
 
-/// The number where `chosen` is 1; 0 where it is 0, whatever the number is.
+/// x where the mask is 1; 0 where it is 0, also if x is infinite or NaN there.
 ///
-/// The least of two numbers, one of which is none, is the other; so is the greatest. The bounds are therefore
-/// no numbers where nothing is to be bounded.
-fn kept<S: Scalar>(number: S, chosen: S) -> S {
-    let bound = S::zero() / (S::one() - chosen);
-    number.max(bound).min(bound)
+/// `min` and `max` ignore a NaN. The bounds are therefore 0/0 where the mask is 1, and 0 where it is 0.
+fn masked<S: Scalar>(x: S, mask: S) -> S {
+    let bound = S::zero() / (S::one() - mask);
+    x.max(bound).min(bound)
 }
 
-/// What consists of scalars, and can be put together lane by lane.
-pub trait Lanewise<S: Scalar>: Sized {
-    /// Its entries where `chosen` is 1, those of `other` where it is 0.
+/// What can be selected lane by lane.
+pub trait LaneSelect<S: Scalar>: Sized {
+    /// This value in the lanes where the mask is 1, `other` where it is 0.
     #[must_use]
-    fn or(self, other: Self, chosen: S) -> Self;
+    fn select(self, other: Self, mask: S) -> Self;
 }
 
-/// One of two, where all lanes agree; else what `blend` makes of them.
-fn decided<S: Scalar, T>(first: T, other: T, chosen: S, blend: impl FnOnce(T, T) -> T) -> T {
-    if chosen.largest() <= 0.0 {
+/// One of two values where all lanes agree; their blend where they do not.
+fn select_or_blend<S: Scalar, T>(first: T, other: T, mask: S, blend: impl FnOnce(T, T) -> T) -> T {
+    if mask.largest() <= 0.0 {
         other
-    } else if chosen.smallest() > 0.0 {
+    } else if mask.smallest() > 0.0 {
         first
     } else {
         blend(first, other)
     }
 }
 
-impl<S: Scalar, const R: usize, const C: usize> Lanewise<S> for SMatrix<S, R, C> {
-    fn or(self, other: Self, chosen: S) -> Self {
-        let rest = S::one() - chosen;
-        decided(self, other, chosen, |first, other| {
-            first.zip_map(&other, |x, y| kept(x, chosen) + kept(y, rest))
+impl<S: Scalar, const R: usize, const C: usize> LaneSelect<S> for SMatrix<S, R, C> {
+    fn select(self, other: Self, mask: S) -> Self {
+        let complement = S::one() - mask;
+        select_or_blend(self, other, mask, |first, other| {
+            first.zip_map(&other, |x, y| masked(x, mask) + masked(y, complement))
         })
     }
 }
 
-/// Exchanges two rows of a matrix in the lanes in which `wanted` is 1.
-pub(crate) fn exchange_rows<S: Scalar, const R: usize, const C: usize>(
+/// Interchanges two rows of a matrix in the lanes where the mask is 1.
+pub(crate) fn swap_rows<S: Scalar, const R: usize, const C: usize>(
     matrix: &mut SMatrix<S, R, C>,
     upper: usize,
     lower: usize,
-    wanted: S,
+    mask: S,
 ) {
-    if wanted.largest() <= 0.0 {
+    if mask.largest() <= 0.0 {
         return;
     }
-    if wanted.smallest() > 0.0 {
+    if mask.smallest() > 0.0 {
         matrix.swap_rows(upper, lower);
         return;
     }
-    let rest = S::one() - wanted;
+    let complement = S::one() - mask;
     for k in 0..C {
         let (x, y) = (matrix[(upper, k)], matrix[(lower, k)]);
-        matrix[(upper, k)] = kept(x, rest) + kept(y, wanted);
-        matrix[(lower, k)] = kept(y, rest) + kept(x, wanted);
+        matrix[(upper, k)] = masked(x, complement) + masked(y, mask);
+        matrix[(lower, k)] = masked(y, complement) + masked(x, mask);
     }
 }

@@ -1,27 +1,26 @@
-//! Factors of a mass matrix that is not positive definite.
+//! LU factorization with scaled partial pivoting, for a mass matrix that is not positive definite.
 //!
-//! P M = L U with exchange of rows, in each lane as that lane wants it: what a lane gives is what it gives
-//! alone. See Golub & Van Loan, *Matrix Computations*, 4th edition, 3.4; that rows are compared by their
-//! entries in relation to their largest makes the choice independent of the units of the rows.
+//! P M = L U, with the row interchanges of each SIMD lane on its own: the result of a lane does not depend on the others.
+//! Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. Rows are compared by their entries over
+//! the largest entry that they had, so that the choice of the pivot does not depend on the units of the rows.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::lane_select::{divisor, exchange_rows, greater, is_zero, number};
+use super::lane_select::{from_index, greater, is_zero, one_if_zero, swap_rows};
 use crate::scalar::Scalar;
 
-/// The factors of a matrix whose rows were exchanged.
+/// P M = L U.
 pub(crate) struct Pivoted<S: Scalar, const N: usize> {
     /// Below the diagonal the unit lower factor L, above it U.
     pub(crate) factors: SMatrix<S, N, N>,
     /// The reciprocals of the diagonal of U; infinite where the matrix is singular.
     pub(crate) reciprocals: SVector<S, N>,
-    /// With which row below it, or itself, each row was exchanged, one after the other.
-    pub(crate) exchanges: SVector<S, N>,
+    /// The row with which each row is interchanged, in order: one below it, or itself.
+    pub(crate) interchanges: SVector<S, N>,
 }
 
 impl<S: Scalar, const N: usize> Pivoted<S, N> {
-    /// Factors `matrix`. A row that is zero at its turn stays as it is, and there is nothing to eliminate
-    /// with it.
+    /// Factors `matrix`. Where the pivot column is zero, nothing is eliminated.
     pub(crate) fn new(matrix: SMatrix<S, N, N>) -> Self {
         let mut factors = matrix;
         let mut scales = SVector::<S, N>::from_fn(|i, _| {
@@ -29,18 +28,18 @@ impl<S: Scalar, const N: usize> Pivoted<S, N> {
             entries.iter().fold(S::zero(), |most, x| most.max(x.abs()))
         });
         let mut reciprocals = SVector::zeros();
-        let mut exchanges = SVector::zeros();
+        let mut interchanges = SVector::zeros();
         for j in 0..N {
-            let best = best_row(&factors, &scales, j);
-            exchanges[j] = best;
+            let row = pivot_row(&factors, &scales, j);
+            interchanges[j] = row;
             for i in j + 1..N {
-                let wanted = is_zero(best - number(i));
-                exchange_rows(&mut factors, j, i, wanted);
-                exchange_rows(&mut scales, j, i, wanted);
+                let mask = is_zero(row - from_index(i));
+                swap_rows(&mut factors, j, i, mask);
+                swap_rows(&mut scales, j, i, mask);
             }
             let pivot = factors[(j, j)];
             reciprocals[j] = S::one() / pivot;
-            let reciprocal = S::one() / divisor(pivot);
+            let reciprocal = S::one() / one_if_zero(pivot);
             for i in j + 1..N {
                 let multiplier = factors[(i, j)] * reciprocal;
                 factors[(i, j)] = multiplier;
@@ -53,39 +52,39 @@ impl<S: Scalar, const N: usize> Pivoted<S, N> {
         Self {
             factors,
             reciprocals,
-            exchanges,
+            interchanges,
         }
     }
 }
 
-/// The row from `j` on whose entry in column j is the largest in relation to the largest that it had.
-fn best_row<S: Scalar, const N: usize>(
+/// The pivot row: the row from j on with the largest scaled entry in column j.
+fn pivot_row<S: Scalar, const N: usize>(
     factors: &SMatrix<S, N, N>,
     scales: &SVector<S, N>,
     j: usize,
 ) -> S {
-    let weight = |i: usize| factors[(i, j)].abs() / divisor(scales[i]);
-    let (mut best, mut greatest) = (number::<S>(j), weight(j));
+    let weight = |i: usize| factors[(i, j)].abs() / one_if_zero(scales[i]);
+    let (mut row, mut largest) = (from_index::<S>(j), weight(j));
     for i in j + 1..N {
         let weight = weight(i);
-        let wanted = greater(weight, greatest);
-        best += wanted * (number::<S>(i) - best);
-        greatest = greatest.max(weight);
+        let mask = greater(weight, largest);
+        row += mask * (from_index::<S>(i) - row);
+        largest = largest.max(weight);
     }
-    best
+    row
 }
 
-/// The solutions of M X = B from the factors.
+/// The solution of M X = B from the factors.
 pub(crate) fn solve<S: Scalar, const N: usize, const K: usize>(
     factors: &SMatrix<S, N, N>,
     reciprocals: &SVector<S, N>,
-    exchanges: &SVector<S, N>,
+    interchanges: &SVector<S, N>,
     right: &SMatrix<S, N, K>,
 ) -> SMatrix<S, N, K> {
     let mut x = *right;
     for j in 0..N {
         for i in j + 1..N {
-            exchange_rows(&mut x, j, i, is_zero(exchanges[j] - number(i)));
+            swap_rows(&mut x, j, i, is_zero(interchanges[j] - from_index(i)));
         }
     }
     substitute(factors, reciprocals, &mut x);
@@ -115,12 +114,13 @@ fn substitute<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// For each unknown the reciprocal of (|M⁻¹| |M|)ᵢᵢ, which lies between 0 and 1; 0 where M is singular to
+/// For each unknown the reciprocal of (|M⁻¹| |M|)ᵢᵢ, which is between 0 and 1; 0 where M is singular to
 /// working precision.
 ///
-/// By so much at least grows a relative error of the entries of M, whatever the units of the coordinates are:
-/// F. L. Bauer, *Numerische Mathematik* **5** (1963) 73–87; N. J. Higham, *Accuracy and Stability of Numerical
-/// Algorithms*, 2nd edition, 7.2. An exchange of rows changes nothing in the product.
+/// (|M⁻¹| |M|)ᵢᵢ bounds from below the factor by which relative errors of the entries of M grow, whatever the units of the
+/// coordinates are:
+/// F. L. Bauer, *Optimally scaled matrices*, Numer. Math. **5** (1963) 73–87; N. J. Higham, *Accuracy and Stability of Numerical
+/// Algorithms*, 2nd edition (2002), 7.2. The product does not depend on row interchanges.
 pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
     factors: &SMatrix<S, N, N>,
 ) -> SVector<S, N> {
@@ -137,8 +137,8 @@ pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
     let finite = SVector::from_fn(|i, _| {
         let row = product.row(i);
         let scale = row.iter().fold(S::zero(), |most, x| most.max(x.abs()));
-        // In place of zero a pivot so small that it says the same, but tells apart who is concerned.
-        let small = epsilon * epsilon * divisor(scale);
+        // A tiny pivot in place of zero, so that the unknowns that are concerned can still be told from the others.
+        let small = epsilon * epsilon * one_if_zero(scale);
         let pivot = factors[(i, i)];
         S::one() / (pivot + is_zero(pivot) * small)
     });
@@ -148,8 +148,8 @@ pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
         let growth = (0..N).fold(S::zero(), |sum, k| {
             sum + (inverse[(i, k)] * product[(k, i)]).abs()
         });
-        // The terms add up to 1 in a row that has not been replaced altogether.
+        // The sum is at least 1 in exact arithmetic; less than ½ means that rounding has replaced the row.
         let regular = greater(growth, S::from_f64(0.5)) * greater(S::one(), epsilon * growth);
-        regular / divisor(growth)
+        regular / one_if_zero(growth)
     })
 }

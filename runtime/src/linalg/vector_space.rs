@@ -1,8 +1,8 @@
-//! What a state must offer to be integrated.
+//! The vector space of states.
 //!
-//! An explicit method adds multiples of derivatives to a state and looks at the components for
-//! their size. It needs nothing else, so that coordinates and velocities, Euler's equations with a
-//! quaternion or a plain vector are stepped by the same code.
+//! An explicit method adds multiples of derivatives to a state, and compares the components with
+//! a tolerance. It needs nothing else, so that coordinates and velocities, Euler's equations with a
+//! quaternion or a plain vector are integrated by the same code.
 
 use nalgebra::SVector;
 
@@ -19,7 +19,7 @@ use crate::scalar::Scalar;
 /// assert_eq!(x, SVector::from([3.0, 0.0]));
 /// ```
 pub trait VectorSpace<S: Scalar>: Clone {
-    /// Adds `factor · other` to this state.
+    /// Adds `factor · other` to this state (axpy).
     fn add_scaled(&mut self, factor: S, other: &Self);
 
     /// The state whose components are `function` of the components of this one.

@@ -4,7 +4,7 @@ pub use nalgebra::{SMatrix, SVector};
 
 use super::linearization::Linearization;
 use crate::linalg::Factorization;
-use crate::linalg::lane_select::{Lanewise, greater};
+use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
 /// A field's type, as far as scalars can be made from it.
@@ -36,7 +36,7 @@ pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
 /// What was computed with these pivots, in each lane in which all are positive; what `otherwise` gives in
 /// another, because M is indefinite or singular there.
 #[inline]
-pub fn if_positive<S: Scalar, T: Lanewise<S>, const K: usize>(
+pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     pivots: [S; K],
     computed: T,
     otherwise: impl FnOnce() -> T,
@@ -50,14 +50,14 @@ pub fn if_positive<S: Scalar, T: Lanewise<S>, const K: usize>(
 
 #[cold]
 #[inline(never)]
-fn cold<S: Scalar, T: Lanewise<S>, const K: usize>(
+fn cold<S: Scalar, T: LaneSelect<S>, const K: usize>(
     pivots: [S; K],
     computed: T,
     otherwise: impl FnOnce() -> T,
 ) -> T {
     let positive = |all, pivot| all * greater(pivot, S::zero());
     let definite = pivots.into_iter().fold(S::one(), positive);
-    computed.or(otherwise(), definite)
+    computed.select(otherwise(), definite)
 }
 
 /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linalg::lane_select::Lanewise;
+use crate::linalg::lane_select::LaneSelect;
 use crate::scalar::Scalar;
 
 /// The derivatives of the accelerations q̈(q, q̇, t) of a system with `N` degrees of freedom; given by
@@ -84,12 +84,12 @@ impl<S: Scalar, const N: usize> Linearization<S, N> {
     }
 }
 
-impl<S: Scalar, const N: usize> Lanewise<S> for Linearization<S, N> {
-    fn or(self, other: Self, chosen: S) -> Self {
+impl<S: Scalar, const N: usize> LaneSelect<S> for Linearization<S, N> {
+    fn select(self, other: Self, mask: S) -> Self {
         Self {
-            position: self.position.or(other.position, chosen),
-            velocity: self.velocity.or(other.velocity, chosen),
-            time: self.time.or(other.time, chosen),
+            position: self.position.select(other.position, mask),
+            velocity: self.velocity.select(other.velocity, mask),
+            time: self.time.select(other.time, mask),
         }
     }
 }

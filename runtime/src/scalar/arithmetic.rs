@@ -1,4 +1,4 @@
-//! What of a scalar's arithmetic follows from its operations.
+//! Assigning operators, zero and one, from the other operators of a scalar.
 
 /// Implements the assigning operators, zero and one for a scalar, generic over `generics`, that has the
 /// other operators and `from_f64`.

@@ -1,8 +1,9 @@
-//! Numbers of twice the digits of `f64`.
+//! Double-double (double-word) arithmetic.
 //!
-//! A number is the sum of two of `f64`, the second of which is at most half a unit in the last place of
-//! the first. Sums and products without error: Dekker, *Numer. Math.* **18** (1971) 224; the algorithms
-//! for two of them: Joldes, Muller & Popescu, *ACM Trans. Math. Softw.* **44** (2017) 15.
+//! A number is the unevaluated sum of two `f64`, the second of which is at most half a unit in the last place of
+//! the first. Error-free sums and products: T. J. Dekker, *A floating-point technique for extending the available
+//! precision*, Numer. Math. **18** (1971) 224–242. Operations: M. Joldes, J.-M. Muller & V. Popescu, *Tight and rigorous
+//! error bounds for basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. **44** (2017) 15.
 //! `runtime/scripts/double_double_constants.py` computes the constants.
 
 mod constants;
@@ -18,13 +19,14 @@ use super::arithmetic::arithmetic;
 /// A number of about 32 decimal digits, with the exponents of `f64`.
 ///
 /// The relative error of an operation is about 10⁻³², that of an elementary function at most 10⁻³⁰ (for
-/// sine and cosine up to arguments of 10⁶, and beyond 10¹⁵ they have the digits of `f64`); `powf` loses in proportion to the logarithm of its result. It
-/// reaches all digits of a model: its energies, accelerations and their derivatives, also from parameters
-/// of as many digits, and differences of what `f64` would round away.
+/// sine and cosine up to arguments of 10⁶; beyond 10¹⁵ they have the precision of `f64`); that of `powf` grows
+/// with the logarithm of its result. Energies, accelerations and their derivatives have all digits, also with
+/// parameters of that precision; they serve as reference values, and to compute differences that `f64` would
+/// round away.
 ///
-/// The time of an integration and the coefficients of its method are of `f64`. The motion in a
-/// `DoubleDouble` is free of rounding errors, but that of a method whose coefficients are rounded to
-/// `f64`: relative errors of about 10⁻¹⁶ times the number of time scales stay, whatever the tolerance.
+/// The time of an integration and the coefficients of its method are `f64`. An integration on
+/// `DoubleDouble` has no rounding errors of its own, but the rounded coefficients leave
+/// relative errors of about 10⁻¹⁶ times the number of time scales, whatever the tolerance.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -53,7 +55,7 @@ pub struct DoubleDouble {
     low: f64,
 }
 
-/// a + b and its rounding error.
+/// a + b and its rounding error (TwoSum).
 #[inline]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -62,7 +64,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - a_rounded) + (b - b_rounded))
 }
 
-/// a · b and its rounding error.
+/// a · b and its rounding error (TwoProd, by a fused multiply-add).
 #[inline]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -74,7 +76,7 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl DoubleDouble {
-    /// The number nearest to the sum of two of `f64`.
+    /// The number nearest to the sum of two `f64`.
     #[inline]
     #[must_use]
     pub fn new(high: f64, low: f64) -> Self {
@@ -82,14 +84,14 @@ impl DoubleDouble {
         Self::finite(high, low)
     }
 
-    /// The nearest number of `f64`.
+    /// The nearest `f64`.
     #[inline]
     #[must_use]
     pub fn to_f64(self) -> f64 {
         self.high
     }
 
-    /// What [`to_f64`](Self::to_f64) leaves of the number.
+    /// The low part: the number minus [`to_f64`](Self::to_f64).
     #[inline]
     #[must_use]
     pub fn low(self) -> f64 {
@@ -103,7 +105,7 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// The sum of two numbers, of which the first is the greater.
+    /// The sum of two numbers, of which the first has the greater magnitude (Fast2Sum).
     #[inline]
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
@@ -120,7 +122,7 @@ impl DoubleDouble {
         Self::from(1.0) / self
     }
 
-    /// The product with a number of `f64`: algorithm 9 of Joldes, Muller & Popescu.
+    /// The product with an `f64`: algorithm 9 of Joldes, Muller & Popescu.
     #[inline]
     fn times(self, factor: f64) -> Self {
         let (high, error) = two_product(self.high, factor);
@@ -196,7 +198,7 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Long division with three digits, which are numbers of `f64`.
+    /// Long division with three quotient digits, each an `f64`.
     #[inline]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;

@@ -13,7 +13,7 @@ macro_rules! forwarded {
     )*};
 }
 
-/// Implements [`Scalar`] for a type of dual numbers, given what tells whether all its derivatives are zero.
+/// Implements [`Scalar`] for a type of dual numbers, given a function that tells whether all derivative parts are zero.
 macro_rules! dual_scalar {
     ([$($generics:tt)*] $dual:ty, $is_constant:expr) => {
         impl<$($generics)*> Scalar for $dual {
@@ -54,7 +54,7 @@ macro_rules! dual_scalar {
                 DualNum::atan2(&self, x)
             }
 
-            // A constant exponent is the case with a value for every base that real numbers allow.
+            // With a constant exponent there is a value for every base that has a real power.
             #[inline]
             fn powf(self, exponent: Self) -> Self {
                 let is_constant: fn(&Self) -> bool = $is_constant;

@@ -15,8 +15,8 @@ macro_rules! elementary {
     )*};
 }
 
-/// Those of the standard library overflow at half of the largest number, and lose digits where acosh begins
-/// and where atanh ends.
+/// Forwards the inverse hyperbolic functions to `libm`. Those of the standard library overflow at half of the largest
+/// number, and lose digits of acosh near 1 and of atanh near ±1.
 macro_rules! inverse_hyperbolic {
     ($($name:ident $libm:ident;)*) => {$(
         #[inline]
@@ -54,7 +54,7 @@ macro_rules! float_scalar {
                 $float::EPSILON.into()
             }
 
-            // Without the instruction a fused multiplication is a call into the mathematics
+            // Without the instruction, a fused multiply-add is a call of the mathematics
             // library, many times slower than the two operations.
             #[cfg(target_feature = "fma")]
             #[inline]
@@ -92,8 +92,7 @@ macro_rules! float_scalar {
     };
 }
 
-/// Sine and cosine in a function of their own: the compiler makes one call of the two only where they
-/// stand together, and inlined they drift apart.
+/// Sine and cosine in one function that is not inlined, so that the compiler merges the two calls into one.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn sine_and_cosine_f32(x: f32) -> (f32, f32) {
@@ -119,7 +118,7 @@ float_scalar! { f64, core::convert::identity, fma,
 
         inverse_hyperbolic! { asinh asinh; acosh acosh; atanh atanh; }
 
-        // What one of them alone does not need, the compiler leaves out.
+        // The compiler removes the half that is not used.
         #[inline]
         fn sin(self) -> Self {
             sine_cosine::sine_and_cosine(self).0

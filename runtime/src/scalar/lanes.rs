@@ -1,20 +1,20 @@
-//! Several numbers beside each other.
+//! SIMD lanes as a scalar.
 
 use core::array;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Scalar, arithmetic::arithmetic};
 
-/// `L` numbers of `f64`, on each of which everything is done as on one alone: models with parameters of
-/// their own, or motions that begin elsewhere, computed at once.
+/// `L` numbers of `f64` on which every operation is done lane by lane: models with different parameters, or motions
+/// with different initial values, computed at once.
 ///
 /// The operations are written so that the compiler makes vector instructions of them where the target has
 /// them; sines and cosines of all lanes are computed together. 4 or 8 lanes suit most processors, with
-/// `-C target-cpu=native`. The bits of a lane are those of `f64` as long as no lane takes the others to
-/// another factorization ([`Scalar`]).
+/// `-C target-cpu=native`. A lane has the bits of the same computation on `f64`, unless another lane
+/// requires a different factorization of M ([`Scalar`]).
 ///
-/// Time is one for all lanes, and so are the steps of an integration: an adaptive method takes those that
-/// the most demanding lane wants.
+/// All lanes share the time and the steps of an integration: an adaptive method takes the steps that
+/// the most demanding lane requires.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -47,14 +47,14 @@ use super::{Scalar, arithmetic::arithmetic};
 pub struct Lanes<const L: usize>(pub [f64; L]);
 
 impl<const L: usize> Lanes<L> {
-    /// The numbers of the lanes, which are counted from 0.
+    /// The lanes 0, 1, … from a function of the index.
     #[inline]
     #[must_use]
     pub fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
         Self(array::from_fn(number))
     }
 
-    /// The number of one lane; not a number where there is no such lane.
+    /// The number in a lane; NaN if there is no such lane.
     #[inline]
     #[must_use]
     pub fn lane(self, lane: usize) -> f64 {
@@ -66,11 +66,11 @@ impl<const L: usize> Lanes<L> {
         Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
     }
 
-    /// The lane that `keep` keeps against all others, and `first` against them all; NaN if a lane is.
+    /// The lanes folded by `keep` from `first`; NaN if a lane is.
     #[inline]
     fn extreme(self, first: f64, keep: impl Fn(f64, f64) -> f64) -> f64 {
         self.0.into_iter().fold(first, |kept, lane| {
-            // A number that is none is neither kept nor given up by `f64::min` and `f64::max`.
+            // `f64::min` and `f64::max` ignore a NaN.
             if lane.is_nan() || kept.is_nan() {
                 f64::NAN
             } else {

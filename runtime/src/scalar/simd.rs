@@ -1,40 +1,39 @@
-//! One number, or several beside each other, on which the same straight line is computed.
+//! SIMD vectors of `f64`, of one number or of several.
 //!
-//! Arithmetic of every lane rounds as that of one number does, so that a lane's results do not depend on
-//! how many there are. With the standard library the types of several are those that nalgebra brings; the
-//! processor's vectors where it has them.
+//! Every lane rounds as a single number does, so that its results do not depend on the width. With the standard
+//! library the vectors are those of the crate `wide`, which use the vector registers of the processor.
 
 use core::ops::{Add, BitAnd, BitXor, Mul, Shl, Sub};
 
-/// `WIDTH` numbers of binary64.
-pub(crate) trait Lanes<const WIDTH: usize>:
+/// A vector of `WIDTH` numbers.
+pub(crate) trait SimdVector<const WIDTH: usize>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
-    /// The bits of each.
+    /// The bit patterns of the lanes.
     type Bits: Copy
         + BitAnd<Output = Self::Bits>
         + BitXor<Output = Self::Bits>
         + Shl<u64, Output = Self::Bits>;
 
-    /// The numbers of the lanes, which are counted from 0.
+    /// The vector of the values of a function at the lanes 0, 1, ….
     fn from_fn(number: impl Fn(usize) -> f64) -> Self;
     fn to_array(self) -> [f64; WIDTH];
     fn from_bits(bits: Self::Bits) -> Self;
     fn to_bits(self) -> Self::Bits;
 
-    /// All bits of a number as its lowest.
+    /// In every lane, the lowest bit repeated over all bits: a bit mask.
     fn repeat_lowest(bits: Self::Bits) -> Self::Bits;
 
     /// `self · factor + summand`, fused only where the target has the instruction; it is a call elsewhere.
     fn mul_add(self, factor: Self, summand: Self) -> Self;
 
     #[inline]
-    fn all(number: f64) -> Self {
+    fn splat(number: f64) -> Self {
         Self::from_fn(|_| number)
     }
 }
 
-impl Lanes<1> for f64 {
+impl SimdVector<1> for f64 {
     type Bits = u64;
 
     #[inline]
@@ -74,12 +73,12 @@ impl Lanes<1> for f64 {
 #[cfg(feature = "std")]
 macro_rules! vector {
     ($width:literal, $numbers:ident, $bits:ident, $($lane:literal)*) => {
-        impl Lanes<$width> for wide::$numbers {
+        impl SimdVector<$width> for wide::$numbers {
             type Bits = wide::$bits;
 
             #[inline]
             fn from_fn(number: impl Fn(usize) -> f64) -> Self {
-                // Not by a loop: an array that is filled in memory is read from there only after a while.
+                // No loop: a vector that is loaded from an array which was just stored to stalls.
                 Self::new([$(number($lane)),*])
             }
 

@@ -1,20 +1,20 @@
 //! Sine and cosine of one or of several angles, without a call and without a branch.
 //!
-//! The angle is reduced by the nearest multiple of π/2, in the manner of Cody and Waite (Software Manual
-//! for the Elementary Functions, 1980), to r + tail with |r| ≤ π/4; there sin and cos are minimax
-//! polynomials, and the quadrant exchanges them and sets their signs through their bits. For several
-//! angles the same straight line is computed on vectors.
+//! The argument is reduced by the nearest multiple of π/2 (W. J. Cody & W. Waite, *Software Manual for the Elementary
+//! Functions*, 1980) to r + tail with |r| ≤ π/4. There sin and cos are minimax polynomials, computed by the exchange
+//! algorithm of Remez; the quadrant interchanges them and sets their signs by bit operations. Several
+//! angles are computed by the same code on SIMD vectors.
 //!
-//! Below [`LARGEST`] the error is less than 1 unit in the last place (measured in
-//! `tests/tests/sine_cosine.rs`, beside the reduction's worst cases). Larger angles, infinities and NaN
+//! Up to [`LARGEST`] the error is less than 1 unit in the last place (measured in
+//! `tests/tests/sine_cosine.rs`, also at the worst cases of the reduction). Larger angles, infinities and NaN
 //! go to the platform's library. `runtime/scripts/sine_cosine_constants.py` computes the constants.
 
 use core::f64::consts::FRAC_2_PI;
 
-use super::simd::Lanes;
+use super::simd::SimdVector;
 
-/// Up to here the whole number n of quarter turns is below 2¹⁶, and its products with the first two
-/// parts of π/2 are exact.
+/// The largest reducible argument. Up to here the number n of quarter turns is below 2¹⁶, and its products with the
+/// first two parts of π/2 are exact.
 const LARGEST: f64 = 100_000.0;
 
 /// π/2 in three parts, 37 bits in each of the first two. What they leave is below n · 2⁻¹²⁸, and no
@@ -45,20 +45,20 @@ const COSINE: [f64; 6] = [
     -1.135_874_923_225_579e-11,
 ];
 
-/// Added to a number below it, 2⁵² leaves no room for a fraction: the sum is rounded to a whole number,
-/// which stands in its last bits.
-const NO_FRACTION: f64 = 4_503_599_627_370_496.0;
+/// 2⁵²: added to a smaller number it leaves no bits for a fraction, so that the sum is rounded to an integer, which
+/// stands in its last bits.
+const ROUND_TO_INTEGER: f64 = 4_503_599_627_370_496.0;
 
-/// The sign of a number is its highest bit.
+/// The sign bit alone.
 const NEGATIVE_ZERO: f64 = -0.0;
 
 /// Sine and cosine of one angle.
 #[inline]
 pub(crate) fn sine_and_cosine(x: f64) -> (f64, f64) {
     if is_reducible(x) {
-        straight::<1, f64>(x)
+        branch_free::<1, f64>(x)
     } else {
-        by_library(x)
+        library(x)
     }
 }
 
@@ -67,19 +67,19 @@ pub(crate) fn sine_and_cosine(x: f64) -> (f64, f64) {
 pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64; K]) {
     let (mut sines, mut cosines) = ([0.0; K], [0.0; K]);
     if x.iter().all(|x| is_reducible(*x)) {
-        together(&x, &mut sines, &mut cosines);
+        vectorized(&x, &mut sines, &mut cosines);
     } else {
         for i in 0..K {
-            (sines[i], cosines[i]) = one_of_several(x[i]);
+            (sines[i], cosines[i]) = one_angle(x[i]);
         }
     }
     (sines, cosines)
 }
 
-/// In vectors where there are any.
+/// In SIMD vectors, with the standard library.
 #[cfg(feature = "std")]
 #[inline]
-fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
+fn vectorized<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
     let mut done = 0;
     while K > done + 2 {
         block::<4, wide::f64x4, K>(done, x, sines, cosines);
@@ -92,15 +92,15 @@ fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f
 
 #[cfg(not(feature = "std"))]
 #[inline]
-fn together<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
+fn vectorized<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
     for i in 0..K {
         block::<1, f64, K>(i, x, sines, cosines);
     }
 }
 
-/// Those from `start` on, so far as there are.
+/// The angles from `start` on, up to a vector of them.
 #[inline]
-fn block<const WIDTH: usize, L: Lanes<WIDTH>, const K: usize>(
+fn block<const WIDTH: usize, V: SimdVector<WIDTH>, const K: usize>(
     start: usize,
     x: &[f64; K],
     sines: &mut [f64; K],
@@ -113,7 +113,7 @@ fn block<const WIDTH: usize, L: Lanes<WIDTH>, const K: usize>(
             0.0
         }
     };
-    let (sine, cosine) = straight(L::from_fn(angle));
+    let (sine, cosine) = branch_free(V::from_fn(angle));
     let (sine, cosine) = (sine.to_array(), cosine.to_array());
     for lane in 0..WIDTH {
         if start + lane < K {
@@ -129,71 +129,71 @@ fn is_reducible(x: f64) -> bool {
 
 /// Without a branch, for angles up to [`LARGEST`].
 #[inline]
-fn straight<const WIDTH: usize, L: Lanes<WIDTH>>(x: L) -> (L, L) {
-    let negative = L::all(NEGATIVE_ZERO).to_bits();
+fn branch_free<const WIDTH: usize, V: SimdVector<WIDTH>>(x: V) -> (V, V) {
+    let negative = V::splat(NEGATIVE_ZERO).to_bits();
     // The sine of the magnitude, so that −0 keeps its sign.
     let sign = x.to_bits() & negative;
-    let Reduced { r, tail, quarters } = reduced(L::from_bits(x.to_bits() ^ sign));
+    let Reduced { r, tail, quadrant } = reduced(V::from_bits(x.to_bits() ^ sign));
     let (sine, cosine) = (sine(r, tail).to_bits(), cosine(r, tail).to_bits());
-    // After an odd number of quarters the sine is the cosine of r. Of 0, 1, 2, 3 of them the sine is
-    // negative after 2 and 3, the cosine after 1 and 2.
-    let exchange = (sine ^ cosine) & L::repeat_lowest(quarters);
-    let below = quarters << 62;
-    let left = below ^ (quarters << 63);
+    // In odd quadrants the sine is the cosine of r. The sine is negative in the quadrants 2 and 3, the cosine in 1
+    // and 2.
+    let exchange = (sine ^ cosine) & V::repeat_lowest(quadrant);
+    let sine_sign = quadrant << 62;
+    let cosine_sign = sine_sign ^ (quadrant << 63);
     (
-        L::from_bits(sine ^ exchange ^ ((below & negative) ^ sign)),
-        L::from_bits(cosine ^ exchange ^ (left & negative)),
+        V::from_bits(sine ^ exchange ^ ((sine_sign & negative) ^ sign)),
+        V::from_bits(cosine ^ exchange ^ (cosine_sign & negative)),
     )
 }
 
-/// What is left of an angle by a whole number of quarter turns: r + tail.
-struct Reduced<L, B> {
-    r: L,
+/// A reduced argument r + tail, and the number of quarter turns that were subtracted.
+struct Reduced<V, B> {
+    r: V,
     /// Less than 2⁻¹⁰ of r, and than 2⁻⁵³.
-    tail: L,
-    /// The last two bits count the quarter turns.
-    quarters: B,
+    tail: V,
+    /// The quadrant, in the last two bits.
+    quadrant: B,
 }
 
 /// For 0 ≤ x up to [`LARGEST`].
 #[inline]
-fn reduced<const WIDTH: usize, L: Lanes<WIDTH>>(x: L) -> Reduced<L, L::Bits> {
-    let rounded = x.mul_add(L::all(FRAC_2_PI), L::all(NO_FRACTION));
-    let minus_n = L::all(NO_FRACTION) - rounded;
+fn reduced<const WIDTH: usize, V: SimdVector<WIDTH>>(x: V) -> Reduced<V, V::Bits> {
+    let rounded = x.mul_add(V::splat(FRAC_2_PI), V::splat(ROUND_TO_INTEGER));
+    let minus_n = V::splat(ROUND_TO_INTEGER) - rounded;
     let [first, second, third] = HALF_PI;
-    // This sum is exact, and so is the product in the next: what that rounds off is found again.
-    let most = minus_n.mul_add(L::all(first), x);
-    let r = minus_n.mul_add(L::all(second), most);
-    let lost = minus_n.mul_add(L::all(second), most - r);
+    // The first sum is exact, and so is the product in the second, whose rounding error is recovered.
+    let most = minus_n.mul_add(V::splat(first), x);
+    let r = minus_n.mul_add(V::splat(second), most);
+    let lost = minus_n.mul_add(V::splat(second), most - r);
     Reduced {
         r,
-        tail: minus_n.mul_add(L::all(third), lost),
-        quarters: rounded.to_bits(),
+        tail: minus_n.mul_add(V::splat(third), lost),
+        quadrant: rounded.to_bits(),
     }
 }
 
 /// sin (r + tail) for |r| ≤ π/4.
 #[inline]
-fn sine<const WIDTH: usize, L: Lanes<WIDTH>>(r: L, tail: L) -> L {
+fn sine<const WIDTH: usize, V: SimdVector<WIDTH>>(r: V, tail: V) -> V {
     let z = r * r;
-    let slope = L::all(1.0) - L::all(0.5) * z;
+    let slope = V::splat(1.0) - V::splat(0.5) * z;
     r + (r * z).mul_add(polynomial(SINE, z), tail * slope)
 }
 
 /// cos (r + tail) for |r| ≤ π/4.
 #[inline]
-fn cosine<const WIDTH: usize, L: Lanes<WIDTH>>(r: L, tail: L) -> L {
+fn cosine<const WIDTH: usize, V: SimdVector<WIDTH>>(r: V, tail: V) -> V {
     let z = r * r;
-    let half = L::all(0.5) * z;
-    let most = L::all(1.0) - half;
-    let lost = (L::all(1.0) - most) - half;
+    let half = V::splat(0.5) * z;
+    let most = V::splat(1.0) - half;
+    let lost = (V::splat(1.0) - most) - half;
     most + (z * z).mul_add(polynomial(COSINE, z), lost - r * tail)
 }
 
-/// In parts that depend less on each other than Horner's products do.
+/// By Estrin's scheme, whose operations depend less on each other than those of Horner's.
 #[inline]
-fn polynomial<const WIDTH: usize, L: Lanes<WIDTH>>(c: [f64; 6], z: L) -> L {
-    let pair = |even: f64, odd: f64| L::all(odd).mul_add(z, L::all(even));
+fn polynomial<const WIDTH: usize, V: SimdVector<WIDTH>>(c: [f64; 6], z: V) -> V {
+    let pair = |even: f64, odd: f64| V::splat(odd).mul_add(z, V::splat(even));
     let [low, middle, high] = [pair(c[0], c[1]), pair(c[2], c[3]), pair(c[4], c[5])];
     let square = z * z;
     (square * square).mul_add(high, square.mul_add(middle, low))
@@ -201,16 +201,16 @@ fn polynomial<const WIDTH: usize, L: Lanes<WIDTH>>(c: [f64; 6], z: L) -> L {
 
 #[cold]
 #[inline(never)]
-fn by_library(x: f64) -> (f64, f64) {
+fn library(x: f64) -> (f64, f64) {
     #[cfg(feature = "std")]
     return x.sin_cos();
     #[cfg(not(feature = "std"))]
     return libm::sincos(x);
 }
 
-/// Number by number: of an array that a call can see, the compiler keeps nothing in registers.
+/// Not inlined: an array whose address is passed to a call is not kept in registers.
 #[cold]
 #[inline(never)]
-fn one_of_several(x: f64) -> (f64, f64) {
+fn one_angle(x: f64) -> (f64, f64) {
     sine_and_cosine(x)
 }

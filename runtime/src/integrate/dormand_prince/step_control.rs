@@ -12,7 +12,7 @@ use crate::limits::dormand_prince::{
     SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
 use crate::linalg::VectorSpace;
-use crate::linalg::lane_select::{divisor, is_zero};
+use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::scalar::Scalar;
 
 /// The tolerances of the error of a step.
@@ -44,7 +44,7 @@ impl Tolerance {
             return (size / allowed).largest();
         }
         let without = is_zero(allowed);
-        let ratio = (size / divisor(allowed) * (S::one() - without)).largest();
+        let ratio = (size / one_if_zero(allowed) * (S::one() - without)).largest();
         if (size * without).largest() > 0.0 {
             ratio.max(unscaled)
         } else {

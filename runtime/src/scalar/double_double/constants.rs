@@ -1,6 +1,34 @@
-//! Constants of 106 and more bits, as sums of numbers of `f64`.
+//! Constants of 106 and more bits, as sums of `f64`, and the ranges of the algorithms.
 
 use super::DoubleDouble;
+
+/// Decimal digits that are read; further ones are below the rounding error.
+pub(super) const READ_DIGITS: u32 = 34;
+
+/// The greatest power of ten in one multiplication, so that the power is far from overflow.
+pub(super) const MAX_POWER_OF_TEN: i32 = 150;
+
+/// Beyond this argument the hyperbolic tangent is ±1 to all digits: 2 e⁻⁸⁰ is below 10⁻³⁴.
+pub(super) const TANH_SATURATES: f64 = 40.0;
+
+/// Beyond this argument the exponential is near the ends of the range of `f64`: multiplied by a power of two it would
+/// overflow, and below the low part has no digits.
+pub(super) const EXP_RANGE: f64 = 700.0;
+
+/// Beyond this argument the exponential is infinite.
+pub(super) const EXP_OVERFLOWS: f64 = 710.0;
+
+/// Beyond this argument eˡⁿ ˣ may overflow, where ln x is rounded.
+pub(super) const LN_RANGE: f64 = 1e300;
+
+/// Beyond this argument √(x² + 1) is |x| to all digits.
+pub(super) const ASINH_IS_LN: f64 = 1e40;
+
+/// Beyond this argument of sine and cosine the number of quarter turns is too long to reduce it in all digits.
+pub(super) const REDUCIBLE: f64 = 1e15;
+
+/// Logarithms of 1 + x with |x| below this are computed by artanh, without cancellation.
+pub(super) const NEAR_ONE: f64 = 0.25;
 
 pub(super) const PI: DoubleDouble = DoubleDouble {
     high: core::f64::consts::PI,

@@ -1,4 +1,4 @@
-//! Reading and writing numbers in decimal digits.
+//! Conversion from and to decimal digits.
 
 use core::fmt;
 use core::num::ParseFloatError;
@@ -7,13 +7,8 @@ use core::str::FromStr;
 use num_traits::{One as _, Zero as _};
 
 use super::DoubleDouble;
+use super::constants::{MAX_POWER_OF_TEN, READ_DIGITS};
 use crate::scalar::Scalar;
-
-/// Digits beyond these change nothing.
-const MOST_DIGITS: u32 = 34;
-
-/// The greatest power of ten by which is multiplied at once.
-const LARGEST_POWER: i32 = 150;
 
 impl DoubleDouble {
     /// 10ⁿ.
@@ -25,7 +20,7 @@ impl DoubleDouble {
     fn times_power_of_ten(mut self, n: i32) -> Self {
         let mut left = n;
         while left != 0 && !self.is_zero() && self.is_finite() {
-            let part = left.clamp(-LARGEST_POWER, LARGEST_POWER);
+            let part = left.clamp(-MAX_POWER_OF_TEN, MAX_POWER_OF_TEN);
             let power = Self::power_of_ten(part.unsigned_abs());
             self = if part < 0 { self / power } else { self * power };
             left -= part;
@@ -34,7 +29,7 @@ impl DoubleDouble {
     }
 }
 
-/// Reads what `f64` reads, with all digits.
+/// Accepts the syntax of `f64`, and keeps all digits.
 ///
 /// ```
 /// use lagrangian::{DoubleDouble, Scalar};
@@ -47,13 +42,13 @@ impl FromStr for DoubleDouble {
     type Err = ParseFloatError;
 
     fn from_str(written: &str) -> Result<Self, ParseFloatError> {
-        // From here on it is known to be a number.
+        // From here on the syntax is valid.
         let nearest: f64 = written.parse()?;
         if !nearest.is_finite() {
             return Ok(Self::from(nearest));
         }
         let (mantissa, exponent) = written.split_once(['e', 'E']).unwrap_or((written, "0"));
-        // An exponent that is no such integer belongs to a zero.
+        // An exponent that overflows belongs to a zero, since the number is finite.
         let mut exponent: i32 = exponent.parse().unwrap_or(0);
         let (mut number, mut digits, mut behind_the_point) = (Self::zero(), 0, false);
         for character in mantissa.chars() {
@@ -61,7 +56,7 @@ impl FromStr for DoubleDouble {
                 behind_the_point |= character == '.';
                 continue;
             };
-            if digits < MOST_DIGITS {
+            if digits < READ_DIGITS {
                 number = number.times(10.0) + Self::from(f64::from(digit));
                 digits += u32::from(!number.is_zero());
                 exponent -= i32::from(behind_the_point);
@@ -75,8 +70,8 @@ impl FromStr for DoubleDouble {
     }
 }
 
-/// Writes a digit, a point, as many digits as the precision says, and a power of ten: 31 unless the precision
-/// is given, which is at most that.
+/// A digit, a point, as many digits as the precision says, and a power of ten. The precision is 31 unless given, and at
+/// most 31.
 impl fmt::LowerExp for DoubleDouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let precision = f.precision().unwrap_or(31).min(31);
@@ -87,7 +82,7 @@ impl fmt::LowerExp for DoubleDouble {
         let mut exponent = libm::floor(libm::log10(self.high.abs())) as i32;
         let ten = Self::from(10.0);
         let mut rest = self.abs().times_power_of_ten(-exponent);
-        // The logarithm of a power of ten may be rounded down, or up.
+        // The logarithm of a number near a power of ten may be rounded to the wrong side.
         while rest < Self::one() {
             (rest, exponent) = (rest.times(10.0), exponent - 1);
         }

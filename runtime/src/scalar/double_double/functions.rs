@@ -1,15 +1,15 @@
-//! The elementary functions: Taylor series of a reduced argument, or one step of Newton's method from the
-//! function of `f64`, which doubles its digits.
+//! The elementary functions: Taylor series of a reduced argument (three-part reduction by W. J. Cody & W. Waite, *Software
+//! Manual for the Elementary Functions*, 1980), or one step of Newton's method from the value of `f64`, which doubles
+//! the number of correct digits.
 
 use num_traits::{One as _, Zero as _};
 
-use super::constants::{HALF_PI, INVERSE_FACTORIALS, LN_2, PI};
+use super::constants::{
+    ASINH_IS_LN, EXP_OVERFLOWS, EXP_RANGE, HALF_PI, INVERSE_FACTORIALS, LN_2, LN_RANGE, NEAR_ONE,
+    PI, REDUCIBLE, TANH_SATURATES,
+};
 use super::{DoubleDouble, two_product};
 use crate::scalar::Scalar;
-
-/// The largest argument of a sine that is reduced in all digits: a quarter of a turn has as many as the number
-/// of them leaves.
-const MOST_REDUCED: f64 = 1e15;
 
 /// ln 2.
 fn ln_2() -> DoubleDouble {
@@ -32,7 +32,7 @@ impl DoubleDouble {
         if first == 0 { sum } else { sum * self }
     }
 
-    /// The whole number k and the rest in x = k · step + rest, |rest| about half a step, for a step in
+    /// The integer k and the remainder in x = k · step + remainder, |remainder| at most about half a step, for a step in
     /// three parts. The first difference is exact.
     fn reduced(self, step: [f64; 3]) -> (f64, Self) {
         let [first, second, third] = step;
@@ -45,7 +45,7 @@ impl DoubleDouble {
         (k, rest - Self::from(k * third))
     }
 
-    /// One step of Newton's method for function(y) = self, from a value with the digits of `f64`.
+    /// One step of Newton's method for function(y) = self, from a value with the precision of `f64`.
     fn refined(
         self,
         from: f64,
@@ -73,12 +73,12 @@ impl DoubleDouble {
         ((Self::one() - self) * (Self::one() + self)).sqrt()
     }
 
-    fn is_whole(self) -> bool {
+    fn is_integer(self) -> bool {
         libm::trunc(self.high).to_bits() == self.high.to_bits()
             && libm::trunc(self.low).to_bits() == self.low.to_bits()
     }
 
-    /// Whether a whole number is odd.
+    /// Whether an integer is odd.
     fn is_odd(self) -> bool {
         let odd = |part: f64| libm::fabs(libm::fmod(part, 2.0)) > 0.5;
         odd(self.high) != odd(self.low)
@@ -101,7 +101,7 @@ impl Scalar for DoubleDouble {
         PI
     }
 
-    /// 2⁻⁹¹⁶: below it the lower part has no digits.
+    /// 2⁻⁹¹⁶: below it the low part has no digits.
     #[inline]
     fn min_positive() -> Self {
         Self::from(f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON) * 4.0)
@@ -123,7 +123,7 @@ impl Scalar for DoubleDouble {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        if self.high.abs() > MOST_REDUCED {
+        if self.high.abs() > REDUCIBLE {
             return self.rounded_sin_cos();
         }
         let (quarters, rest) = self.reduced(HALF_PI);
@@ -165,7 +165,7 @@ impl Scalar for DoubleDouble {
         self.atan2(Self::one())
     }
 
-    /// From the angle of `f64`, turned by what is left: its tangent is the angle but for a cube.
+    /// The angle of `f64` plus the tangent of the remaining angle, which equals it up to a cube.
     fn atan2(self, x: Self) -> Self {
         let angle = Self::from(Scalar::atan2(self.high, x.high));
         if (self.is_zero() && x.is_zero()) || !self.is_finite() || !x.is_finite() {
@@ -189,22 +189,21 @@ impl Scalar for DoubleDouble {
     }
 
     fn tanh(self) -> Self {
-        // Beyond it is ±1 to all digits, and the exponential overflows.
-        if self.high.abs() > 40.0 {
+        if self.high.abs() > TANH_SATURATES {
             return self.signum();
         }
         self.sinh() / self.cosh()
     }
 
     fn asinh(self) -> Self {
-        if self.high.abs() > 1e40 && self.is_finite() {
+        if self.high.abs() > ASINH_IS_LN && self.is_finite() {
             // √(x² + 1) is |x| to all digits: ln 2|x|.
             return (self.abs().ln() + ln_2()) * self.signum();
         }
         self.refined(Scalar::asinh(self.high), Self::sinh, Self::cosh)
     }
 
-    /// 2 arsinh √((x − 1)/2), which keeps its digits near 1.
+    /// 2 arsinh √((x − 1)/2), without cancellation near 1.
     fn acosh(self) -> Self {
         let root = (self - Self::one()).times_power_of_two(-1).sqrt();
         root.asinh().times_power_of_two(1)
@@ -216,29 +215,29 @@ impl Scalar for DoubleDouble {
     }
 
     fn exp(self) -> Self {
-        if !self.is_finite() || self.high < -700.0 || self.high > 710.0 {
+        if !self.is_finite() || self.high < -EXP_RANGE || self.high > EXP_OVERFLOWS {
             // Infinite, or so small that the lower part has no digits.
             return Self::from(Scalar::exp(self.high));
         }
-        if self.high > 700.0 {
+        if self.high > EXP_RANGE {
             // The largest power of two is too large to multiply by.
             let root = self.times_power_of_two(-1).exp();
             return root * root;
         }
         let (twos, rest) = self.reduced(LN_2);
-        #[allow(clippy::cast_possible_truncation)] // A whole number between −1011 and 1011.
+        #[allow(clippy::cast_possible_truncation)] // An integer between −1011 and 1011.
         let twos = twos as i32;
         (rest.series(1, 1.0) + rest.series(0, 1.0)).times_power_of_two(twos)
     }
 
-    /// 2 artanh((x − 1)/(x + 1)) near 1, where it keeps its digits.
+    /// 2 artanh((x − 1)/(x + 1)) near 1, without cancellation.
     fn ln(self) -> Self {
         let from_one = self - Self::one();
-        if from_one.high.abs() < 0.25 {
+        if from_one.high.abs() < NEAR_ONE {
             let quotient = from_one / (self + Self::one());
             return quotient.atanh().times_power_of_two(1);
         }
-        if self.high > 1e300 && self.is_finite() {
+        if self.high > LN_RANGE && self.is_finite() {
             // The exponential of the rounded logarithm might be infinite.
             return self.times_power_of_two(-100).ln() + Self::from(100.0) * ln_2();
         }
@@ -256,7 +255,7 @@ impl Scalar for DoubleDouble {
             Self::from(Scalar::powf(self.high, exponent.high))
         } else if !self.is_negative() {
             power()
-        } else if !exponent.is_whole() {
+        } else if !exponent.is_integer() {
             Self::from(f64::NAN)
         } else if exponent.is_odd() {
             -power()
