@@ -1,7 +1,7 @@
 //! Numerical integration of ordinary differential equations ẋ = f(t, x).
 //!
-//! Nothing here knows of mass matrices or angles: a [`Dynamics`] tells its derivative, the scale of its errors and
-//! where it is singular. A method ([`Integrator`]) starts a [`Stepper`]; a [`Driver`] takes its steps, locates
+//! Nothing here knows of mass matrices or angles: a [`Dynamics`] has a derivative, an error scale and
+//! singularities. A method ([`Integrator`]) starts a [`Stepper`]; a [`Driver`] takes its steps, locates
 //! the stop conditions and samples.
 
 mod dynamics;

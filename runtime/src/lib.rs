@@ -1,5 +1,5 @@
 //! Write the energies of a mechanical system on a struct of its parameters; get its equations of
-//! motion as specialized Rust, derived at compile time, and step them.
+//! motion as specialized Rust, derived at compile time, and integrate them.
 //!
 //! ```
 //! use lagrangian::prelude::*;
@@ -25,11 +25,13 @@
 //! ```
 //!
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
-//! - [`trait@Lagrangian`] is what a model can do: mass matrix, forcing, accelerations, momenta, energy,
-//!   inverse dynamics, derivatives. [`Inputs`], [`Outputs`], [`Energies`] and [`ExternalFunctions`] stand
-//!   beside it. A [`Plant`] is controlled by a law, with or without states of its own.
-//! - [`Dynamics`] is what an [`Integrator`] steps; [`trait@Lagrangian`] enters by its `dynamics`.
-//! - [`Scalar`] is what all of it is generic over: `f64`, `f32`, [`Lanes`], [`DoubleDouble`], and dual
+//! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy,
+//!   inverse dynamics, derivatives. [`GeneralizedCoordinates`], [`Inputs`], [`Outputs`], [`Energies`] and
+//!   [`ExternalFunctions`] have the rest. A [`Plant`] is closed by static or dynamic feedback.
+//! - [`Dynamics`] is a system ẋ = f(t, x), which an [`Integrator`] steps; that of a model is
+//!   [`Lagrangian::dynamics`](trait@Lagrangian). A [`Driver`] adds stop conditions and observers.
+//! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
+//! [`DoubleDouble`], and dual
 //!   numbers with the feature `num-dual`.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.

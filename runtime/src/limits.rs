@@ -1,14 +1,14 @@
 //! The limits and tuning constants of the crate, with the reason of each.
 //!
-//! Not here: the coefficients of a method, which stand with it (`integrate/dormand_prince/coefficients.rs`), and the
+//! Not here: the coefficients of a method, which are beside it (`integrate/dormand_prince/coefficients.rs`), and the
 //! ranges of the elementary functions (`scalar/sine_cosine.rs`, `scalar/double_double/constants.rs`), which follow
 //! from the format of the numbers.
 
-/// Steps, rejected ones included, after which a driver gives up unless told otherwise: more than a motion
+/// Steps, rejected ones included, after which a driver gives up by default: more than a motion
 /// needs, but an end to a run whose steps have become tiny.
 pub(crate) const MAX_STEPS: u64 = 100_000_000;
 
-/// A driver does not look for less accuracy near a singularity than this many machine epsilons, unless told so:
+/// The smallest default of the singularity tolerance, in machine epsilons:
 /// the relative pivots of regular models are small, too, and are not to be taken for a singularity.
 pub(crate) const MIN_SINGULARITY_TOLERANCE: f64 = 4096.0;
 
@@ -20,8 +20,8 @@ pub(crate) const FIXED_STEP_SINGULARITY_TOLERANCE: f64 = 1e-6;
 /// between the ratios near 1 of regular models and the rounding errors of M⁻¹.
 pub(crate) const VANISHING_INERTIA: f64 = 1e-6;
 
-/// How far away elsewhere is, in each of the coordinates on which an inertia depends. Three distances without a
-/// common period, so that not all of them meet the next zero of a sine.
+/// The offsets, in each of the coordinates on which an inertia depends, at which the reference inertia is evaluated.
+/// Three offsets without a common period, so that not all of them meet the next zero of a sine.
 pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];
 
 /// Right-hand sides that are solved for together: as many `f64` as a vector register of 256 bits holds.
@@ -35,8 +35,8 @@ pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 
 /// Location of events: stop conditions within a step.
 pub(crate) mod events {
-    /// Two times are told apart with certainty if they differ by this many machine epsilons of the time and of the
-    /// step: the value that SUNDIALS takes for the same purpose.
+    /// The resolution of time, in machine epsilons of the time and of the
+    /// step: the value that SUNDIALS uses for the same purpose.
     pub(crate) const TIME_RESOLUTION: f64 = 100.0;
 
     /// By what factor each time after the start is farther than the one before, while the function stays at zero.
@@ -49,7 +49,7 @@ pub(crate) mod events {
 
 /// Fixed steps.
 pub(crate) mod fixed_steps {
-    /// A way that is a multiple of the step but for this relative rounding takes no further step.
+    /// An interval that is a multiple of the step up to this relative rounding error takes no additional step.
     pub(crate) const ROUNDING: f64 = 1e-9;
 }
 
@@ -81,8 +81,8 @@ pub(crate) mod dormand_prince {
     /// The weight of the third-order error estimate in (10.17) of section II.10.
     pub(crate) const THIRD_ORDER_WEIGHT: f64 = 0.01;
 
-    /// Attempts in a row with steps below ε times the remaining way, after which the integration gives up: it would
-    /// take 10¹⁵ steps more. Our own; near t = 0 no step is too short to advance the time.
+    /// Attempts in a row with steps below ε times the remaining interval, after which the integration gives up: it
+    /// would take 10¹⁵ steps more. Our own; near t = 0 no step is too short to advance the time.
     pub(crate) const MAX_STALLED_ATTEMPTS: u32 = 10_000;
 
     /// The change of the state in the explicit Euler step that probes the second derivative, relative to the state.

@@ -1,7 +1,6 @@
-//! What a program that uses the crate names: `use lagrangian::prelude::*;`.
+//! The names that most programs use: `use lagrangian::prelude::*;`.
 //!
-//! It brings the derive macro, the traits of models, the methods of integration, and the vectors and
-//! matrices in which they speak.
+//! The derive macro, the traits of models, the integrators, and the vectors and matrices of their signatures.
 
 pub use crate::{
     AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, ExternalFunctions,

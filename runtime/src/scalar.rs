@@ -173,8 +173,8 @@ pub trait Scalar:
 
     /// Sines and cosines of several angles, each as [`sin_cos`](Self::sin_cos) gives them.
     ///
-    /// Emitted code calls it for the angles of all coordinates at once; override it for a type that computes several angles
-    /// faster together than one by one.
+    /// Emitted code calls it for the angles of all coordinates at once; override it for a type that computes several
+    /// angles faster together than one by one.
     #[inline]
     #[must_use]
     fn sines_and_cosines<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {

@@ -194,7 +194,7 @@ fn where_there_is_nothing_to_compare_is_said() {
     let noise = |x: f64| f64::from((x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as u32);
     assert_eq!(
         text(check(noise, -1.0..=1.0)),
-        "no slope of `f` along `x₁` can be measured: its values jump or are noisy everywhere in this region"
+        "no numerical derivative ∂f/∂x₁ is accurate: the values jump or are noisy everywhere in this region"
     );
     let invalid = "the range of `x₁`, an argument of `f`, must be finite and not empty";
     #[allow(clippy::reversed_empty_ranges)] // That is what is refused.
@@ -271,7 +271,7 @@ fn models_check_their_functions_by_name() {
         "{text}"
     );
     assert!(
-        text.contains(", but the slope of `friction` there is 9.99"),
+        text.contains(", but the numerical derivative of `friction` there is 9.99"),
         "{text}"
     );
     for (name, text) in [

@@ -1,9 +1,12 @@
-//! Declared derivatives against measured ones.
+//! The comparison of declared derivatives with numerical ones.
+//!
+//! The points are an additive recurrence with powers of the generalized golden ratio: M. Roberts, *The Unreasonable
+//! Effectiveness of Quasirandom Sequences* (2018), extremelearning.com.au.
 
 use core::ops::RangeInclusive;
 
 use super::derivative_error::{ArgumentValues, DerivativeError};
-use super::numerical_derivative::Slope;
+use super::numerical_derivative::NumericalDerivative;
 use crate::limits::derivative_checks::{
     ERROR_ESTIMATES, MAX_RELATIVE_ERROR, POINTS, RATIO_ITERATIONS,
 };
@@ -12,11 +15,11 @@ use crate::scalar::Scalar;
 
 /// Compares the derivatives of a function with those of its values, at points spread over a region.
 ///
-/// `derivatives` gives the derivative by each argument. They are compared with difference quotients,
-/// extrapolated, and must agree within their error, or within the square root of the machine epsilon,
-/// relative to the derivative. Values are asked for within the region only, so that it can end where the
-/// function has a kink or no value. An argument whose range is one point stays there, and what the function
-/// does along it is not looked at.
+/// `derivatives` returns the derivatives by all arguments. They are compared with extrapolated difference quotients,
+/// and must agree within the error of these, or within the square root of the machine epsilon relative to the
+/// derivative. The function is evaluated within the region only, so that it can end where the
+/// function has a kink or no value. An argument whose range is one point is constant, and its derivative is not
+/// checked.
 ///
 /// ```
 /// use lagrangian::check_derivatives;
@@ -53,7 +56,7 @@ pub fn check_derivatives<const K: usize>(
     check.run()
 }
 
-/// The names of arguments that have none.
+/// Default names of arguments.
 const NUMBERED: &[&str] = &["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x₇", "x₈"];
 
 /// The check of the declared derivatives of a model's external functions; every model that has such functions
@@ -112,7 +115,7 @@ pub(crate) struct Check<V, D, const K: usize> {
     pub(crate) value: V,
     /// The derivative by an argument, if it is declared.
     pub(crate) derivative: D,
-    /// The relative distance between the numbers that the function computes with.
+    /// The machine epsilon of the scalar on which the function is evaluated.
     pub(crate) epsilon: f64,
     pub(crate) region: [RangeInclusive<f64>; K],
 }
@@ -137,11 +140,11 @@ where
         Err(DerivativeError::NotDeclared { function })
     }
 
-    /// There is a range for each argument, and all are ranges.
+    /// An error unless there is a valid range for each argument.
     fn check_region(&self) -> Result<(), DerivativeError> {
         let FunctionSignature { name, arguments } = self.signature;
         let function = name;
-        // Arguments without names are as many as there are ranges.
+        // A function with default names has as many arguments as there are ranges.
         if arguments.len() != K && arguments != NUMBERED {
             let expected = arguments.len();
             return Err(DerivativeError::ArgumentCount {
@@ -162,7 +165,7 @@ where
         }
     }
 
-    /// How far apart the values are, not less than rounding lets them seem to be.
+    /// The spread of the values over the region, at least that of their rounding errors.
     fn span(&self) -> Result<f64, DerivativeError> {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         for point in self.points() {
@@ -181,7 +184,7 @@ where
         Ok(greatest - least + libm::sqrt(self.epsilon) * size)
     }
 
-    /// Compares the derivatives by one argument, of which `scale` is the size; says whether there are any.
+    /// Compares the derivatives by one argument, whose typical magnitude is `scale`; returns whether there are any.
     fn check_argument(&self, argument: usize, scale: f64) -> Result<bool, DerivativeError> {
         let range = &self.region[argument];
         let declared = |point| (self.derivative)(argument, point);
@@ -189,39 +192,39 @@ where
             return Ok(self.points().any(|point| declared(point).is_some()));
         }
         let mut worst: Option<(f64, DerivativeError)> = None;
-        let (mut any, mut any_measured) = (false, false);
+        let (mut any, mut any_accurate) = (false, false);
         for point in self.points() {
             let Some(declared) = declared(point) else {
                 continue;
             };
             any = true;
-            let Some(slope) = self.slope(argument, point) else {
+            let Some(numerical) = self.numerical_derivative(argument, point) else {
                 continue;
             };
-            // What is not finite is no derivative, and is as far from one as can be.
+            // A value that is not finite is wrong by an infinite distance.
             let (size, distance) = if declared.is_finite() {
-                let size = declared.abs().max(slope.value.abs());
-                (size, (declared - slope.value).abs())
+                let size = declared.abs().max(numerical.value.abs());
+                (size, (declared - numerical.value).abs())
             } else {
-                (slope.value.abs(), f64::INFINITY)
+                (numerical.value.abs(), f64::INFINITY)
             };
-            any_measured |= slope.error <= MAX_RELATIVE_ERROR * size.max(scale);
-            let tolerance = ERROR_ESTIMATES * slope.error + libm::sqrt(self.epsilon) * size;
+            any_accurate |= numerical.error <= MAX_RELATIVE_ERROR * size.max(scale);
+            let tolerance = ERROR_ESTIMATES * numerical.error + libm::sqrt(self.epsilon) * size;
             if distance > tolerance && worst.is_none_or(|(known, _)| distance > known) {
                 let error = DerivativeError::Wrong {
                     function: self.signature.name,
                     argument: self.argument(argument),
                     point: self.at(point),
                     declared,
-                    measured: slope.value,
-                    uncertainty: slope.error,
+                    measured: numerical.value,
+                    uncertainty: numerical.error,
                 };
                 worst = Some((distance, error));
             }
         }
         match worst {
             Some((_, error)) => Err(error),
-            None if any && !any_measured => Err(DerivativeError::NoNumericalDerivative {
+            None if any && !any_accurate => Err(DerivativeError::NoNumericalDerivative {
                 function: self.signature.name,
                 argument: self.argument(argument),
             }),
@@ -229,8 +232,12 @@ where
         }
     }
 
-    /// The slope along one argument, from values within the region.
-    fn slope(&self, argument: usize, point: [f64; K]) -> Option<Slope> {
+    /// The numerical derivative by one argument, from values within the region.
+    fn numerical_derivative(
+        &self,
+        argument: usize,
+        point: [f64; K],
+    ) -> Option<NumericalDerivative> {
         let range = &self.region[argument];
         let x = point[argument];
         let along = |x: f64| {
@@ -239,16 +246,16 @@ where
             (self.value)(point)
         };
         let reach = (x - range.start()).min(range.end() - x);
-        Slope::measured(along, self.epsilon, x, reach)
+        NumericalDerivative::central(along, self.epsilon, x, reach)
     }
 
-    /// Points that fill the region evenly: multiples of numbers whose multiples are spread as evenly as
-    /// possible, powers of the root of xᴷ⁺¹ = x + 1 that generalizes the golden ratio.
+    /// Points of low discrepancy in the region (Roberts, 2018): multiples, modulo 1, of powers of 1/x, where x is the
+    /// generalized golden ratio, the root of xᴷ⁺¹ = x + 1.
     fn points(&self) -> impl Iterator<Item = [f64; K]> {
         let dimension = self.region.iter().fold(0.0, |count, _| count + 1.0);
         let root =
             (0..RATIO_ITERATIONS).fold(2.0, |x, _| libm::pow(1.0 + x, 1.0 / (dimension + 1.0)));
-        // The middle of a region is where functions like to have a kink.
+        // They avoid the middle of the region, where many functions have a kink.
         (1..=POINTS).map(move |n| {
             let mut share = 1.0;
             self.region.each_ref().map(|range| {

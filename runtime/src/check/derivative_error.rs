@@ -1,4 +1,4 @@
-//! What is wrong with declared derivatives.
+//! Errors in declared derivatives.
 
 use core::fmt;
 
@@ -6,7 +6,7 @@ use crate::limits::derivative_checks::REPORTED_ARGUMENTS;
 use crate::model::FunctionSignature;
 use crate::number_format::Readable;
 
-/// What a function was asked for: the names of its arguments and their values, the first four of them.
+/// The point at which a function was evaluated: names and values of its arguments, of the first four.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArgumentValues {
     names: &'static [&'static str],
@@ -48,30 +48,30 @@ impl fmt::Display for ArgumentValues {
     }
 }
 
-/// Why declared derivatives are not, or not known to be, those of a function.
+/// Why declared derivatives are wrong, or could not be checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DerivativeError {
-    /// A declared derivative is not the slope of the values.
+    /// A declared derivative differs from the numerical derivative of the values.
     Wrong {
         /// The function.
         function: &'static str,
         /// The argument by which it is differentiated.
         argument: &'static str,
-        /// Where the two differ most.
+        /// Where they differ most.
         point: ArgumentValues,
         /// The declared derivative there.
         declared: f64,
-        /// The slope of the values there.
+        /// The numerical derivative there.
         measured: f64,
-        /// How far that is from the true slope at most, by estimate.
+        /// The estimated error of the numerical derivative.
         uncertainty: f64,
     },
-    /// The values of the function have no slope that could be measured anywhere in the region.
+    /// No numerical derivative of the function is accurate enough anywhere in the region.
     NoNumericalDerivative {
         /// The function.
         function: &'static str,
-        /// The argument along which there is none.
+        /// The argument by which it is differentiated.
         argument: &'static str,
     },
     /// A value of the function is not finite.
@@ -106,7 +106,7 @@ pub enum DerivativeError {
     },
     /// The model has no function of that name.
     UnknownFunction {
-        /// Those that it has.
+        /// The functions of the model.
         known: &'static [FunctionSignature],
     },
 }
@@ -123,14 +123,14 @@ impl fmt::Display for DerivativeError {
                 uncertainty,
             } => write!(
                 f,
-                "the declared derivative ∂{function}/∂{argument} is {} where {point}, but the slope of \
-                 `{function}` there is {} within {uncertainty:.1e}",
+                "the declared derivative ∂{function}/∂{argument} is {} where {point}, but the numerical derivative \
+                 of `{function}` there is {} within {uncertainty:.1e}",
                 Readable(declared),
                 Readable(measured)
             ),
             Self::NoNumericalDerivative { function, argument } => write!(
                 f,
-                "no slope of `{function}` along `{argument}` can be measured: its values jump or are noisy \
+                "no numerical derivative ∂{function}/∂{argument} is accurate: the values jump or are noisy \
                  everywhere in this region"
             ),
             Self::NonFiniteValue {

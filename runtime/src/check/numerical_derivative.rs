@@ -1,17 +1,17 @@
-//! Slopes measured by difference quotients.
+//! Numerical derivatives by Richardson extrapolation of central differences.
 //!
-//! Central differences at steps that shrink are extrapolated to none, as by L. F. Richardson, and the
-//! entry of the tableau with the smallest estimated error is taken, as by C. J. F. Ridders (Advances in
-//! Engineering Software 4, 1982, 75–76). Steps are not stopped at the first sign of rounding, so that steep
-//! functions are resolved; and their ratio is irrational, so that no period hides between them.
+//! Central differences with shrinking steps are extrapolated to step 0, and the
+//! entry of the tableau with the smallest estimated error is taken: C. J. F. Ridders, *Accurate computation of F′(x)
+//! and F′(x) F″(x)*, Adv. Eng. Softw. **4** (1982) 75–76. Unlike there, all steps are taken, also after rounding errors
+//! appear, so that steep functions are resolved; and the ratio of the steps is irrational, so that no period is missed.
 
 use crate::limits::derivative_checks::{
     COLUMNS, MIN_JUMP, ROUNDING_AMPLIFICATION, SHORTER_STEPS, STEP_RATIO, STEPS,
 };
 
-/// A slope and an estimate of its error.
+/// A numerical derivative and an estimate of its error.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slope {
+pub(crate) struct NumericalDerivative {
     pub(crate) value: f64,
     pub(crate) error: f64,
 }
@@ -21,17 +21,17 @@ pub(crate) struct Slope {
 struct Quotient {
     step: f64,
     value: f64,
-    /// How large the values are of which this is the difference.
+    /// The magnitude of the two values.
     size: f64,
-    /// What rounding the values may have changed.
+    /// The rounding error of the quotient.
     rounding: f64,
 }
 
-impl Slope {
-    /// The slope of `value` at `x` from values at most `reach` away from there; none if there are none.
+impl NumericalDerivative {
+    /// The derivative of `value` at `x`, from values at most `reach` away; `None` if they are not finite.
     ///
-    /// `epsilon` is the relative distance between the numbers with which `value` computes.
-    pub(crate) fn measured(
+    /// `epsilon` is the machine epsilon of the scalar on which `value` is evaluated.
+    pub(crate) fn central(
         value: impl Fn(f64) -> f64,
         epsilon: f64,
         x: f64,
@@ -64,15 +64,16 @@ impl Slope {
 }
 
 /// The entry of the tableau with the smallest estimated error.
-fn best(quotients: &[Quotient; STEPS]) -> Option<Slope> {
+fn best(quotients: &[Quotient; STEPS]) -> Option<NumericalDerivative> {
     let tableau = tableau(quotients);
-    let mut best: Option<Slope> = None;
+    let mut best: Option<NumericalDerivative> = None;
     for row in 1..STEPS - SHORTER_STEPS {
         for column in 1..COLUMNS {
             let value = tableau[row][column];
             let neighbours = [tableau[row][column - 1], tableau[row - 1][column - 1]];
             let neighbours = neighbours.map(|neighbour| (value - neighbour).abs());
-            // What shorter steps see differently is noise of the values, which counts less at longer steps.
+            // Differences from the results of shorter steps are noise of the values, which matters less for longer
+            // steps.
             let step = quotients[row].step;
             let noise = (row + 1..STEPS).map(|shorter| {
                 (tableau[shorter][column] - value).abs() * quotients[shorter].step / step
@@ -82,14 +83,14 @@ fn best(quotients: &[Quotient; STEPS]) -> Option<Slope> {
                 + noise
                 + ROUNDING_AMPLIFICATION * quotients[row].rounding;
             if error.is_finite() && best.is_none_or(|best| error < best.error) {
-                best = Some(Slope { value, error });
+                best = Some(NumericalDerivative { value, error });
             }
         }
     }
     best
 }
 
-/// The quotients, and in each further column what they would be at no step, to one power of it more.
+/// The Richardson tableau: the quotients, and in each further column one more power of the squared step is removed.
 fn tableau(quotients: &[Quotient; STEPS]) -> [[f64; COLUMNS]; STEPS] {
     let mut above = [f64::NAN; COLUMNS];
     quotients.map(|quotient| {
@@ -105,9 +106,8 @@ fn tableau(quotients: &[Quotient; STEPS]) -> [[f64; COLUMNS]; STEPS] {
     })
 }
 
-/// The noise of values that do not change at all at short steps, since they are rounded to something
-/// coarse: by how much they change at once. Where a function has a plateau they change bit by bit, and
-/// where it has steps by more.
+/// The quantization of values that do not change at all at short steps, because they are rounded coarsely: the height
+/// of the first jump. A function with a plateau changes by less, one with real discontinuities by more.
 fn jump(quotients: &[Quotient; STEPS], quotient: impl Fn(f64) -> Quotient) -> f64 {
     let changes = |quotient: &Quotient| quotient.value != 0.0;
     let Some(last) = quotients.iter().rposition(changes) else {
@@ -133,10 +133,10 @@ fn jump(quotients: &[Quotient; STEPS], quotient: impl Fn(f64) -> Quotient) -> f6
 
 #[cfg(test)]
 mod tests {
-    use super::Slope;
+    use super::NumericalDerivative;
 
-    fn measured(value: impl Fn(f64) -> f64, x: f64, reach: f64) -> Slope {
-        Slope::measured(value, f64::EPSILON, x, reach).unwrap()
+    fn measured(value: impl Fn(f64) -> f64, x: f64, reach: f64) -> NumericalDerivative {
+        NumericalDerivative::central(value, f64::EPSILON, x, reach).unwrap()
     }
 
     #[test]
@@ -165,7 +165,7 @@ mod tests {
             ("kinked", f64::abs, |_| 1.0, 1e-3, 0.5),
         ];
         for (name, value, derivative, x, reach) in cases {
-            let Slope { value, error } = measured(value, x, reach);
+            let NumericalDerivative { value, error } = measured(value, x, reach);
             let expected = derivative(x);
             assert!(
                 (value - expected).abs() <= error,
@@ -184,7 +184,7 @@ mod tests {
         let value = |x: f64| libm::round(libm::sin(x) * 1e9) / 1e9;
         for n in 0..200 {
             let x = 0.01 * f64::from(n);
-            let Slope { value, error } = measured(value, x, 0.2);
+            let NumericalDerivative { value, error } = measured(value, x, 0.2);
             assert!(
                 (value - libm::cos(x)).abs() <= error,
                 "at {x}: {value}, {error}"
@@ -201,7 +201,7 @@ mod tests {
         let value = |x: f64| libm::sin(x) + noise(x);
         for n in 0..200 {
             let x = 0.01 * f64::from(n);
-            let Slope { value, error } = measured(value, x, 0.2);
+            let NumericalDerivative { value, error } = measured(value, x, 0.2);
             assert!(
                 (value - libm::cos(x)).abs() <= error,
                 "at {x}: {value}, {error}"
@@ -216,12 +216,12 @@ mod tests {
         let gears = |x: f64| libm::floor(4.0 * x);
         for n in 0..100 {
             let x = 0.004_1 * f64::from(n) + 0.01;
-            let Slope { value, error } = measured(dead_zone, x, 0.7);
+            let NumericalDerivative { value, error } = measured(dead_zone, x, 0.7);
             assert!(
                 value.abs() <= error && error < 1e-6,
                 "at {x}: {value}, {error}"
             );
-            let Slope { value, error } = measured(gears, x, 0.7);
+            let NumericalDerivative { value, error } = measured(gears, x, 0.7);
             assert!(
                 value.abs() <= error && error < 1e-6,
                 "at {x}: {value}, {error}"
@@ -231,9 +231,10 @@ mod tests {
 
     #[test]
     fn there_is_no_slope_where_there_are_no_values() {
-        assert!(Slope::measured(|_| f64::NAN, f64::EPSILON, 0.0, 1.0).is_none());
+        assert!(NumericalDerivative::central(|_| f64::NAN, f64::EPSILON, 0.0, 1.0).is_none());
         // A value that is missing only at long steps does no harm.
-        let Slope { value, .. } = measured(|x| if x > 1.1 { f64::NAN } else { x * x }, 1.0, 0.5);
+        let NumericalDerivative { value, .. } =
+            measured(|x| if x > 1.1 { f64::NAN } else { x * x }, 1.0, 0.5);
         assert!((value - 2.0).abs() < 1e-9);
     }
 }

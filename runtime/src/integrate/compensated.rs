@@ -1,7 +1,7 @@
 //! Compensated summation of times and states.
 //!
-//! W. Kahan, *Further Remarks on Reducing Truncation Errors*, Comm. ACM **8** (1965) 40. For integrators: Hairer, Lubich &
-//! Wanner, *Geometric Numerical Integration*, 2nd edition (2006), VIII.5.
+//! W. Kahan, *Further Remarks on Reducing Truncation Errors*, Comm. ACM **8** (1965) 40. For integrators: Hairer,
+//! Lubich & Wanner, *Geometric Numerical Integration*, 2nd edition (2006), VIII.5.
 
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;

@@ -154,6 +154,18 @@ impl fmt::Display for IntegrationError {
                     Readable(time)
                 )
             }
+            Self::InvalidStep { .. }
+            | Self::InvalidTolerance { .. }
+            | Self::InvalidSingularityTolerance { .. }
+            | Self::UnorderedTimes { .. } => self.write_invalid_setting(f),
+        }
+    }
+}
+
+impl IntegrationError {
+    /// The message of a setting that is invalid.
+    fn write_invalid_setting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
             Self::InvalidStep { step } => {
                 write!(
                     f,
@@ -183,11 +195,12 @@ impl fmt::Display for IntegrationError {
                 "sample times must advance from the initial time towards the last: {time} at index \
                  {index} comes after {previous}"
             ),
+            _ => Ok(()),
         }
     }
 }
 
-/// That no step meets the tolerance, and what to do about it.
+/// The message of a step size that is too small, with the remedy.
 fn write_too_small(
     f: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),
@@ -206,7 +219,7 @@ fn write_too_small(
     Ok(())
 }
 
-/// That a coordinate moves too fast, and where.
+/// The message of a vanishing inertia, with its place.
 fn write_vanishing(
     f: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),

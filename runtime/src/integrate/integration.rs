@@ -1,7 +1,7 @@
 //! The loop of the driver: steps, samples, observations, and the location of stop conditions within a step.
 //!
-//! A change of sign of an event function over a step is located by bisection of the interpolated state. L. F. Shampine &
-//! S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000) 43–54, show
+//! A change of sign of an event function over a step is located by bisection of the interpolated state. L. F. Shampine
+//! & S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000) 43–54, show
 //! that the error of an integration which restarts there is of the order of the method. A zero at the initial time is
 //! left as by K. L. Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180
 //! (1980).
@@ -109,9 +109,9 @@ where
         result
     }
 
-    /// The value of the condition at the first time that can be told from the initial one. There may be a zero at the
-    /// initial time, such as the one at which the integration stopped before, and rounding may put the initial value
-    /// on either side of it.
+    /// The value of the condition at the first time that is distinguishable from the initial one. There may be a zero
+    /// at the initial time, such as the one at which the integration stopped before, and rounding may put the initial
+    /// value on either side of it.
     ///
     /// Hiebert & Shampine (1980); the time is that of SUNDIALS: A. C. Hindmarsh et al., ACM Trans. Math. Softw. **31**
     /// (2005) 363–396.
@@ -153,7 +153,7 @@ where
         Ok(())
     }
 
-    /// The first time after `t` within the last step that can be told from it with certainty; at most
+    /// The first time after `t` within the last step that is safely distinguishable from it; at most
     /// the end of the step.
     fn after(&self, t: f64) -> f64 {
         let end = self.stepper.time();

@@ -1,8 +1,8 @@
 //! The order conditions of Runge–Kutta methods.
 //!
 //! There is one for each rooted tree τ with at most p vertices: Σ bᵢ Φᵢ(τ) = 1/γ(τ). Hairer,
-//! Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.2, theorem 2.13. There are 1, 1, 2, 4, 9, 20, 48, 115 trees of 1 to 8
-//! vertices.
+//! Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.2, theorem 2.13. There are 1,
+//! 1, 2, 4, 9, 20, 48, 115 trees of 1 to 8 vertices.
 
 use std::vec::Vec;
 

@@ -22,13 +22,13 @@ pub struct Sample<X> {
     pub x: X,
 }
 
-/// The initial value of an integration: a [`Sample`], a pair of a time and a state, or the [`State`](crate::State) of a mechanical
-/// system with as many coordinates as it has.
+/// The initial value of an integration: a [`Sample`], a pair of a time and a state, or the [`State`](crate::State) of a
+/// mechanical system with as many coordinates as it has.
 #[diagnostic::on_unimplemented(
     message = "an integration of `{X}` does not begin at `{Self}`",
     label = "this is no state of the system",
     note = "a mechanical system with `N` coordinates begins at a `State<S, N>`, of `N` coordinates and as many \
-            velocities, and under `with_controller` at that beside the states of the controller, `(state, [0.0])`; \
+            velocities, and under `with_controller` at a pair with the states of the controller, `(state, [0.0])`; \
             other dynamics begin at a pair `(t, x)`"
 )]
 pub trait InitialValue<X> {

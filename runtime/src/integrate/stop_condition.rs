@@ -137,7 +137,7 @@ impl Crossing {
         }
     }
 
-    /// The same between the initial time and the next time that can be told from it. For either direction, a change
+    /// The same between the initial time and the next distinguishable time. For either direction, a change
     /// of sign there is taken for the zero at the initial time.
     fn after_start(self, before: f64, after: f64) -> bool {
         self != Self::Either && self.between(before, after)

@@ -1,7 +1,7 @@
 //! LU factorization with scaled partial pivoting, for a mass matrix that is not positive definite.
 //!
-//! P M = L U, with the row interchanges of each SIMD lane on its own: the result of a lane does not depend on the others.
-//! Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. Rows are compared by their entries over
+//! P M = L U, with the row interchanges of each SIMD lane on its own: the result of a lane does not depend on the
+//! others. Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. Rows are compared by their entries over
 //! the largest entry that they had, so that the choice of the pivot does not depend on the units of the rows.
 
 use nalgebra::{SMatrix, SVector};
@@ -117,10 +117,10 @@ fn substitute<S: Scalar, const N: usize, const K: usize>(
 /// For each unknown the reciprocal of (|M⁻¹| |M|)ᵢᵢ, which is between 0 and 1; 0 where M is singular to
 /// working precision.
 ///
-/// (|M⁻¹| |M|)ᵢᵢ bounds from below the factor by which relative errors of the entries of M grow, whatever the units of the
-/// coordinates are:
-/// F. L. Bauer, *Optimally scaled matrices*, Numer. Math. **5** (1963) 73–87; N. J. Higham, *Accuracy and Stability of Numerical
-/// Algorithms*, 2nd edition (2002), 7.2. The product does not depend on row interchanges.
+/// (|M⁻¹| |M|)ᵢᵢ bounds from below the factor by which relative errors of the entries of M grow, whatever the units of
+/// the coordinates are:
+/// F. L. Bauer, *Optimally scaled matrices*, Numer. Math. **5** (1963) 73–87; N. J. Higham, *Accuracy and Stability of
+/// Numerical Algorithms*, 2nd edition (2002), 7.2. The product does not depend on row interchanges.
 pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
     factors: &SMatrix<S, N, N>,
 ) -> SVector<S, N> {
@@ -137,7 +137,7 @@ pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
     let finite = SVector::from_fn(|i, _| {
         let row = product.row(i);
         let scale = row.iter().fold(S::zero(), |most, x| most.max(x.abs()));
-        // A tiny pivot in place of zero, so that the unknowns that are concerned can still be told from the others.
+        // A tiny pivot in place of zero, so that the singular unknowns can be identified.
         let small = epsilon * epsilon * one_if_zero(scale);
         let pivot = factors[(i, i)];
         S::one() / (pivot + is_zero(pivot) * small)

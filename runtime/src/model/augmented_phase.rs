@@ -11,9 +11,9 @@ use crate::linalg::{IntoVector, VectorSpace};
 use crate::scalar::Scalar;
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
-/// controller: what an integrator steps under [`WithController`](crate::WithController).
+/// controller: the state that an integrator steps under [`WithController`](crate::WithController).
 ///
-/// A motion begins at a pair of a [`State`] and z:
+/// The initial value is a pair of a [`State`] and z:
 ///
 /// ```
 /// use lagrangian::{AugmentedPhase, InitialValue, Sample, State};
@@ -87,7 +87,7 @@ impl<S: Scalar, const N: usize, const K: usize> Sample<AugmentedPhase<S, N, K>> 
     }
 }
 
-/// A motion under a law with states of its own begins at the state of the system beside those of the law.
+/// The initial value under dynamic feedback: the state of the system, and those of the controller.
 impl<S, C, const N: usize, const K: usize> InitialValue<AugmentedPhase<S, N, K>>
     for (State<S, N>, C)
 where

@@ -1,4 +1,4 @@
-//! A system under a control law without memory.
+//! Static state feedback.
 
 use nalgebra::SVector;
 
@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 /// A system under the static feedback u = law(t, q, q̇); made by
 /// [`Plant::controlled_by`](crate::Plant::controlled_by).
 ///
-/// What depends on the parameters alone is computed when it is made.
+/// The quantities that depend on parameters only are computed when it is made.
 #[derive(Debug)]
 pub struct ControlledBy<'a, M, C, S, const N: usize, const U: usize>
 where

@@ -1,4 +1,4 @@
-//! What the emitted code names, and nobody else.
+//! Functions that only emitted code calls.
 
 pub use nalgebra::{SMatrix, SVector};
 
@@ -7,7 +7,7 @@ use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
-/// A field's type, as far as scalars can be made from it.
+/// A type of a field that is converted to a scalar.
 pub trait Parameter {
     /// The value on a scalar.
     fn on<S: Scalar>(self) -> S;
@@ -27,14 +27,14 @@ impl Parameter for f32 {
     }
 }
 
-/// The value of a field on the scalar that is being computed with.
+/// The value of a field, converted to the scalar of the evaluation.
 #[inline]
 pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
     field.on()
 }
 
-/// What was computed with these pivots, in each lane in which all are positive; what `otherwise` gives in
-/// another, because M is indefinite or singular there.
+/// `computed`, in each lane in which all pivots are positive; the value of `otherwise` in
+/// the others, where M is indefinite or singular.
 #[inline]
 pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     pivots: [S; K],
@@ -44,13 +44,13 @@ pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     if pivots.into_iter().all(|pivot| pivot.smallest() > 0.0) {
         computed
     } else {
-        cold(pivots, computed, otherwise)
+        select_if_positive(pivots, computed, otherwise)
     }
 }
 
 #[cold]
 #[inline(never)]
-fn cold<S: Scalar, T: LaneSelect<S>, const K: usize>(
+fn select_if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     pivots: [S; K],
     computed: T,
     otherwise: impl FnOnce() -> T,
@@ -79,9 +79,9 @@ pub fn linearization<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// Where M is positive definite, each pivot in relation to what its rounding error is proportional to; else
-/// what a factorization of M in numbers says. 0 where M is singular to working precision: where elimination
-/// has left less than the machine epsilon of a diagonal entry.
+/// Where M is positive definite, each pivot over the magnitude of the terms whose rounding errors it has; elsewhere
+/// the relative pivots of a numerical factorization of M. 0 where M is singular to working precision: where elimination
+/// leaves less than the machine epsilon times a diagonal entry.
 #[inline]
 pub fn relative_pivots<S: Scalar, const N: usize>(
     pivots: [S; N],

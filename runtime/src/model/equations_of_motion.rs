@@ -1,4 +1,4 @@
-//! The door through which a Lagrangian system enters an integrator.
+//! Lagrange's equations as a system of first-order differential equations.
 
 use core::marker::PhantomData;
 
@@ -16,11 +16,11 @@ use crate::scalar::Scalar;
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
 /// [`Lagrangian::dynamics`].
 ///
-/// What depends on the parameters alone is computed when it is made.
+/// The quantities that depend on parameters only are computed when it is made.
 ///
-/// # Many motions at once
+/// # Parallel integrations
 ///
-/// Integrations do not change it, so that threads share it. A parallel iterator, such as rayon's
+/// Integrations do not change it, so that threads can share it. A parallel iterator, such as rayon's
 /// `amplitudes.par_iter().map(|amplitude| …)`, does the same as the threads here:
 ///
 /// ```
@@ -51,8 +51,8 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// A model on a scalar of several lanes integrates several motions in one thread, with the steps of the
-/// one that needs the shortest.
+/// A model on a scalar of several SIMD lanes integrates several motions in one thread, with the steps of the
+/// most demanding one.
 #[derive(Debug)]
 pub struct EquationsOfMotion<'a, M, S, const N: usize>
 where
@@ -123,8 +123,8 @@ where
     }
 }
 
-/// |qᵢ| and |q̇ᵢ|, but 1 for a coordinate that is an angle, which is the same after a whole turn; and for
-/// one that is ignorable what it moves in a unit of time, if that is more than 1, wherever it is.
+/// |qᵢ| and |q̇ᵢ|, but 1 for an angle, which is periodic, and max(1, |q̇ᵢ|) for an ignorable coordinate, whose
+/// value does not matter.
 #[inline]
 pub(crate) fn error_scale<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
 where
@@ -167,14 +167,14 @@ where
     }
 }
 
-/// Names the coordinates that make the smallest of the relative pivots small.
+/// The report of the smallest relative pivot.
 #[cold]
 fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
 where
     M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
-    // A pivot that is no number comes from a division by zero: nothing is smaller.
+    // A pivot that is NaN comes from a division by zero and counts as zero.
     let sizes = pivots.iter().map(|pivot| {
         let size = pivot.abs().smallest();
         if size.is_nan() { 0.0 } else { size }
@@ -187,7 +187,7 @@ where
     named::<M, S, N>(coordinate, least, state)
 }
 
-/// A coordinate, and those that make its block of the mass matrix singular.
+/// The report of a coordinate, with those that make its block of the mass matrix singular.
 fn named<M, S, const N: usize>(
     coordinate: usize,
     relative_pivot: f64,
@@ -197,20 +197,20 @@ where
     M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
-    let dependencies = Structure::<M, N>::SINGULARITIES
+    let dependencies = StaticNames::<M, N>::SINGULARITIES
         .get(coordinate)
         .copied()
         .unwrap_or_default();
     Singularity::new(
         relative_pivot,
         coordinate,
-        Structure::<M, N>::COORDINATES,
+        StaticNames::<M, N>::COORDINATES,
         dependencies,
         |i| state.q.get(i).map_or(f64::NAN, |value| value.smallest()),
     )
 }
 
-/// The coordinate whose inertia is the smallest in relation to what it is elsewhere, if it has nearly vanished.
+/// The coordinate whose inertia is the smallest relative to that elsewhere, if it has nearly vanished.
 #[cold]
 pub(crate) fn vanishing_inertia<M, S, const N: usize>(
     model: &M,
@@ -238,7 +238,7 @@ where
     (least.1 < VANISHING_INERTIA).then(|| named::<M, S, N>(least.0, least.1, state))
 }
 
-/// The size of the inertia of each coordinate where the others are free, 1 / (M⁻¹)ᵢᵢ.
+/// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.
 fn inertias<M, S, const N: usize>(model: &M, state: &State<S, N>) -> SVector<S, N>
 where
     M: Lagrangian<N, S> + ?Sized,
@@ -252,7 +252,7 @@ where
 pub(crate) fn component_name<M: GeneralizedCoordinates<N> + ?Sized, const N: usize>(
     index: usize,
 ) -> ComponentName {
-    let names = Structure::<M, N>::COORDINATES;
+    let names = StaticNames::<M, N>::COORDINATES;
     let coordinate = names.get(index);
     let velocity = index.checked_sub(N).and_then(|i| names.get(i));
     match (coordinate, velocity) {
@@ -262,10 +262,10 @@ pub(crate) fn component_name<M: GeneralizedCoordinates<N> + ?Sized, const N: usi
     }
 }
 
-/// The constants of a system as slices that live as long as the program.
-struct Structure<M: ?Sized, const N: usize>(PhantomData<M>);
+/// The constants of a system as `'static` slices.
+struct StaticNames<M: ?Sized, const N: usize>(PhantomData<M>);
 
-impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> Structure<M, N> {
+impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> StaticNames<M, N> {
     const COORDINATES: &'static [&'static str] = &M::COORDINATES;
     const SINGULARITIES: &'static [&'static [usize]] = &M::SINGULARITIES;
 }

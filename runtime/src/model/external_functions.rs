@@ -2,7 +2,7 @@
 
 use crate::scalar::Scalar;
 
-/// The name of a function and those of its arguments.
+/// The names of a function and of its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FunctionSignature {
     /// The name of the function.
@@ -16,16 +16,16 @@ pub struct FunctionSignature {
 /// `#[derive(Lagrangian)]` implements it. The feature `derivative-checks` adds a test that the declared derivatives are
 /// those of the functions, `CheckDerivatives`.
 pub trait ExternalFunctions {
-    /// What the functions are evaluated on.
+    /// The scalar on which the functions are evaluated.
     type Scalar: Scalar;
 
     /// The functions, in the order of declaration.
     const FUNCTIONS: &'static [FunctionSignature];
 
-    /// The value of a function, by its position; not a number unless there is one of so many arguments.
+    /// The value of the function at a position; NaN unless there is one with that number of arguments.
     fn function(&self, function: usize, arguments: &[Self::Scalar]) -> Self::Scalar;
 
-    /// The declared derivative of a function by one of its arguments, by their positions; none where none
+    /// The declared derivative of a function by one of its arguments, by their positions; `None` if none
     /// is declared.
     fn derivative(
         &self,

@@ -1,4 +1,4 @@
-//! Forces and torques that something outside of the model sets.
+//! Inputs: forces, torques and other quantities that a controller sets.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -11,13 +11,13 @@ use crate::scalar::Scalar;
 
 /// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
 ///
-/// The methods of [`Lagrangian`] use the values of the fields. Those here take the inputs as an
+/// The methods of [`Lagrangian`] use the values of the fields. These take the inputs as an
 /// argument, so that they can vary in time and be of any scalar.
 pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The names of the inputs, in order.
     const INPUTS: [&'static str; U];
 
-    /// The inputs as the fields have them.
+    /// The values of the fields.
     fn inputs(&self) -> SVector<S, U>;
 
     /// The Lagrangian function L under these inputs.
@@ -36,7 +36,7 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
     /// The accelerations q̈ under these inputs.
     fn accelerations_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
 
-    /// The accelerations q̈ under these inputs, from what [`prepare`](Lagrangian::prepare) gave for the
+    /// The accelerations q̈ under these inputs, given the result of [`prepare`](Lagrangian::prepare) for the
     /// same parameters.
     fn accelerations_prepared_with(
         &self,
@@ -55,13 +55,13 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
         accelerations: &SVector<S, N>,
     ) -> SVector<S, N>;
 
-    /// The derivatives of the accelerations with respect to q, q̇ and t, these inputs held.
+    /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.
     fn linearize_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N>;
 
     /// The derivatives ∂q̈ᵢ/∂uⱼ in row i, column j.
     fn input_jacobian_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U>;
 
-    /// The derivatives ∂q̈ᵢ/∂uⱼ at the inputs that the fields have.
+    /// The derivatives ∂q̈ᵢ/∂uⱼ at the inputs of the fields.
     fn input_jacobian(&self, state: &State<S, N>) -> SMatrix<S, N, U> {
         self.input_jacobian_with(state, &self.inputs())
     }
@@ -79,12 +79,12 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
         below_zeros(&self.input_jacobian_with(state, inputs))
     }
 
-    /// The input matrix B at the inputs that the fields have.
+    /// The input matrix B at the inputs of the fields.
     fn input_matrix<const D: usize>(&self, state: &State<S, N>) -> SMatrix<S, D, U> {
         below_zeros(&self.input_jacobian(state))
     }
 
-    /// The same system under other inputs, held constant.
+    /// The same system under other, constant inputs.
     fn with_inputs(&self, inputs: impl Into<SVector<S, U>>) -> WithInputs<'_, Self, S, U> {
         WithInputs {
             model: self,
@@ -93,7 +93,7 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
     }
 }
 
-/// A model under inputs that are held constant; see [`Inputs::with_inputs`].
+/// A model under constant inputs; see [`Inputs::with_inputs`].
 #[derive(Debug)]
 pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
     pub(super) model: &'a M,

@@ -1,4 +1,4 @@
-//! The equations of motion of a system with a Lagrangian.
+//! Systems that have a Lagrangian.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,20 +9,20 @@ use super::state::State;
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
-/// A system that moves by Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6).
+/// A system with the equations of motion of Lagrange, d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6).
 ///
 /// `#[derive(Lagrangian)]` implements it; a model can also be written by hand against it. All
-/// methods are functions of the state alone, evaluate without allocating, and return what is not a
-/// number where the declaration has no value.
+/// methods are functions of the state and the parameters, do not allocate, and return NaN or infinity
+/// where the declaration has no value.
 pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N> {
-    /// What depends on the parameters alone; `()` for a model written by hand that prepares nothing.
+    /// Quantities that depend on parameters only; `()` for a model written by hand that has none.
     type Prepared: Clone + core::fmt::Debug;
 
     /// The Lagrangian function L = T − V.
     fn lagrangian(&self, state: &State<S, N>) -> S;
 
     /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no
-    /// generalized force does work. It is T + V only for T quadratic in q̇ and V free of it.
+    /// generalized force does work. It is T + V only if T is quadratic in q̇ and V does not contain q̇.
     fn energy(&self, state: &State<S, N>) -> S;
 
     /// The generalized momenta p = ∂L/∂q̇.
@@ -31,21 +31,20 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// The mass matrix M = ∂²L/∂q̇².
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
 
-    /// The forcing f in M q̈ = f: everything of the equations of motion but M q̈.
+    /// The forcing f in M q̈ = f: all terms of the equations of motion but M q̈.
     fn forcing(&self, state: &State<S, N>) -> SVector<S, N>;
 
-    /// The generalized forces Q: what the declaration says under `force` and `dissipation`.
+    /// The generalized forces Q, from the clauses `force` and `dissipation`.
     fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N>;
 
     /// The accelerations q̈.
     fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
 
-    /// Computes what depends on the parameters alone, for
-    /// [`accelerations_prepared`](Self::accelerations_prepared). An integration does it once, in
-    /// [`dynamics`](Self::dynamics).
+    /// Computes the quantities that depend on parameters only (invariants of the integration), for
+    /// [`accelerations_prepared`](Self::accelerations_prepared). [`dynamics`](Self::dynamics) calls it once.
     fn prepare(&self) -> Self::Prepared;
 
-    /// The accelerations q̈, from what [`prepare`](Self::prepare) gave for the same parameters.
+    /// The accelerations q̈, given the result of [`prepare`](Self::prepare) for the same parameters.
     fn accelerations_prepared(
         &self,
         state: &State<S, N>,
@@ -54,31 +53,31 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         self.accelerations(state)
     }
 
-    /// The forces M q̈ − f that would have to act besides Q for the system to accelerate so.
+    /// Inverse dynamics: the forces M q̈ − f that have to act in addition to Q for these accelerations.
     fn inverse_dynamics(&self, state: &State<S, N>, accelerations: &SVector<S, N>)
     -> SVector<S, N>;
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     ///
-    /// As first-order equations x = (q, q̇), ẋ = A x + B u near an equilibrium, they are the lower rows of A, below
-    /// (0 1); those of B, below 0, are [`Inputs::input_jacobian`](crate::Inputs::input_jacobian).
+    /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below
+    /// (0 1); the lower rows of B are [`Inputs::input_jacobian`](crate::Inputs::input_jacobian).
     ///
-    /// For more than a few coupled coordinates they are solved for with a factorization of M in numbers.
-    /// Near a singularity of M they then lose as much as [`Factorization`]'s relative pivots say.
+    /// For more than a few coupled coordinates they are solved for with a numerical factorization of M.
+    /// Near a singularity of M their accuracy is then what [`Factorization::relative_pivots`] says.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
-    /// For each coordinate, how much is left of a relative accuracy of 1 where M q̈ = f is solved: near 1 if
-    /// nothing is lost, 0 or not a number if M is singular. Its inverse estimates the factor by which the
-    /// rounding errors of M grow in [`accelerations`](Self::accelerations); those of the forcing are not
+    /// For each coordinate, the reciprocal of the condition of M q̈ = f: near 1 if M is well-conditioned,
+    /// 0 or NaN if M is singular. Its inverse estimates the factor by which the
+    /// rounding errors of M are amplified in [`accelerations`](Self::accelerations); those of the forcing are not
     /// part of it.
     ///
-    /// Where M is positive definite it is the pivot of the factorization of M relative to what its rounding error is
-    /// proportional to; where M is indefinite and regular, as for ẋ ẏ, the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
+    /// Where M is positive definite, it is the pivot of the factorization of M over the terms whose rounding errors it
+    /// has; where M is indefinite and regular, as for ẋ ẏ, the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state)).relative_pivots()
     }
 
-    /// The equations of motion as an integrator takes them.
+    /// The equations of motion, for an integrator.
     fn dynamics(&self) -> EquationsOfMotion<'_, Self, S, N>
     where
         Self: Sized,
@@ -87,7 +86,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 }
 
-/// The energies of a system that is declared by them.
+/// The energies T and V of a system that is declared by them.
 pub trait Energies<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The kinetic energy T.
     fn kinetic_energy(&self, state: &State<S, N>) -> S;

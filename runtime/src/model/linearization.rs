@@ -1,4 +1,4 @@
-//! Derivatives of the accelerations.
+//! Linearized equations of motion.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -19,11 +19,11 @@ pub struct Linearization<S: Scalar, const N: usize> {
 
 impl<S: Scalar, const N: usize> Linearization<S, N> {
     /// The state matrix A = (0, 1; ∂q̈/∂q, ∂q̈/∂q̇) of the first-order system ẋ = A x + B u, where
-    /// x = (q, q̇) and u are deviations from where it was linearized; B is the
+    /// x = (q, q̇) and u are deviations from the point of linearization; B is the
     /// [`input_matrix`](crate::Inputs::input_matrix). It has `D` = 2 `N` rows and columns.
     ///
-    /// That is all of the linear system about an equilibrium. About a point of a motion x is the deviation
-    /// from that motion, and A and B vary along it.
+    /// About an equilibrium A and B are constant. About a motion x is the deviation
+    /// from it, and A and B vary along it.
     ///
     /// ```
     /// use lagrangian::nalgebra::{Matrix3, Vector2};
@@ -46,7 +46,7 @@ impl<S: Scalar, const N: usize> Linearization<S, N> {
     /// assert_eq!(a, Matrix2::new(0.0, 1.0, 9.81 / 0.5, 0.0));
     /// assert_eq!(b, Vector2::new(0.0, 2.0));
     ///
-    /// // Discretized for inputs that are held over a period h: exp((A, B; 0, 0) h) = (Ad, Bd; 0, 1);
+    /// // Discretized with a zero-order hold over a period h: exp((A, B; 0, 0) h) = (Ad, Bd; 0, 1);
     /// // Van Loan, IEEE Trans. Autom. Control 23 (1978) 395.
     /// let h = 0.01;
     /// let mut block = Matrix3::zeros();

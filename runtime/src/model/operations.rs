@@ -1,7 +1,7 @@
-//! What an evaluation costs, counted when the code is emitted.
+//! Operation counts of the emitted methods.
 
-/// The arithmetic of one emitted method, by kind. What it hands on to the factorization of the mass
-/// matrix is counted with it.
+/// The operations of one emitted method, by kind, with those of a numerical factorization of the mass
+/// matrix.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Additions, subtractions and changes of sign.
@@ -12,7 +12,7 @@ pub struct OperationCount {
     pub divisions: usize,
     /// Square roots.
     pub square_roots: usize,
-    /// Sines and cosines; the pair of one angle counts once.
+    /// Sines and cosines; the pair of one angle counts as one.
     pub sines_and_cosines: usize,
     /// All other elementary functions.
     pub functions: usize,
@@ -33,7 +33,7 @@ pub struct Operations {
     pub forcing: OperationCount,
     /// Of `generalized_forces`.
     pub generalized_forces: OperationCount,
-    /// Of `prepare`, which computes what depends on the parameters alone.
+    /// Of `prepare`, which computes the quantities that depend on parameters only.
     pub prepare: OperationCount,
     /// Of `accelerations_prepared`.
     pub accelerations: OperationCount,
@@ -70,7 +70,7 @@ impl OperationCount {
         functions: 0,
     };
 
-    /// All operations together, each function counted as one.
+    /// The sum of all operations, each function counted as one.
     #[must_use]
     pub const fn total(&self) -> usize {
         self.additions

@@ -1,4 +1,4 @@
-//! Quantities that a declaration names for observers.
+//! Outputs: quantities that a declaration computes for the user.
 
 use nalgebra::SVector;
 
@@ -12,18 +12,18 @@ pub trait Outputs<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// A struct with one field for each output, named as declared.
     type Outputs;
 
-    /// All the outputs at a state. Where one contains accelerations, they are those of
+    /// All outputs at a state. Accelerations in them are those of
     /// [`accelerations`](Lagrangian::accelerations).
     fn outputs(&self, state: &State<S, N>) -> Self::Outputs;
 }
 
 /// A system with outputs and inputs: the outputs under inputs that vary in time.
 ///
-/// [`WithInputs`](crate::WithInputs) has the outputs under inputs that are held.
+/// [`WithInputs`](crate::WithInputs) has the outputs under constant inputs.
 pub trait OutputsWith<const N: usize, const U: usize, S: Scalar = f64>:
     Inputs<N, U, S> + Outputs<N, S>
 {
-    /// All the outputs at a state under these inputs.
+    /// All outputs at a state under these inputs.
     fn outputs_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Self::Outputs;
 }
 

@@ -9,8 +9,8 @@ use crate::integrate::{InitialValue, Sample};
 use crate::linalg::{IntoVector, VectorSpace};
 use crate::scalar::Scalar;
 
-/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: what an integrator
-/// steps. With a time it is a [`State`].
+/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: the state that
+/// an integrator steps. With a time it is a [`State`].
 ///
 /// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components
 /// are the coordinates, then the velocities.
@@ -96,7 +96,7 @@ impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for &State<S, N> {
 }
 
 impl<S: Scalar, const N: usize> From<State<S, N>> for Sample<Phase<S, N>> {
-    /// The time is that of all lanes, and not a number if they differ.
+    /// The time is that of all lanes, and NaN if they differ.
     fn from(state: State<S, N>) -> Self {
         let (least, most) = (state.t.smallest(), state.t.largest());
         let t = if least < most { f64::NAN } else { least };

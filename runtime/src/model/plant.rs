@@ -1,4 +1,4 @@
-//! Systems under a control law.
+//! Plants: systems with inputs, under a control law.
 
 use nalgebra::SVector;
 
@@ -13,11 +13,11 @@ use crate::scalar::Scalar;
 /// model with inputs.
 ///
 /// A law is evaluated wherever the derivative is: at every stage of every step, those that are rejected
-/// included, at the time and the state of the stage. It acts as a continuous controller; nothing holds its
-/// value in between. So it is a function of its arguments alone; what a controller remembers is a state of its own, which
-/// [`with_controller`](Self::with_controller) integrates. Where a law jumps or has a corner, the steps of an
-/// adaptive method become short. Inputs of a sampled controller, held from one instant to the next, are set
-/// between integrations under [`with_inputs`](Inputs::with_inputs), from instant to instant.
+/// included, at the time and the state of the stage. It acts in continuous time, without a hold, and must be a
+/// function of its arguments only; the memory of a controller is a state of its own, which
+/// [`with_controller`](Self::with_controller) integrates. Where a law is discontinuous or not differentiable, the steps
+/// of an adaptive method become short. For a sampled controller with a zero-order hold, integrate from sample to sample
+/// under [`with_inputs`](Inputs::with_inputs).
 ///
 /// The law is evaluated on [`Scalar`](Self::Scalar); on another one,
 /// [`ControlledBy::new`] and [`WithController::new`] take it, with the types of its arguments written.
@@ -60,7 +60,7 @@ pub trait Plant<const N: usize, const U: usize>: Inputs<N, U, Self::Scalar> {
     /// actuator.
     ///
     /// The states are integrated together with the motion, by the same method and to the same
-    /// tolerance, and are sampled with it. A motion begins at a pair of a [`State`] and z; a sample has z
+    /// tolerance, and are sampled with it. The initial value is a pair of a [`State`] and z; a sample has z
     /// in [`controller`](crate::AugmentedPhase::controller).
     ///
     /// ```
@@ -74,7 +74,7 @@ pub trait Plant<const N: usize, const U: usize>: Inputs<N, U, Self::Scalar> {
     /// )]
     /// struct Cart { m: f64, wind: f64, #[lagrangian(input)] push: f64 }
     ///
-    /// // A PID controller: z is the integral of the error. It finds what holds against the wind.
+    /// // A PID controller: z is the integral of the error, which balances the wind.
     /// let cart = Cart { m: 2.0, wind: -3.0, push: 0.0 };
     /// let pid = cart.with_controller(|state, z| {
     ///     let (error, rate) = (1.0 - state.q[Cart::X], -state.v[Cart::X]);

@@ -1,4 +1,4 @@
-//! A point of a system's motion.
+//! States of a mechanical system.
 
 use nalgebra::SVector;
 

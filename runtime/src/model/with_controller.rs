@@ -1,4 +1,4 @@
-//! A system under a control law with memory.
+//! Dynamic feedback: a controller with states of its own.
 
 use nalgebra::SVector;
 
@@ -14,8 +14,8 @@ use crate::scalar::Scalar;
 /// A system under the dynamic feedback (u, ż) = law(t, q, q̇, z) of a controller with `K` states z; made by
 /// [`Plant::with_controller`](crate::Plant::with_controller).
 ///
-/// Its state is the augmented one (q, q̇, z), which moves by (q̇, q̈(q, q̇, t, u), ż). The size to which an
-/// error in zₖ is compared is |zₖ|. What depends on the parameters alone is computed when it is made.
+/// Its state is the augmented one (q, q̇, z), which moves by (q̇, q̈(q, q̇, t, u), ż). The error scale
+/// of zₖ is |zₖ|. The quantities that depend on parameters only are computed when it is made.
 #[derive(Debug)]
 pub struct WithController<'a, M, C, S, const N: usize, const U: usize, const K: usize>
 where

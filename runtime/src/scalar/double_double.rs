@@ -2,9 +2,9 @@
 //!
 //! A number is the unevaluated sum of two `f64`, the second of which is at most half a unit in the last place of
 //! the first. Error-free sums and products: T. J. Dekker, *A floating-point technique for extending the available
-//! precision*, Numer. Math. **18** (1971) 224–242. Operations: M. Joldes, J.-M. Muller & V. Popescu, *Tight and rigorous
-//! error bounds for basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. **44** (2017) 15.
-//! `runtime/scripts/double_double_constants.py` computes the constants.
+//! precision*, Numer. Math. **18** (1971) 224–242. Operations: M. Joldes, J.-M. Muller & V. Popescu, *Tight and
+//! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. **44** (2017)
+//! 15. `runtime/scripts/double_double_constants.py` computes the constants.
 
 mod constants;
 mod decimal;

@@ -46,7 +46,7 @@ const COSINE: [f64; 6] = [
 ];
 
 /// 2⁵²: added to a smaller number it leaves no bits for a fraction, so that the sum is rounded to an integer, which
-/// stands in its last bits.
+/// is in its last bits.
 const ROUND_TO_INTEGER: f64 = 4_503_599_627_370_496.0;
 
 /// The sign bit alone.

@@ -1,6 +1,6 @@
-//! The elementary functions: Taylor series of a reduced argument (three-part reduction by W. J. Cody & W. Waite, *Software
-//! Manual for the Elementary Functions*, 1980), or one step of Newton's method from the value of `f64`, which doubles
-//! the number of correct digits.
+//! The elementary functions: Taylor series of a reduced argument (three-part reduction by W. J. Cody & W. Waite,
+//! *Software Manual for the Elementary Functions*, 1980), or one step of Newton's method from the value of `f64`, which
+//! doubles the number of correct digits.
 
 use num_traits::{One as _, Zero as _};
 
@@ -32,8 +32,8 @@ impl DoubleDouble {
         if first == 0 { sum } else { sum * self }
     }
 
-    /// The integer k and the remainder in x = k · step + remainder, |remainder| at most about half a step, for a step in
-    /// three parts. The first difference is exact.
+    /// The integer k and the remainder in x = k · step + remainder, |remainder| at most about half a step, for a step
+    /// in three parts. The first difference is exact.
     fn reduced(self, step: [f64; 3]) -> (f64, Self) {
         let [first, second, third] = step;
         let k = libm::round(self.high / first);
