@@ -1,4 +1,4 @@
-//! Control laws, which are evaluated at every stage of every step.
+//! Static feedback, which is evaluated at every stage of every step.
 
 mod common;
 
@@ -85,7 +85,7 @@ impl Plant<1, 1> for Spring {
     type Scalar = f64;
 }
 
-/// The same spring with the force sin(3 t) as a part of the model.
+/// The same spring with the force sin(3 t) in the model.
 struct Forced(Spring);
 
 impl Dynamics for Forced {
@@ -108,7 +108,7 @@ fn initial() -> State<f64, 1> {
 }
 
 #[test]
-fn a_law_in_time_is_the_force_in_the_model() {
+fn open_loop_control_equals_a_force_in_the_model() {
     let law = |state: &State<f64, 1>| SVector::from([(3.0 * state.t).sin()]);
     let controlled = SPRING.controlled_by(law);
     let fixed = RungeKutta::classical(0.05);
@@ -126,7 +126,7 @@ fn a_law_in_time_is_the_force_in_the_model() {
         .sample(&Forced(SPRING), initial(), &times)
         .unwrap();
     for (a, b) in a.states().zip(b.states()) {
-        // The sizes of the errors are measured in the same way, so the steps are the same.
+        // The error scales are the same, and so are the steps.
         assert_eq!(a, b);
     }
 }
@@ -145,7 +145,7 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
         .unwrap()
         .statistics;
     assert_eq!(statistics.steps, 10);
-    // Four stages a step, and once where it begins.
+    // Four stages a step, and one evaluation at the start.
     assert_eq!((calls.get(), statistics.evaluations), (41, 41));
     calls.set(0);
     let driver = Dop853::new().driver();
@@ -154,16 +154,16 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
         .unwrap()
         .statistics;
     assert_eq!(calls.get(), statistics.evaluations);
-    // Twelve evaluations an accepted step, eleven a rejected one, two where it begins.
+    // Twelve evaluations an accepted step, eleven a rejected one, two at the start.
     let Statistics {
         steps, rejected, ..
     } = statistics;
     assert_eq!(calls.get(), 12 * steps + 11 * rejected + 2);
 }
 
-/// Proportional and derivative gains make a damped oscillator of known motion.
+/// A PD controller makes a damped oscillator, whose motion is known in closed form.
 #[test]
-fn a_law_in_the_state_closes_the_loop() {
+fn state_feedback_closes_the_loop() {
     // m ẍ = −k x − d ẋ with d = 2 m δ, ω² = k/m − δ²: x = e^(−δt)(cos ωt + (δ/ω) sin ωt).
     let delta = 0.5;
     let controlled = SPRING.controlled_by(|state| -2.0 * SPRING.m * delta * state.v[0]);
@@ -192,7 +192,7 @@ fn a_law_returns_a_number_an_array_or_a_vector() {
 }
 
 #[test]
-fn held_inputs_are_those_of_the_model() {
+fn constant_inputs_equal_those_of_the_fields() {
     let held = SPRING.with_inputs([8.0]);
     let end = Dop853::new()
         .integrate_to(&held.dynamics(), initial(), 1.0)

@@ -1,4 +1,4 @@
-//! Control laws with states of their own, against motions in closed form.
+//! Dynamic feedback, against motions in closed form.
 
 mod common;
 
@@ -53,7 +53,7 @@ fn pid(state: &State<f64, 1>, integral: &SVector<f64, 1>) -> (f64, f64) {
     (force, error)
 }
 
-/// (x, ẋ, z) under the PID controller, by the exponential of the matrix of (x, ẋ, z, 1).
+/// (x, ẋ, z) under the PID controller, by the matrix exponential for (x, ẋ, z, 1).
 fn under_pid(t: f64) -> [f64; 3] {
     let Spring { m, k, .. } = SPRING;
     #[rustfmt::skip]
@@ -86,21 +86,21 @@ fn a_pid_controller_moves_the_spring_as_the_matrix_exponential() -> Result<(), I
         let exact = PROPORTIONAL * (WANTED - x) + INTEGRAL * z - DERIVATIVE * v;
         assert_close(force, exact, 1e-9);
     }
-    // The integral has found the force against the spring.
+    // The integral balances the spring.
     let end = motion.last();
     assert_close(end.x.q[0], WANTED, 1e-3);
     Ok(())
 }
 
 #[test]
-fn fixed_steps_take_the_states_of_the_controller_along() -> Result<(), IntegrationError> {
+fn fixed_steps_integrate_the_states_of_the_controller() -> Result<(), IntegrationError> {
     let controlled = SPRING.with_controller(pid);
     let [coarse, fine] = [0.02, 0.01].map(|step| -> Result<f64, IntegrationError> {
         let method = RungeKutta::classical(step);
         let end = method.integrate_to(&controlled, (rest(), [0.0]), 2.0)?;
         Ok(end.x.controller[0] - under_pid(2.0)[2])
     });
-    // Of order 4: half the step leaves a sixteenth of the error.
+    // Order 4: half the step has a sixteenth of the error.
     let ratio = coarse? / fine?;
     assert!((ratio - 16.0).abs() < 1.0, "{ratio}");
     Ok(())
@@ -124,8 +124,8 @@ fn an_actuator_follows_its_command_with_a_lag() -> Result<(), IntegrationError> 
 }
 
 #[test]
-fn errors_of_the_controllers_states_decide_on_the_steps() -> Result<(), IntegrationError> {
-    // An oscillator of 50 rad/s that moves nothing.
+fn errors_of_the_controllers_states_control_the_steps() -> Result<(), IntegrationError> {
+    // A controller that oscillates at 50 rad/s and exerts no force.
     let oscillator = FREE.with_controller(|_, z| (0.0, [z[1], -2500.0 * z[0]]));
     let times = [0.33, 1.0, 3.0];
     let motion = precise().sample(&oscillator, (rest(), [1.0, 0.0]), &times)?;
@@ -158,7 +158,7 @@ fn a_controllers_states_are_named_in_errors() {
 }
 
 #[test]
-fn a_condition_may_look_at_the_controllers_states() -> Result<(), IntegrationError> {
+fn a_stop_condition_can_depend_on_the_controllers_states() -> Result<(), IntegrationError> {
     // A clock.
     let controlled = SPRING.with_controller(|_, _| (1.0, 1.0));
     let outcome = precise()

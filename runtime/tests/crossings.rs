@@ -1,4 +1,4 @@
-//! Stopping where functions cross zero, and going on from there.
+//! Location of zero crossings, and restarts from there.
 
 mod common;
 
@@ -56,7 +56,7 @@ fn a_ball_bounces_as_often_as_it_should() {
             let first = (2.0 * 10.0 / BALL.g).sqrt();
             let (mut expected, mut flight) = (first, 2.0 * first);
             for (i, (one, other)) in adaptive.iter().zip(&fixed).enumerate() {
-                // Every bounce rounds time and velocity once more.
+                // Every bounce adds a rounding error of time and velocity.
                 let tolerance = 1e-14 * expected * f64::from(u8::try_from(i + 2).unwrap());
                 assert_close(*one, expected, tolerance);
                 assert_close(*other, expected, tolerance);
@@ -67,7 +67,7 @@ fn a_ball_bounces_as_often_as_it_should() {
     }
 }
 
-/// A height above a floor that is not at 0 is rounded, and is 0 for a while after a bounce.
+/// A height above a floor that is not at 0 is rounded to 0 for a while after a bounce.
 #[test]
 fn a_ball_bounces_on_a_floor_at_any_height() {
     let restitution = 0.5;
@@ -82,7 +82,7 @@ fn a_ball_bounces_on_a_floor_at_any_height() {
             let outcome = driver.run_until(&BALL.dynamics(), state, 1e3).unwrap();
             assert_eq!(outcome.reason, StopReason::Condition, "{floor}, {bounce}");
             state = outcome.last.state();
-            // The floor is met to the rounding of heights: an error in time of that over the velocity.
+            // The floor is located to the rounding error of heights: an error in time of that over the velocity.
             let velocity = 0.5 * BALL.g * flight;
             let rounding = 8.0 * f64::EPSILON * (floor.abs() + 1.0) / velocity;
             let tolerance = 2.0 * rounding + 1e-13;
@@ -95,9 +95,9 @@ fn a_ball_bounces_on_a_floor_at_any_height() {
     }
 }
 
-/// Through the zeros of cos t one after the other, none of them twice.
+/// The zeros of cos t in order, none of them twice.
 #[test]
-fn a_motion_that_goes_on_unchanged_finds_each_zero_once() {
+fn a_restart_without_change_detects_each_zero_once() {
     let method = Dop853::new();
     for (crossing, first, period) in [
         (Crossing::Either, 0.5 * PI, PI),
@@ -114,9 +114,9 @@ fn a_motion_that_goes_on_unchanged_finds_each_zero_once() {
     }
 }
 
-/// sin t from t = 0, upwards and downwards, forwards and backwards.
+/// sin t from t = 0, rising and falling, forward and backward in time.
 #[test]
-fn a_start_on_a_zero_may_be_left_to_either_side() {
+fn a_zero_at_the_initial_time_is_no_crossing() {
     for (velocity, end) in [(1.0, 20.0), (-1.0, 20.0), (1.0, -20.0), (-1.0, -20.0)] {
         for crossing in EVERY {
             let start = (0.0, SVector::from([0.0, velocity]));
@@ -133,7 +133,7 @@ fn a_start_on_a_zero_may_be_left_to_either_side() {
     }
 }
 
-/// The state at the zero of a function of time alone, by steps of ¼; none if it is not found before t = 4.
+/// The zero of a function of time, with steps of ¼; `None` if it is not detected before t = 4.
 fn zero(crossing: Crossing, begin: f64, function: fn(f64) -> f64) -> Option<f64> {
     let advancing = equation::<1, _>(|_, _| SVector::from([1.0]));
     let driver = RungeKutta::classical(0.25).driver();
@@ -144,8 +144,8 @@ fn zero(crossing: Crossing, begin: f64, function: fn(f64) -> f64) -> Option<f64>
 }
 
 #[test]
-fn a_zero_behind_values_that_are_no_numbers_is_found() {
-    // NaN at the sample before the zero.
+fn a_zero_next_to_nan_is_detected() {
+    // NaN at the end of the step before the zero.
     let gap = |t: f64| {
         if (0.45..0.6).contains(&t) {
             f64::NAN
@@ -155,7 +155,7 @@ fn a_zero_behind_values_that_are_no_numbers_is_found() {
     };
     let found = zero(Crossing::Falling, 0.0, gap).unwrap();
     assert_close(found, 0.7, 1e-15);
-    // NaN where the zero would be: the sign is another from t = 0.8 on.
+    // NaN at the zero: the sign differs from t = 0.8 on.
     let hidden = |t: f64| {
         if (0.45..0.8).contains(&t) {
             f64::NAN
@@ -165,11 +165,11 @@ fn a_zero_behind_values_that_are_no_numbers_is_found() {
     };
     let found = zero(Crossing::Either, 0.0, hidden).unwrap();
     assert_close(found, 0.8, 1e-15);
-    // NaN at the start, and never a number before.
+    // NaN from the start on.
     let late = |t: f64| if t < 0.9 { f64::NAN } else { t - 1.2 };
     let found = zero(Crossing::Rising, 0.0, late).unwrap();
     assert_close(found, 1.2, 1e-15);
-    // With the same sign on both sides of a gap there is no zero; nor is there one where there is no number.
+    // With the same sign on both sides of a gap there is no zero, nor is there one where all values are NaN.
     assert_eq!(
         zero(Crossing::Either, 0.0, |t| (0.5 - t).abs().ln().sqrt() + 1.0),
         None
@@ -178,18 +178,18 @@ fn a_zero_behind_values_that_are_no_numbers_is_found() {
 }
 
 #[test]
-fn a_zero_without_change_of_sign_is_none() {
+fn a_zero_without_change_of_sign_is_not_detected() {
     for crossing in EVERY {
         assert_eq!(zero(crossing, 0.0, |t| (t - 0.6) * (t - 0.6)), None);
-        // From a start on it.
+        // From the zero itself.
         assert_eq!(zero(crossing, 1.0, |t| (t - 1.0) * (t - 1.0)), None);
         assert_eq!(zero(crossing, 1.0, |t| -(t - 1.0) * (t - 1.0)), None);
     }
-    // A step that ends on it arrives at zero.
+    // A step that ends on it reaches zero.
     let touched = zero(Crossing::Falling, 0.0, |t| (t - 0.5) * (t - 0.5));
     assert_close(touched.unwrap(), 0.5, 1e-8);
     assert_eq!(zero(Crossing::Rising, 0.0, |t| (t - 0.5) * (t - 0.5)), None);
-    // Two zeros within a step are seen by shorter steps.
+    // Two zeros within a step are detected with shorter steps.
     let close = |_, x: &SVector<f64, 2>| x[0] - 0.999;
     let start = (-1.0, SVector::from([1.0_f64.cos(), 1.0_f64.sin()]));
     let method = Dop853::new().max_step(0.02);
@@ -199,7 +199,7 @@ fn a_zero_without_change_of_sign_is_none() {
 }
 
 #[test]
-fn a_zero_that_is_held_is_arrived_at_once() {
+fn a_function_that_stays_at_zero_is_detected_once() {
     let rest = |t: f64| (1.1 - t).max(0.0);
     for crossing in [Crossing::Falling, Crossing::Either] {
         let found = zero(crossing, 0.0, rest).unwrap();
@@ -211,7 +211,7 @@ fn a_zero_that_is_held_is_arrived_at_once() {
         );
     }
     assert_eq!(zero(Crossing::Rising, 0.0, rest), None);
-    // Left to either side after a while, and crossed again.
+    // It leaves zero to either side after a while, and crosses it again.
     let lifted = |t: f64| {
         if t < 1.6 {
             0.0
@@ -236,16 +236,16 @@ fn a_zero_that_is_held_is_arrived_at_once() {
             assert_close(found, again, 1e-14);
         }
     }
-    // On the way from one sign to the other a zero that is held hides nothing.
+    // A function that stays at zero between two signs is detected.
     let through = |t: f64| (0.9 - t).max(0.0) + (1.9 - t).min(0.0);
     let found = zero(Crossing::Either, 0.0, through).unwrap();
     assert_close(found, 0.9, 1e-15);
     assert_eq!(zero(Crossing::Rising, 0.0, through), None);
 }
 
-/// Between walls at 0 and 1, without forces: the walls are met in turn.
+/// Between walls at 0 and 1, without forces: the walls are hit in turn.
 #[test]
-fn of_several_conditions_the_one_that_is_met_is_told() {
+fn the_event_function_that_crosses_is_reported() {
     let free = equation::<2, _>(|_, x| SVector::from([x[1], 0.0]));
     let mut sample = Sample::from((0.0, SVector::from([0.25, 1.0])));
     for bounce in 0..50_u8 {
@@ -265,7 +265,7 @@ fn of_several_conditions_the_one_that_is_met_is_told() {
 
 /// Two stones that reach the ground at one time, and two that do so one after the other.
 #[test]
-fn conditions_that_are_met_together_are_told_together() {
+fn simultaneous_events_are_reported_together() {
     for (apart, together) in [(0.0, true), (1e-15, true), (1e-6, false)] {
         let free = equation::<2, _>(|_, _| SVector::from([-1.0, -1.0]));
         let start = (0.0, SVector::from([2.0, 2.0 + apart]));
@@ -285,9 +285,9 @@ fn conditions_that_are_met_together_are_told_together() {
     }
 }
 
-/// A start that is above zero by less than time resolves, and falls, is a crossing if that direction is asked for.
+/// A falling start above zero by less than the resolution of time is a crossing if that direction is requested.
 #[test]
-fn a_zero_right_after_the_start_is_none_that_was_left() {
+fn a_crossing_right_after_the_start_is_detected() {
     let falling = equation::<1, _>(|_, _| SVector::from([-1.0]));
     for (begin, expected) in [
         (1e-16, StopReason::Condition),

@@ -1,4 +1,4 @@
-//! Declared derivatives against those of the values: wrong ones are found, right ones are not blamed.
+//! The check of declared derivatives: wrong ones are detected, right ones are accepted.
 #![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // Exact comparisons and `f32` are meant.
 
 use core::ops::RangeInclusive;
@@ -174,13 +174,13 @@ fn each_argument_has_its_derivative() {
     };
     assert_eq!(declared, along([x, y]));
     assert!((measured - across([x, y])).abs() <= uncertainty);
-    // An argument that is held is not looked along.
+    // A constant argument is not checked.
     let held = check_derivatives(value, |x| [along(x), f64::NAN], [-1.0..=2.0, 0.7..=0.7]);
     assert_eq!(held, Ok(()));
 }
 
 #[test]
-fn where_there_is_nothing_to_compare_is_said() {
+fn a_check_that_is_impossible_is_an_error() {
     let check = |value: Function, region| check_derivatives(|[x]| value(x), |_| [1.0], [region]);
     let text = |found: Result<(), DerivativeError>| found.unwrap_err().to_string();
     assert_eq!(
@@ -190,7 +190,7 @@ fn where_there_is_nothing_to_compare_is_said() {
             "x₁ = -0.7639320225002102: choose a region in which it has values"
         )),
     );
-    // Values that are as random as a hash.
+    // Random values, by a hash.
     let noise = |x: f64| f64::from((x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as u32);
     assert_eq!(
         text(check(noise, -1.0..=1.0)),
@@ -203,7 +203,7 @@ fn where_there_is_nothing_to_compare_is_said() {
     }
 }
 
-/// Two functions, of which the second is the slope of the first but for a factor.
+/// Two functions, of which the second is the derivative of the first up to a factor.
 struct Slider {
     width: f64,
     factor: f64,
@@ -253,7 +253,7 @@ fn models_check_their_functions_by_name() {
         factor: 1.0,
     };
     assert_eq!(slider.check_derivatives("friction", [-0.5..=0.5]), Ok(()));
-    // Of two derivatives one is declared.
+    // One of two derivatives is declared.
     assert_eq!(
         slider.check_derivatives("wear", [-0.5..=0.5, 0.0..=1.0]),
         Ok(())

@@ -1,4 +1,4 @@
-//! Models and motions on numbers of twice the digits.
+//! Models and integrations in double-double arithmetic.
 
 use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
@@ -77,7 +77,7 @@ fn a_top_has_all_digits() {
     }
 }
 
-/// In `f64` the energy of the top is kept to some 1e-16, in which the error of the method is hidden.
+/// In `f64` the energy of the top is conserved to some 1e-16, which hides the error of the method.
 #[test]
 fn a_motion_is_free_of_rounding_errors_of_f64() -> Result<(), IntegrationError> {
     let (top, start) = top();
@@ -91,7 +91,7 @@ fn a_motion_is_free_of_rounding_errors_of_f64() -> Result<(), IntegrationError> 
     Ok(())
 }
 
-/// What stays is the rounding of the method's coefficients to `f64`.
+/// The remaining error is that of the coefficients of the method, which are rounded to `f64`.
 #[test]
 fn a_motion_has_the_digits_of_the_methods_coefficients() -> Result<(), IntegrationError> {
     let start = State::new(read("0"), [read("1")], [read("0")]);

@@ -1,4 +1,4 @@
-//! Sampling, stopping, observing, and running backwards.
+//! Sampling, stop conditions, observers, and backward integration.
 
 mod common;
 
@@ -34,7 +34,7 @@ fn the_symmetric_top_conserves_energy_and_momenta() {
     let steps = f64::from(u32::try_from(trajectory.statistics().steps).unwrap());
     let momenta = TOP.momenta(&initial);
     for state in trajectory.states() {
-        // Each step may err by the tolerance, and M has entries of about 1.
+        // Each step has an error up to the tolerance, and M has entries of about 1.
         let tolerance = 1e-12 * steps * 10.0;
         assert_close(TOP.energy(&state), TOP.energy(&initial), tolerance);
         assert_close(TOP.momenta(&state)[0], momenta[0], tolerance);
@@ -57,7 +57,7 @@ fn two_methods_agree() {
 }
 
 #[test]
-fn an_indefinite_mass_matrix_is_no_obstacle() {
+fn an_indefinite_mass_matrix_is_solved() {
     let initial = State::new(0.0, [1.0, 2.0], [0.0, 0.0]);
     let end = tight()
         .integrate_to(&Crossed.dynamics(), initial, 1.0)
@@ -68,7 +68,7 @@ fn an_indefinite_mass_matrix_is_no_obstacle() {
 }
 
 #[test]
-fn a_run_backwards_returns() {
+fn backward_integration_returns() {
     let initial = top_state(0.0);
     let dynamics = TOP.dynamics();
     let there = tight().integrate_to(&dynamics, initial, 5.0).unwrap();
@@ -103,7 +103,7 @@ fn samples_are_taken_backwards_too() {
     }
 }
 
-/// The steps that are taken depend on the angles modulo whole turns only.
+/// The steps depend on angles modulo whole turns only.
 #[test]
 fn the_size_of_an_angle_does_not_change_the_steps() {
     let run = |psi| {
@@ -118,7 +118,7 @@ fn the_size_of_an_angle_does_not_change_the_steps() {
     assert_eq!(run(0.0), run(1e6));
     assert_eq!(run(0.0), run(-1e3));
 
-    // A component that is not an angle is allowed an error in proportion to its size.
+    // The tolerance of a component that is not an angle is proportional to its magnitude.
     let steps = |x| {
         let shifted = equation::<2, _>(move |t, _| SVector::from([t.cos(), t.sin()]));
         let method = Dop853::new()
@@ -186,7 +186,7 @@ fn a_zero_is_located_within_a_step() {
     // h⁴/120 over the way.
     assert_close(trajectory.last().t, quarter, 1e-9);
 
-    // Backwards, and from a start at zero, which does not count.
+    // Backwards, and from a start at zero, which is no crossing.
     let driver = tight().driver().stop_at_zero(height);
     let begin = (quarter, SVector::from([0.0, -1.0]));
     let outcome = driver.run_until(&Oscillator, begin, -10.0).unwrap();
@@ -242,7 +242,7 @@ fn a_clone_of_a_stepper_is_a_checkpoint() {
     assert_eq!(stepper.time().to_bits(), checkpoint.time().to_bits());
 }
 
-/// A held input is changed between steps; what was remembered of the derivative must be forgotten.
+/// A held input changes between steps; the stored derivative must be discarded.
 #[test]
 fn a_restart_forgets_the_derivative() {
     let pull = |force: f64| equation::<1, _>(move |_, _| SVector::from([force]));
@@ -259,7 +259,7 @@ fn a_restart_forgets_the_derivative() {
     assert_close(stepper.state()[0], 0.0, 1e-14);
 }
 
-/// 1.1 / 0.1 is 11.000000000000002 in doubles.
+/// 1.1 / 0.1 is 11.000000000000002 in `f64`.
 #[test]
 fn a_multiple_of_the_step_takes_that_many_steps() {
     for steps in [3_u32, 6, 7, 11, 23] {
@@ -271,7 +271,7 @@ fn a_multiple_of_the_step_takes_that_many_steps() {
     }
 }
 
-/// A step that is cut short to land on a time does not shorten those that follow.
+/// A step that is shortened to land on a time does not shorten the following ones.
 #[test]
 fn landing_often_does_not_shorten_the_steps() {
     let dynamics = TOP.dynamics();

@@ -1,4 +1,4 @@
-//! The dual numbers of `num-dual`, against what the derive differentiates and against differences.
+//! The dual numbers of `num-dual`, against derived derivatives and against differences.
 #![cfg(feature = "num-dual")]
 
 use lagrangian::DoubleDouble;
@@ -52,7 +52,7 @@ fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
 }
 
 #[test]
-fn accelerations_carry_what_linearize_gives() {
+fn dual_accelerations_have_the_derivatives_of_linearize() {
     let linearization = hanging_bob::<f64>().linearize(&state());
     let jacobian = hanging_bob::<f64>().input_jacobian(&state());
     let derivatives = |model: &HangingBob<Dual64>, state: &State<Dual64, 2>| {
@@ -143,9 +143,9 @@ fn the_mass_matrix_is_the_hessian_of_the_lagrangian() {
     }
 }
 
-/// A motion differentiated by a parameter, against the difference of two motions in twice the digits.
+/// The sensitivity of a motion to a parameter, against the difference of two motions in double-double arithmetic.
 #[test]
-fn a_motion_carries_its_sensitivity() -> Result<(), IntegrationError> {
+fn a_dual_integration_has_the_sensitivity() -> Result<(), IntegrationError> {
     fn end<S: Scalar>(bob: S) -> Result<SVector<S, 2>, IntegrationError> {
         let model = HangingBob {
             bob,
@@ -206,7 +206,7 @@ fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
 }
 
 #[test]
-fn functions_carry_their_derivatives() {
+fn dual_functions_have_their_derivatives() {
     for at in [-0.75, -0.3, 0.1, 0.6] {
         let h = DoubleDouble::from(1e-9);
         let x = DoubleDouble::from(at);

@@ -184,7 +184,7 @@ fn a_step_that_is_too_small_keeps_the_samples_before_it() {
 }
 
 #[test]
-fn a_state_that_becomes_infinite_ends_a_run_of_fixed_steps() {
+fn a_state_that_becomes_infinite_ends_fixed_steps() {
     let start = (0.0, SVector::from([1.0]));
     let method = RungeKutta::classical(0.1);
     let interrupted = method.sample(&blows_up(), start, &[0.5, 5.0]).unwrap_err();
@@ -196,7 +196,7 @@ fn a_state_that_becomes_infinite_ends_a_run_of_fixed_steps() {
     assert_eq!(interrupted.trajectory().len(), 1);
 }
 
-/// ẋ = 1 as long as x < ½, and no number beyond: the step shrinks until it cannot be blamed.
+/// ẋ = 1 for x < ½, and NaN beyond: the step shrinks to the limit.
 #[test]
 fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
     let bounded = equation::<2, _>(|_, x| Plain::new(0.0, 1.0 + 0.0 * (0.5 - x[1]).sqrt()));
@@ -213,7 +213,7 @@ fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
     assert_eq!(interrupted.trajectory().len(), 1);
 }
 
-/// A tolerance near the machine epsilon does not make every coupled system a singular one: at
+/// With a tolerance near the machine epsilon a coupled system is still regular: at
 /// θ = 0.1 the relative pivot is 0.016.
 #[test]
 fn a_regular_configuration_is_none_to_a_tight_tolerance() {
@@ -231,7 +231,7 @@ fn a_regular_configuration_is_none_to_a_tight_tolerance() {
 }
 
 #[test]
-fn the_allowed_loss_must_be_positive() {
+fn the_singularity_tolerance_must_be_positive() {
     for tolerance in [0.0, -1.0, f64::NAN] {
         let driver = Dop853::new().driver().singularity_tolerance(tolerance);
         let error = driver.run_until(&Oscillator, START, 1.0).unwrap_err();
@@ -244,7 +244,7 @@ fn the_allowed_loss_must_be_positive() {
 
 /// An error can be passed on alone.
 #[test]
-fn an_interruption_converts_to_its_error() {
+fn a_partial_trajectory_converts_to_its_error() {
     fn fails() -> Result<(), IntegrationError> {
         Dop853::new().sample(&blows_up(), (0.0, SVector::from([1.0])), &[2.0])?;
         Ok(())
@@ -339,11 +339,11 @@ fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     let trajectory = interrupted.trajectory();
     assert!(trajectory.len() > 10);
     assert!(trajectory.samples().iter().all(|sample| sample.t <= time));
-    // The last state is the last one that is accurate, a step before.
+    // The last state is the last accurate one, a step before.
     let late = time - trajectory.last().t;
     assert!(late > 0.0 && late < 1.001e-3);
 
-    // Told to go on, it passes within a step.
+    // Without the check it passes within a step.
     let driver = RungeKutta::classical(1e-3)
         .driver()
         .singularity_tolerance(f64::INFINITY);
@@ -405,7 +405,7 @@ fn what_stays_exactly_zero_needs_no_tolerance() {
     assert_close(end.x[0], 0.5_f64.cos() + 0.5_f64.sin(), 1e-9);
 }
 
-/// Samples within the step that comes too near to the pole are before it, and kept.
+/// Samples within the step that comes too near to the pole are kept.
 #[test]
 fn the_samples_within_the_last_step_are_kept() {
     let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);

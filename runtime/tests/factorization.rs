@@ -1,4 +1,4 @@
-//! The factorization of the mass matrix against nalgebra's own solvers.
+//! The factorization of the mass matrix against the solvers of nalgebra.
 
 mod common;
 
@@ -69,7 +69,7 @@ fn indefinite_matrices_are_solved_as_by_lu() {
         let x = Factorization::new(a).solve(&b);
         let expected = a.lu().solve(&b).unwrap();
         let condition = a.norm() * a.try_inverse().unwrap().norm();
-        // Partial pivoting grows the entries by 2⁴ at most.
+        // The growth factor of partial pivoting is at most 2⁴.
         let tolerance = 16.0 * 5.0 * f64::EPSILON * condition * expected.norm();
         assert_close((x - expected).norm(), 0.0, tolerance);
         indefinite += usize::from(a.cholesky().is_none());
@@ -86,7 +86,7 @@ fn only_the_lower_triangle_is_read() {
 }
 
 #[test]
-fn zeros_on_the_diagonal_are_no_obstacle() {
+fn zeros_on_the_diagonal_need_pivoting() {
     let a = SMatrix::from([[0.0, 1.0], [1.0, 0.0]]);
     let factors = Factorization::new(a);
     assert_eq!(
@@ -102,13 +102,13 @@ fn relative_pivots_tell_how_near_a_matrix_is_to_a_singular_one() {
         let a = SMatrix::from([[1.0, 1.0], [1.0, 1.0 + closeness]]);
         let pivots = Factorization::new(a).relative_pivots();
         assert_close(pivots[0], 1.0, 0.0);
-        // The subtraction loses what the pivot has lost.
+        // The cancellation in the subtraction is that of the pivot.
         assert_close(pivots[1] * (1.0 + closeness), closeness, 2.0 * f64::EPSILON);
     }
 }
 
 #[test]
-fn a_singular_matrix_has_a_pivot_that_is_zero_or_no_number() {
+fn a_singular_matrix_has_a_pivot_that_is_zero_or_nan() {
     let singular: [SMatrix<f64, 2, 2>; 4] = [
         SMatrix::from([[1.0, 1.0], [1.0, 1.0]]),
         SMatrix::from([[0.0, 0.0], [0.0, 0.0]]),
@@ -130,7 +130,7 @@ fn a_singular_matrix_has_a_pivot_that_is_zero_or_no_number() {
 }
 
 #[test]
-fn a_zero_row_is_the_only_one_to_blame() {
+fn only_a_zero_row_has_a_zero_pivot() {
     let mut matrix = SMatrix::<f64, 6, 6>::identity() * 2.0;
     matrix[(1, 0)] = 0.5;
     matrix[(3, 3)] = 0.0;

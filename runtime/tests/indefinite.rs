@@ -1,4 +1,4 @@
-//! Models whose mass matrix is regular and not positive definite, and where such a matrix is singular.
+//! Models with an indefinite mass matrix, regular and singular.
 
 mod common;
 
@@ -48,7 +48,7 @@ fn two_coordinates_of_which_one_has_no_inertia_of_its_own() {
     }
 }
 
-/// a < 0 and a > 0, with det M = a c − b² on both sides of zero: q̈ = −M⁻¹ V′ written out, by the other method.
+/// a < 0 and a > 0, with det M = a c − b² on both sides of zero: q̈ = −M⁻¹ V′ in closed form, by the other method.
 #[test]
 fn two_coordinates_with_inertias_of_either_sign() {
     for (a, b, c) in [(-1.0, 0.5, 1.0), (-1.0, 0.2, -2.0), (1.0, 2.0, 1.0)] {
@@ -101,7 +101,7 @@ fn three_coordinates_keep_their_energy() {
     }
 }
 
-/// ½ ẋᵀ M ẋ − ½ xᵀ M x, with a matrix of numbers and an inertia that depends on where it is.
+/// ½ ẋᵀ M ẋ − ½ xᵀ M x, with a constant matrix and an inertia that depends on the coordinates.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(x[5]),
@@ -185,7 +185,7 @@ fn relative_pivots_of_an_indefinite_matrix_are_those_of_its_inverse() {
     }
 }
 
-/// x ẋ ẏ + ½ ż²: regular and indefinite but for x = 0.
+/// x ẋ ẏ + ½ ż²: regular and indefinite unless x = 0.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(x, y, z),

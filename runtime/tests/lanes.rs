@@ -1,4 +1,4 @@
-//! Several motions at once, in two lanes.
+//! Several motions at once, in SIMD lanes.
 
 mod common;
 
@@ -14,7 +14,7 @@ const PENDULUM: Pendulum = Pendulum {
     l: 1.0,
 };
 
-/// Two pendulums of different amplitudes, stepped together.
+/// Two pendulums of different amplitudes, integrated together.
 fn both() -> State<Lanes<2>, 1> {
     State::new(Lanes([0.0; 2]), [Lanes([0.5, 2.5])], [Lanes([0.0, 1.0])])
 }
@@ -53,7 +53,7 @@ fn lanes_that_take_the_same_steps_have_the_same_bits() {
     }
 }
 
-/// The error that counts is that of the worst lane.
+/// The error of a step is that of the worst lane.
 #[test]
 fn the_step_is_that_of_the_fastest_lane() {
     let method = Dop853::new()
@@ -91,8 +91,8 @@ fn a_lane_that_is_not_finite_is_an_error_and_lanes_have_one_time() {
     );
 }
 
-/// What the first lane gives beside any other, and what it gives alone, to the last bit where it is not
-/// positive definite and to rounding where it is.
+/// The results of the first lane beside any other and alone are equal: bit for bit where it is not
+/// positive definite, and up to rounding where it is.
 #[track_caller]
 fn assert_alike(beside: f64, alone: f64) {
     assert_eq!(beside.is_finite(), alone.is_finite(), "{beside}, {alone}");
@@ -102,7 +102,7 @@ fn assert_alike(beside: f64, alone: f64) {
     }
 }
 
-/// Mass matrices of three rows: definite, indefinite, to be exchanged, and singular in four ways.
+/// Mass matrices of three rows: definite, indefinite, with row interchanges, and singular in four ways.
 const MASSES: [[[f64; 3]; 3]; 9] = [
     [[2.0, 0.5, 0.1], [0.5, 3.0, 0.2], [0.1, 0.2, 1.0]],
     [[-2.0, 0.5, 0.1], [0.5, 3.0, 0.2], [0.1, 0.2, 1.0]],
@@ -152,7 +152,7 @@ struct Coupled<T: Scalar> {
     pull: T,
 }
 
-/// Everything that is solved for with the mass matrix.
+/// All results that are solved for with the mass matrix.
 fn solved<S: Scalar>([a, b, c]: [S; 3]) -> Vec<S> {
     let [k, pull] = [1.5, 0.25].map(S::from_f64);
     let model = Coupled { a, b, c, k, pull };
@@ -166,7 +166,7 @@ fn solved<S: Scalar>([a, b, c]: [S; 3]) -> Vec<S> {
     numbers
 }
 
-/// What is emitted holds where the pivots are positive, lane by lane.
+/// The emitted solution is used where the pivots are positive, lane by lane.
 #[test]
 fn a_lane_of_a_derived_model_gives_what_it_gives_alone() {
     let masses = [
@@ -185,7 +185,7 @@ fn a_lane_of_a_derived_model_gives_what_it_gives_alone() {
         for second in masses {
             let both = [0, 1, 2].map(|i| Lanes([first[i], second[i]]));
             for (found, expected) in solved(both).iter().zip(&solved(first)) {
-                // Zeros may differ in their signs, and what is no number has many forms.
+                // Zeros may differ in sign, and NaN has many bit patterns.
                 let [found, expected] = [found.0[0], *expected].map(|x| x + 0.0);
                 assert_eq!(found.is_nan(), expected.is_nan(), "{first:?}, {second:?}");
                 assert!(
@@ -197,7 +197,7 @@ fn a_lane_of_a_derived_model_gives_what_it_gives_alone() {
     }
 }
 
-/// Of a component that is exactly zero in one lane the other lane's error counts, also without an absolute
+/// Where a component is exactly zero in one lane, the error of the other lane decides, also without an absolute
 /// tolerance.
 #[test]
 fn a_lane_at_rest_needs_no_absolute_tolerance() {

@@ -82,8 +82,8 @@ fn about_the_upright_pole_they_are_those_of_the_textbook() {
     assert_close(b.as_slice(), expected.as_flattened(), 1e-14);
 }
 
-/// Wherever it is: differences of the dynamics, in numbers of twice the digits, where their error of about
-/// h² = 1e-20 is no more than that of rounding.
+/// At any state: differences of the dynamics in double-double arithmetic, where their error of about
+/// h² = 1e-20 does not exceed that of rounding.
 #[test]
 fn they_are_the_derivatives_of_the_dynamics() {
     let h = DoubleDouble::from_f64(1e-10);

@@ -1,4 +1,4 @@
-//! Long runs: what the carry terms are good for.
+//! Long integrations: the effect of compensated summation.
 
 mod common;
 
@@ -6,7 +6,7 @@ use common::{Oscillator, assert_close};
 use lagrangian::prelude::*;
 use nalgebra::SVector;
 
-/// The classical step written as in a textbook, without carries.
+/// The classical step as in a textbook, without compensation.
 fn plain_step(x: SVector<f64, 2>, h: f64) -> SVector<f64, 2> {
     let f = |x: SVector<f64, 2>| SVector::from([x[1], -x[0]]);
     let k1 = f(x);
@@ -17,10 +17,10 @@ fn plain_step(x: SVector<f64, 2>, h: f64) -> SVector<f64, 2> {
 }
 
 /// The energy of the oscillator is multiplied by 1 − h⁶/72 + … in each step, so at h = 1/512 the
-/// method itself loses 4e-13 in 500 000 steps of 2⁻⁹: known to many digits, and what is seen
-/// besides is rounding.
+/// method itself loses 4e-13 in 500 000 steps of 2⁻⁹: known to many digits, and the rest is
+/// rounding error.
 #[test]
-fn carries_keep_rounding_from_growing() {
+fn compensation_stops_the_growth_of_rounding_errors() {
     let steps = 500_000_u32;
     let h = 1.0 / 512.0;
     let start = SVector::from([1.0, 0.0]);
@@ -42,7 +42,7 @@ fn carries_keep_rounding_from_growing() {
     assert!(plain > 10.0 * carried);
 }
 
-/// The time after many steps that are not a binary fraction is what it should be.
+/// The time after many steps whose size is not a binary fraction is correct.
 #[test]
 fn time_does_not_drift() {
     let mut stepper = RungeKutta::classical(0.1)

@@ -103,7 +103,7 @@ fn dense_error(steps: u32) -> f64 {
 
 #[test]
 fn dense_output_is_of_order_seven() {
-    // A polynomial of degree 7 through a step has an error of order h⁸ in it.
+    // An interpolating polynomial of degree 7 has an error of order h⁸.
     let slope = (dense_error(2).ln() - dense_error(4).ln()) / 2.0_f64.ln();
     assert_close(slope, 8.0, 0.6);
     let slope = (dense_error(4).ln() - dense_error(8).ln()) / 2.0_f64.ln();

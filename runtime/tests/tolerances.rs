@@ -1,4 +1,4 @@
-//! Tolerances of which one is zero, and what is said where no step meets them.
+//! Tolerances of which one is zero, and the errors where no step meets them.
 
 mod common;
 
@@ -25,7 +25,7 @@ const FALLING: Falling = Falling {
     k: 0.3,
 };
 
-/// From rest at the origin, where every component is zero, and from beside it.
+/// From rest at the origin, where every component is zero, and from near it.
 #[test]
 fn a_relative_tolerance_alone_starts_from_rest() {
     for absolute in [0.0, 1e-300] {
@@ -45,7 +45,7 @@ fn a_relative_tolerance_alone_starts_from_rest() {
     }
 }
 
-/// Where nothing moves there is no step to choose.
+/// At an equilibrium any step meets the tolerance.
 #[test]
 fn a_relative_tolerance_alone_keeps_an_equilibrium() {
     let method = Dop853::new().absolute_tolerance(0.0);
@@ -74,7 +74,7 @@ fn an_absolute_tolerance_alone_is_enough() {
 }
 
 #[test]
-fn no_tolerance_and_no_number_are_errors_that_say_what_to_set() {
+fn zero_and_nan_tolerances_are_errors() {
     let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
     for (relative, absolute) in [
         (0.0, 0.0),
@@ -99,9 +99,9 @@ fn no_tolerance_and_no_number_are_errors_that_say_what_to_set() {
     }
 }
 
-/// The second component is rounding noise about zero, which no relative tolerance allows.
+/// The second component is rounding noise about zero, which meets no relative tolerance.
 #[test]
-fn noise_about_zero_asks_for_an_absolute_tolerance() {
+fn noise_about_zero_needs_an_absolute_tolerance() {
     let noisy =
         || equation::<2, _>(|_, x| SVector::from([x[1].cos() + 1.0, ((1.0 + x[0]) - 1.0) - x[0]]));
     let start = (0.0, SVector::from([0.1, 0.0]));
@@ -131,9 +131,9 @@ fn noise_about_zero_asks_for_an_absolute_tolerance() {
     assert_close(end.x[0], 2.1, 1e-10);
 }
 
-/// ẋ = x² is infinite at t = 1: what is too steep is named, and the absolute tolerance is not to blame.
+/// ẋ = x² is infinite at t = 1: the component that is too steep is named, and no absolute tolerance is suggested.
 #[test]
-fn what_is_too_steep_is_named() {
+fn the_component_that_is_too_steep_is_named() {
     let steep = equation::<2, _>(|_, x| SVector::from([0.0, x[1] * x[1]]));
     let start = (0.0, SVector::from([0.1, 1.0]));
     let error = Dop853::new().integrate_to(&steep, start, 2.0).unwrap_err();
@@ -181,7 +181,7 @@ fn a_passage_too_near_to_the_pole_names_its_coordinate() {
         assert_eq!(singularity.coordinate(), "phi");
         let (name, theta) = singularity.coordinates().next().unwrap();
         assert!(name == "theta" && theta.abs() < 1e-10, "{error}");
-        // sin²θ in relation to sin²1, the largest of those that it is compared with.
+        // sin²θ over sin²1, the largest of the reference inertias.
         let ratio = theta.sin().powi(2) / 1.0_f64.sin().powi(2);
         assert_close(singularity.relative_pivot() / ratio, 1.0, 1e-9);
         assert!(error.to_string().contains("phi moves too fast"), "{error}");

@@ -1,10 +1,10 @@
-//! Models written by hand against the traits, and the one way in which numbers are compared.
+//! Hand-written models, and the comparison of numbers.
 #![allow(dead_code, unreachable_pub)] // Every test has a copy of it, and none uses all.
 
 use lagrangian::prelude::*;
 use nalgebra::{SMatrix, SVector};
 
-/// Fails unless |a − b| ≤ tolerance; a value that is not finite is close to nothing.
+/// Fails unless |a − b| ≤ tolerance; a value that is not finite is never close.
 #[track_caller]
 pub fn assert_close(a: f64, b: f64, tolerance: f64) {
     let error = (a - b).abs();
@@ -26,7 +26,7 @@ pub fn apply<S: Scalar, const N: usize>(m: &SMatrix<S, N, N>, v: &SVector<S, N>)
     SVector::from_fn(|i, _| (0..N).fold(S::zero(), |sum, j| sum + m[(i, j)] * v[j]))
 }
 
-/// A model whose equations of motion are written down; the rest of the trait follows from them.
+/// A model given by its equations of motion, from which the rest of the trait follows.
 pub trait Written<const N: usize, S: Scalar> {
     fn energy(&self, state: &State<S, N>) -> S;
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
@@ -182,7 +182,7 @@ impl<S: Scalar> Written<2, S> for Crossed {
 
 written_model!(Crossed, 2);
 
-/// ẋ = v, v̇ = −x, with no name and no angle: x = cos t from (1, 0).
+/// ẋ = v, v̇ = −x, without names and angles: x = cos t from (1, 0).
 pub struct Oscillator;
 
 impl<S: Scalar> Dynamics<S> for Oscillator {
