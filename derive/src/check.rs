@@ -15,6 +15,7 @@ use crate::field_type::{MOST_COMPONENTS, Unfit};
 use crate::function;
 use crate::named::Named;
 use crate::names::{constant, plain};
+use crate::plan::is_method;
 use crate::scalar::{self, Scalar, type_parameter};
 use crate::scope::RESERVED;
 
@@ -244,7 +245,7 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
                 output.name
             );
             diagnostics.error(&output.name, message);
-        } else if METHODS.iter().any(|method| output.name == method) {
+        } else if is_method(&output.name.to_string()) {
             let message = format!(
                 "`{0}` is a method of every model: give the output another name, such as `{0}_shown`",
                 output.name
@@ -261,32 +262,6 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         }
     }
 }
-
-/// The methods of models, for which no output is named.
-const METHODS: [&str; 22] = [
-    "lagrangian",
-    "energy",
-    "momenta",
-    "mass_matrix",
-    "forcing",
-    "generalized_forces",
-    "accelerations",
-    "prepare",
-    "accelerations_prepared",
-    "inverse_dynamics",
-    "linearize",
-    "relative_pivots",
-    "dynamics",
-    "kinetic_energy",
-    "potential_energy",
-    "inputs",
-    "input_jacobian",
-    "with_inputs",
-    "input_matrix",
-    "controlled_by",
-    "with_controller",
-    "outputs",
-];
 
 /// A Lagrangian is given once, as such or by its energies.
 fn check_energies(declaration: &Declaration, diagnostics: &mut Diagnostics) {

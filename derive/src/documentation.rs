@@ -23,7 +23,7 @@ pub(crate) fn of(implementation: &Implementation<'_>, equations: &str) -> String
     text.push_str(
         "| method | + − | × | ÷ | √ | sin, cos | others |\n|---|---|---|---|---|---|---|\n",
     );
-    for (name, method) in implementation.methods.all() {
+    for (name, method) in implementation.methods.counted() {
         let OperationCount {
             additions,
             multiplications,

@@ -13,7 +13,7 @@ use crate::diagnostics::Diagnostics;
 use crate::fallback;
 use crate::implementation::Implementation;
 use crate::lower::{Lowered, lower};
-use crate::methods::Methods;
+use crate::plan::Methods;
 use crate::validation::warning;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
@@ -66,8 +66,8 @@ fn implement(
             return None;
         }
     };
-    let mut methods = Methods::schedule(&mut model, &equations);
-    let disagreements = methods.validate(&validator, &mut model, &mut equations);
+    let mut methods = Methods::schedule(&mut model, &equations, &lowered.outputs);
+    let disagreements = methods.validate(&validator, &mut model, &mut equations, &lowered.outputs);
     let undeclared = methods.undeclared(&model.graph);
     if !undeclared.is_empty() {
         defects::report_undeclared(&undeclared, declaration, diagnostics);

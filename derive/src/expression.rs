@@ -20,8 +20,8 @@ use syn::{Expr, ExprLit, ExprUnary, Lit, Stmt, UnOp};
 
 use crate::diagnostics::Diagnostics;
 use crate::hints;
-use crate::methods::in_range;
 use crate::names::{plain, spelled};
+use crate::plan::in_range;
 use crate::scope::{Kind, Meaning, Scope};
 use crate::value::Value;
 

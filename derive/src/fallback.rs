@@ -8,18 +8,20 @@ use core::ops::Range;
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, quote};
 
 use crate::check::{CONSTANTS, CONSTANTS_OF_INPUTS};
 use crate::coordinate::Coordinate;
 use crate::declaration::Declaration;
 use crate::implementation::{
-    Indices, indices, input_indices, of_checks, results, signatures, values,
+    Indices, InputsFrom, Signatures, indices, input_indices, method_name, of_checks, results,
+    signatures, values,
 };
 use crate::lower::Lowered;
 use crate::mentions;
 use crate::names::placed;
 use crate::names::{constant, plain};
+use crate::plan::{EmittedMethod, Interface, MethodRow};
 use crate::scalar::Scalar;
 use crate::value::Shape;
 
@@ -53,14 +55,11 @@ struct Fallback<'a> {
     /// Names that stand for nothing, which an editor may complete to those of fields.
     unknown: Vec<&'a Ident>,
     scalar: Scalar<'a>,
-    vector: TokenStream,
-    state: TokenStream,
 }
 
 impl<'a> Fallback<'a> {
     fn new(declaration: &'a Declaration, lowered: &'a Lowered) -> Self {
         let scope = &lowered.scope;
-        let root = &declaration.root;
         let declared = &declaration.clauses.coordinates;
         let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
         if !lowered.quantities.inputs.is_empty() {
@@ -85,18 +84,15 @@ impl<'a> Fallback<'a> {
         } else {
             Vec::new()
         };
-        let scalar = Scalar::of(declaration);
         Self {
             declaration,
             lowered,
             coordinates,
             inputs,
-            vector: quote!(#root::__private::SVector<#scalar, #dimension>),
-            state: quote!(&#root::State<#scalar, #dimension>),
             dimension,
             dimension_parameter,
             unknown,
-            scalar,
+            scalar: Scalar::of(declaration),
         }
     }
 
@@ -173,56 +169,70 @@ impl<'a> Fallback<'a> {
     fn lagrangian(&self) -> TokenStream {
         let root = &self.declaration.root;
         let (n, scalar) = (&self.dimension, &self.scalar);
-        let (state, vector) = (&self.state, &self.vector);
-        let driven = self.driven("", &TokenStream::new(), &self.unknown);
+        let methods = self.methods_where(InputsFrom::Fields, |row| {
+            row.interface == Interface::Lagrangian
+        });
         let items = quote! {
-            #driven
             type Prepared = ();
             fn prepare(&self) {}
-            fn momenta(&self, _: #state) -> #vector { ::core::unreachable!() }
-            fn mass_matrix(&self, _: #state) -> #root::__private::SMatrix<#scalar, #n, #n> {
-                ::core::unreachable!()
-            }
+            #methods
         };
         let interface = quote!(#root::Lagrangian<#n, #scalar>);
         self.implement(&interface, Some(scalar), &items)
     }
 
-    /// The methods that inputs act on; one of them looks for `fields`.
-    fn driven(&self, suffix: &str, inputs: &TokenStream, fields: &[&Ident]) -> TokenStream {
-        let root = &self.declaration.root;
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let (state, vector) = (&self.state, &self.vector);
-        let method = |name: &str, output: &TokenStream| {
-            let name = format_ident!("{name}{suffix}");
-            quote!(fn #name(&self, _: #state, #inputs) -> #output { ::core::unreachable!() })
-        };
-        let scalars = ["lagrangian", "energy"].map(|name| method(name, &quote!(#scalar)));
-        let vectors = ["generalized_forces", "accelerations"].map(|name| method(name, vector));
-        let linearize = method("linearize", &quote!(#root::Linearization<#scalar, #n>));
-        let forcing = format_ident!("forcing{suffix}");
-        let inverse = format_ident!("inverse_dynamics{suffix}");
-        quote! {
-            #(#scalars)* #(#vectors)* #linearize
-            #[allow(unexpected_cfgs)]
-            fn #forcing(&self, _: #state, #inputs) -> #vector {
-                #(#[cfg(rust_analyzer)] let _ = &self.#fields;)*
-                ::core::unreachable!()
-            }
-            fn #inverse(&self, _: #state, #inputs _: &#vector) -> #vector { ::core::unreachable!() }
-        }
-    }
-
     /// The energies, also beside a `lagrangian`: what is meant is not known.
     fn energies(&self) -> TokenStream {
         let root = &self.declaration.root;
-        let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
-        let items = quote! {
-            fn kinetic_energy(&self, _: #state) -> #scalar { ::core::unreachable!() }
-            fn potential_energy(&self, _: #state) -> #scalar { ::core::unreachable!() }
-        };
+        let (n, scalar) = (&self.dimension, &self.scalar);
+        let items = self.methods_where(InputsFrom::Fields, |row| {
+            row.interface == Interface::Energies
+        });
         let interface = quote!(#root::Energies<#n, #scalar>);
         self.implement(&interface, Some(scalar), &items)
+    }
+
+    /// What the types in signatures are made of.
+    fn signatures(&self) -> Signatures<'_> {
+        Signatures {
+            root: &self.declaration.root,
+            scalar: &self.scalar,
+            dimension: self.dimension.clone(),
+            inputs: self.lowered.quantities.inputs.len(),
+            prepared: quote!(()),
+        }
+    }
+
+    /// The methods of some rows, of which one looks for unknown names among the fields.
+    fn methods_where(
+        &self,
+        inputs: InputsFrom,
+        is_wanted: impl Fn(MethodRow) -> bool,
+    ) -> TokenStream {
+        let signatures = self.signatures();
+        let (state, given) = (signatures.state(), signatures.inputs());
+        let given = (inputs == InputsFrom::Argument).then(|| quote!(_: &#given,));
+        let methods = EmittedMethod::ALL.iter();
+        let methods =
+            methods.filter(|method| is_wanted(method.row()) && method.row().takes_state());
+        let methods = methods.map(|method| {
+            let row = method.row();
+            let variant = row.unprepared();
+            let (name, output) = (method_name(variant, inputs), signatures.result(row.result));
+            let last = signatures.parameter(variant).map(|(_, ty)| quote!(_: #ty));
+            let looks = *method == EmittedMethod::Forcing && inputs == InputsFrom::Fields;
+            let unknown = self.unknown.iter().filter(|_| looks);
+            let lookups = unknown.map(|name| quote!(#[cfg(rust_analyzer)] let _ = &self.#name;));
+            let lints = looks.then(|| quote!(#[allow(unexpected_cfgs)]));
+            quote! {
+                #lints
+                fn #name(&self, _: #state, #given #last) -> #output {
+                    #(#lookups)*
+                    ::core::unreachable!()
+                }
+            }
+        });
+        methods.collect()
     }
 
     fn inputs(&self) -> TokenStream {
@@ -231,15 +241,13 @@ impl<'a> Fallback<'a> {
         if u == 0 {
             return TokenStream::new();
         }
-        let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
-        let inputs = quote!(#root::__private::SVector<#scalar, #u>);
-        let driven = self.driven("_with", &quote!(_: &#inputs,), &[]);
+        let (n, scalar) = (&self.dimension, &self.scalar);
+        let inputs = self.signatures().inputs();
+        let methods = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
         let items = quote! {
             const INPUTS: [&'static str; #u] = [""; #u];
             fn inputs(&self) -> #inputs { ::core::unreachable!() }
-            #driven
-            fn input_jacobian_with(&self, _: #state, _: &#inputs)
-                -> #root::__private::SMatrix<#scalar, #n, #u> { ::core::unreachable!() }
+            #methods
         };
         let interface = quote!(#root::Inputs<#n, #u, #scalar>);
         let inputs = self.implement(&interface, Some(scalar), &items);
@@ -266,24 +274,18 @@ impl<'a> Fallback<'a> {
         if names.is_empty() {
             return TokenStream::new();
         }
-        let (n, scalar, state) = (&self.dimension, &self.scalar, &self.state);
+        let (n, scalar) = (&self.dimension, &self.scalar);
         let (results, definition) = results(self.declaration, scalar, &names);
-        let items = quote! {
-            type Outputs = #results<#scalar>;
-            fn outputs(&self, _: #state) -> Self::Outputs { ::core::unreachable!() }
-        };
+        let methods =
+            |inputs| self.methods_where(inputs, |row| row.interface == Interface::Outputs);
+        let method = methods(InputsFrom::Fields);
+        let items = quote!(type Outputs = #results<#scalar>; #method);
         let interface = quote!(#root::Outputs<#n, #scalar>);
         let implementation = self.implement(&interface, Some(scalar), &items);
         let u = self.lowered.quantities.inputs.len();
         let with_inputs = (u > 0).then(|| {
-            let inputs = quote!(#root::__private::SVector<#scalar, #u>);
-            let items = quote! {
-                fn outputs_with(&self, _: #state, _: &#inputs) -> Self::Outputs {
-                    ::core::unreachable!()
-                }
-            };
             let interface = quote!(#root::OutputsWith<#n, #u, #scalar>);
-            self.implement(&interface, Some(scalar), &items)
+            self.implement(&interface, Some(scalar), &methods(InputsFrom::Argument))
         });
         quote!(#definition #implementation #with_inputs)
     }

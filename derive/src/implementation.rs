@@ -5,30 +5,31 @@ mod lagrangian;
 mod inputs;
 mod outputs;
 mod functions;
+mod signatures;
 mod reader;
 mod writer;
 mod parameters;
 
 use lagrangian_symbolic::{Equations, Model};
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens as _, quote};
 
 use crate::body::Body;
 use crate::declaration::Declaration;
 use crate::lower::Lowered;
-use crate::methods::{Method, Methods};
 use crate::names::{Locals, plain};
+use crate::plan::{Method, Methods};
 use crate::quantities::Component;
 use crate::scalar::Scalar;
-use functions::method_name;
-use parameters::marked_if_unused;
-use reader::{InputsFrom, Reader};
+use functions::value_name;
+use reader::Reader;
 use writer::Writer;
 
 pub(crate) use constants::indices;
 pub(crate) use functions::{of_checks, signatures, values};
 pub(crate) use inputs::{Indices, input_indices};
 pub(crate) use outputs::results;
+pub(crate) use signatures::{InputsFrom, Signatures, method_name};
 
 /// Everything about one model that the emitted text depends on.
 pub(crate) struct Implementation<'a> {
@@ -106,71 +107,36 @@ impl<'a> Implementation<'a> {
         self.scalar.read(&component.read(field), &component.element)
     }
 
-    fn vector(&self) -> TokenStream {
-        let root = &self.declaration.root;
-        let (n, scalar) = (self.coordinates(), &self.scalar);
-        quote!(#root::__private::SVector<#scalar, #n>)
-    }
-
-    /// A method of the state, with its body.
-    fn method(
-        &self,
-        name: &str,
-        arguments: &[TokenStream],
-        output: &TokenStream,
-        method: &Method,
-        write: impl FnOnce(&mut Writer<'_>) -> TokenStream,
-    ) -> TokenStream {
-        let inputs = if name.ends_with("_with") {
-            InputsFrom::Argument
-        } else {
-            InputsFrom::Fields
-        };
-        let body = self.writer(method, inputs, write);
-        let root = &self.declaration.root;
-        let (n, scalar, name) = (self.coordinates(), &self.scalar, format_ident!("{name}"));
-        let [state, arguments] = [
-            quote!(state: &#root::State<#scalar, #n>),
-            quote!(#(#arguments),*),
-        ]
-        .map(|parameters| marked_if_unused(parameters, &body));
-        quote! {
-            fn #name(&self, #state, #arguments) -> #output {
-                #body
-            }
+    /// What the types in signatures are made of.
+    fn signatures(&self) -> Signatures<'_> {
+        let scalar = &self.scalar;
+        let prepared = &self.methods.prepare.program.phases;
+        let kept = prepared.first().map_or(0, |phase| phase.outputs.len());
+        Signatures {
+            root: &self.declaration.root,
+            scalar,
+            dimension: self.coordinates().to_token_stream(),
+            inputs: self.model.inputs as usize,
+            prepared: quote!([#scalar; #kept]),
         }
     }
 
-    /// Writes a program with variables of its own.
-    fn writer<T>(
-        &self,
-        method: &Method,
-        inputs: InputsFrom,
-        write: impl FnOnce(&mut Writer<'_>) -> T,
-    ) -> T {
-        self.writer_of_arguments(method, inputs, &[], write)
-    }
-
-    /// The same for a function whose arguments have these names.
-    fn writer_of_arguments<T>(
-        &self,
-        method: &Method,
-        inputs: InputsFrom,
-        arguments: &[Ident],
-        write: impl FnOnce(&mut Writer<'_>) -> T,
-    ) -> T {
+    /// The body of a method, with variables of its own; in that of a function's derivative its arguments have
+    /// these names.
+    fn body(&self, method: &Method, inputs: InputsFrom, arguments: &[Ident]) -> TokenStream {
         let reader = Reader {
             implementation: self,
             inputs,
         };
         let graph = &self.model.graph;
         let functions = self.declaration.clauses.functions.iter();
-        let functions = functions.map(method_name).collect();
+        let functions = functions.map(value_name).collect();
         let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities)
             .with_arguments(arguments.iter().map(plain));
         let mut writer = Writer {
-            program: &method.program,
-            root: &self.declaration.root,
+            implementation: self,
+            method,
+            inputs,
             body: Body::new(
                 &method.program,
                 graph.passes,
@@ -180,8 +146,8 @@ impl<'a> Implementation<'a> {
                 functions,
                 self.most_scopes,
             ),
-            scalar: &self.scalar,
+            computed: Vec::new(),
         };
-        write(&mut writer)
+        writer.write()
     }
 }

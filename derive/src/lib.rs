@@ -22,7 +22,7 @@ mod hints;
 mod ablation;
 mod lower;
 mod defects;
-mod methods;
+mod plan;
 mod names;
 mod body;
 mod mentions;

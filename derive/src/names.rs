@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use lagrangian_symbolic::{Expression, Graph, Node, Symbol, Unary};
 use proc_macro2::{Ident, Span};
 
+use crate::plan::PARAMETERS;
 use crate::quantities::Quantities;
 use crate::scope::Scope;
 
@@ -58,15 +59,7 @@ pub(crate) struct Locals<'a> {
 
 impl<'a> Locals<'a> {
     pub(crate) fn new(graph: &'a Graph, scope: &Scope, quantities: &'a Quantities) -> Self {
-        let taken = [
-            "self",
-            "state",
-            "inputs",
-            "accelerations",
-            "prepared",
-            "factors",
-            "arguments",
-        ];
+        let taken = PARAMETERS.into_iter().chain(["self", "factors"]);
         let mut definitions = BTreeMap::new();
         for (label, expression) in scope.definitions(graph) {
             // Of several names for one expression the first stands for it.
@@ -79,7 +72,7 @@ impl<'a> Locals<'a> {
             definitions,
             quantities,
             arguments: Vec::new(),
-            taken: taken.into_iter().map(str::to_owned).collect(),
+            taken: taken.map(str::to_owned).collect(),
             counter: 0,
         }
     }

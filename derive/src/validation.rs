@@ -13,7 +13,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote_spanned};
 
 use crate::declaration::Declaration;
-use crate::methods::Methods;
+use crate::plan::Methods;
+use crate::value::Shape;
 
 impl Methods {
     /// Where a method disagrees with the equations of `validator`, replaces all of them by what is derived without
@@ -23,6 +24,7 @@ impl Methods {
         validator: &Validator,
         model: &mut Model,
         equations: &mut Equations,
+        shapes: &[Shape],
     ) -> BTreeSet<symbolic::Method> {
         let disagreements = validator.disagreements(self.programs());
         if disagreements.is_empty() {
@@ -30,7 +32,7 @@ impl Methods {
         }
         let passes = core::mem::replace(&mut model.graph.passes, Passes::NONE);
         if let Ok(plain) = Equations::derive(model) {
-            *self = Self::schedule(model, &plain);
+            *self = Self::schedule(model, &plain, shapes);
             *equations = plain;
         }
         model.graph.passes = passes;
@@ -52,11 +54,11 @@ impl Methods {
             generalized_forces: &self.generalized_forces.program,
             inverse_dynamics: &self.inverse_dynamics.program,
             preparation: &self.prepare.program,
-            accelerations: match self.solved {
+            accelerations: match self.accelerations.outputs.pivots() {
                 Some(pivots) => AccelerationProgram::Solved(accelerations, pivots),
                 None => AccelerationProgram::System(accelerations),
             },
-            linearization: match self.pivots_of_derivatives() {
+            linearization: match self.linearize.outputs.pivots() {
                 Some(pivots) => LinearizationProgram::Solved {
                     state,
                     inputs,
@@ -106,8 +108,17 @@ mod tests {
     use lagrangian_symbolic::{Operation, Program};
     use quote::quote;
 
-    /// The model, what validates it, and its methods.
-    fn derive(declaration: TokenStream) -> (Model, Equations, Validator, Methods) {
+    /// A model, what validates it, and its methods.
+    struct Derived {
+        model: Model,
+        equations: Equations,
+        validator: Validator,
+        methods: Methods,
+        /// The shapes of the outputs.
+        shapes: Vec<Shape>,
+    }
+
+    fn derive(declaration: TokenStream) -> Derived {
         let mut diagnostics = Diagnostics::default();
         let input = syn::parse2(declaration).unwrap();
         let declaration = Declaration::parse(input, &mut diagnostics);
@@ -117,8 +128,15 @@ mod tests {
         let mut model = lowered.model.unwrap();
         let validator = Validator::new(&model);
         let equations = Equations::derive(&mut model).unwrap();
-        let methods = Methods::schedule(&mut model, &equations);
-        (model, equations, validator, methods)
+        let shapes = lowered.outputs;
+        let methods = Methods::schedule(&mut model, &equations, &shapes);
+        Derived {
+            model,
+            equations,
+            validator,
+            methods,
+            shapes,
+        }
     }
 
     /// A pendulum on a cart on a shaken rail, of every kind of term.
@@ -179,7 +197,9 @@ mod tests {
     #[test]
     fn what_is_derived_agrees() {
         for model in models() {
-            let (_, _, validator, methods) = derive(model);
+            let Derived {
+                validator, methods, ..
+            } = derive(model);
             assert!(validator.disagreements(methods.programs()).is_empty());
         }
     }
@@ -253,7 +273,7 @@ mod tests {
             let code = text.bytes().fold(seed, mix);
             0.3 + f64::from(code.wrapping_mul(2_654_435_761) >> 16) / 65536.0
         };
-        let pivots = methods.solved.unwrap_or(0);
+        let pivots = methods.accelerations.outputs.pivots().unwrap_or(0);
         match method {
             symbolic::Method::Accelerations => {
                 let prepared = methods.prepare.program.evaluate(value).concat();
@@ -286,7 +306,11 @@ mod tests {
     #[test]
     fn every_altered_instruction_is_found() {
         for model in models() {
-            let (_, _, validator, mut methods) = derive(model);
+            let Derived {
+                validator,
+                mut methods,
+                ..
+            } = derive(model);
             let mut count = 0;
             for (method, slot) in SLOTS {
                 let program = slot(&mut methods).clone();
@@ -316,7 +340,13 @@ mod tests {
     #[test]
     fn what_disagrees_is_replaced() {
         for model in models() {
-            let (mut model, mut equations, validator, mut methods) = derive(model);
+            let Derived {
+                mut model,
+                mut equations,
+                validator,
+                mut methods,
+                shapes,
+            } = derive(model);
             let wrong = |program: &Program| {
                 let count = program.instructions().count();
                 (0..count)
@@ -326,12 +356,12 @@ mod tests {
             methods.accelerations.program = wrong(&methods.accelerations.program);
             methods.forcing.program = wrong(&methods.forcing.program);
             methods.linearize.program = wrong(&methods.linearize.program);
-            let found = methods.validate(&validator, &mut model, &mut equations);
+            let found = methods.validate(&validator, &mut model, &mut equations, &shapes);
             assert!(found.contains(&symbolic::Method::Accelerations));
             assert!(found.contains(&symbolic::Method::Forcing));
             assert!(!found.contains(&symbolic::Method::MassMatrix));
             assert!(validator.disagreements(methods.programs()).is_empty());
-            assert!(methods.solved.is_none());
+            assert!(methods.accelerations.outputs.pivots().is_none());
         }
     }
 }

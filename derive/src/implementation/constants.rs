@@ -57,7 +57,7 @@ impl Implementation<'_> {
 
     fn operations(&self) -> TokenStream {
         let root = &self.declaration.root;
-        let counts = self.methods.all().map(|(name, method)| {
+        let counts = self.methods.counted().map(|(name, method)| {
             let name = format_ident!("{name}");
             let count = operation_count(&method.count, root);
             quote!(#name: #count)

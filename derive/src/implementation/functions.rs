@@ -8,8 +8,7 @@ use syn::Expr;
 
 use super::Implementation;
 use super::parameters::marked_if_unused;
-use super::reader::InputsFrom;
-use super::writer::as_scalar;
+use super::signatures::InputsFrom;
 use crate::declaration::Declaration;
 use crate::function::Function;
 use crate::names::{hygienic, plain};
@@ -44,9 +43,8 @@ impl Implementation<'_> {
             let name = derivative_name(function, derivative.argument);
             let count = function.arguments.len();
             let parameters = parameters(scalar, &quote!(#scalar), self.declaration);
-            let method = &derivative.method;
-            let (fields, names) = (InputsFrom::Fields, &function.arguments);
-            let body = self.writer_of_arguments(method, fields, names, as_scalar);
+            let (method, names) = (&derivative.method, &function.arguments);
+            let body = self.body(method, InputsFrom::Fields, names);
             let arguments = quote!(arguments: [#scalar; #count]);
             let arguments = marked_if_unused(arguments, &body);
             quote! {
@@ -63,7 +61,7 @@ impl Implementation<'_> {
         let root = &self.declaration.root;
         let declared = &self.declaration.clauses.functions;
         let values = declared.iter().enumerate().map(|(i, function)| {
-            let (i, name) = (Literal::usize_unsuffixed(i), method_name(function));
+            let (i, name) = (Literal::usize_unsuffixed(i), value_name(function));
             let arguments: Vec<Ident> = arguments(function);
             quote!((#i, &[#(#arguments),*]) => self.#name(#(#arguments),*))
         });
@@ -128,7 +126,7 @@ pub(crate) fn values(declaration: &Declaration, scalar: &Scalar<'_>) -> TokenStr
     let values = declared
         .filter(|function| are_distinct(&function.arguments))
         .map(|function| {
-            let name = method_name(function);
+            let name = value_name(function);
             let this = receiver(&function.value);
             let (arguments, value) = (&function.arguments, &function.value);
             let parameters = parameters(scalar, &ty, declaration);
@@ -192,7 +190,7 @@ pub(crate) fn signatures(declaration: &Declaration) -> TokenStream {
 }
 
 /// The method that computes the value of a function, which meets none of the user's.
-pub(crate) fn method_name(function: &Function) -> Ident {
+pub(crate) fn value_name(function: &Function) -> Ident {
     let name = plain(&function.name);
     Ident::new(&format!("__value_of_{name}"), hygienic(&function.name))
 }

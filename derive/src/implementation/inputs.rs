@@ -6,8 +6,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::Implementation;
+use super::signatures::InputsFrom;
 use crate::declaration::Declaration;
 use crate::names::{constant, placed, plain};
+use crate::plan::MethodRow;
 use crate::quantities::Component;
 
 impl Implementation<'_> {
@@ -18,19 +20,10 @@ impl Implementation<'_> {
         let (n, u) = (self.coordinates(), self.model.inputs as usize);
         let root = &self.declaration.root;
         let scalar = &self.scalar;
-        let vector = quote!(#root::__private::SVector<#scalar, #u>);
+        let vector = self.signatures().inputs();
         let components = &self.lowered.quantities.inputs;
         let values = components.iter().map(|input| self.read(input));
-        let arguments = [quote!(inputs: &#vector)];
-        let driven = self.driven(&arguments, "_with");
-        let matrix = quote!(#root::__private::SMatrix<#scalar, #n, #u>);
-        let jacobian = self.method(
-            "input_jacobian_with",
-            &arguments,
-            &matrix,
-            &self.methods.input_jacobian,
-            |b| b.input_jacobian(n, self.methods.pivots_of_derivatives()),
-        );
+        let driven = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
         let items = quote! {
             const INPUTS: [&'static str; #u] = Self::INPUTS;
 
@@ -41,7 +34,6 @@ impl Implementation<'_> {
             }
 
             #driven
-            #jacobian
         };
         let inputs = self.implement(&quote!(#root::Inputs<#n, #u, #scalar>), &items);
         let plant = self.plant();

@@ -1,236 +1,192 @@
-//! The impls of `Lagrangian` and `Energies`.
+//! The methods of the table: their bodies, and the impls of `Lagrangian` and `Energies`.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::Implementation;
-use super::reader::InputsFrom;
-use super::writer::{as_scalar, as_vector};
+use super::parameters::marked_if_unused;
+use super::signatures::{InputsFrom, method_name};
+use crate::plan::{Argument, EmittedMethod, Interface, Method, MethodRow, Variant};
 
 impl Implementation<'_> {
     pub(super) fn lagrangian(&self) -> TokenStream {
         let n = self.coordinates();
         let root = &self.declaration.root;
         let scalar = &self.scalar;
-        let methods = self.methods;
-        let vector = self.vector();
-        let momenta = self.method("momenta", &[], &vector, &methods.momenta, as_vector);
-        let mass = quote!(#root::__private::SMatrix<#scalar, #n, #n>);
-        let mass = self.method("mass_matrix", &[], &mass, &methods.mass_matrix, |b| {
-            b.columns(n)
+        let of_trait = |row: MethodRow| row.interface == Interface::Lagrangian;
+        let prepare = self.methods_where(InputsFrom::Fields, |row| {
+            of_trait(row) && !row.takes_state()
         });
-        let pivots = methods.relative_pivots.as_ref().map(|method| {
-            self.method("relative_pivots", &[], &vector, method, |b| {
-                b.relative_pivots(n)
-            })
-        });
-        let prepare = self.prepare();
         let driven = if self.has_inputs() {
-            self.delegations()
+            self.delegations(Interface::Lagrangian)
         } else {
-            self.driven(&[], "")
+            let driven = |row: MethodRow| of_trait(row) && row.takes_inputs;
+            self.methods_where(InputsFrom::Fields, driven)
         };
+        let others = self.methods_where(InputsFrom::Fields, |row| {
+            of_trait(row) && row.takes_state() && !row.takes_inputs
+        });
         self.implement(
             &quote!(#root::Lagrangian<#n, #scalar>),
-            &quote!(#prepare #driven #momenta #mass #pivots),
+            &quote!(#prepare #driven #others),
         )
-    }
-
-    /// The methods that inputs act on, with the arguments and the suffix that they then have.
-    pub(super) fn driven(&self, arguments: &[TokenStream], suffix: &str) -> TokenStream {
-        let root = &self.declaration.root;
-        let scalar = &self.scalar;
-        let n = self.coordinates();
-        let vector = self.vector();
-        let methods = self.methods;
-        let name = |name: &str| format!("{name}{suffix}");
-        let mut with_accelerations = arguments.to_vec();
-        with_accelerations.push(quote!(accelerations: &#vector));
-        let scalar = quote!(#scalar);
-        let linearization = quote!(#root::Linearization<#scalar, #n>);
-        [
-            self.method(
-                &name("lagrangian"),
-                arguments,
-                &scalar,
-                &methods.lagrangian,
-                as_scalar,
-            ),
-            self.method(
-                &name("energy"),
-                arguments,
-                &scalar,
-                &methods.energy,
-                as_scalar,
-            ),
-            self.method(
-                &name("forcing"),
-                arguments,
-                &vector,
-                &methods.forcing,
-                as_vector,
-            ),
-            self.method(
-                &name("generalized_forces"),
-                arguments,
-                &vector,
-                &methods.generalized_forces,
-                as_vector,
-            ),
-            self.accelerations(arguments, suffix),
-            self.method(
-                &name("inverse_dynamics"),
-                &with_accelerations,
-                &vector,
-                &methods.inverse_dynamics,
-                as_vector,
-            ),
-            self.method(
-                &name("linearize"),
-                arguments,
-                &linearization,
-                &methods.linearize,
-                |b| match methods.pivots_of_derivatives() {
-                    Some(pivots) => b.derivatives(n, pivots, &self.forcing(suffix)),
-                    None => b.linearize(n),
-                },
-            ),
-        ]
-        .into_iter()
-        .collect()
-    }
-
-    /// The accelerations with and without what has been prepared.
-    fn accelerations(&self, arguments: &[TokenStream], suffix: &str) -> TokenStream {
-        let n = self.coordinates();
-        let methods = self.methods;
-        let root = &self.declaration.root;
-        let (scalar, vector) = (&self.scalar, self.vector());
-        let kept = methods.prepare.program.phases[0].outputs.len();
-        let mut with_prepared = arguments.to_vec();
-        with_prepared.push(quote!(prepared: &[#scalar; #kept]));
-        let prepared = self.method(
-            &format!("accelerations_prepared{suffix}"),
-            &with_prepared,
-            &vector,
-            &methods.accelerations,
-            |b| match methods.solved {
-                Some(0) => as_vector(b),
-                Some(pivots) => b.eliminated(n, pivots, &self.forcing(suffix)),
-                None => b.accelerations(n),
-            },
-        );
-        let (name, interface, given) = if suffix.is_empty() {
-            let interface = quote!(#root::Lagrangian::<#n, #scalar>::accelerations_prepared);
-            (format_ident!("accelerations"), interface, quote!())
-        } else {
-            let u = self.model.inputs as usize;
-            let interface = quote!(#root::Inputs::<#n, #u, #scalar>::accelerations_prepared_with);
-            (
-                format_ident!("accelerations_with"),
-                interface,
-                quote!(inputs,),
-            )
-        };
-        quote! {
-            fn #name(&self, state: &#root::State<#scalar, #n>, #(#arguments),*) -> #vector {
-                let prepared = #root::Lagrangian::<#n, #scalar>::prepare(self);
-                #interface(self, state, #given &prepared)
-            }
-            #prepared
-        }
-    }
-
-    /// What depends on the parameters alone.
-    fn prepare(&self) -> TokenStream {
-        let scalar = &self.scalar;
-        let method = &self.methods.prepare;
-        let kept = method.program.phases[0].outputs.len();
-        let (statements, outputs) =
-            self.writer(method, InputsFrom::Fields, |writer| writer.phase(0));
-        quote! {
-            type Prepared = [#scalar; #kept];
-            fn prepare(&self) -> [#scalar; #kept] {
-                #statements
-                [#(#outputs),*]
-            }
-        }
-    }
-
-    /// The forcing, as the method with a suffix computes it.
-    fn forcing(&self, suffix: &str) -> TokenStream {
-        let (n, u) = (self.coordinates(), self.model.inputs as usize);
-        let root = &self.declaration.root;
-        let scalar = &self.scalar;
-        if suffix.is_empty() {
-            quote!(#root::Lagrangian::<#n, #scalar>::forcing(self, state))
-        } else {
-            quote!(#root::Inputs::<#n, #u, #scalar>::forcing_with(self, state, inputs))
-        }
-    }
-
-    /// The methods of `Lagrangian` for a model with inputs: those of `Inputs`, at the fields' values.
-    fn delegations(&self) -> TokenStream {
-        let (n, u) = (self.coordinates(), self.model.inputs as usize);
-        let root = &self.declaration.root;
-        let scalar = &self.scalar;
-        let vector = self.vector();
-        let inputs = quote!(&#root::Inputs::<#n, #u, #scalar>::inputs(self));
-        let delegation = |name: &str, output: TokenStream| {
-            let (name, with) = (format_ident!("{name}"), format_ident!("{name}_with"));
-            quote! {
-                fn #name(&self, state: &#root::State<#scalar, #n>) -> #output {
-                    #root::Inputs::<#n, #u, #scalar>::#with(self, state, #inputs)
-                }
-            }
-        };
-        let mut delegations: TokenStream = [
-            delegation("lagrangian", quote!(#scalar)),
-            delegation("energy", quote!(#scalar)),
-            delegation("forcing", vector.clone()),
-            delegation("generalized_forces", vector.clone()),
-            delegation("accelerations", vector.clone()),
-            delegation("linearize", quote!(#root::Linearization<#scalar, #n>)),
-        ]
-        .into_iter()
-        .collect();
-        let kept = self.methods.prepare.program.phases[0].outputs.len();
-        delegations.extend(quote! {
-            fn accelerations_prepared(
-                &self,
-                state: &#root::State<#scalar, #n>,
-                prepared: &[#scalar; #kept],
-            ) -> #vector {
-                #root::Inputs::<#n, #u, #scalar>::accelerations_prepared_with(
-                    self, state, #inputs, prepared,
-                )
-            }
-            fn inverse_dynamics(
-                &self,
-                state: &#root::State<#scalar, #n>,
-                accelerations: &#vector,
-            ) -> #vector {
-                #root::Inputs::<#n, #u, #scalar>::inverse_dynamics_with(
-                    self, state, #inputs, accelerations,
-                )
-            }
-        });
-        delegations
     }
 
     pub(super) fn energies(&self) -> TokenStream {
-        let Some([kinetic, potential]) = &self.methods.energies else {
+        if self.methods.energies.is_none() {
             return TokenStream::new();
-        };
+        }
         let n = self.coordinates();
         let root = &self.declaration.root;
         let scalar = &self.scalar;
-        let output = quote!(#scalar);
-        let kinetic = self.method("kinetic_energy", &[], &output, kinetic, as_scalar);
-        let potential = self.method("potential_energy", &[], &output, potential, as_scalar);
-        self.implement(
-            &quote!(#root::Energies<#n, #scalar>),
-            &quote!(#kinetic #potential),
-        )
+        let items = self.methods_where(InputsFrom::Fields, |row| {
+            row.interface == Interface::Energies
+        });
+        self.implement(&quote!(#root::Energies<#n, #scalar>), &items)
+    }
+
+    /// The methods of some rows that the model has.
+    pub(super) fn methods_where(
+        &self,
+        inputs: InputsFrom,
+        is_wanted: impl Fn(MethodRow) -> bool,
+    ) -> TokenStream {
+        let methods = self.methods.all();
+        let methods = methods.filter(|(emitted, _)| is_wanted(emitted.row()));
+        methods
+            .map(|(emitted, method)| self.method(emitted, method, inputs))
+            .collect()
+    }
+
+    /// The emitted functions of one row.
+    fn method(&self, emitted: EmittedMethod, method: &Method, inputs: InputsFrom) -> TokenStream {
+        let row = emitted.row();
+        if !row.takes_state() {
+            return self.prepare(row, method);
+        }
+        row.variants()
+            .map(|variant| {
+                if row.argument == Argument::Staged && !variant.is_prepared {
+                    self.both_stages(variant, inputs)
+                } else {
+                    self.function(variant, method, inputs)
+                }
+            })
+            .collect()
+    }
+
+    /// A function of the state, with its body.
+    fn function(&self, variant: Variant, method: &Method, inputs: InputsFrom) -> TokenStream {
+        let signatures = self.signatures();
+        let body = self.body(method, inputs, &[]);
+        let (name, state) = (method_name(variant, inputs), signatures.state());
+        let output = signatures.result(variant.row.result);
+        let given = self.input_parameter(inputs);
+        let last = signatures.parameter(variant);
+        let last = last.map(|(name, ty)| quote!(#name: #ty));
+        let [state, arguments] = [quote!(state: #state), quote!(#given #last)]
+            .map(|parameters| marked_if_unused(parameters, &body));
+        quote! {
+            fn #name(&self, #state, #arguments) -> #output {
+                #body
+            }
+        }
+    }
+
+    /// `inputs: …,` where a function takes them.
+    fn input_parameter(&self, inputs: InputsFrom) -> Option<TokenStream> {
+        let ty = self.signatures().inputs();
+        (inputs == InputsFrom::Argument).then(|| quote!(inputs: &#ty,))
+    }
+
+    /// What depends on the parameters alone.
+    fn prepare(&self, row: MethodRow, method: &Method) -> TokenStream {
+        let signatures = self.signatures();
+        let output = signatures.result(row.result);
+        let body = self.body(method, InputsFrom::Fields, &[]);
+        quote! {
+            type Prepared = #output;
+            fn prepare(&self) -> #output {
+                #body
+            }
+        }
+    }
+
+    /// The function that prepares, and then calls the one that takes what is prepared.
+    fn both_stages(&self, variant: Variant, inputs: InputsFrom) -> TokenStream {
+        let signatures = self.signatures();
+        let (name, state) = (method_name(variant, inputs), signatures.state());
+        let output = signatures.result(variant.row.result);
+        let lagrangian = signatures.interface(Interface::Lagrangian, InputsFrom::Fields);
+        let interface = signatures.interface(variant.row.interface, inputs);
+        let prepared = Variant {
+            is_prepared: true,
+            ..variant
+        };
+        let prepared = method_name(prepared, inputs);
+        let parameter = self.input_parameter(inputs);
+        let given = (inputs == InputsFrom::Argument).then(|| quote!(inputs,));
+        quote! {
+            fn #name(&self, state: #state, #parameter) -> #output {
+                let prepared = #lagrangian::prepare(self);
+                #interface::#prepared(self, state, #given &prepared)
+            }
+        }
+    }
+
+    /// The methods of a trait for a model with inputs: those that take inputs, at the fields' values.
+    pub(super) fn delegations(&self, interface: Interface) -> TokenStream {
+        let rows = EmittedMethod::ALL.iter().map(|method| method.row());
+        let rows = rows.filter(|row| row.interface == interface && row.takes_inputs);
+        let mut variants: Vec<Variant> = rows.flat_map(MethodRow::variants).collect();
+        // Those of the state alone stand first.
+        variants.sort_by_key(|variant| variant.parameter().is_some());
+        let delegations = variants.into_iter();
+        delegations
+            .map(|variant| self.delegation(variant))
+            .collect()
+    }
+
+    fn delegation(&self, variant: Variant) -> TokenStream {
+        let signatures = self.signatures();
+        let (state, output) = (signatures.state(), signatures.result(variant.row.result));
+        let [name, with] =
+            [InputsFrom::Fields, InputsFrom::Argument].map(|inputs| method_name(variant, inputs));
+        let interface = signatures.interface(variant.row.interface, InputsFrom::Argument);
+        let inputs = signatures.interface(Interface::Inputs, InputsFrom::Argument);
+        let parameter = signatures.parameter(variant);
+        let (last, given): (Option<_>, Option<_>) = parameter
+            .map(|(name, ty)| (quote!(#name: #ty,), quote!(#name,)))
+            .unzip();
+        quote! {
+            fn #name(&self, state: #state, #last) -> #output {
+                #interface::#with(self, state, &#inputs::inputs(self), #given)
+            }
+        }
+    }
+
+    /// A call of a method of the state, in the variant for these inputs.
+    fn call(&self, method: EmittedMethod, inputs: InputsFrom) -> TokenStream {
+        let row = method.row();
+        let interface = self.signatures().interface(row.interface, inputs);
+        let name = method_name(row.unprepared(), inputs);
+        let given = (inputs == InputsFrom::Argument).then(|| quote!(, inputs));
+        quote!(#interface::#name(self, state #given))
+    }
+
+    /// The forcing at the same state and inputs.
+    pub(super) fn forcing(&self, inputs: InputsFrom) -> TokenStream {
+        self.call(EmittedMethod::Forcing, inputs)
+    }
+
+    /// The accelerations at the same state and inputs.
+    pub(super) fn accelerations(&self, inputs: InputsFrom) -> TokenStream {
+        match inputs {
+            InputsFrom::Fields => {
+                let root = &self.declaration.root;
+                quote!(#root::Lagrangian::accelerations(self, state))
+            }
+            InputsFrom::Argument => self.call(EmittedMethod::Accelerations, inputs),
+        }
     }
 }

@@ -4,8 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::Implementation;
+use super::signatures::InputsFrom;
 use crate::declaration::Declaration;
 use crate::names::{hygienic, placed, plain};
+use crate::plan::Interface;
 use crate::root::Root;
 use crate::scalar::Scalar;
 use crate::value::Shape;
@@ -19,39 +21,24 @@ impl Implementation<'_> {
         let n = self.coordinates();
         let root = &self.declaration.root;
         let scalar = &self.scalar;
-        let names: Vec<_> = outputs.iter().map(|output| &output.name).collect();
-        let shapes = &self.lowered.outputs;
-        let named: Vec<_> = names.iter().copied().zip(shapes.iter().copied()).collect();
+        let names = outputs.iter().map(|output| &output.name);
+        let shapes = self.lowered.outputs.iter().copied();
+        let named: Vec<_> = names.zip(shapes).collect();
         let (results, definition) = results(self.declaration, scalar, &named);
-        let outputs = &self.methods.outputs;
-        let write = |name: &str, arguments: &[TokenStream], accelerations: &TokenStream| {
-            self.method(name, arguments, &quote!(Self::Outputs), outputs, |b| {
-                b.outputs(&results, &named, accelerations)
-            })
-        };
+        let methods =
+            |inputs| self.methods_where(inputs, |row| row.interface == Interface::Outputs);
         let interface = quote!(#root::Outputs<#n, #scalar>);
         if !self.has_inputs() {
-            let accelerations = quote!(#root::Lagrangian::accelerations(self, state));
-            let method = write("outputs", &[], &accelerations);
+            let method = methods(InputsFrom::Fields);
             let items = quote!(type Outputs = #results<#scalar>; #method);
             let implementation = self.implement(&interface, &items);
             return quote!(#definition #implementation);
         }
         let u = self.model.inputs as usize;
-        let driven = quote!(#root::Inputs::<#n, #u, #scalar>);
-        let arguments = [quote!(inputs: &#root::__private::SVector<#scalar, #u>)];
-        let accelerations = quote!(#driven::accelerations_with(self, state, inputs));
-        let method = write("outputs_with", &arguments, &accelerations);
+        let method = methods(InputsFrom::Argument);
         let interface_with = quote!(#root::OutputsWith<#n, #u, #scalar>);
-        let delegation = quote! {
-            type Outputs = #results<#scalar>;
-
-            fn outputs(&self, state: &#root::State<#scalar, #n>) -> Self::Outputs {
-                #root::OutputsWith::<#n, #u, #scalar>::outputs_with(
-                    self, state, &#driven::inputs(self),
-                )
-            }
-        };
+        let delegation = self.delegations(Interface::Outputs);
+        let delegation = quote!(type Outputs = #results<#scalar>; #delegation);
         let implementation = [
             self.implement(&interface, &delegation),
             self.implement(&interface_with, &method),
@@ -59,6 +46,12 @@ impl Implementation<'_> {
         let implementation: TokenStream = implementation.into_iter().collect();
         quote!(#definition #implementation)
     }
+}
+
+/// The name of the struct that holds a model's outputs.
+pub(super) fn name(declaration: &Declaration) -> Ident {
+    let name = &declaration.name;
+    placed(&format!("{}Outputs", plain(name)), name)
 }
 
 /// The struct that holds a model's outputs: its name, and its definition.
@@ -69,7 +62,7 @@ pub(crate) fn results(
 ) -> (Ident, TokenStream) {
     let name = &declaration.name;
     let visibility = &declaration.visibility;
-    let results = placed(&format!("{}Outputs", plain(name)), name);
+    let results = self::name(declaration);
     let documentation = format!("The outputs of [`{name}`].");
     let scalar = scalar.of_results();
     let fields = outputs.iter().map(|(output, shape)| {

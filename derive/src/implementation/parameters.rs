@@ -3,6 +3,8 @@
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::format_ident;
 
+use crate::plan::PARAMETERS;
+
 /// The parameters of a method, with an underscore before those that its body does not use.
 pub(super) fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> TokenStream {
     let mut tokens = Vec::new();
@@ -21,9 +23,6 @@ pub(super) fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> T
     }
     tokens.into_iter().collect()
 }
-
-/// The names of parameters of emitted methods.
-const PARAMETERS: [&str; 5] = ["state", "inputs", "accelerations", "prepared", "arguments"];
 
 fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
     tokens.clone().into_iter().any(|token| match token {

@@ -5,15 +5,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Implementation;
+use super::signatures::InputsFrom;
 use crate::body::Source;
 use crate::quantities::Component;
-
-/// Where the values of inputs come from.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum InputsFrom {
-    Fields,
-    Argument,
-}
 
 /// Reads the symbols of a model.
 pub(super) struct Reader<'a> {

@@ -1,69 +1,100 @@
 //! The bodies of methods, each in the shape that it returns.
 
-use lagrangian_symbolic::{Operand, Program, Rational, Symbol};
-use proc_macro2::{Ident, TokenStream};
+use lagrangian_symbolic::{Operand, Rational, Symbol};
+use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::Implementation;
+use super::signatures::InputsFrom;
 use crate::body::Body;
-use crate::root::Root;
-use crate::scalar::Scalar;
+use crate::plan::{
+    AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, Method,
+    MethodOutputs, OutputSlice, PivotOutputs, StateJacobian,
+};
 use crate::value::Shape;
 
-/// The body of one method, in the shape that it returns.
+/// Writes the body of one method.
 pub(super) struct Writer<'a> {
-    pub(super) program: &'a Program,
+    pub(super) implementation: &'a Implementation<'a>,
+    pub(super) method: &'a Method,
+    pub(super) inputs: InputsFrom,
     pub(super) body: Body<'a>,
-    pub(super) scalar: &'a Scalar<'a>,
-    pub(super) root: &'a Root,
+    /// The outputs of the phases that are written.
+    pub(super) computed: Vec<Vec<TokenStream>>,
 }
 
 impl Writer<'_> {
-    pub(super) fn phase(&mut self, index: usize) -> (TokenStream, Vec<TokenStream>) {
-        self.body.phase(&self.program.phases[index])
+    /// The body: statements, and the value that the method returns.
+    pub(super) fn write(&mut self) -> TokenStream {
+        let method = self.method;
+        match &method.outputs {
+            MethodOutputs::Scalar(value) => {
+                let (statements, value) = self.compute(value);
+                quote!(#statements #(#value)*)
+            }
+            MethodOutputs::Vector(vector) => {
+                let (statements, elements) = self.compute(vector);
+                let vector = self.vector(&elements);
+                quote!(#statements #vector)
+            }
+            MethodOutputs::SquareMatrix(matrix) => {
+                let (statements, elements) = self.compute(matrix);
+                let matrix = self.matrix(&elements);
+                quote!(#statements #matrix)
+            }
+            MethodOutputs::Invariants(values) => {
+                let (statements, values) = self.compute(values);
+                quote!(#statements [#(#values),*])
+            }
+            MethodOutputs::Accelerations(outputs) => self.accelerations(outputs),
+            MethodOutputs::Linearization(outputs) => self.linearization(outputs),
+            MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
+            MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
+            MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
+        }
     }
 
-    pub(super) fn columns(&mut self, rows: usize) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        let matrix = self.matrix(&outputs, rows);
-        quote!(#statements #matrix)
+    /// The statements that compute some outputs, as far as they are not written yet, and the outputs.
+    fn compute(&mut self, slice: &OutputSlice) -> (TokenStream, Vec<TokenStream>) {
+        let mut statements = TokenStream::new();
+        let phases = self.method.program.phases.iter();
+        for phase in phases.take(slice.phase() + 1).skip(self.computed.len()) {
+            let (more, outputs) = self.body.phase(phase);
+            statements.extend(more);
+            self.computed.push(outputs);
+        }
+        (statements, slice.of(&self.computed).to_vec())
     }
 
-    /// Solves M q̈ = f.
-    pub(super) fn accelerations(&mut self, n: usize) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        let factors = self.factors(&outputs, n);
-        let forcing = self.vector(&outputs[outputs.len() - n..]);
-        quote!(#statements #factors factors.solve(&#forcing))
+    fn accelerations(&mut self, outputs: &AccelerationOutputs) -> TokenStream {
+        match outputs {
+            AccelerationOutputs::Symbolic {
+                pivots,
+                accelerations,
+            } => {
+                let (statements, pivots) = self.compute(pivots);
+                let (_, accelerations) = self.compute(accelerations);
+                let accelerations = self.if_positive(&pivots, &accelerations);
+                quote!(#statements #accelerations)
+            }
+            AccelerationOutputs::Numerical { mass, forcing } => {
+                let (statements, factors) = self.factors(mass);
+                let (_, forcing) = self.compute(forcing);
+                let forcing = self.vector(&forcing);
+                quote!(#statements #factors factors.solve(&#forcing))
+            }
+        }
     }
 
-    /// The accelerations of a solution that holds where all pivots are positive; else M is factored in
-    /// numbers.
-    pub(super) fn eliminated(
-        &mut self,
-        n: usize,
-        pivots: usize,
-        forcing: &TokenStream,
-    ) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        let accelerations = self.solved(n, &outputs, pivots, forcing);
-        quote!(#statements #accelerations)
-    }
-
-    /// The accelerations from the outputs of their program.
-    fn solved(
-        &self,
-        n: usize,
-        outputs: &[TokenStream],
-        pivots: usize,
-        forcing: &TokenStream,
-    ) -> TokenStream {
-        let root = self.root;
-        let (pivots, accelerations) = outputs.split_at(pivots);
+    /// Accelerations that hold where all pivots are positive; elsewhere M is factored numerically.
+    fn if_positive(&self, pivots: &[TokenStream], accelerations: &[TokenStream]) -> TokenStream {
+        let root = &self.implementation.declaration.root;
         let accelerations = self.vector(accelerations);
         if pivots.is_empty() {
             return accelerations;
         }
-        let factors = self.factors_of_mass_matrix(n);
+        let factors = self.factors_of_mass_matrix();
+        let forcing = self.implementation.forcing(self.inputs);
         quote! {
             #root::__private::if_positive([#(#pivots),*], #accelerations, || {
                 #factors.solve(&#forcing)
@@ -71,177 +102,195 @@ impl Writer<'_> {
         }
     }
 
-    fn factors_of_mass_matrix(&self, n: usize) -> TokenStream {
-        let root = self.root;
-        let mass = self.mass_matrix(n);
+    fn factors_of_mass_matrix(&self) -> TokenStream {
+        let root = &self.implementation.declaration.root;
+        let mass = self.mass_matrix();
         quote!(#root::Factorization::new(#mass))
     }
 
-    fn mass_matrix(&self, n: usize) -> TokenStream {
-        let root = self.root;
-        let scalar = self.scalar;
+    fn mass_matrix(&self) -> TokenStream {
+        let Implementation {
+            declaration,
+            scalar,
+            ..
+        } = self.implementation;
+        let (root, n) = (&declaration.root, self.implementation.coordinates());
         quote!(#root::Lagrangian::<#n, #scalar>::mass_matrix(self, state))
     }
 
-    /// The derivatives of the accelerations, solved for before any number is known.
-    pub(super) fn derivatives(
-        &mut self,
-        n: usize,
-        pivots: usize,
-        forcing: &TokenStream,
-    ) -> TokenStream {
-        let root = self.root;
-        let (statements, outputs) = self.phase(0);
-        let accelerations = self.solved(n, &outputs, pivots, forcing);
-        let uses = self.program.symbols();
-        let used = uses
-            .iter()
-            .any(|symbol| matches!(symbol, Symbol::Acceleration(_)));
-        let accelerations =
-            (used || pivots > 0).then(|| quote!(let accelerations = #accelerations;));
-        let (more, columns) = self.phase(1);
-        let linearization = self.linearization(&columns, n);
-        if pivots == 0 {
-            return quote!(#statements #accelerations #more #linearization);
-        }
-        let (others, residuals) = self.phase(2);
-        let otherwise = self.linearization_of_residuals(2, &residuals, n);
-        let factors = self.factors_of_mass_matrix(n);
-        let pivots = &outputs[..pivots];
-        quote! {
-            #statements #accelerations #more #others
-            #root::__private::if_positive([#(#pivots),*], #linearization, || {
-                let factors = #factors;
-                #otherwise
-            })
-        }
-    }
-
-    /// The relative pivots where all pivots are positive; else those of M in numbers.
-    pub(super) fn relative_pivots(&mut self, n: usize) -> TokenStream {
-        let root = self.root;
-        let (statements, outputs) = self.phase(0);
-        let lists = outputs.chunks(n.max(1)).map(|list| quote!([#(#list),*]));
-        let mass = self.mass_matrix(n);
-        quote!(#statements #root::__private::relative_pivots(#(#lists,)* || #mass))
-    }
-
-    /// Solves M q̈ = f, then M ∂q̈/∂x = −∂(M q̈ − f)/∂x.
-    pub(super) fn linearize(&mut self, n: usize) -> TokenStream {
-        let (statements, outputs) = self.phase(0);
-        let factors = self.factors(&outputs, n);
-        let forcing = self.vector(&outputs[outputs.len() - n..]);
-        let (more, derivatives) = self.phase(1);
-        let linearization = self.linearization_of_residuals(1, &derivatives, n);
-        quote! {
-            #statements
-            #factors
-            let accelerations = factors.solve(&#forcing);
-            #more
-            #linearization
-        }
-    }
-
-    /// ∂q̈/∂u.
-    pub(super) fn input_jacobian(&mut self, n: usize, pivots: Option<usize>) -> TokenStream {
-        let root = self.root;
-        let (statements, outputs) = self.phase(0);
-        let (more, columns) = self.phase(1);
-        let columns = self.matrix(&columns, n);
-        match pivots {
-            None => {
-                let factors = self.factors(&outputs, n);
-                quote!(#statements #more #factors -factors.solve(&#columns))
-            }
-            Some(0) => quote!(#statements #more #columns),
-            Some(_) => {
-                let (others, residuals) = self.phase(2);
-                let residuals = self.matrix(&residuals, n);
-                let factors = self.factors_of_mass_matrix(n);
+    /// The derivatives of the accelerations by q, q̇ and t.
+    fn linearization(&mut self, outputs: &LinearizationOutputs) -> TokenStream {
+        match outputs {
+            LinearizationOutputs::Symbolic {
+                pivots,
+                accelerations,
+                derivatives,
+                residuals,
+            } => {
+                let (statements, pivots) = self.compute(pivots);
+                let (_, accelerations) = self.compute(accelerations);
+                let accelerations = self.if_positive(&pivots, &accelerations);
+                let is_used = self.reads_accelerations() || !pivots.is_empty();
+                let accelerations = is_used.then(|| quote!(let accelerations = #accelerations;));
+                let (more, derivatives) = self.derivatives(derivatives);
+                let Some(residuals) = residuals else {
+                    return quote!(#statements #accelerations #more #derivatives);
+                };
+                let (others, solved) = self.solve_residuals(residuals);
+                let factors = self.factors_of_mass_matrix();
+                let root = &self.implementation.declaration.root;
                 quote! {
-                    #statements #more #others
-                    #root::__private::if_positive([#(#outputs),*], #columns, || {
-                        -#factors.solve(&#residuals)
+                    #statements #accelerations #more #others
+                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
+                        let factors = #factors;
+                        #solved
                     })
                 }
             }
+            LinearizationOutputs::Numerical {
+                mass,
+                forcing,
+                residuals,
+            } => {
+                let (statements, factors) = self.factors(mass);
+                let (_, forcing) = self.compute(forcing);
+                let forcing = self.vector(&forcing);
+                let (more, solved) = self.solve_residuals(residuals);
+                quote! {
+                    #statements
+                    #factors
+                    let accelerations = factors.solve(&#forcing);
+                    #more
+                    #solved
+                }
+            }
         }
     }
 
-    /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M, from the outputs of a phase. All
-    /// columns are solved for at once, but for ∂/∂t where the time does not occur.
-    fn linearization_of_residuals(
-        &self,
-        phase: usize,
-        columns: &[TokenStream],
-        n: usize,
-    ) -> TokenStream {
-        let root = self.root;
-        let outputs = &self.program.phases[phase].outputs;
-        let zero = Operand::Constant(Rational::ZERO);
-        let timeless = outputs[2 * n * n..].iter().all(|output| *output == zero);
-        let count = if timeless { 2 * n } else { 2 * n + 1 };
-        let columns = self.matrix(&columns[..count * n], n);
-        quote!(#root::__private::linearization(&factors, &#columns))
-    }
-
-    /// Factors M, whose lower triangle stands first among the outputs.
-    fn factors(&self, outputs: &[TokenStream], n: usize) -> TokenStream {
-        let root = self.root;
-        let functions = self.scalar.functions();
-        let zero = quote!(#functions::from_f64(0.0));
-        let columns: Vec<_> = (0..n)
-            .flat_map(|j| (0..n).map(move |i| (i, j)))
-            .map(|(i, j)| {
-                if i < j {
-                    &zero
-                } else {
-                    &outputs[i * (i + 1) / 2 + j]
-                }
-            })
-            .cloned()
-            .collect();
-        let mass = self.matrix(&columns, n);
-        quote!(let factors = #root::Factorization::new(#mass);)
-    }
-
-    pub(super) fn outputs(
-        &mut self,
-        results: &Ident,
-        named: &[(&Ident, Shape)],
-        accelerations: &TokenStream,
-    ) -> TokenStream {
-        let accelerates = self
-            .program
-            .symbols()
-            .iter()
-            .any(|symbol| matches!(symbol, Symbol::Acceleration(_)));
-        let accelerations = accelerates.then(|| quote!(let accelerations = #accelerations;));
-        let (statements, outputs) = self.phase(0);
-        let mut outputs = outputs.as_slice();
-        let fields = named.iter().map(|(name, shape)| {
-            let (components, rest) = outputs.split_at(shape.count());
-            outputs = rest;
-            let value = self.value(components, *shape);
-            quote!(#name: #value)
-        });
-        let fields: Vec<_> = fields.collect();
-        quote!(#accelerations #statements #results { #(#fields),* })
+    /// Whether the program reads accelerations.
+    fn reads_accelerations(&self) -> bool {
+        let symbols = self.method.program.symbols();
+        let mut symbols = symbols.iter();
+        symbols.any(|symbol| matches!(symbol, Symbol::Acceleration(_)))
     }
 
     /// The derivatives by q, q̇ and t from their columns.
-    fn linearization(&self, columns: &[TokenStream], n: usize) -> TokenStream {
-        let root = self.root;
-        let position = self.matrix(&columns[..n * n], n);
-        let velocity = self.matrix(&columns[n * n..2 * n * n], n);
-        let time = self.vector(&columns[2 * n * n..]);
-        quote! {
+    fn derivatives(&mut self, columns: &StateJacobian) -> (TokenStream, TokenStream) {
+        let root = &self.implementation.declaration.root;
+        let (statements, position) = self.compute(&columns.position);
+        let (_, velocity) = self.compute(&columns.velocity);
+        let (_, time) = self.compute(&columns.time);
+        let (position, velocity) = (self.matrix(&position), self.matrix(&velocity));
+        let time = self.vector(&time);
+        let value = quote! {
             #root::Linearization {
                 position: #position,
                 velocity: #velocity,
                 time: #time,
             }
+        };
+        (statements, value)
+    }
+
+    /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M. All columns are solved for at once,
+    /// but for ∂/∂t where the time does not occur.
+    fn solve_residuals(&mut self, columns: &StateJacobian) -> (TokenStream, TokenStream) {
+        let root = &self.implementation.declaration.root;
+        let (statements, mut elements) = self.compute(&columns.position);
+        elements.extend(self.compute(&columns.velocity).1);
+        let zero = Operand::Constant(Rational::ZERO);
+        let mut of_time = columns.time.operands(&self.method.program).iter();
+        if of_time.any(|output| *output != zero) {
+            elements.extend(self.compute(&columns.time).1);
         }
+        let columns = self.matrix(&elements);
+        let value = quote!(#root::__private::linearization(&factors, &#columns));
+        (statements, value)
+    }
+
+    /// The derivatives of the accelerations by the inputs.
+    fn input_jacobian(&mut self, outputs: &InputJacobianOutputs) -> TokenStream {
+        let root = &self.implementation.declaration.root;
+        match outputs {
+            InputJacobianOutputs::Symbolic {
+                pivots,
+                derivatives,
+                residuals,
+            } => {
+                let (statements, pivots) = self.compute(pivots);
+                let (more, derivatives) = self.compute(derivatives);
+                let derivatives = self.matrix(&derivatives);
+                let Some(residuals) = residuals else {
+                    return quote!(#statements #more #derivatives);
+                };
+                let (others, residuals) = self.compute(residuals);
+                let residuals = self.matrix(&residuals);
+                let factors = self.factors_of_mass_matrix();
+                quote! {
+                    #statements #more #others
+                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
+                        -#factors.solve(&#residuals)
+                    })
+                }
+            }
+            InputJacobianOutputs::Numerical { mass, residuals } => {
+                let (statements, factors) = self.factors(mass);
+                let (more, residuals) = self.compute(residuals);
+                let residuals = self.matrix(&residuals);
+                quote!(#statements #more #factors -factors.solve(&#residuals))
+            }
+        }
+    }
+
+    /// The relative pivots where all pivots are positive; else those of a numerical factorization of M.
+    fn relative_pivots(&mut self, outputs: &PivotOutputs) -> TokenStream {
+        let root = &self.implementation.declaration.root;
+        let (statements, pivots) = self.compute(&outputs.pivots);
+        let (_, magnitudes) = self.compute(&outputs.magnitudes);
+        let (_, diagonal) = self.compute(&outputs.diagonal);
+        let mass = self.mass_matrix();
+        quote! {
+            #statements
+            #root::__private::relative_pivots(
+                [#(#pivots),*], [#(#magnitudes),*], [#(#diagonal),*], || #mass
+            )
+        }
+    }
+
+    /// Factors M, of which a program computes the lower triangle.
+    fn factors(&mut self, mass: &LowerTriangle) -> (TokenStream, TokenStream) {
+        let root = &self.implementation.declaration.root;
+        let functions = self.implementation.scalar.functions();
+        let zero = quote!(#functions::from_f64(0.0));
+        let n = self.implementation.coordinates();
+        let (statements, lower) = self.compute(&mass.0);
+        let entries = (0..n).flat_map(|column| (0..n).map(move |row| (row, column)));
+        let entries = entries.map(|(row, column)| {
+            let entry = lower.get(LowerTriangle::position(row, column));
+            entry.filter(|_| row >= column).unwrap_or(&zero).clone()
+        });
+        let mass = self.matrix(&entries.collect::<Vec<_>>());
+        let factors = quote!(let factors = #root::Factorization::new(#mass););
+        (statements, factors)
+    }
+
+    /// The struct of the declared outputs.
+    fn declared_outputs(&mut self, outputs: &[(Shape, OutputSlice)]) -> TokenStream {
+        let accelerations = self.reads_accelerations().then(|| {
+            let accelerations = self.implementation.accelerations(self.inputs);
+            quote!(let accelerations = #accelerations;)
+        });
+        let mut statements = TokenStream::new();
+        let mut fields = Vec::with_capacity(outputs.len());
+        let declaration = self.implementation.declaration;
+        for (output, (shape, slice)) in declaration.clauses.outputs.iter().zip(outputs) {
+            let (more, components) = self.compute(slice);
+            statements.extend(more);
+            let (name, value) = (&output.name, self.value(&components, *shape));
+            fields.push(quote!(#name: #value));
+        }
+        let results = super::outputs::name(declaration);
+        quote!(#accelerations #statements #results { #(#fields),* })
     }
 
     /// A value from its components.
@@ -249,34 +298,26 @@ impl Writer<'_> {
         match shape {
             Shape::Scalar => quote!(#(#components)*),
             Shape::Array { columns: 1, .. } => self.vector(components),
-            Shape::Array { rows, .. } => self.matrix(components, rows),
+            Shape::Array { rows, .. } => self.matrix_of(components, rows),
         }
     }
 
     fn vector(&self, elements: &[TokenStream]) -> TokenStream {
-        let root = self.root;
+        let root = &self.implementation.declaration.root;
         quote!(#root::__private::SVector::from([#(#elements),*]))
     }
 
+    /// A matrix with a row for each coordinate, from its elements, column by column.
+    fn matrix(&self, elements: &[TokenStream]) -> TokenStream {
+        self.matrix_of(elements, self.implementation.coordinates())
+    }
+
     /// A matrix from its elements, column by column.
-    fn matrix(&self, elements: &[TokenStream], rows: usize) -> TokenStream {
-        let root = self.root;
+    fn matrix_of(&self, elements: &[TokenStream], rows: usize) -> TokenStream {
+        let root = &self.implementation.declaration.root;
         let columns = elements
             .chunks(rows.max(1))
             .map(|column| quote!([#(#column),*]));
         quote!(#root::__private::SMatrix::from([#(#columns),*]))
     }
-}
-
-/// A body that returns the one output.
-pub(super) fn as_scalar(writer: &mut Writer<'_>) -> TokenStream {
-    let (statements, outputs) = writer.phase(0);
-    quote!(#statements #(#outputs)*)
-}
-
-/// A body that returns all outputs as a vector.
-pub(super) fn as_vector(writer: &mut Writer<'_>) -> TokenStream {
-    let (statements, outputs) = writer.phase(0);
-    let vector = writer.vector(&outputs);
-    quote!(#statements #vector)
 }

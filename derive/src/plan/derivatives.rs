@@ -1,0 +1,145 @@
+//! The derivatives of the accelerations, and what has to be computed before them.
+
+use lagrangian_symbolic::{Expression, Kinetics, Model, Solution, Symbol};
+
+use super::methods::Method;
+use super::outputs::{InputJacobianOutputs, LinearizationOutputs, MethodOutputs, ProgramLayout};
+
+/// The derivatives of the accelerations, before they are scheduled.
+pub(super) struct Derivatives {
+    layout: ProgramLayout,
+    outputs: MethodOutputs,
+    /// How many right-hand sides are solved for numerically, if they are.
+    right_hand_sides: Option<usize>,
+}
+
+impl Derivatives {
+    /// By q, q̇ and t.
+    pub(super) fn of_state(model: &mut Model, kinetics: &Kinetics) -> Self {
+        let symbols = state_symbols(model);
+        let mut layout = ProgramLayout::new();
+        if let Some((solution, derivatives)) = solved(model, kinetics, &symbols) {
+            let residuals = residuals_beside(model, kinetics, solution, &symbols);
+            let pivots = layout.add(&solution.pivots);
+            let accelerations = layout.add(&solution.accelerations);
+            layout.begin_phase();
+            let derivatives = layout.add_state_jacobian(&derivatives, model);
+            layout.begin_phase();
+            let residuals = residuals.map(|columns| layout.add_state_jacobian(&columns, model));
+            return Self {
+                layout,
+                outputs: MethodOutputs::Linearization(LinearizationOutputs::Symbolic {
+                    pivots,
+                    accelerations,
+                    derivatives,
+                    residuals,
+                }),
+                right_hand_sides: None,
+            };
+        }
+        let system = &kinetics.system;
+        let residuals = columns(model, &system.residuals, &symbols);
+        let mass = layout.add_mass(system);
+        let forcing = layout.add(&system.forcing);
+        layout.begin_phase();
+        let residuals = layout.add_state_jacobian(&residuals, model);
+        Self {
+            layout,
+            outputs: MethodOutputs::Linearization(LinearizationOutputs::Numerical {
+                mass,
+                forcing,
+                residuals,
+            }),
+            right_hand_sides: Some(symbols.len() + 1),
+        }
+    }
+
+    /// By the inputs: the momenta are free of them, so that no input acts on M q̈, however it is written.
+    pub(super) fn of_inputs(model: &mut Model, kinetics: &Kinetics) -> Self {
+        let symbols = model.input_symbols();
+        let mut layout = ProgramLayout::new();
+        if let Some((solution, derivatives)) = solved(model, kinetics, &symbols) {
+            let derivatives = without_accelerations(model, &derivatives);
+            let residuals = residuals_beside(model, kinetics, solution, &symbols);
+            let residuals = residuals.map(|columns| without_accelerations(model, &columns));
+            let pivots = layout.add(&solution.pivots);
+            layout.begin_phase();
+            let derivatives = layout.add(&derivatives);
+            layout.begin_phase();
+            let residuals = residuals.map(|columns| layout.add(&columns));
+            return Self {
+                layout,
+                outputs: MethodOutputs::InputJacobian(InputJacobianOutputs::Symbolic {
+                    pivots,
+                    derivatives,
+                    residuals,
+                }),
+                right_hand_sides: None,
+            };
+        }
+        let residuals = columns(model, &kinetics.system.residuals, &symbols);
+        let residuals = without_accelerations(model, &residuals);
+        let mass = layout.add_mass(&kinetics.system);
+        layout.begin_phase();
+        let residuals = layout.add(&residuals);
+        Self {
+            layout,
+            outputs: MethodOutputs::InputJacobian(InputJacobianOutputs::Numerical {
+                mass,
+                residuals,
+            }),
+            right_hand_sides: Some(symbols.len()),
+        }
+    }
+
+    pub(super) fn schedule(self, model: &Model) -> Method {
+        let method = Method::schedule(model, &self.layout, self.outputs);
+        match self.right_hand_sides {
+            Some(count) => method.with_solution(model.coordinates as usize, count),
+            None => method,
+        }
+    }
+}
+
+/// The columns of ∂q̈/∂x, where they are solved for symbolically, with the solution that they belong to.
+fn solved<'a>(
+    model: &mut Model,
+    kinetics: &'a Kinetics,
+    symbols: &[Symbol],
+) -> Option<(&'a Solution, Vec<Expression>)> {
+    let solution = kinetics.solution.as_ref()?;
+    let columns = solution.derivatives(&mut model.graph, &kinetics.inverse_dynamics, symbols)?;
+    Some((solution, columns))
+}
+
+/// The columns of ∂(M q̈ − f)/∂x beside those of ∂q̈/∂x, to be solved for numerically where a pivot is not
+/// positive; nothing where no pivot can fail.
+fn residuals_beside(
+    model: &mut Model,
+    kinetics: &Kinetics,
+    solution: &Solution,
+    symbols: &[Symbol],
+) -> Option<Vec<Expression>> {
+    let can_fail = !solution.pivots.is_empty();
+    can_fail.then(|| columns(model, &kinetics.inverse_dynamics, symbols))
+}
+
+/// Expressions with the accelerations 0.
+fn without_accelerations(model: &mut Model, roots: &[Expression]) -> Vec<Expression> {
+    let zero = model.graph.zero();
+    let rest = (0..model.coordinates).map(|i| (Symbol::Acceleration(i), zero));
+    model.graph.substitute(roots, &rest.collect())
+}
+
+/// q, q̇ and t.
+fn state_symbols(model: &Model) -> Vec<Symbol> {
+    let mut symbols = model.coordinate_symbols();
+    symbols.extend(model.velocity_symbols());
+    symbols.push(Symbol::Time);
+    symbols
+}
+
+/// The derivatives ∂(M q̈ − f)/∂x, column by column.
+fn columns(model: &mut Model, residuals: &[Expression], symbols: &[Symbol]) -> Vec<Expression> {
+    model.graph.jacobian(residuals, symbols).concat()
+}

@@ -1,0 +1,272 @@
+//! Which programs a model's methods are.
+
+use lagrangian_symbolic::{
+    Energies, Equations, Expression, Kinetics, Model, OperationCount, Prepared, Program, Rational,
+};
+
+use super::derivatives::Derivatives;
+use super::outputs::{
+    AccelerationOutputs, MethodOutputs, OutputSlice, PivotOutputs, ProgramLayout,
+};
+use super::table::EmittedMethod;
+use crate::value::Shape;
+
+/// A method whose body is one program.
+pub(crate) struct Method {
+    pub(crate) program: Program,
+    pub(crate) outputs: MethodOutputs,
+    pub(crate) count: OperationCount,
+}
+
+/// The programs of everything that is emitted for a model.
+pub(crate) struct Methods {
+    pub(crate) lagrangian: Method,
+    pub(crate) energy: Method,
+    pub(crate) momenta: Method,
+    pub(crate) mass_matrix: Method,
+    pub(crate) forcing: Method,
+    pub(crate) generalized_forces: Method,
+    /// What depends on the parameters alone in `accelerations`.
+    pub(crate) prepare: Method,
+    pub(crate) accelerations: Method,
+    pub(crate) inverse_dynamics: Method,
+    pub(crate) linearize: Method,
+    /// Where M is eliminated symbolically.
+    pub(crate) relative_pivots: Option<Method>,
+    /// T and V, where they were declared.
+    pub(crate) energies: Option<[Method; 2]>,
+    pub(crate) input_jacobian: Method,
+    pub(crate) outputs: Method,
+    /// The declared derivatives of functions from outside.
+    pub(crate) functions: Vec<FunctionDerivative>,
+}
+
+/// A declared derivative of a function from outside.
+pub(crate) struct FunctionDerivative {
+    /// The position of the function.
+    pub(crate) function: usize,
+    /// The position of the argument.
+    pub(crate) argument: usize,
+    pub(crate) method: Method,
+}
+
+/// For more coordinates the relative pivots are those of a factorization in numbers.
+const MOST_PIVOTS: usize = 4;
+
+impl Methods {
+    /// The program of a method, where the model has it.
+    pub(crate) fn get(&self, method: EmittedMethod) -> Option<&Method> {
+        let energies = self.energies.as_ref();
+        match method {
+            EmittedMethod::Lagrangian => Some(&self.lagrangian),
+            EmittedMethod::Energy => Some(&self.energy),
+            EmittedMethod::Momenta => Some(&self.momenta),
+            EmittedMethod::MassMatrix => Some(&self.mass_matrix),
+            EmittedMethod::Forcing => Some(&self.forcing),
+            EmittedMethod::GeneralizedForces => Some(&self.generalized_forces),
+            EmittedMethod::Prepare => Some(&self.prepare),
+            EmittedMethod::Accelerations => Some(&self.accelerations),
+            EmittedMethod::InverseDynamics => Some(&self.inverse_dynamics),
+            EmittedMethod::Linearize => Some(&self.linearize),
+            EmittedMethod::RelativePivots => self.relative_pivots.as_ref(),
+            EmittedMethod::KineticEnergy => energies.map(|[kinetic, _]| kinetic),
+            EmittedMethod::PotentialEnergy => energies.map(|[_, potential]| potential),
+            EmittedMethod::InputJacobian => Some(&self.input_jacobian),
+            EmittedMethod::Outputs => Some(&self.outputs),
+        }
+    }
+
+    /// The methods that the model has.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (EmittedMethod, &Method)> {
+        let all = EmittedMethod::ALL.iter();
+        all.filter_map(|method| Some((*method, self.get(*method)?)))
+    }
+
+    /// The methods that are counted, with their names.
+    pub(crate) fn counted(&self) -> impl Iterator<Item = (&'static str, &Method)> {
+        let rows = self.all().map(|(emitted, method)| (emitted.row(), method));
+        let counted = rows.filter(|(row, _)| row.is_counted);
+        counted.map(|(row, method)| (row.name, method))
+    }
+
+    /// Differentiates what is still to be differentiated, and schedules each method. The declared outputs have
+    /// these `shapes`.
+    pub(crate) fn schedule(model: &mut Model, equations: &Equations, shapes: &[Shape]) -> Self {
+        let kinetics = Kinetics::cheapest(model, equations);
+        let linearize = Derivatives::of_state(model, &kinetics);
+        let input_jacobian = Derivatives::of_inputs(model, &kinetics);
+        let pivots = PivotExpressions::of(model, equations, &kinetics);
+        let energies = match model.energies {
+            Energies::Natural { kinetic, potential } => Some([kinetic, potential]),
+            Energies::General(_) => None,
+        };
+        let model = &*model;
+        let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
+        let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
+        let mass = equations.mass.concat();
+        let [prepare, accelerations] = Method::accelerations(model, &kinetics);
+        Self {
+            lagrangian: scalar(equations.lagrangian),
+            energy: scalar(equations.energy),
+            momenta: vector(&equations.momenta),
+            mass_matrix: Method::single(model, &mass, MethodOutputs::SquareMatrix),
+            forcing: vector(&kinetics.forcing),
+            generalized_forces: vector(&equations.generalized_forces),
+            prepare,
+            accelerations,
+            inverse_dynamics: vector(&kinetics.inverse_dynamics),
+            linearize: linearize.schedule(model),
+            relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
+            energies: energies.map(|energies| energies.map(scalar)),
+            input_jacobian: input_jacobian.schedule(model),
+            outputs: Method::declared_outputs(model, shapes),
+            functions: function_derivatives(model),
+        }
+    }
+
+    /// A constant that `f64` cannot hold, if there is one: beyond its range, or lost below it.
+    pub(crate) fn unrepresentable(&self) -> Option<&Rational> {
+        let derivatives = self.functions.iter().map(|derivative| &derivative.method);
+        let methods = self.all().map(|(_, method)| method).chain(derivatives);
+        methods
+            .flat_map(|method| method.program.constants())
+            .find(|number| !in_range(number))
+    }
+}
+
+/// Whether a number is neither beyond the largest nor lost below the smallest `f64`.
+pub(crate) fn in_range(number: &Rational) -> bool {
+    let rounded = number.to_f64();
+    rounded.is_finite() && (rounded != 0.0 || number.is_zero())
+}
+
+/// The declared derivatives of all functions from outside.
+fn function_derivatives(model: &Model) -> Vec<FunctionDerivative> {
+    let mut derivatives = Vec::new();
+    for function in model.graph.functions() {
+        for argument in 0..model.graph.function_arguments(function).len() {
+            if let Some(derivative) = model.graph.declared_derivative(function, argument) {
+                derivatives.push(FunctionDerivative {
+                    function: function.index(),
+                    argument,
+                    method: Method::single(model, &[derivative], MethodOutputs::Scalar),
+                });
+            }
+        }
+    }
+    derivatives
+}
+
+/// What the relative pivots are computed from, where M is eliminated symbolically.
+struct PivotExpressions {
+    pivots: Vec<Expression>,
+    magnitudes: Vec<Expression>,
+    diagonal: Vec<Expression>,
+}
+
+impl PivotExpressions {
+    fn of(model: &mut Model, equations: &Equations, kinetics: &Kinetics) -> Option<Self> {
+        if equations.mass.len() > MOST_PIVOTS {
+            return None;
+        }
+        let elimination = kinetics.elimination.as_ref()?;
+        let angles = &equations.structure.angles;
+        let rows = equations.mass.iter().enumerate();
+        Some(Self {
+            magnitudes: elimination.magnitudes(&mut model.graph, angles),
+            pivots: elimination.pivots.clone(),
+            diagonal: rows.map(|(i, row)| row[i]).collect(),
+        })
+    }
+
+    fn schedule(&self, model: &Model) -> Method {
+        let mut layout = ProgramLayout::new();
+        let outputs = PivotOutputs {
+            pivots: layout.add(&self.pivots),
+            magnitudes: layout.add(&self.magnitudes),
+            diagonal: layout.add(&self.diagonal),
+        };
+        Method::schedule(model, &layout, MethodOutputs::RelativePivots(outputs))
+    }
+}
+
+impl Method {
+    pub(super) fn schedule(model: &Model, layout: &ProgramLayout, outputs: MethodOutputs) -> Self {
+        let program = Program::schedule(&model.graph, &layout.phases());
+        Self {
+            count: program.count(),
+            program,
+            outputs,
+        }
+    }
+
+    /// A method that returns all that its program computes.
+    fn single(
+        model: &Model,
+        expressions: &[Expression],
+        outputs: fn(OutputSlice) -> MethodOutputs,
+    ) -> Self {
+        let mut layout = ProgramLayout::new();
+        let outputs = outputs(layout.add(expressions));
+        Self::schedule(model, &layout, outputs)
+    }
+
+    /// What depends on the parameters alone in the accelerations, and the rest.
+    fn accelerations(model: &Model, kinetics: &Kinetics) -> [Self; 2] {
+        let mut layout = ProgramLayout::new();
+        let (outputs, is_numerical) = if let Some(solution) = &kinetics.solution {
+            let outputs = AccelerationOutputs::Symbolic {
+                pivots: layout.add(&solution.pivots),
+                accelerations: layout.add(&solution.accelerations),
+            };
+            (outputs, false)
+        } else {
+            let outputs = AccelerationOutputs::Numerical {
+                mass: layout.add_mass(&kinetics.system),
+                forcing: layout.add(&kinetics.system.forcing),
+            };
+            (outputs, true)
+        };
+        let whole = Program::schedule_for_preparation(&model.graph, &layout.phases());
+        let Prepared { before, after } = whole.parted(model.graph.passes);
+        let prepare = Self {
+            count: before.count(),
+            outputs: MethodOutputs::Invariants(OutputSlice::of_only_phase(&before)),
+            program: before,
+        };
+        let accelerations = Self {
+            count: after.count(),
+            outputs: MethodOutputs::Accelerations(outputs),
+            program: after,
+        };
+        let accelerations = if is_numerical {
+            accelerations.with_solution(model.coordinates as usize, 1)
+        } else {
+            accelerations
+        };
+        [prepare, accelerations]
+    }
+
+    fn declared_outputs(model: &Model, shapes: &[Shape]) -> Self {
+        let mut layout = ProgramLayout::new();
+        let mut rest = model.outputs.as_slice();
+        let mut outputs = Vec::with_capacity(shapes.len());
+        for shape in shapes {
+            let (components, others) = rest.split_at(shape.count());
+            outputs.push((*shape, layout.add(components)));
+            rest = others;
+        }
+        Self::schedule(model, &layout, MethodOutputs::Declared(outputs))
+    }
+
+    /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.
+    pub(super) fn with_solution(mut self, n: usize, right_hand_sides: usize) -> Self {
+        let below = n * n.saturating_sub(1) / 2;
+        let eliminations = below + n * n.saturating_sub(1) * n.saturating_sub(2) / 6;
+        let substitutions = 2 * below * right_hand_sides;
+        self.count.additions += eliminations + substitutions;
+        self.count.multiplications += eliminations + below + substitutions + n * right_hand_sides;
+        self.count.divisions += n;
+        self
+    }
+}

@@ -1,0 +1,220 @@
+//! Which outputs of a program are what.
+//!
+//! A program computes lists of numbers, phase by phase. Where each quantity stands in them is noted here while
+//! the lists are made, so that whoever writes the method asks for a quantity by its name.
+
+use core::ops::Range;
+
+use lagrangian_symbolic::{Expression, LinearSystem, Model, Operand, Program};
+
+use crate::value::Shape;
+
+/// Consecutive outputs of one phase.
+#[derive(Clone, Debug)]
+pub(crate) struct OutputSlice {
+    phase: usize,
+    range: Range<usize>,
+}
+
+impl OutputSlice {
+    /// All outputs of a program with one phase.
+    pub(crate) fn of_only_phase(program: &Program) -> Self {
+        let outputs = program.phases.first().map(|phase| phase.outputs.len());
+        Self {
+            phase: 0,
+            range: 0..outputs.unwrap_or(0),
+        }
+    }
+
+    /// The phase that computes them.
+    pub(crate) const fn phase(&self) -> usize {
+        self.phase
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.range.len()
+    }
+
+    /// These among the outputs of each phase.
+    pub(crate) fn of<'a, T>(&self, outputs: &'a [Vec<T>]) -> &'a [T] {
+        let outputs = outputs.get(self.phase);
+        let slice = outputs.and_then(|outputs| outputs.get(self.range.clone()));
+        slice.unwrap_or_default()
+    }
+
+    /// What a program returns for them.
+    pub(crate) fn operands<'a>(&self, program: &'a Program) -> &'a [Operand] {
+        let phase = program.phases.get(self.phase);
+        let slice = phase.and_then(|phase| phase.outputs.get(self.range.clone()));
+        slice.unwrap_or_default()
+    }
+}
+
+/// The lower triangle of the mass matrix.
+#[derive(Clone, Debug)]
+pub(crate) struct LowerTriangle(pub(crate) OutputSlice);
+
+impl LowerTriangle {
+    /// The position of an entry on or below the diagonal: entries stand row by row.
+    pub(crate) const fn position(row: usize, column: usize) -> usize {
+        row * (row + 1) / 2 + column
+    }
+}
+
+/// The columns of the derivatives of one quantity for each coordinate by q, q̇ and t.
+#[derive(Clone, Debug)]
+pub(crate) struct StateJacobian {
+    pub(crate) position: OutputSlice,
+    pub(crate) velocity: OutputSlice,
+    pub(crate) time: OutputSlice,
+}
+
+/// What a program for q̈ returns.
+#[derive(Clone, Debug)]
+pub(crate) enum AccelerationOutputs {
+    /// q̈ was solved for symbolically, which holds where all pivots are positive.
+    Symbolic {
+        pivots: OutputSlice,
+        accelerations: OutputSlice,
+    },
+    /// M and f, up to a common factor: M q̈ = f is solved numerically.
+    Numerical {
+        mass: LowerTriangle,
+        forcing: OutputSlice,
+    },
+}
+
+/// What a program for the derivatives of q̈ by q, q̇ and t returns.
+#[derive(Clone, Debug)]
+pub(crate) enum LinearizationOutputs {
+    /// They were solved for symbolically, which holds where all pivots are positive.
+    Symbolic {
+        pivots: OutputSlice,
+        accelerations: OutputSlice,
+        derivatives: StateJacobian,
+        /// The derivatives of M q̈ − f, where there are pivots that can fail.
+        residuals: Option<StateJacobian>,
+    },
+    /// M, f and the derivatives of M q̈ − f, up to a common factor.
+    Numerical {
+        mass: LowerTriangle,
+        forcing: OutputSlice,
+        residuals: StateJacobian,
+    },
+}
+
+/// What a program for the derivatives of q̈ by the inputs returns.
+#[derive(Clone, Debug)]
+pub(crate) enum InputJacobianOutputs {
+    /// They were solved for symbolically, which holds where all pivots are positive.
+    Symbolic {
+        pivots: OutputSlice,
+        derivatives: OutputSlice,
+        /// The derivatives of M q̈ − f, where there are pivots that can fail.
+        residuals: Option<OutputSlice>,
+    },
+    /// M and the derivatives of M q̈ − f, up to a common factor.
+    Numerical {
+        mass: LowerTriangle,
+        residuals: OutputSlice,
+    },
+}
+
+/// The pivots of M as it was eliminated symbolically, and what makes them relative ones.
+#[derive(Clone, Debug)]
+pub(crate) struct PivotOutputs {
+    pub(crate) pivots: OutputSlice,
+    pub(crate) magnitudes: OutputSlice,
+    pub(crate) diagonal: OutputSlice,
+}
+
+/// What the program of a method returns.
+#[derive(Clone, Debug)]
+pub(crate) enum MethodOutputs {
+    Scalar(OutputSlice),
+    Vector(OutputSlice),
+    /// Column by column.
+    SquareMatrix(OutputSlice),
+    /// What depends on the parameters alone.
+    Invariants(OutputSlice),
+    Accelerations(AccelerationOutputs),
+    Linearization(LinearizationOutputs),
+    InputJacobian(InputJacobianOutputs),
+    RelativePivots(PivotOutputs),
+    /// The declared outputs, in their order.
+    Declared(Vec<(Shape, OutputSlice)>),
+}
+
+impl MethodOutputs {
+    /// How many pivots there are, if accelerations or their derivatives were solved for symbolically.
+    pub(crate) fn pivots(&self) -> Option<usize> {
+        match self {
+            Self::Accelerations(AccelerationOutputs::Symbolic { pivots, .. })
+            | Self::Linearization(LinearizationOutputs::Symbolic { pivots, .. })
+            | Self::InputJacobian(InputJacobianOutputs::Symbolic { pivots, .. }) => {
+                Some(pivots.len())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The outputs of a program that is about to be scheduled, phase by phase.
+pub(crate) struct ProgramLayout {
+    phases: Vec<Vec<Expression>>,
+}
+
+impl ProgramLayout {
+    /// One phase without outputs.
+    pub(crate) fn new() -> Self {
+        Self {
+            phases: vec![Vec::new()],
+        }
+    }
+
+    /// What is added from here on is computed after what was added before.
+    pub(crate) fn begin_phase(&mut self) {
+        self.phases.push(Vec::new());
+    }
+
+    /// Adds outputs to the last phase.
+    pub(crate) fn add(&mut self, outputs: &[Expression]) -> OutputSlice {
+        let phase = self.phases.len().saturating_sub(1);
+        let mut range = 0..0;
+        if let Some(last) = self.phases.last_mut() {
+            range.start = last.len();
+            last.extend_from_slice(outputs);
+            range.end = last.len();
+        }
+        OutputSlice { phase, range }
+    }
+
+    /// Adds the lower triangle of M.
+    pub(crate) fn add_mass(&mut self, system: &LinearSystem) -> LowerTriangle {
+        let rows = system.mass.iter().enumerate();
+        let entries = rows.flat_map(|(i, row)| row[..=i].iter().copied());
+        let entries: Vec<_> = entries.collect();
+        LowerTriangle(self.add(&entries))
+    }
+
+    /// Adds the columns of derivatives by q, q̇ and t.
+    pub(crate) fn add_state_jacobian(
+        &mut self,
+        columns: &[Expression],
+        model: &Model,
+    ) -> StateJacobian {
+        let n = model.coordinates as usize;
+        let (position, rest) = columns.split_at(n * n);
+        let (velocity, time) = rest.split_at(n * n);
+        StateJacobian {
+            position: self.add(position),
+            velocity: self.add(velocity),
+            time: self.add(time),
+        }
+    }
+
+    /// The outputs of each phase.
+    pub(crate) fn phases(&self) -> Vec<&[Expression]> {
+        self.phases.iter().map(Vec::as_slice).collect()
+    }
+}

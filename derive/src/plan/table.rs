@@ -1,0 +1,186 @@
+//! The emitted methods, one row each.
+//!
+//! The table drives what is emitted, what stands in its place beside errors, the operation counts, the names that
+//! no output may have, and the delegations of models with inputs. A method is added by a row, by its program
+//! in `methods.rs`, and by the trait of the runtime that declares it.
+
+/// The trait of the runtime that declares a method.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Interface {
+    Lagrangian,
+    Energies,
+    Inputs,
+    Outputs,
+}
+
+/// What a method returns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum ResultType {
+    Scalar,
+    /// One component for each coordinate.
+    Vector,
+    /// A row and a column for each coordinate.
+    SquareMatrix,
+    /// A row for each coordinate and a column for each input.
+    InputMatrix,
+    /// The derivatives of the accelerations by q, q̇ and t.
+    Linearization,
+    /// What depends on the parameters alone.
+    Invariants,
+    /// The struct of the declared outputs.
+    Outputs,
+}
+
+/// What a method takes besides the state and the inputs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Argument {
+    /// Nothing.
+    Nothing,
+    /// The accelerations.
+    Accelerations,
+    /// Nothing; a second method, whose name ends in `_prepared`, takes what depends on the parameters alone.
+    Staged,
+    /// Not even the state.
+    Stateless,
+}
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MethodRow {
+    pub(crate) name: &'static str,
+    /// The trait that declares the method; where it takes inputs, that of models without them.
+    pub(crate) interface: Interface,
+    pub(crate) result: ResultType,
+    pub(crate) argument: Argument,
+    /// Whether inputs act on it: then models with inputs have a second method, whose name ends in `_with`.
+    pub(crate) takes_inputs: bool,
+    /// Whether its operations are counted in the constant `OPERATIONS` and in the documentation.
+    pub(crate) is_counted: bool,
+}
+
+macro_rules! table {
+    ($($method:ident: $name:literal, $interface:ident, $result:ident, $argument:ident, $inputs:literal, $counted:literal;)*) => {
+        /// A method that is emitted for a model.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub(crate) enum EmittedMethod {
+            $($method,)*
+        }
+
+        impl EmittedMethod {
+            /// All methods, in the order in which they are counted and emitted.
+            pub(crate) const ALL: &'static [Self] = &[$(Self::$method),*];
+
+            /// What the table says of the method.
+            pub(crate) const fn row(self) -> MethodRow {
+                match self {
+                    $(Self::$method => MethodRow {
+                        name: $name,
+                        interface: Interface::$interface,
+                        result: ResultType::$result,
+                        argument: Argument::$argument,
+                        takes_inputs: $inputs,
+                        is_counted: $counted,
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+table! {
+    // method            name                  trait       result         argument       inputs counted
+    Lagrangian:        "lagrangian",         Lagrangian, Scalar,        Nothing,       true,  true;
+    Energy:            "energy",             Lagrangian, Scalar,        Nothing,       true,  true;
+    Momenta:           "momenta",            Lagrangian, Vector,        Nothing,       false, true;
+    MassMatrix:        "mass_matrix",        Lagrangian, SquareMatrix,  Nothing,       false, true;
+    Forcing:           "forcing",            Lagrangian, Vector,        Nothing,       true,  true;
+    GeneralizedForces: "generalized_forces", Lagrangian, Vector,        Nothing,       true,  true;
+    Prepare:           "prepare",            Lagrangian, Invariants,    Stateless,     false, true;
+    Accelerations:     "accelerations",      Lagrangian, Vector,        Staged,        true,  true;
+    InverseDynamics:   "inverse_dynamics",   Lagrangian, Vector,        Accelerations, true,  true;
+    Linearize:         "linearize",          Lagrangian, Linearization, Nothing,       true,  true;
+    RelativePivots:    "relative_pivots",    Lagrangian, Vector,        Nothing,       false, false;
+    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        Nothing,       false, false;
+    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        Nothing,       false, false;
+    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   Nothing,       true,  false;
+    Outputs:           "outputs",            Outputs,    Outputs,       Nothing,       true,  false;
+}
+
+/// The methods that the traits of the runtime have besides.
+const PROVIDED: [&str; 6] = [
+    "dynamics",
+    "inputs",
+    "with_inputs",
+    "input_matrix",
+    "controlled_by",
+    "with_controller",
+];
+
+/// The names of the parameters of emitted methods, which no local variable has.
+pub(crate) const PARAMETERS: [&str; 5] =
+    ["state", "inputs", "accelerations", "prepared", "arguments"];
+
+/// Whether a method of every model is called `name`.
+pub(crate) fn is_method(name: &str) -> bool {
+    let emitted = EmittedMethod::ALL.iter().map(|method| method.row());
+    let mut variants = emitted.flat_map(MethodRow::variants);
+    PROVIDED.contains(&name) || variants.any(|variant| variant.name() == name)
+}
+
+impl MethodRow {
+    /// Whether the method is one of the state.
+    pub(crate) fn takes_state(self) -> bool {
+        self.argument != Argument::Stateless
+    }
+
+    /// Whether the method stands in the trait `Inputs`, with the inputs as a parameter.
+    pub(crate) fn is_of_inputs(self) -> bool {
+        self.takes_inputs && matches!(self.interface, Interface::Lagrangian | Interface::Inputs)
+    }
+
+    /// The function that takes nothing prepared.
+    pub(crate) const fn unprepared(self) -> Variant {
+        Variant {
+            row: self,
+            is_prepared: false,
+        }
+    }
+
+    /// The emitted functions of the row: two where the invariants are computed apart.
+    pub(crate) fn variants(self) -> impl Iterator<Item = Variant> {
+        let prepared = self.argument == Argument::Staged;
+        let variant = move |is_prepared| Variant {
+            row: self,
+            is_prepared,
+        };
+        [false, true]
+            .into_iter()
+            .filter(move |is_prepared| prepared || !is_prepared)
+            .map(variant)
+    }
+}
+
+/// One of the emitted functions of a row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Variant {
+    pub(crate) row: MethodRow,
+    /// Whether it takes what depends on the parameters alone.
+    pub(crate) is_prepared: bool,
+}
+
+impl Variant {
+    /// Its name in models without inputs.
+    pub(crate) fn name(self) -> String {
+        let suffix = if self.is_prepared { "_prepared" } else { "" };
+        format!("{}{suffix}", self.row.name)
+    }
+
+    /// The name of its last parameter, where it takes more than the state and the inputs.
+    pub(crate) fn parameter(self) -> Option<&'static str> {
+        match self.row.argument {
+            Argument::Staged if self.is_prepared => Some("prepared"),
+            Argument::Accelerations => Some("accelerations"),
+            Argument::Staged | Argument::Nothing | Argument::Stateless => None,
+        }
+    }
+}
