@@ -6,12 +6,11 @@ use lagrangian_symbolic::{Defect, Energies, Model, Symbol};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
-use crate::clauses::Clause;
-use crate::coordinate::Coordinate;
-use crate::declaration::Declaration;
 use crate::diagnostics::Diagnostics;
-use crate::implementation::indices;
 use crate::lower::Lowered;
+use crate::syntax::clauses::Clause;
+use crate::syntax::coordinate::{Coordinate, indices};
+use crate::syntax::declaration::Declaration;
 
 /// Says which derivatives of functions from outside are missing.
 pub(crate) fn report_undeclared(

@@ -5,16 +5,14 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
 
-use crate::body::MOST_SCOPES;
 use crate::check::{check, check_whole};
-use crate::declaration::Declaration;
 use crate::defects;
 use crate::diagnostics::Diagnostics;
-use crate::fallback;
-use crate::implementation::Implementation;
+use crate::emit::{Implementation, items, items_without_equations, warning};
+use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
 use crate::plan::Methods;
-use crate::validation::warning;
+use crate::syntax::declaration::Declaration;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
@@ -42,7 +40,7 @@ pub(crate) fn expand_within(input: TokenStream, most_scopes: usize) -> TokenStre
             diagnostics.error(&declaration.name, NOT_UNDERSTOOD);
         }
         let errors = diagnostics.to_compile_errors();
-        let items = fallback::items(&declaration, &lowered);
+        let items = items_without_equations(&declaration, &lowered);
         quote!(#errors #items)
     })
 }
@@ -87,7 +85,7 @@ fn implement(
         &methods,
         most_scopes,
     );
-    let items = implementation.items();
+    let items = items(&implementation);
     let warning = warning(&disagreements, declaration);
     Some(quote!(#items #warning))
 }

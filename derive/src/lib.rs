@@ -1,42 +1,16 @@
-//! The derive macro of the `lagrangian` crate: words in, words out.
+//! The derive macro of the `lagrangian` crate: Rust tokens in, Rust tokens out.
 
 mod expand;
-mod validation;
-mod diagnostics;
-mod declaration;
-mod clauses;
-mod coordinate;
-mod named;
-mod grammar;
-mod field;
-mod field_type;
-mod function;
-mod root;
-mod scalar;
+mod syntax;
 mod check;
-mod value;
-mod quantities;
-mod scope;
-mod expression;
-mod hints;
-mod ablation;
 mod lower;
 mod defects;
 mod plan;
-mod names;
-mod body;
-mod mentions;
-mod implementation;
-mod documentation;
-mod fallback;
+mod emit;
+mod diagnostics;
+mod limits;
 #[cfg(test)]
-mod golden;
-#[cfg(test)]
-mod half_typed;
-#[cfg(test)]
-mod robustness;
-#[cfg(test)]
-mod timing;
+mod tests;
 
 use proc_macro::TokenStream;
 

@@ -1,22 +1,29 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
-mod at_rest;
+pub(crate) mod quantities;
+pub(crate) mod value;
+pub(crate) mod scope;
+pub(crate) mod builtins;
+mod hints;
+mod expression;
 mod forces;
+mod at_rest;
+mod ablation;
 
 use lagrangian_symbolic::{Energies, Expression, Graph, Model};
 use proc_macro2::Ident;
 use syn::Expr;
 
-use crate::ablation::passes;
-use crate::clauses::Clause;
-use crate::declaration::Declaration;
 use crate::diagnostics::Diagnostics;
-use crate::expression::{Place, Translator};
-use crate::hints;
-use crate::named::{Iteration, Named};
-use crate::quantities::Quantities;
-use crate::scope::{Kind, Meaning, Scope};
-use crate::value::{Shape, Value};
+use crate::lower::ablation::passes;
+use crate::lower::expression::{Place, Translator};
+use crate::lower::quantities::Quantities;
+use crate::lower::scope::{Kind, Meaning, Scope};
+use crate::lower::value::Value;
+use crate::syntax::clauses::Clause;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::named::{Iteration, Named};
+use crate::syntax::shape::Shape;
 
 /// A declaration of which every name is resolved, as far as it is understood.
 pub(crate) struct Lowered {

@@ -1,12 +1,16 @@
 //! Which programs a model's methods are, and what each of them returns.
 
 mod methods;
+mod method;
 mod derivatives;
 mod outputs;
 mod table;
 mod undeclared;
+mod validation;
+pub(crate) mod constants;
 
-pub(crate) use methods::{Method, Methods, in_range};
+pub(crate) use method::Method;
+pub(crate) use methods::Methods;
 pub(crate) use outputs::{
     AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, MethodOutputs,
     OutputSlice, PivotOutputs, StateJacobian,

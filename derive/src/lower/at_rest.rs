@@ -10,9 +10,9 @@ use core::mem;
 use lagrangian_symbolic::{Graph, Symbol};
 use proc_macro2::Ident;
 
-use crate::declaration::Declaration;
-use crate::expression::Translator;
-use crate::scope::{Meaning, Scope};
+use crate::lower::expression::Translator;
+use crate::lower::scope::{Meaning, Scope};
+use crate::syntax::declaration::Declaration;
 
 /// The definitions of a declaration while nothing moves.
 pub(super) struct AtRest {

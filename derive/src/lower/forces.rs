@@ -8,12 +8,13 @@
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
 use super::at_rest::AtRest;
-use crate::declaration::Declaration;
-use crate::expression::{Place, Translator};
-use crate::hints;
-use crate::named::Named;
-use crate::scope::{Family, Kind, Meaning};
-use crate::value::{Shape, Value};
+use crate::lower::expression::{Place, Translator};
+use crate::lower::hints;
+use crate::lower::scope::{Family, Kind, Meaning};
+use crate::lower::value::Value;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::named::Named;
+use crate::syntax::shape::Shape;
 
 /// What a force acts on.
 enum Target {

@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{Expression, Kinetics, Model, Solution, Symbol};
 
-use super::methods::Method;
+use super::method::Method;
 use super::outputs::{InputJacobianOutputs, LinearizationOutputs, MethodOutputs, ProgramLayout};
 
 /// The derivatives of the accelerations, before they are scheduled.

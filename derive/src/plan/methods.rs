@@ -1,22 +1,17 @@
 //! Which programs a model's methods are.
 
 use lagrangian_symbolic::{
-    Energies, Equations, Expression, Kinetics, Model, OperationCount, Prepared, Program, Rational,
+    Energies, Equations, Expression, Kinetics, Model, Prepared, Program, Rational,
 };
 
 use super::derivatives::Derivatives;
+use super::method::Method;
 use super::outputs::{
     AccelerationOutputs, MethodOutputs, OutputSlice, PivotOutputs, ProgramLayout,
 };
 use super::table::EmittedMethod;
-use crate::value::Shape;
-
-/// A method whose body is one program.
-pub(crate) struct Method {
-    pub(crate) program: Program,
-    pub(crate) outputs: MethodOutputs,
-    pub(crate) count: OperationCount,
-}
+use crate::limits::{MOST_PIVOTS, in_range};
+use crate::syntax::shape::Shape;
 
 /// The programs of everything that is emitted for a model.
 pub(crate) struct Methods {
@@ -49,9 +44,6 @@ pub(crate) struct FunctionDerivative {
     pub(crate) argument: usize,
     pub(crate) method: Method,
 }
-
-/// For more coordinates the relative pivots are those of a factorization in numbers.
-const MOST_PIVOTS: usize = 4;
 
 impl Methods {
     /// The program of a method, where the model has it.
@@ -134,12 +126,6 @@ impl Methods {
     }
 }
 
-/// Whether a number is neither beyond the largest nor lost below the smallest `f64`.
-pub(crate) fn in_range(number: &Rational) -> bool {
-    let rounded = number.to_f64();
-    rounded.is_finite() && (rounded != 0.0 || number.is_zero())
-}
-
 /// The declared derivatives of all functions from outside.
 fn function_derivatives(model: &Model) -> Vec<FunctionDerivative> {
     let mut derivatives = Vec::new();
@@ -191,26 +177,6 @@ impl PivotExpressions {
 }
 
 impl Method {
-    pub(super) fn schedule(model: &Model, layout: &ProgramLayout, outputs: MethodOutputs) -> Self {
-        let program = Program::schedule(&model.graph, &layout.phases());
-        Self {
-            count: program.count(),
-            program,
-            outputs,
-        }
-    }
-
-    /// A method that returns all that its program computes.
-    fn single(
-        model: &Model,
-        expressions: &[Expression],
-        outputs: fn(OutputSlice) -> MethodOutputs,
-    ) -> Self {
-        let mut layout = ProgramLayout::new();
-        let outputs = outputs(layout.add(expressions));
-        Self::schedule(model, &layout, outputs)
-    }
-
     /// What depends on the parameters alone in the accelerations, and the rest.
     fn accelerations(model: &Model, kinetics: &Kinetics) -> [Self; 2] {
         let mut layout = ProgramLayout::new();
@@ -257,16 +223,5 @@ impl Method {
             rest = others;
         }
         Self::schedule(model, &layout, MethodOutputs::Declared(outputs))
-    }
-
-    /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.
-    pub(super) fn with_solution(mut self, n: usize, right_hand_sides: usize) -> Self {
-        let below = n * n.saturating_sub(1) / 2;
-        let eliminations = below + n * n.saturating_sub(1) * n.saturating_sub(2) / 6;
-        let substitutions = 2 * below * right_hand_sides;
-        self.count.additions += eliminations + substitutions;
-        self.count.multiplications += eliminations + below + substitutions + n * right_hand_sides;
-        self.count.divisions += n;
-        self
     }
 }

@@ -7,7 +7,7 @@ use core::ops::Range;
 
 use lagrangian_symbolic::{Expression, LinearSystem, Model, Operand, Program};
 
-use crate::value::Shape;
+use crate::syntax::shape::Shape;
 
 /// Consecutive outputs of one phase.
 #[derive(Clone, Debug)]

@@ -1,0 +1,53 @@
+//! What can be wrong with the types of fields and of coordinates.
+
+use crate::diagnostics::Diagnostics;
+use crate::limits::MOST_COMPONENTS;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+use crate::syntax::field_type::Unfit;
+use crate::syntax::scalar::is_number;
+
+/// The components of a vector of coordinates are numbers of the model.
+pub(super) fn check_coordinate_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    for coordinate in &declaration.clauses.coordinates {
+        let element = coordinate.element();
+        if let Some(element) = element.filter(|element| !is_number(declaration, element)) {
+            let message =
+                "the components of a coordinate are numbers: leave out their type, as in `Vector3`";
+            diagnostics.error(element, message);
+        }
+    }
+}
+
+pub(super) fn check_field_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    for field in declaration
+        .fields
+        .iter()
+        .filter(|field| field.role != Role::Skipped && field.readable)
+    {
+        let ty = field.meant();
+        let message = match field.form() {
+            Ok(read) if is_number(declaration, read.element) => continue,
+            Ok(_) | Err(Unfit::Unknown) => {
+                "parameters are of type `f64`, `f32`, arrays of them such as `[f64; 5]`, or vectors and \
+                 matrices of nalgebra such as `Vector3<f64>`: change the type, name what it is an alias of by \
+                 `#[lagrangian(type = Vector3<f64>)]`, or mark the field `#[lagrangian(skip)]` if the \
+                 equations do not need it"
+            }
+            Err(Unfit::Length) => {
+                "the equations are derived for a certain number of components: write it as a number, as in \
+                 `[f64; 5]`"
+            }
+            Err(Unfit::TooMany) => {
+                let message = format!(
+                    "a parameter has at most {MOST_COMPONENTS} numbers, each of which is a symbol of the equations: \
+                     mark a larger table `#[lagrangian(skip)]`, and read it by a function from outside, as in \
+                     `function(table(x) = self.table.at(x), derivative(x) = 0.0)`"
+                );
+                diagnostics.error(ty, message);
+                continue;
+            }
+        };
+        diagnostics.error(ty, message);
+    }
+}

@@ -1,0 +1,94 @@
+//! What can be wrong with the names of external functions, of their arguments, and with their derivatives.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::names::refuse_reserved;
+use crate::diagnostics::{Diagnostics, similar};
+use crate::lower::builtins;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+use crate::syntax::function::{Derivative, Function};
+use crate::syntax::names::{RESERVED, plain};
+
+/// Checks the names of functions and of their arguments, and what their derivatives are by.
+pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut taken = quantities(declaration);
+    for function in &declaration.clauses.functions {
+        let name = &function.name;
+        if RESERVED.iter().any(|reserved| name == reserved) {
+            refuse_reserved(name, diagnostics);
+        } else if builtins::is_function(&plain(name)) {
+            let message = format!(
+                "`{name}` is a function of the declaration language: give this one another name"
+            );
+            diagnostics.error(name, message);
+        } else if let Some(holder) = taken.insert(plain(name), "function") {
+            let message = match holder {
+                "function" => format!("`{name}` is declared twice: give one of them another name"),
+                _ => format!("`{name}` is a {holder} already: give this function another name"),
+            };
+            diagnostics.error(name, message);
+        }
+        check_arguments(declaration, function, diagnostics);
+        check_derivatives(function, diagnostics);
+    }
+}
+
+/// The names that stand for quantities. A skipped field may be called as the function that reads it, and
+/// an output as what it shows.
+fn quantities(declaration: &Declaration) -> BTreeMap<String, &'static str> {
+    let clauses = &declaration.clauses;
+    let fields = declaration.fields.iter();
+    let fields = fields.filter(|field| field.role != Role::Skipped);
+    let fields = fields.map(|field| (&field.name, "field"));
+    let coordinates = clauses.coordinates.iter();
+    let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
+    let definitions = clauses.definitions.iter();
+    let definitions = definitions.map(|definition| (&definition.name, "definition"));
+    let all = fields.chain(coordinates).chain(definitions);
+    all.map(|(name, kind)| (plain(name), kind)).collect()
+}
+
+fn check_arguments(declaration: &Declaration, function: &Function, diagnostics: &mut Diagnostics) {
+    let mut seen = BTreeSet::new();
+    for argument in &function.arguments {
+        refuse_reserved(argument, diagnostics);
+        let mut fields = declaration.fields.iter();
+        if !seen.insert(plain(argument)) {
+            let message =
+                format!("`{argument}` is an argument already: give one of them another name");
+            diagnostics.error(argument, message);
+        } else if fields
+            .any(|field| field.role != Role::Skipped && plain(&field.name) == plain(argument))
+        {
+            let message =
+                format!("`{argument}` is a field already: give this argument another name");
+            diagnostics.error(argument, message);
+        }
+    }
+}
+
+fn check_derivatives(function: &Function, diagnostics: &mut Diagnostics) {
+    let mut seen = BTreeSet::new();
+    for Derivative { argument, .. } in &function.derivatives {
+        let written = plain(argument);
+        let arguments: Vec<String> = function.arguments.iter().map(plain).collect();
+        if !arguments.contains(&written) {
+            let name = &function.name;
+            let hint = match (
+                similar(&written, arguments.iter().map(String::as_str)),
+                &*arguments,
+            ) {
+                (Some(meant), _) => format!("did you mean `{meant}`?"),
+                (None, []) => "it has none".to_owned(),
+                (None, _) => format!("write one of `{}`", arguments.join("`, `")),
+            };
+            let message = format!("`{argument}` is no argument of `{name}`: {hint}");
+            diagnostics.error(argument, message);
+        } else if !seen.insert(written) {
+            let message =
+                format!("the derivative by `{argument}` is given twice: keep one of them");
+            diagnostics.error(argument, message);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! What can be wrong with the names of fields, coordinates and definitions.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::Diagnostics;
+use crate::plan::constants::{
+    CONSTANTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_SYSTEMS,
+};
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+use crate::syntax::named::Named;
+use crate::syntax::names::{RESERVED, constant, plain};
+
+/// Names are unique, and none is reserved.
+pub(super) fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut taken: BTreeMap<String, &str> = BTreeMap::new();
+    for field in &declaration.fields {
+        if field.role != Role::Skipped {
+            refuse_reserved(&field.name, diagnostics);
+        }
+        taken.insert(plain(&field.name), "field");
+    }
+    let clauses = &declaration.clauses;
+    let coordinates = clauses.coordinates.iter();
+    let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
+    let definitions = first_of_families(&clauses.definitions)
+        .into_iter()
+        .map(|name| (name, "definition"));
+    for (name, kind) in coordinates.chain(definitions) {
+        refuse_reserved(name, diagnostics);
+        if let Some(holder) = taken.insert(plain(name), kind) {
+            let message = if holder == kind {
+                format!("`{name}` is declared twice: give one of them another name")
+            } else {
+                format!("`{name}` is a {holder} already: give this {kind} another name")
+            };
+            diagnostics.error(name, message);
+        }
+    }
+}
+
+/// The names of definitions; that of a family once, though its members may be defined one by one.
+fn first_of_families(definitions: &[Named]) -> Vec<&Ident> {
+    let mut families = BTreeSet::new();
+    let first = |named: &&Named| named.indices.is_empty() || families.insert(plain(&named.name));
+    definitions
+        .iter()
+        .filter(first)
+        .map(|named| &named.name)
+        .collect()
+}
+
+pub(super) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
+    if RESERVED.iter().any(|reserved| name == reserved) {
+        let meaning = match name.to_string().as_str() {
+            "t" => "the time",
+            "PI" => "the number π",
+            _ => "the time derivative",
+        };
+        diagnostics.error(name, format!("`{name}` is {meaning}: choose another name"));
+    }
+}
+
+/// Each coordinate and each input becomes a constant of the type, beside those that are always there.
+pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut taken = constants(declaration);
+    let coordinates = declaration.clauses.coordinates.iter();
+    let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
+    let inputs = declaration.fields_with(Role::Input);
+    let inputs = inputs.map(|field| (&field.name, "input"));
+    for (name, quantity) in coordinates.chain(inputs) {
+        let constant = constant(name);
+        let kind = format!("the index of `{name}`");
+        // The same name twice is reported as such.
+        if let Some(holder) = taken.insert(constant.clone(), kind.clone())
+            && holder != kind
+        {
+            let message = format!(
+                "this {quantity}'s index is the constant `{constant}`, which is {holder}: rename the {quantity}"
+            );
+            diagnostics.error(name, message);
+        }
+    }
+}
+
+/// The constants that a model has, with what they are constants of.
+fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
+    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
+    let has_functions = !declaration.clauses.functions.is_empty();
+    let every = "a constant of every model";
+    let all: [(&[&str], bool, &str); 4] = [
+        (&CONSTANTS, true, every),
+        (&CONSTANTS_OF_SYSTEMS, true, every),
+        (
+            &CONSTANTS_OF_INPUTS,
+            has_inputs,
+            "a constant of every model with inputs",
+        ),
+        (
+            &CONSTANTS_OF_FUNCTIONS,
+            has_functions,
+            "a constant of every model with functions from outside",
+        ),
+    ];
+    let all = all.into_iter().filter(|(_, there, _)| *there);
+    all.flat_map(|(names, _, holder)| {
+        let names = names.iter();
+        names.map(move |name| ((*name).to_owned(), holder.to_owned()))
+    })
+    .collect()
+}

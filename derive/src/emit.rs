@@ -1,0 +1,40 @@
+//! The items that are emitted for a model.
+
+mod emitter;
+mod methods;
+mod constants;
+mod inputs;
+mod outputs;
+mod external_functions;
+mod item_names;
+mod signatures;
+mod parameters;
+mod writer;
+mod reader;
+mod body;
+mod locals;
+mod documentation;
+mod editor;
+mod defect_warning;
+mod fallback;
+
+use proc_macro2::TokenStream;
+
+pub(crate) use defect_warning::warning;
+pub(crate) use emitter::Implementation;
+pub(crate) use fallback::items as items_without_equations;
+
+/// All items, in the order in which a reader wants them.
+pub(crate) fn items(implementation: &Implementation<'_>) -> TokenStream {
+    [
+        implementation.constants(),
+        implementation.system(),
+        implementation.lagrangian(),
+        implementation.energies(),
+        implementation.inputs(),
+        implementation.outputs(),
+        implementation.functions(),
+    ]
+    .into_iter()
+    .collect()
+}

@@ -1,0 +1,69 @@
+//! Which values of a program are variables.
+
+use lagrangian_symbolic::{Expression, Instruction, Operand, Operation, Program};
+
+use crate::limits::DEEPEST_NESTING;
+
+/// The values that are variables: those that are used more than once, that have a name, or that would be
+/// nested too deeply. The others stand where they are used.
+pub(super) struct Variables(Vec<bool>);
+
+impl Variables {
+    /// Those of a program; `is_defined` tells what the declaration has a name for.
+    pub(super) fn of(program: &Program, is_defined: impl Fn(Option<Expression>) -> bool) -> Self {
+        let uses = count_uses(program);
+        let mut variables = vec![true; uses.len()];
+        let mut depths = vec![0; uses.len()];
+        for instruction in program.instructions() {
+            if matches!(instruction.operation, Operation::SineAndCosine(_)) {
+                continue;
+            }
+            let value = instruction.value;
+            let operands = instruction.operation.operands().filter_map(value_of);
+            let depth = 1 + operands.map(|operand| depths[operand]).max().unwrap_or(0);
+            let once = uses[value] == 1;
+            if once && depth < DEEPEST_NESTING && !is_defined(instruction.expression) {
+                variables[value] = false;
+                depths[value] = depth;
+            }
+        }
+        Self(variables)
+    }
+
+    /// Whether a value is a variable.
+    pub(super) fn contain(&self, value: usize) -> bool {
+        self.0.get(value).is_none_or(|variable| *variable)
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.0.iter().filter(|variable| **variable).count()
+    }
+}
+
+/// How often each value is used; where a phase uses a value of another one, that counts twice, so that it is
+/// not written twice.
+fn count_uses(program: &Program) -> Vec<usize> {
+    let end = |last: &Instruction| last.value + last.operation.results();
+    let mut uses = vec![0; program.instructions().last().map_or(0, end)];
+    let mut start = 0;
+    for phase in &program.phases {
+        let mut note = |operand: &Operand| {
+            if let Some(value) = value_of(operand) {
+                uses[value] += if value < start { 2 } else { 1 };
+            }
+        };
+        for instruction in &phase.instructions {
+            instruction.operation.operands().for_each(&mut note);
+        }
+        phase.outputs.iter().for_each(&mut note);
+        start = phase.instructions.last().map_or(start, end);
+    }
+    uses
+}
+
+fn value_of(operand: &Operand) -> Option<usize> {
+    match operand {
+        Operand::Value(value) => Some(*value),
+        _ => None,
+    }
+}

@@ -1,0 +1,108 @@
+//! What is known of a model before any number is, as constants of its type.
+
+use lagrangian_symbolic::OperationCount;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::documentation;
+use super::editor;
+use super::emitter::Implementation;
+use crate::syntax::coordinate::indices;
+use crate::syntax::names::{constant, placed};
+use crate::syntax::root::Root;
+
+impl Implementation<'_> {
+    /// What is known of the model before any number is, as constants of its type.
+    pub(super) fn constants(&self) -> TokenStream {
+        let root = &self.declaration.root;
+        let name = &self.declaration.name;
+        let visibility = &self.declaration.visibility;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let n = self.coordinates();
+        let equations = documentation::equations(self);
+        let documentation = documentation::of(self, &equations);
+        let coordinates = &self.lowered.quantities.coordinates;
+        let names = coordinates.iter().map(ToString::to_string);
+        let operations = self.operations();
+        let mentions = editor::method(self.declaration);
+        let indices = indices(&self.declaration.clauses.coordinates);
+        let indices = indices.map(|(coordinate, indices)| {
+            let constant = placed(&constant(&coordinate.name), &coordinate.name);
+            let text = coordinate.documentation();
+            let (ty, value) = coordinate.constant(indices.start);
+            quote!(#[doc = #text] #visibility const #constant: #ty = #value;)
+        });
+        let inputs = self.input_constants();
+        // A lifetime of the struct stands in its impl but once.
+        let lifetimes = self.declaration.generics.lifetimes().next().is_some();
+        let lints = lifetimes.then(|| quote!(#[allow(single_use_lifetimes)]));
+        quote! {
+            #[doc = #documentation]
+            #lints
+            impl #generics #name #arguments #conditions {
+                /// The names of the coordinates, in order.
+                #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
+                #(#indices)*
+                #inputs
+                /// The equations of motion as they were derived.
+                #visibility const EQUATIONS: &'static str = #equations;
+                /// The operation counts of the methods.
+                #visibility const OPERATIONS: #root::Operations = #operations;
+                #mentions
+            }
+        }
+    }
+
+    fn operations(&self) -> TokenStream {
+        let root = &self.declaration.root;
+        let counts = self.methods.counted().map(|(name, method)| {
+            let name = format_ident!("{name}");
+            let count = operation_count(&method.count, root);
+            quote!(#name: #count)
+        });
+        quote!(#root::Operations { #(#counts),* })
+    }
+
+    pub(super) fn system(&self) -> TokenStream {
+        let root = &self.declaration.root;
+        let name = &self.declaration.name;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let n = self.coordinates();
+        let structure = &self.equations.structure;
+        let (angles, ignorable) = (&structure.angles, &structure.ignorable);
+        let singularities = structure.singularities.iter().map(|coordinates| {
+            let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
+            quote!(&[#(#coordinates),*])
+        });
+        quote! {
+            #[automatically_derived]
+            impl #generics #root::System<#n> for #name #arguments #conditions {
+                const COORDINATES: [&'static str; #n] = Self::COORDINATES;
+                const ANGLES: [bool; #n] = [#(#angles),*];
+                const IGNORABLE: [bool; #n] = [#(#ignorable),*];
+                const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
+            }
+        }
+    }
+}
+
+fn operation_count(count: &OperationCount, root: &Root) -> TokenStream {
+    let OperationCount {
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        sines_and_cosines,
+        functions,
+    } = *count;
+    quote! {
+        #root::OperationCount {
+            additions: #additions,
+            multiplications: #multiplications,
+            divisions: #divisions,
+            square_roots: #square_roots,
+            sines_and_cosines: #sines_and_cosines,
+            functions: #functions,
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! What the emitted impl says of itself: the equations as they were derived.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use lagrangian_symbolic::{Energies, Expression, Letters, Names, OperationCount};
+
+use super::emitter::Implementation;
+use crate::limits::LONGEST_FORMULA;
+use crate::lower::Lowered;
+use crate::lower::quantities::Component;
+use crate::syntax::names::plain;
+
+/// The documentation of the model's impl: coordinates, energies, mass matrix, equations of motion.
+pub(crate) fn of(implementation: &Implementation<'_>, equations: &str) -> String {
+    let mut text = String::from(
+        "# The equations of motion\n\nM q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with\n\n```text\n",
+    );
+    text.push_str(equations);
+    text.push_str("```\n\n# Operations\n\n");
+    text.push_str(
+        "| method | + − | × | ÷ | √ | sin, cos | others |\n|---|---|---|---|---|---|---|\n",
+    );
+    for (name, method) in implementation.methods.counted() {
+        let OperationCount {
+            additions,
+            multiplications,
+            divisions,
+            square_roots,
+            sines_and_cosines,
+            functions,
+        } = method.count;
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "| `{name}` | {additions} | {multiplications} | {divisions} | {square_roots} | \
+             {sines_and_cosines} | {functions} |"
+        );
+    }
+    text
+}
+
+/// Definitions, energies, momenta, M, Q and f as text, one formula a line.
+pub(crate) fn equations(implementation: &Implementation<'_>) -> String {
+    let mut page = Page::new(implementation);
+    page.coordinates();
+    page.definitions();
+    page.energies();
+    page.momenta();
+    page.mass_matrix();
+    page.forces();
+    page.text
+}
+
+/// Formulas under names, one below the other.
+struct Page<'a> {
+    implementation: &'a Implementation<'a>,
+    letters: Letters,
+    coordinates: Vec<String>,
+    text: String,
+}
+
+impl<'a> Page<'a> {
+    fn new(implementation: &'a Implementation<'a>) -> Self {
+        let Lowered {
+            scope, quantities, ..
+        } = implementation.lowered;
+        let all = |components: &[Component]| -> Vec<String> {
+            let labels = components.iter().map(|component| &component.label);
+            labels.map(ToString::to_string).collect()
+        };
+        let coordinates = quantities.coordinates.iter();
+        let definitions = scope.definitions(&implementation.model.graph);
+        let names = Names {
+            coordinates: coordinates.map(ToString::to_string).collect(),
+            parameters: all(&quantities.parameters),
+            inputs: all(&quantities.inputs),
+            definitions: definitions
+                .map(|(label, expression)| (expression, label.to_string()))
+                .collect(),
+        };
+        let letters = Letters::new(&names);
+        let coordinates = implementation.model.coordinate_symbols();
+        Self {
+            implementation,
+            coordinates: coordinates
+                .into_iter()
+                .map(|symbol| letters.print_symbol(symbol))
+                .collect(),
+            letters,
+            text: String::new(),
+        }
+    }
+
+    fn line(&mut self, name: &str, expression: Expression) {
+        let graph = &self.implementation.model.graph;
+        let formula = graph
+            .display_in(expression, &self.letters)
+            .limit(LONGEST_FORMULA);
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "{name} = {formula}");
+    }
+
+    fn coordinates(&mut self) {
+        let _ = writeln!(self.text, "q = ({})", self.coordinates.join(", "));
+    }
+
+    fn definitions(&mut self) {
+        let scope = &self.implementation.lowered.scope;
+        let mut seen = BTreeSet::new();
+        for definition in &self.implementation.declaration.clauses.definitions {
+            let name = plain(&definition.name);
+            let components = scope.defined(&name);
+            if !seen.insert(name) {
+                continue;
+            }
+            for (_, expression) in components {
+                if let Some(name) = self.letters.print_definition(expression) {
+                    self.line(&name, expression);
+                }
+            }
+        }
+    }
+
+    fn energies(&mut self) {
+        match self.implementation.model.energies {
+            Energies::Natural { kinetic, potential } => {
+                self.line("T", kinetic);
+                self.line("V", potential);
+            }
+            Energies::General(lagrangian) => self.line("L", lagrangian),
+        }
+    }
+
+    fn momenta(&mut self) {
+        let momenta = self.implementation.equations.momenta.clone();
+        for (i, momentum) in momenta.into_iter().enumerate() {
+            let name = format!("p[{}]", self.coordinates[i]);
+            self.line(&name, momentum);
+        }
+    }
+
+    fn mass_matrix(&mut self) {
+        let mass = self.implementation.equations.mass.clone();
+        for (i, row) in mass.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate().take(i + 1) {
+                if !self.implementation.model.graph.is_zero(*entry) {
+                    let name = format!("M[{}, {}]", self.coordinates[i], self.coordinates[j]);
+                    self.line(&name, *entry);
+                }
+            }
+        }
+    }
+
+    fn forces(&mut self) {
+        let equations = self.implementation.equations;
+        let forces = [
+            ("Q", equations.generalized_forces.clone()),
+            ("f", equations.forcing.clone()),
+        ];
+        for (letter, forces) in forces {
+            for (i, force) in forces.into_iter().enumerate() {
+                let zero = self.implementation.model.graph.is_zero(force);
+                if letter == "f" || !zero {
+                    let name = format!("{letter}[{}]", self.coordinates[i]);
+                    self.line(&name, force);
+                }
+            }
+        }
+    }
+}

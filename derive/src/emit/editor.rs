@@ -1,0 +1,199 @@
+//! Where the declaration speaks of fields, coordinates, functions and definitions, for editors.
+//!
+//! An editor knows what a word in an attribute means if the word, with its place, stands in the emitted
+//! code where the compiler resolves it. The impls read each field once; here every mention stands, in a
+//! method that nobody calls: of a field as the field, of a coordinate as the constant that holds its
+//! index, of a definition or a function as a variable, and of a function's arguments as those of a closure.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+use crate::syntax::clauses::Clauses;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::function::Function;
+use crate::syntax::named::Named;
+use crate::syntax::names::{constant, placed, plain};
+
+/// The method with all mentions.
+pub(crate) fn method(declaration: &Declaration) -> TokenStream {
+    let clauses = &declaration.clauses;
+    let mut names = Names::of(declaration);
+    let functions = clauses.functions.iter().map(|function| &function.name);
+    let definitions = clauses.definitions.iter();
+    let definitions = definitions.map(|definition| &definition.name);
+    let defined: TokenStream = functions
+        .chain(definitions)
+        .filter(|name| names.is_variable(name) && names.once.insert(plain(name)))
+        .map(|name| {
+            let name = placed(&plain(name), name);
+            quote!(let #name = ();)
+        })
+        .collect();
+    let mut mentions = TokenStream::new();
+    for tokens in spoken(clauses) {
+        names.mention(tokens, &mut mentions);
+    }
+    for function in &clauses.functions {
+        mentions.extend(names.derivatives(function));
+    }
+    quote! {
+        #[doc(hidden)]
+        fn __mentions(&self) {
+            #defined
+            let _ = (#mentions);
+        }
+    }
+}
+
+/// All expressions of the declaration, and the names on which forces act.
+fn spoken(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
+    let energies = [
+        &clauses.kinetic,
+        &clauses.potential,
+        &clauses.lagrangian,
+        &clauses.dissipation,
+    ];
+    let energies = energies.into_iter().flatten();
+    let energies = energies.map(|clause| clause.expression.to_token_stream());
+    let lists = [&clauses.definitions, &clauses.outputs];
+    let lists = lists.into_iter().chain(&clauses.forces);
+    let lists = lists.flatten().flat_map(|named: &Named| {
+        let indices = named.indices.iter().map(ToTokens::to_token_stream);
+        let ranges = named.iterations.iter();
+        let ranges = ranges.map(|iteration| iteration.range.to_token_stream());
+        let expression = named.expression.to_token_stream();
+        indices.chain(ranges).chain([expression])
+    });
+    let forces = clauses.forces.iter().flatten();
+    let forces = forces.map(|force| force.name.to_token_stream());
+    energies.chain(lists).chain(forces)
+}
+
+/// The names that are mentioned.
+struct Names {
+    fields: BTreeSet<String>,
+    coordinates: BTreeSet<String>,
+    functions: BTreeSet<String>,
+    definitions: BTreeSet<String>,
+    /// Definitions that are variables already.
+    once: BTreeSet<String>,
+}
+
+impl Names {
+    fn of(declaration: &Declaration) -> Self {
+        let Clauses {
+            coordinates,
+            definitions,
+            functions,
+            ..
+        } = &declaration.clauses;
+        let fields: BTreeSet<String> = declaration
+            .fields
+            .iter()
+            .map(|field| plain(&field.name))
+            .collect();
+        let coordinates: BTreeSet<String> = coordinates
+            .iter()
+            .map(|coordinate| plain(&coordinate.name))
+            .filter(|name| !fields.contains(name))
+            .collect();
+        let functions = functions.iter().map(|function| plain(&function.name));
+        let definitions = definitions
+            .iter()
+            .map(|definition| plain(&definition.name))
+            .filter(|name| !fields.contains(name) && !coordinates.contains(name))
+            .filter(|name| can_be_variable(name))
+            .collect();
+        Self {
+            fields,
+            coordinates,
+            functions: functions.filter(|name| can_be_variable(name)).collect(),
+            definitions,
+            once: BTreeSet::new(),
+        }
+    }
+
+    /// Whether there is a variable for a definition or a function.
+    fn is_variable(&self, name: &Ident) -> bool {
+        let name = plain(name);
+        self.definitions.contains(&name) || self.functions.contains(&name)
+    }
+
+    /// What the derivatives of a function mention, as closures of its arguments.
+    fn derivatives(&self, function: &Function) -> TokenStream {
+        let written = function.arguments.iter().map(plain).collect();
+        let inner = Self {
+            fields: &self.fields - &written,
+            coordinates: BTreeSet::new(),
+            functions: self.functions.clone(),
+            definitions: written
+                .into_iter()
+                .filter(|name| can_be_variable(name))
+                .collect(),
+            once: BTreeSet::new(),
+        };
+        let mut once = BTreeSet::new();
+        let arguments = function.arguments.iter();
+        let arguments: Vec<_> = arguments
+            .filter(|argument| inner.definitions.contains(&plain(argument)))
+            .filter(|argument| once.insert(plain(argument)))
+            .map(|argument| placed(&plain(argument), argument))
+            .collect();
+        let mut mentions = TokenStream::new();
+        for derivative in &function.derivatives {
+            mentions.extend(inner.named(&derivative.argument));
+            inner.mention(derivative.expression.to_token_stream(), &mut mentions);
+        }
+        quote!(|#(#arguments: ()),*| (#(#arguments,)* #mentions),)
+    }
+
+    /// Adds what `tokens` mention. A word behind a point or before parentheses is a function's.
+    fn mention(&self, tokens: TokenStream, mentions: &mut TokenStream) {
+        let mut tokens = tokens.into_iter().peekable();
+        let mut behind_a_point = false;
+        while let Some(token) = tokens.next() {
+            let called = matches!(
+                tokens.peek(),
+                Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
+            );
+            match &token {
+                TokenTree::Ident(name) if called && self.functions.contains(&plain(name)) => {
+                    let variable = placed(&plain(name), name);
+                    mentions.extend(quote!(#variable,));
+                }
+                TokenTree::Ident(name) if !(behind_a_point || called) => {
+                    mentions.extend(self.named(name));
+                }
+                TokenTree::Group(group) => self.mention(group.stream(), mentions),
+                _ => {}
+            }
+            // Two points are a range.
+            let point = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.');
+            behind_a_point = point && !behind_a_point;
+        }
+    }
+
+    /// What speaks of what a name stands for, if it stands for something.
+    fn named(&self, name: &Ident) -> Option<TokenStream> {
+        let written = plain(name);
+        if self.fields.contains(&written) {
+            return Some(quote!(&self.#name,));
+        }
+        if self.coordinates.contains(&written) {
+            let constant = placed(&constant(name), name);
+            return Some(quote!(Self::#constant,));
+        }
+        let variable = placed(&written, name);
+        let defined = self.definitions.contains(&written);
+        defined.then(|| quote!(#variable,))
+    }
+}
+
+/// A constant or a unit struct of the same name would make a pattern of a variable, and those are written in
+/// capitals; a keyword is no variable.
+fn can_be_variable(name: &str) -> bool {
+    let capital = name.chars().any(char::is_uppercase);
+    !capital && syn::parse_str::<Ident>(name).is_ok()
+}

@@ -1,0 +1,113 @@
+//! What the emitted text depends on, and what all parts of it need.
+
+use lagrangian_symbolic::{Equations, Model};
+use proc_macro2::TokenStream;
+use quote::{ToTokens as _, quote};
+
+use super::signatures::{InputsFrom, Signatures, method_name};
+use crate::lower::Lowered;
+use crate::lower::quantities::Component;
+use crate::plan::{EmittedMethod, Methods};
+use crate::syntax::declaration::Declaration;
+use crate::syntax::scalar::Scalar;
+
+/// Everything about one model that the emitted text depends on.
+pub(crate) struct Implementation<'a> {
+    pub(crate) declaration: &'a Declaration,
+    pub(crate) lowered: &'a Lowered,
+    pub(crate) model: &'a Model,
+    pub(crate) equations: &'a Equations,
+    pub(crate) methods: &'a Methods,
+    pub(crate) scalar: Scalar<'a>,
+    /// See [`MOST_SCOPES`](crate::limits::MOST_SCOPES).
+    pub(crate) most_scopes: usize,
+}
+
+impl<'a> Implementation<'a> {
+    pub(crate) fn new(
+        declaration: &'a Declaration,
+        lowered: &'a Lowered,
+        model: &'a Model,
+        equations: &'a Equations,
+        methods: &'a Methods,
+        most_scopes: usize,
+    ) -> Self {
+        Self {
+            declaration,
+            lowered,
+            model,
+            equations,
+            methods,
+            scalar: Scalar::of(declaration),
+            most_scopes,
+        }
+    }
+
+    pub(super) fn has_inputs(&self) -> bool {
+        self.model.inputs > 0
+    }
+
+    pub(super) fn coordinates(&self) -> usize {
+        self.model.coordinates as usize
+    }
+
+    /// `impl<…> trait<…> for Model`, on the scalar.
+    pub(super) fn implement(&self, interface: &TokenStream, items: &TokenStream) -> TokenStream {
+        let name = &self.declaration.name;
+        let generics = self.scalar.generics(&self.declaration.generics);
+        let (generics, _, conditions) = generics.split_for_impl();
+        let (_, arguments, _) = self.declaration.generics.split_for_impl();
+        quote! {
+            #[automatically_derived]
+            impl #generics #interface for #name #arguments #conditions {
+                #items
+            }
+        }
+    }
+
+    /// The value of a component on the scalar.
+    pub(super) fn read(&self, component: &Component) -> TokenStream {
+        let field = &component.field;
+        let field = self.lowered.scope.first_use(field).unwrap_or(field);
+        self.scalar.read(&component.read(field), &component.element)
+    }
+
+    /// What the types in signatures are made of.
+    pub(super) fn signatures(&self) -> Signatures<'_> {
+        let scalar = &self.scalar;
+        let prepared = &self.methods.prepare.program.phases;
+        let kept = prepared.first().map_or(0, |phase| phase.outputs.len());
+        Signatures {
+            root: &self.declaration.root,
+            scalar,
+            dimension: self.coordinates().to_token_stream(),
+            inputs: self.model.inputs as usize,
+            prepared: quote!([#scalar; #kept]),
+        }
+    }
+
+    /// A call of a method of the state, in the variant for these inputs.
+    fn call(&self, method: EmittedMethod, inputs: InputsFrom) -> TokenStream {
+        let row = method.row();
+        let interface = self.signatures().interface(row.interface, inputs);
+        let name = method_name(row.unprepared(), inputs);
+        let given = (inputs == InputsFrom::Argument).then(|| quote!(, inputs));
+        quote!(#interface::#name(self, state #given))
+    }
+
+    /// The forcing at the same state and inputs.
+    pub(super) fn forcing(&self, inputs: InputsFrom) -> TokenStream {
+        self.call(EmittedMethod::Forcing, inputs)
+    }
+
+    /// The accelerations at the same state and inputs.
+    pub(super) fn accelerations(&self, inputs: InputsFrom) -> TokenStream {
+        match inputs {
+            InputsFrom::Fields => {
+                let root = &self.declaration.root;
+                quote!(#root::Lagrangian::accelerations(self, state))
+            }
+            InputsFrom::Argument => self.call(EmittedMethod::Accelerations, inputs),
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! What is emitted for inputs: their constants, and the impls of `Inputs` and `Plant`.
+
+use core::ops::Range;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::emitter::Implementation;
+use super::signatures::InputsFrom;
+use crate::lower::quantities::Component;
+use crate::plan::MethodRow;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::names::{constant, placed, plain};
+
+impl Implementation<'_> {
+    pub(super) fn inputs(&self) -> TokenStream {
+        if !self.has_inputs() {
+            return TokenStream::new();
+        }
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let root = &self.declaration.root;
+        let scalar = &self.scalar;
+        let vector = self.signatures().inputs();
+        let components = &self.lowered.quantities.inputs;
+        let values = components.iter().map(|input| self.read(input));
+        let driven = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
+        let items = quote! {
+            const INPUTS: [&'static str; #u] = Self::INPUTS;
+
+            fn inputs(&self) -> #vector {
+                <#vector as ::core::convert::From<[#scalar; #u]>>::from([
+                    #(#values),*
+                ])
+            }
+
+            #driven
+        };
+        let inputs = self.implement(&quote!(#root::Inputs<#n, #u, #scalar>), &items);
+        let plant = self.plant();
+        quote!(#inputs #plant)
+    }
+
+    /// The impl of `Plant`, whose laws are on the scalar of the parameters.
+    fn plant(&self) -> TokenStream {
+        let Declaration {
+            root,
+            name,
+            generics,
+            ..
+        } = self.declaration;
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let (generics, arguments, conditions) = generics.split_for_impl();
+        let scalar = self.scalar.of_parameters();
+        quote! {
+            #[automatically_derived]
+            impl #generics #root::Plant<#n, #u> for #name #arguments #conditions {
+                type Scalar = #scalar;
+            }
+        }
+    }
+
+    /// The names of the inputs and the indices of each field of them, as constants of the type.
+    pub(super) fn input_constants(&self) -> TokenStream {
+        if !self.has_inputs() {
+            return TokenStream::new();
+        }
+        let visibility = &self.declaration.visibility;
+        let components = &self.lowered.quantities.inputs;
+        let u = components.len();
+        let names = components.iter().map(|input| input.label.to_string());
+        let indices = input_indices(components).map(|(field, indices)| {
+            let name = plain(field);
+            let text = match indices {
+                Indices::One(_) => format!("The index of the input `{name}`."),
+                Indices::Several(_) => {
+                    format!("The indices of the components of the input `{name}`.")
+                }
+            };
+            let constant = indices.constant(field);
+            quote!(#[doc = #text] #visibility const #constant;)
+        });
+        quote! {
+            /// The names of the inputs, in order.
+            #visibility const INPUTS: [&'static str; #u] = [#(#names),*];
+            #(#indices)*
+        }
+    }
+}
+
+/// The indices of one field of inputs.
+pub(crate) enum Indices {
+    /// Of a number.
+    One(usize),
+    /// Of the components of an array, a vector or a matrix, which are numbered in a row.
+    Several(Range<usize>),
+}
+
+impl Indices {
+    /// `NAME: type = value` for the constant of the field.
+    pub(crate) fn constant(&self, field: &Ident) -> TokenStream {
+        let name = placed(&constant(field), field);
+        match self {
+            Self::One(index) => quote!(#name: usize = #index),
+            Self::Several(indices) => {
+                let (indices, length) = (indices.clone(), indices.len());
+                quote!(#name: [usize; #length] = [#(#indices),*])
+            }
+        }
+    }
+}
+
+/// The fields that are inputs, with the indices of their components.
+pub(crate) fn input_indices(inputs: &[Component]) -> impl Iterator<Item = (&Ident, Indices)> {
+    let fields = inputs.chunk_by(|one, next| one.field == next.field);
+    fields.scan(0, |next, components| {
+        let start = *next;
+        *next += components.len();
+        let first = components.first()?;
+        let indices = if first.label.indices.is_empty() {
+            Indices::One(start)
+        } else {
+            Indices::Several(start..*next)
+        };
+        Some((&first.field, indices))
+    })
+}

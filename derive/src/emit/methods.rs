@@ -1,0 +1,167 @@
+//! The methods of the table: their bodies, and the impls of `Lagrangian` and `Energies`.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::emitter::Implementation;
+use super::parameters::marked_if_unused;
+use super::signatures::{InputsFrom, method_name};
+use crate::plan::{Argument, EmittedMethod, Interface, Method, MethodRow, Variant};
+
+impl Implementation<'_> {
+    pub(super) fn lagrangian(&self) -> TokenStream {
+        let n = self.coordinates();
+        let root = &self.declaration.root;
+        let scalar = &self.scalar;
+        let of_trait = |row: MethodRow| row.interface == Interface::Lagrangian;
+        let prepare = self.methods_where(InputsFrom::Fields, |row| {
+            of_trait(row) && !row.takes_state()
+        });
+        let driven = if self.has_inputs() {
+            self.delegations(Interface::Lagrangian)
+        } else {
+            let driven = |row: MethodRow| of_trait(row) && row.takes_inputs;
+            self.methods_where(InputsFrom::Fields, driven)
+        };
+        let others = self.methods_where(InputsFrom::Fields, |row| {
+            of_trait(row) && row.takes_state() && !row.takes_inputs
+        });
+        self.implement(
+            &quote!(#root::Lagrangian<#n, #scalar>),
+            &quote!(#prepare #driven #others),
+        )
+    }
+
+    pub(super) fn energies(&self) -> TokenStream {
+        if self.methods.energies.is_none() {
+            return TokenStream::new();
+        }
+        let n = self.coordinates();
+        let root = &self.declaration.root;
+        let scalar = &self.scalar;
+        let items = self.methods_where(InputsFrom::Fields, |row| {
+            row.interface == Interface::Energies
+        });
+        self.implement(&quote!(#root::Energies<#n, #scalar>), &items)
+    }
+
+    /// The methods of some rows that the model has.
+    pub(super) fn methods_where(
+        &self,
+        inputs: InputsFrom,
+        is_wanted: impl Fn(MethodRow) -> bool,
+    ) -> TokenStream {
+        let methods = self.methods.all();
+        let methods = methods.filter(|(emitted, _)| is_wanted(emitted.row()));
+        methods
+            .map(|(emitted, method)| self.method(emitted, method, inputs))
+            .collect()
+    }
+
+    /// The emitted functions of one row.
+    fn method(&self, emitted: EmittedMethod, method: &Method, inputs: InputsFrom) -> TokenStream {
+        let row = emitted.row();
+        if !row.takes_state() {
+            return self.prepare(row, method);
+        }
+        row.variants()
+            .map(|variant| {
+                if row.argument == Argument::Staged && !variant.is_prepared {
+                    self.both_stages(variant, inputs)
+                } else {
+                    self.function(variant, method, inputs)
+                }
+            })
+            .collect()
+    }
+
+    /// A function of the state, with its body.
+    fn function(&self, variant: Variant, method: &Method, inputs: InputsFrom) -> TokenStream {
+        let signatures = self.signatures();
+        let body = self.body(method, inputs, &[]);
+        let (name, state) = (method_name(variant, inputs), signatures.state());
+        let output = signatures.result(variant.row.result);
+        let given = self.input_parameter(inputs);
+        let last = signatures.parameter(variant);
+        let last = last.map(|(name, ty)| quote!(#name: #ty));
+        let [state, arguments] = [quote!(state: #state), quote!(#given #last)]
+            .map(|parameters| marked_if_unused(parameters, &body));
+        quote! {
+            fn #name(&self, #state, #arguments) -> #output {
+                #body
+            }
+        }
+    }
+
+    /// `inputs: …,` where a function takes them.
+    fn input_parameter(&self, inputs: InputsFrom) -> Option<TokenStream> {
+        let ty = self.signatures().inputs();
+        (inputs == InputsFrom::Argument).then(|| quote!(inputs: &#ty,))
+    }
+
+    /// What depends on the parameters alone.
+    fn prepare(&self, row: MethodRow, method: &Method) -> TokenStream {
+        let signatures = self.signatures();
+        let output = signatures.result(row.result);
+        let body = self.body(method, InputsFrom::Fields, &[]);
+        quote! {
+            type Prepared = #output;
+            fn prepare(&self) -> #output {
+                #body
+            }
+        }
+    }
+
+    /// The function that prepares, and then calls the one that takes what is prepared.
+    fn both_stages(&self, variant: Variant, inputs: InputsFrom) -> TokenStream {
+        let signatures = self.signatures();
+        let (name, state) = (method_name(variant, inputs), signatures.state());
+        let output = signatures.result(variant.row.result);
+        let lagrangian = signatures.interface(Interface::Lagrangian, InputsFrom::Fields);
+        let interface = signatures.interface(variant.row.interface, inputs);
+        let prepared = Variant {
+            is_prepared: true,
+            ..variant
+        };
+        let prepared = method_name(prepared, inputs);
+        let parameter = self.input_parameter(inputs);
+        let given = (inputs == InputsFrom::Argument).then(|| quote!(inputs,));
+        quote! {
+            fn #name(&self, state: #state, #parameter) -> #output {
+                let prepared = #lagrangian::prepare(self);
+                #interface::#prepared(self, state, #given &prepared)
+            }
+        }
+    }
+
+    /// The methods of a trait for a model with inputs: those that take inputs, at the fields' values.
+    pub(super) fn delegations(&self, interface: Interface) -> TokenStream {
+        let rows = EmittedMethod::ALL.iter().map(|method| method.row());
+        let rows = rows.filter(|row| row.interface == interface && row.takes_inputs);
+        let mut variants: Vec<Variant> = rows.flat_map(MethodRow::variants).collect();
+        // Those of the state alone stand first.
+        variants.sort_by_key(|variant| variant.parameter().is_some());
+        let delegations = variants.into_iter();
+        delegations
+            .map(|variant| self.delegation(variant))
+            .collect()
+    }
+
+    fn delegation(&self, variant: Variant) -> TokenStream {
+        let signatures = self.signatures();
+        let (state, output) = (signatures.state(), signatures.result(variant.row.result));
+        let [name, with] =
+            [InputsFrom::Fields, InputsFrom::Argument].map(|inputs| method_name(variant, inputs));
+        let interface = signatures.interface(variant.row.interface, InputsFrom::Argument);
+        let inputs = signatures.interface(Interface::Inputs, InputsFrom::Argument);
+        let parameter = signatures.parameter(variant);
+        let (last, given): (Option<_>, Option<_>) = parameter
+            .map(|(name, ty)| (quote!(#name: #ty,), quote!(#name,)))
+            .unzip();
+        quote! {
+            fn #name(&self, state: #state, #last) -> #output {
+                #interface::#with(self, state, &#inputs::inputs(self), #given)
+            }
+        }
+    }
+}

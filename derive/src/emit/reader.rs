@@ -1,0 +1,40 @@
+//! Where the emitted code finds the values of symbols.
+
+use lagrangian_symbolic::Symbol;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::body::Source;
+use super::emitter::Implementation;
+use super::signatures::InputsFrom;
+use crate::lower::quantities::Component;
+
+/// Reads the symbols of a model.
+pub(super) struct Reader<'a> {
+    pub(super) implementation: &'a Implementation<'a>,
+    pub(super) inputs: InputsFrom,
+}
+
+impl Source for Reader<'_> {
+    fn read(&self, symbol: Symbol) -> TokenStream {
+        let quantities = &self.implementation.lowered.quantities;
+        let field =
+            |components: &[Component], i: u32| self.implementation.read(&components[i as usize]);
+        match symbol {
+            Symbol::Time => quote!(state.t),
+            Symbol::Coordinate(i) => element(&quote!(state.q), i),
+            Symbol::Velocity(i) => element(&quote!(state.v), i),
+            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
+            Symbol::Parameter(i) => field(&quantities.parameters, i),
+            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
+            Symbol::Input(i) => field(&quantities.inputs, i),
+            Symbol::Prepared(i) => element(&quote!(prepared), i),
+            Symbol::Argument(i) => element(&quote!(arguments), i),
+        }
+    }
+}
+
+fn element(vector: &TokenStream, index: u32) -> TokenStream {
+    let index = Literal::u32_unsuffixed(index);
+    quote!(#vector[#index])
+}

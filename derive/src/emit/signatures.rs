@@ -1,0 +1,125 @@
+//! The signatures of the emitted methods.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::plan::{Interface, ResultType, Variant};
+use crate::syntax::root::Root;
+use crate::syntax::scalar::Scalar;
+
+/// Where the values of inputs come from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum InputsFrom {
+    /// From the fields of the struct.
+    Fields,
+    /// From a parameter: then the name of the method ends in `_with`.
+    Argument,
+}
+
+/// What the types in signatures are made of.
+pub(crate) struct Signatures<'a> {
+    pub(crate) root: &'a Root,
+    pub(crate) scalar: &'a Scalar<'a>,
+    /// How many coordinates there are.
+    pub(crate) dimension: TokenStream,
+    /// How many inputs there are.
+    pub(crate) inputs: usize,
+    /// The type of what depends on the parameters alone.
+    pub(crate) prepared: TokenStream,
+}
+
+impl Signatures<'_> {
+    /// One component for each coordinate.
+    pub(crate) fn vector(&self) -> TokenStream {
+        let Self {
+            root,
+            scalar,
+            dimension,
+            ..
+        } = self;
+        quote!(#root::__private::SVector<#scalar, #dimension>)
+    }
+
+    pub(crate) fn state(&self) -> TokenStream {
+        let Self {
+            root,
+            scalar,
+            dimension,
+            ..
+        } = self;
+        quote!(&#root::State<#scalar, #dimension>)
+    }
+
+    /// One component for each input.
+    pub(crate) fn inputs(&self) -> TokenStream {
+        let Self {
+            root,
+            scalar,
+            inputs,
+            ..
+        } = self;
+        quote!(#root::__private::SVector<#scalar, #inputs>)
+    }
+
+    /// What a method returns.
+    pub(crate) fn result(&self, result: ResultType) -> TokenStream {
+        let Self {
+            root,
+            scalar,
+            dimension: n,
+            inputs: u,
+            prepared,
+        } = self;
+        match result {
+            ResultType::Scalar => quote!(#scalar),
+            ResultType::Vector => self.vector(),
+            ResultType::SquareMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #n>),
+            ResultType::InputMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #u>),
+            ResultType::Linearization => quote!(#root::Linearization<#scalar, #n>),
+            ResultType::Invariants => prepared.clone(),
+            ResultType::Outputs => quote!(Self::Outputs),
+        }
+    }
+
+    /// The name and the type of the last parameter, where there is one besides the state and the inputs.
+    pub(crate) fn parameter(&self, variant: Variant) -> Option<(Ident, TokenStream)> {
+        let name = variant.parameter()?;
+        let ty = if variant.is_prepared {
+            self.prepared.clone()
+        } else {
+            self.vector()
+        };
+        Some((format_ident!("{name}"), quote!(&#ty)))
+    }
+
+    /// The trait that declares a method.
+    pub(crate) fn interface(&self, interface: Interface, inputs: InputsFrom) -> TokenStream {
+        let Self {
+            root,
+            scalar,
+            dimension: n,
+            inputs: u,
+            ..
+        } = self;
+        match (interface, inputs) {
+            (Interface::Lagrangian, InputsFrom::Fields) => quote!(#root::Lagrangian::<#n, #scalar>),
+            (Interface::Energies, _) => quote!(#root::Energies::<#n, #scalar>),
+            (Interface::Lagrangian, InputsFrom::Argument) | (Interface::Inputs, _) => {
+                quote!(#root::Inputs::<#n, #u, #scalar>)
+            }
+            (Interface::Outputs, InputsFrom::Fields) => quote!(#root::Outputs::<#n, #scalar>),
+            (Interface::Outputs, InputsFrom::Argument) => {
+                quote!(#root::OutputsWith::<#n, #u, #scalar>)
+            }
+        }
+    }
+}
+
+/// The name of an emitted function.
+pub(crate) fn method_name(variant: Variant, inputs: InputsFrom) -> Ident {
+    let name = variant.name();
+    match inputs {
+        InputsFrom::Fields => format_ident!("{name}"),
+        InputsFrom::Argument => format_ident!("{name}_with"),
+    }
+}

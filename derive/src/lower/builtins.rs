@@ -1,0 +1,66 @@
+//! The functions of the declaration language, by name.
+
+use lagrangian_symbolic::{Binary, Unary};
+
+/// What is computed with vectors and matrices, by name; `dot` as a method alone.
+const OF_ARRAYS: [&str; 18] = [
+    "cross",
+    "norm",
+    "norm_squared",
+    "normalize",
+    "transpose",
+    "trace",
+    "determinant",
+    "inverse",
+    "outer",
+    "component_mul",
+    "cross_matrix",
+    "diagonal",
+    "row",
+    "column",
+    "sum",
+    "product",
+    "len",
+    "identity",
+];
+
+/// How many arguments a function takes, if it is one of those here.
+pub(super) fn arity_of_arrays(name: &str) -> Option<usize> {
+    match name {
+        "dot" | "cross" | "outer" | "component_mul" | "row" | "column" => Some(2),
+        _ if OF_ARRAYS.contains(&name) => Some(1),
+        _ => None,
+    }
+}
+
+/// Functions of rotations and of angles: examples, one for each kind.
+const OF_ROTATIONS: [&str; 8] = [
+    "rotation_x",
+    "rotation_zxz",
+    "rotation_zyx",
+    "angular_velocity",
+    "angular_velocity_inertial",
+    "angular_velocity_zxz",
+    "angular_velocity_zyx",
+    "angular_velocity_zxz_inertial",
+];
+
+/// Whether a function is built in.
+pub(crate) fn is_function(name: &str) -> bool {
+    functions().any(|function| function == name)
+}
+
+/// All functions that are built in.
+pub(super) fn functions() -> impl Iterator<Item = &'static str> {
+    of_scalars()
+        .chain(OF_ARRAYS)
+        .chain(OF_ROTATIONS)
+        .chain(["vector"])
+}
+
+/// Those of scalars.
+pub(super) fn of_scalars() -> impl Iterator<Item = &'static str> {
+    let unary = Unary::ALL.into_iter().map(Unary::name);
+    let binary = Binary::ALL.into_iter().map(Binary::name);
+    unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
+}

@@ -1,0 +1,286 @@
+//! From Rust expressions to the expression graph.
+//!
+//! Comes in: `syn` expressions with their spans. Goes out: values made of handles of the graph, or
+//! errors at the tokens that are not understood. Long sums and products are loops; only nesting
+//! recurses, which the compiler's own parser bounds.
+
+mod application;
+mod array;
+mod call;
+mod chain;
+mod component;
+mod derivative;
+mod repetition;
+mod rotation;
+
+use lagrangian_symbolic::{Expression, Graph, Rational};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, ExprLit, ExprUnary, Lit, Stmt, UnOp};
+
+use crate::diagnostics::Diagnostics;
+use crate::limits::in_range;
+use crate::lower::builtins;
+use crate::lower::hints;
+use crate::lower::scope::{Kind, Meaning, Scope};
+use crate::lower::value::Value;
+use crate::syntax::names::{plain, spelled};
+
+/// Where an expression stands, which decides what it may contain.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Energies, dissipation and forces: functions of q, q̇, t, parameters and inputs.
+    Energy,
+    /// Definitions and outputs, which may contain accelerations.
+    Observation,
+}
+
+/// The translation of one declaration.
+pub(crate) struct Translator<'a> {
+    pub(crate) graph: Graph,
+    pub(crate) scope: Scope,
+    pub(crate) coordinates: u32,
+    pub(crate) diagnostics: &'a mut Diagnostics,
+    /// How often something was repeated so far, over all ranges.
+    pub(crate) repetitions: usize,
+    /// Whether an index is looked at, where an unknown name is a variable that nobody has bound.
+    pub(crate) within_index: bool,
+    /// Whether the derivative of a function is looked at, which knows neither coordinates nor the time.
+    pub(crate) within_derivative: bool,
+    /// Whether nothing moves, so that all time derivatives are zero.
+    pub(crate) at_rest: bool,
+}
+
+impl Translator<'_> {
+    /// The value of `expression`; `None` if errors were reported.
+    pub(crate) fn translate(&mut self, expression: &Expr, place: Place) -> Option<Value> {
+        match expression {
+            Expr::Paren(inner) => self.translate(&inner.expr, place),
+            Expr::Group(inner) => self.translate(&inner.expr, place),
+            Expr::Block(block) => match (block.block.stmts.as_slice(), &block.label) {
+                ([Stmt::Expr(only, None)], None) => self.translate(only, place),
+                _ => self.reject(block, hints::syntax(expression)),
+            },
+            Expr::Lit(literal) => self.literal(literal).map(Value::Scalar),
+            Expr::Path(path) => match path.path.get_ident() {
+                Some(name) if path.qself.is_none() && !leads_a_path(name) => self.name(name, place),
+                _ => self.reject(path, hints::path(path)),
+            },
+            Expr::Unary(unary) => self.negation(unary, place),
+            Expr::Binary(binary) => self.chain(binary, place),
+            Expr::Call(call) => self.call(call, place),
+            Expr::MethodCall(call) => self.method(call, place),
+            Expr::Array(array) => self.array(array, place),
+            Expr::Repeat(repeat) => self.repeat(repeat, place),
+            Expr::Index(index) => self.indexed(index, place),
+            Expr::Field(field) => self.field(field, place),
+            other => self.reject(other, hints::syntax(other)),
+        }
+    }
+
+    /// The value of an expression where only a scalar fits.
+    pub(crate) fn scalar(&mut self, expression: &Expr, place: Place) -> Option<Expression> {
+        let value = self.translate(expression, place)?;
+        self.as_scalar(&value, expression)
+    }
+
+    /// A value, written as `tokens`, where only a scalar fits.
+    pub(crate) fn as_scalar(&mut self, value: &Value, tokens: impl ToTokens) -> Option<Expression> {
+        match value {
+            Value::Scalar(expression) => Some(*expression),
+            Value::Nothing => Some(self.graph.zero()),
+            Value::Array(_) => {
+                let message = format!(
+                    "this is {}, and a scalar belongs here: write one of its components, as in `v[0]` or \
+                     `m[(0, 1)]`, or what makes a scalar of it, as in `a.dot(b)`",
+                    value.shape()
+                );
+                self.reject(tokens, message)
+            }
+        }
+    }
+
+    /// The value of an expression that is an integer known before any number is: an index, or an end of
+    /// a range.
+    pub(crate) fn integer(&mut self, expression: &Expr) -> Option<i64> {
+        let outside = core::mem::replace(&mut self.within_index, true);
+        let value = self.scalar(expression, Place::Observation);
+        self.within_index = outside;
+        let value = value?;
+        let constant = self.graph.as_constant(value);
+        match constant.map(Rational::to_integer) {
+            Some(Some(integer)) => Some(integer),
+            Some(None) => self.reject(
+                expression,
+                "this has to come out as an integer: indices count from 0, and `1/2` is one half here",
+            ),
+            None => self.reject(
+                expression,
+                "this has to be an integer that is known at compile time: write a number, the `i` of `|i|` \
+                 or of `for i in …`, or `theta.len()`",
+            ),
+        }
+    }
+
+    pub(crate) fn reject<T>(
+        &mut self,
+        tokens: impl ToTokens,
+        message: impl core::fmt::Display,
+    ) -> Option<T> {
+        self.diagnostics.error(tokens, message);
+        None
+    }
+
+    fn literal(&mut self, literal: &ExprLit) -> Option<Expression> {
+        let (digits, suffix) = match &literal.lit {
+            Lit::Int(integer) => (integer.base10_digits(), integer.suffix()),
+            Lit::Float(float) => (float.base10_digits(), float.suffix()),
+            other => return self.reject(other, "write a number such as `2`, `0.5` or `1e-3`"),
+        };
+        if !matches!(suffix, "" | "f64" | "f32") {
+            return self.reject(literal, format!("numbers here are real: write `{digits}`"));
+        }
+        match Rational::from_decimal(digits) {
+            Some(value) if in_range(&value) => Some(self.graph.constant(&value)),
+            _ => self.reject(
+                literal,
+                "this number is outside of the range of `f64`, 5e-324 to 1.8e308: choose units in which \
+                 it is not",
+            ),
+        }
+    }
+
+    fn name(&mut self, name: &Ident, place: Place) -> Option<Value> {
+        self.check_within_derivative(name)?;
+        match self.scope.resolve(name) {
+            Some(Meaning::Quantity(kind, value)) => {
+                self.check_accelerations(name, kind, &value, place)?;
+                Some(value)
+            }
+            Some(Meaning::Family(_, family)) => {
+                let brackets = "[i]".repeat(family.rank);
+                let message = format!(
+                    "`{name}` is a family of {} quantities: write one of them, as in `{name}{brackets}`, or all \
+                     of them, `vector({name})`",
+                    family.members.len()
+                );
+                self.reject(name, message)
+            }
+            Some(other) => self.refuse(name, &other),
+            None => self.unknown(name),
+        }
+    }
+
+    /// Energies do not contain accelerations; a definition that does is for observers.
+    fn check_accelerations(
+        &mut self,
+        name: &Ident,
+        kind: Kind,
+        value: &Value,
+        place: Place,
+    ) -> Option<()> {
+        if kind == Kind::Defined && place == Place::Energy && self.has_acceleration(value) {
+            let message = format!(
+                "`{name}` contains accelerations, which energies and forces cannot: \
+                 use it under `output`"
+            );
+            return self.reject(name, message);
+        }
+        Some(())
+    }
+
+    /// A name that stands for nothing that can be used here.
+    fn refuse<T>(&mut self, name: &Ident, meaning: &Meaning) -> Option<T> {
+        let message = match meaning {
+            Meaning::Later => {
+                format!("`{name}` is not defined yet: a definition may use only those before it")
+            }
+            Meaning::Output => format!(
+                "`{name}` is an output: write it under `define` to use it in other expressions"
+            ),
+            Meaning::Skipped => {
+                self.scope.silence(name);
+                format!("the field `{name}` is marked `skip`: remove the mark to use it here")
+            }
+            Meaning::Quantity(..) | Meaning::Family(..) | Meaning::Broken => return None,
+        };
+        self.reject(name, message)
+    }
+
+    /// A name that stands for nothing.
+    fn unknown<T>(&mut self, name: &Ident) -> Option<T> {
+        if !self.scope.complete {
+            return None;
+        }
+        let written = plain(name);
+        if self.within_index {
+            self.scope.silence(name);
+            return self.reject(name, hints::no_integer(name));
+        }
+        if let Some(coordinate) = self.differentiated(&written) {
+            let message =
+                format!("unknown name `{name}`: the velocity is written `dot({coordinate})`");
+            return self.reject(name, message);
+        }
+        if written == "pi" {
+            return self.reject(name, "unknown name `pi`: the number π is `PI`");
+        }
+        if let Some(meant) = self.scope.suggest(name) {
+            let message = format!("unknown name `{name}`: did you mean `{meant}`?");
+            return self.reject(name, message);
+        }
+        if builtins::is_function(&written) || self.scope.function(name).is_some() {
+            return self.reject(name, format!("`{name}` is a function: write `{name}(x)`"));
+        }
+        if self.scope.note_unknown(name) {
+            let message = hints::unknown(name, &self.scope.quantities());
+            return self.reject(name, message);
+        }
+        None
+    }
+
+    /// The coordinate of which `theta_dot`, `thetadot`, `d_theta` or `dtheta` is written as a velocity.
+    fn differentiated(&self, name: &str) -> Option<String> {
+        let before = ["_dot", "dot"].map(|suffix| name.strip_suffix(suffix));
+        let behind = ["d_", "d"].map(|prefix| name.strip_prefix(prefix));
+        before
+            .into_iter()
+            .chain(behind)
+            .flatten()
+            .find(|stem| self.scope.is_coordinate(stem))
+            .map(spelled)
+    }
+
+    fn negation(&mut self, unary: &ExprUnary, place: Place) -> Option<Value> {
+        match unary.op {
+            UnOp::Neg(_) => Some(match self.translate(&unary.expr, place)? {
+                Value::Scalar(operand) => Value::Scalar(self.graph.negate(operand)),
+                Value::Array(operand) => {
+                    let opposite = self.graph.constant(&Rational::MINUS_ONE);
+                    Value::Array(self.graph.matrix_scaled(&operand, opposite))
+                }
+                Value::Nothing => Value::Nothing,
+            }),
+            UnOp::Deref(_) => self.reject(
+                unary.op,
+                "`**` is no power, and there are no references here: write `x.powi(2)`, or `x.powf(1.5)`",
+            ),
+            _ => self.reject(
+                unary.op,
+                "only the minus sign stands in front of an expression here",
+            ),
+        }
+    }
+
+    pub(crate) fn has_acceleration(&self, value: &Value) -> bool {
+        let mut components = value.components().iter();
+        components.any(|component| self.graph.contents(*component).has_acceleration())
+    }
+}
+
+/// Whether a word is one of those that only paths begin with, which no field can be called.
+fn leads_a_path(name: &Ident) -> bool {
+    ["self", "Self", "super", "crate"]
+        .iter()
+        .any(|word| name == word)
+}

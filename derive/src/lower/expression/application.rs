@@ -1,0 +1,118 @@
+//! Functions from outside: their derivatives, and calls of them.
+
+use lagrangian_symbolic::{Function, Symbol};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::Expr;
+
+use super::{Place, Translator};
+use crate::lower::scope::{Kind, Meaning};
+use crate::lower::value::Value;
+use crate::syntax::function::{self, Derivative};
+use crate::syntax::names::plain;
+
+impl Translator<'_> {
+    /// Declares all functions, then their derivatives, which may be made of any of them.
+    pub(crate) fn declare_functions(&mut self, declared: &[function::Function]) {
+        let mut functions = Vec::with_capacity(declared.len());
+        for declared in declared {
+            let arguments: Vec<String> = declared.arguments.iter().map(plain).collect();
+            let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+            let function = self
+                .graph
+                .declare_function(&plain(&declared.name), &arguments);
+            self.scope.declare_function(&declared.name, function);
+            functions.push(function);
+        }
+        for (declared, function) in declared.iter().zip(functions) {
+            for derivative in &declared.derivatives {
+                self.declare_derivative(function, &declared.arguments, derivative);
+            }
+        }
+    }
+
+    fn declare_derivative(
+        &mut self,
+        function: Function,
+        arguments: &[Ident],
+        derivative: &Derivative,
+    ) {
+        let mut hidden = Vec::new();
+        for (i, argument) in (0..).zip(arguments) {
+            let value = Value::Scalar(self.graph.symbol(Symbol::Argument(i)));
+            hidden.push((argument, self.scope.bind(argument, value)));
+        }
+        self.within_derivative = true;
+        let value = self.scalar(&derivative.expression, Place::Observation);
+        self.within_derivative = false;
+        for (argument, before) in hidden.into_iter().rev() {
+            self.scope.release(argument, before);
+        }
+        let mut names = arguments.iter();
+        let argument = names.position(|argument| plain(argument) == plain(&derivative.argument));
+        if let (Some(value), Some(argument)) = (value, argument) {
+            if self.graph.contents(value).varies_in_time() {
+                return self.diagnostics.error(&derivative.expression, MADE_OF);
+            }
+            self.graph.declare_derivative(function, argument, value);
+        }
+    }
+
+    /// What stands for nothing in the derivative of a function.
+    pub(super) fn check_within_derivative(&mut self, name: &Ident) -> Option<()> {
+        if !self.within_derivative {
+            return Some(());
+        }
+        let known = match self.scope.resolve(name) {
+            Some(Meaning::Quantity(Kind::Defined, _) | Meaning::Family(..) | Meaning::Later) => {
+                false
+            }
+            Some(Meaning::Quantity(_, value)) => {
+                let mut components = value.components().iter();
+                !components.any(|component| self.graph.contents(*component).varies_in_time())
+            }
+            _ => true,
+        };
+        if known {
+            return Some(());
+        }
+        self.reject(
+            name,
+            format!("`{name}` is unknown to this function: {MADE_OF}"),
+        )
+    }
+
+    /// A function from outside, applied to scalars.
+    pub(super) fn application(
+        &mut self,
+        function: Function,
+        arguments: &[&Expr],
+        call: impl ToTokens,
+        place: Place,
+    ) -> Option<Value> {
+        let expected = self.graph.function_arguments(function);
+        if expected.len() != arguments.len() {
+            let name = self.graph.function_name(function);
+            let count = match expected {
+                [] => "no arguments".to_owned(),
+                [_] => "one argument".to_owned(),
+                [_, _] => "two arguments".to_owned(),
+                more => format!("{} arguments", more.len()),
+            };
+            let message = format!(
+                "`{name}` takes {count}: write `{name}({})`",
+                expected.join(", ")
+            );
+            return self.reject(call, message);
+        }
+        let values: Vec<_> = arguments
+            .iter()
+            .map(|argument| self.scalar(argument, place))
+            .collect();
+        let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
+        Some(Value::Scalar(self.graph.apply(function, &values)))
+    }
+}
+
+pub(super) const MADE_OF: &str =
+    "a derivative is made of the function's arguments, of parameters and of other functions";

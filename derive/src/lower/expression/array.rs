@@ -1,0 +1,233 @@
+//! Vectors and matrices: how they are written, and what is computed with them.
+
+use lagrangian_symbolic::{LARGEST_DETERMINANT, Matrix, Rational};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, ExprArray, ExprRepeat};
+
+use super::repetition::stacked;
+use super::{Place, Translator};
+use crate::limits::{LARGEST_ARRAY, MOST_DIAGONAL_ROWS};
+use crate::lower::hints;
+use crate::lower::value::Value;
+use crate::syntax::shape::Shape;
+
+impl Translator<'_> {
+    /// `[x, y, z]`, or `[[a, b], [c, d]]` row by row.
+    pub(super) fn array(&mut self, array: &ExprArray, place: Place) -> Option<Value> {
+        let values: Vec<_> = array
+            .elems
+            .iter()
+            .map(|element| self.translate(element, place))
+            .collect();
+        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        if values.is_empty() {
+            return self.reject(array, "write the components: `[x, y, z]`");
+        }
+        let values = self.filled(values);
+        match stacked(&values) {
+            Ok(matrix) => Some(Value::Array(matrix)),
+            Err(odd) => {
+                let message = hints::rows(values[0].shape(), values[odd].shape());
+                self.reject(&array.elems[odd], message)
+            }
+        }
+    }
+
+    /// `[0.0; 3]`.
+    pub(super) fn repeat(&mut self, repeat: &ExprRepeat, place: Place) -> Option<Value> {
+        let value = self.translate(&repeat.expr, place);
+        let length = self.integer(&repeat.len);
+        let (value, length) = (value?, length?);
+        let value = match value {
+            Value::Nothing => Value::Scalar(self.graph.zero()),
+            other => other,
+        };
+        let size = value.components().len().max(1);
+        match usize::try_from(length) {
+            Ok(length) if length > 0 && length <= LARGEST_ARRAY / size => {
+                if let Ok(matrix) = stacked(&vec![value.clone(); length]) {
+                    return Some(Value::Array(matrix));
+                }
+                let message = hints::rows(value.shape(), value.shape());
+                self.reject(&repeat.expr, message)
+            }
+            _ => {
+                let message = format!("an array has from 1 to {LARGEST_ARRAY} components");
+                self.reject(&repeat.len, message)
+            }
+        }
+    }
+
+    /// A function of vectors and matrices, of `arguments` as they are written and their `values`.
+    pub(super) fn array_function(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        values: &[Value],
+        call: &dyn ToTokens,
+    ) -> Option<Value> {
+        let written = name.to_string();
+        if written == "identity" {
+            return self.identity(arguments[0]);
+        }
+        if values[0] == Value::Nothing
+            && ["norm", "norm_squared", "sum", "dot"].contains(&&*written)
+        {
+            return Some(Value::Nothing);
+        }
+        let Value::Array(first) = &values[0] else {
+            return self.reject(arguments[0], wants_array(&written, &values[0]));
+        };
+        match (written.as_str(), &values[1..]) {
+            ("row" | "column", _) => self.line(&written, first, arguments[1]),
+            (_, [Value::Array(second)]) => self.of_two(name, first, second),
+            (_, [other]) => {
+                let message = wants_array(&written, other);
+                self.reject(arguments[1], message)
+            }
+            _ => self.of_one(&written, first, call),
+        }
+    }
+
+    /// The identity matrix with so many rows.
+    fn identity(&mut self, rows: &Expr) -> Option<Value> {
+        let written = self.integer(rows)?;
+        match usize::try_from(written) {
+            Ok(n @ 1..=MOST_DIAGONAL_ROWS) => Some(Value::Array(self.graph.identity_matrix(n))),
+            _ => self.reject(
+                rows,
+                "the identity has from 1 to 100 rows: write `identity(3)`",
+            ),
+        }
+    }
+
+    fn line(&mut self, name: &str, matrix: &Matrix, index: &Expr) -> Option<Value> {
+        let line = if name == "row" {
+            let i = self.index_below(index, matrix.rows(), "rows", matrix)?;
+            matrix.row(i)
+        } else {
+            let i = self.index_below(index, matrix.columns(), "columns", matrix)?;
+            matrix.column(i)
+        };
+        line.map(Value::Array)
+    }
+
+    fn of_two(&mut self, name: &Ident, first: &Matrix, second: &Matrix) -> Option<Value> {
+        let written = name.to_string();
+        if written == "outer"
+            && first.elements().len() > LARGEST_ARRAY / second.elements().len().max(1)
+        {
+            let message = format!("an array has at most {LARGEST_ARRAY} components");
+            return self.reject(name, message);
+        }
+        let graph = &mut self.graph;
+        let value = match written.as_str() {
+            "dot" => graph.dot_product(first, second).map(Value::Scalar),
+            "cross" => {
+                // ω × r is the velocity that a frame in motion adds, (1.4): nothing while it rests.
+                let zero = graph.zero();
+                let product = graph.cross_product(first, second).map(Value::Array);
+                product.map(|product| {
+                    if self.at_rest {
+                        product.shape().filled(zero)
+                    } else {
+                        product
+                    }
+                })
+            }
+            "outer" => graph.outer_product(first, second).map(Value::Array),
+            _ => graph.component_product(first, second).map(Value::Array),
+        };
+        if value.is_some() {
+            return value;
+        }
+        let rule = match written.as_str() {
+            "cross" => "is of two vectors of 3 components",
+            "outer" => "is of two vectors",
+            _ => "is of two arrays of the same shape",
+        };
+        let message = format!(
+            "`{written}` {rule}, and here it is of {} and {}",
+            Shape::of(first),
+            Shape::of(second)
+        );
+        self.reject(name, message)
+    }
+
+    /// A function that every vector or matrix has.
+    fn of_any(&mut self, name: &str, array: &Matrix) -> Option<Value> {
+        let graph = &mut self.graph;
+        let elements = array.elements().iter();
+        let terms = elements.map(|element| (*element, Rational::ONE));
+        Some(match name {
+            "norm" => Value::Scalar(graph.norm(array)),
+            "norm_squared" => Value::Scalar(graph.norm_squared(array)),
+            "transpose" => Value::Array(array.transpose()),
+            "sum" => Value::Scalar(graph.sum(terms)),
+            "product" => Value::Scalar(graph.product(terms)),
+            "len" => {
+                let length = i64::try_from(array.elements().len()).unwrap_or(i64::MAX);
+                Value::Scalar(graph.integer(length))
+            }
+            _ => return None,
+        })
+    }
+
+    fn of_one(&mut self, name: &str, array: &Matrix, call: &dyn ToTokens) -> Option<Value> {
+        if let Some(value) = self.of_any(name, array) {
+            return Some(value);
+        }
+        let graph = &mut self.graph;
+        let square = array.rows() == array.columns();
+        let few = array.rows() <= LARGEST_DETERMINANT;
+        let is_vector = array.columns() == 1;
+        let wanted = match name {
+            "normalize" => {
+                let norm = graph.norm(array);
+                if graph.is_zero(norm) {
+                    "a vector other than zero"
+                } else {
+                    let factor = graph.power(norm, &Rational::MINUS_ONE);
+                    return Some(Value::Array(graph.matrix_scaled(array, factor)));
+                }
+            }
+            "diagonal" if is_vector && array.rows() > MOST_DIAGONAL_ROWS => {
+                "a vector of at most 100 components"
+            }
+            "diagonal" if is_vector => {
+                return graph.diagonal_matrix(array).map(Value::Array);
+            }
+            "diagonal" if square => return array.diagonal().map(Value::Array),
+            "diagonal" => "a square matrix, or a vector that becomes the diagonal of one",
+            "trace" if square => return graph.trace(array).map(Value::Scalar),
+            "trace" => "a square matrix",
+            "determinant" if square && few => return graph.determinant(array).map(Value::Scalar),
+            "inverse" if square && few => {
+                if let Ok(inverse) = graph.inverse(array) {
+                    return Some(Value::Array(inverse));
+                }
+                let message = "this matrix has no inverse: its determinant vanishes identically";
+                return self.reject(call, message);
+            }
+            "determinant" | "inverse" => "a square matrix of at most 4 rows",
+            "cross_matrix" => match graph.cross_matrix(array) {
+                Some(matrix) => return Some(Value::Array(matrix)),
+                None => "a vector of 3 components",
+            },
+            _ => "something else",
+        };
+        let message = format!(
+            "`{name}` is of {wanted}, and this is of {}",
+            Shape::of(array)
+        );
+        self.reject(call, message)
+    }
+}
+
+fn wants_array(name: &str, value: &Value) -> String {
+    format!(
+        "`{name}` is of vectors and matrices, and this is {}",
+        value.shape()
+    )
+}

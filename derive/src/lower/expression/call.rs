@@ -1,0 +1,281 @@
+//! Functions, called by name or as methods.
+
+use lagrangian_symbolic::{Binary, Expression, Rational, Unary};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, ExprCall, ExprMethodCall};
+
+use super::repetition::{repeated, stacked, without_parentheses};
+use super::{Place, Translator};
+use crate::lower::builtins;
+use crate::lower::hints;
+use crate::lower::scope::Meaning;
+use crate::lower::value::Value;
+use crate::syntax::names::plain;
+
+impl Translator<'_> {
+    pub(super) fn call(&mut self, call: &ExprCall, place: Place) -> Option<Value> {
+        let name = match &*call.func {
+            Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
+            _ => None,
+        };
+        let Some(name) = name else {
+            return self.reject(&call.func, hints::callee(&call.func));
+        };
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        if name == "dot" {
+            return self.time_derivative(call, &arguments, place);
+        }
+        if name == "vector" {
+            return self.whole_family(call, &arguments, place);
+        }
+        if let Some(value) = self.rotation(name, call, &arguments, place) {
+            return value;
+        }
+        self.apply(name, &arguments, call, place)
+    }
+
+    pub(super) fn method(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
+        let name = plain(&call.method);
+        if let (Some(turbofish), true) = (&call.turbofish, builtins::is_function(&name)) {
+            let arguments = if call.args.is_empty() { "" } else { "…" };
+            return self.reject(
+                turbofish,
+                format!("functions here take no type arguments: write `.{name}({arguments})`"),
+            );
+        }
+        if let Some(map) = repeated(call) {
+            return self.repetition(call, map, place);
+        }
+        if name == "map" {
+            return self.map(call, place);
+        }
+        if let Some(module) = self.module(&call.receiver)
+            && builtins::is_function(&name)
+        {
+            let message = format!("functions are written without `{module}`: write `{name}(…)`");
+            return self.reject(&call.receiver, message);
+        }
+        if let (Expr::Range(_), false) = (without_parentheses(&call.receiver), name == "len") {
+            let message =
+                format!("write `(0..5).map(|i| …).sum()`, not `.{name}(…)`, behind a range");
+            return self.reject(&call.method, message);
+        }
+        if name == "len"
+            && call.args.is_empty()
+            && let Some(length) = self.length_of_family(&call.receiver)
+        {
+            return Some(Value::Scalar(self.graph.integer(length)));
+        }
+        let mut arguments = vec![&*call.receiver];
+        arguments.extend(&call.args);
+        self.apply(&call.method, &arguments, call, place)
+    }
+
+    /// The name of a module in which other languages keep their functions.
+    fn module(&mut self, receiver: &Expr) -> Option<Ident> {
+        let Expr::Path(path) = receiver else {
+            return None;
+        };
+        let name = path.path.get_ident()?;
+        let modules = ["np", "numpy", "math", "sp", "sympy", "casadi", "ca", "jnp"];
+        let known = modules.iter().any(|module| name == module);
+        (known && self.scope.resolve(name).is_none()).then(|| name.clone())
+    }
+
+    /// `v.map(|x| …)` of an array, component by component.
+    fn map(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
+        if let Expr::Range(_) = without_parentheses(&call.receiver) {
+            let message = "what is mapped has to become one quantity: write `.sum()`, `.product()` or \
+                           `.collect()` behind it";
+            return self.reject(&call.method, message);
+        }
+        let Value::Array(array) = self.translate(&call.receiver, place)? else {
+            let message = "`map` goes through a range or an array: write `(0..5).map(|i| …)`";
+            return self.reject(&call.receiver, message);
+        };
+        let (rows, columns) = (array.rows(), array.columns());
+        let components = array.elements().iter();
+        let components = components.map(|component| Value::Scalar(*component));
+        let values = self.applied(call, components.collect(), place)?;
+        let elements: Vec<_> = values
+            .into_iter()
+            .map(|value| self.as_scalar(&value, &call.args))
+            .collect::<Option<_>>()?;
+        lagrangian_symbolic::Matrix::new(rows, columns, elements).map(Value::Array)
+    }
+
+    /// `vector(theta)`: the members of a family as a vector, or as the rows of a matrix.
+    fn whole_family(
+        &mut self,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        place: Place,
+    ) -> Option<Value> {
+        let [argument] = arguments else {
+            let message = "`vector` takes the name of a family: write `vector(theta)`, and `[x, y, z]` for a \
+                           vector of components";
+            return self.reject(call, message);
+        };
+        let name = match without_parentheses(argument) {
+            Expr::Path(path) => path.path.get_ident(),
+            _ => None,
+        };
+        let meaning = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
+        let Some((name, Meaning::Family(kind, family))) = meaning else {
+            // What is a vector already stays one, and what is unknown is reported as such.
+            return match self.translate(argument, place)? {
+                array @ Value::Array(_) => Some(array),
+                other => {
+                    let message = format!("this is {}, and no family", other.shape());
+                    self.reject(argument, message)
+                }
+            };
+        };
+        let counted = (0..family.members.len()).map(|i| vec![i]);
+        if !family.members.keys().cloned().eq(counted) {
+            let message = format!(
+                "the members of `{name}` are not counted from 0 by one index: write which of them, as in \
+                 `(1..5).map(|i| {name}[i]).collect()`"
+            );
+            return self.reject(argument, message);
+        }
+        let values: Vec<Value> = family.members.values().cloned().collect();
+        for value in &values {
+            self.check_accelerations(name, kind, value, place)?;
+        }
+        match stacked(&values) {
+            Ok(matrix) => Some(Value::Array(matrix)),
+            Err(odd) => {
+                let message = hints::rows(values[0].shape(), values[odd].shape());
+                self.reject(argument, message)
+            }
+        }
+    }
+
+    /// How many members a family has that is spoken of as a whole.
+    fn length_of_family(&mut self, receiver: &Expr) -> Option<i64> {
+        let Expr::Path(path) = without_parentheses(receiver) else {
+            return None;
+        };
+        match self.scope.resolve(path.path.get_ident()?)? {
+            Meaning::Family(_, family) => i64::try_from(family.members.len()).ok(),
+            _ => None,
+        }
+    }
+
+    /// A function of the table, `sqrt`, `powi`, `powf` or `recip`, or one of vectors and matrices.
+    fn apply(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        call: impl ToTokens,
+        place: Place,
+    ) -> Option<Value> {
+        if let Some(function) = self.scope.function(name) {
+            return self.application(function, arguments, call, place);
+        }
+        let written = name.to_string();
+        let unary = Unary::ALL
+            .into_iter()
+            .find(|function| function.name() == written);
+        let binary = Binary::ALL
+            .into_iter()
+            .find(|function| function.name() == written);
+        let of_arrays = builtins::arity_of_arrays(&written);
+        let is_scalar = unary.is_some() || binary.is_some();
+        let expected = match written.as_str() {
+            "sqrt" | "recip" => 1,
+            "powi" => 2,
+            _ if is_scalar => 1 + usize::from(unary.is_none()),
+            // The time derivative is no method.
+            "dot" if arguments.len() == 1 => return self.reject(name, hints::function("dot")),
+            _ => match of_arrays {
+                Some(arity) => arity,
+                None => return self.no_function(name),
+            },
+        };
+        if arguments.len() != expected {
+            let count = ["one argument", "two arguments"][usize::from(expected == 2)];
+            let example = hints::example(&written, expected);
+            return self.reject(
+                call,
+                format!("`{written}` takes {count}: write `{example}`"),
+            );
+        }
+        let values: Vec<_> = arguments
+            .iter()
+            .map(|argument| self.translate(argument, place))
+            .collect();
+        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        if of_arrays.is_some() {
+            return self.array_function(name, arguments, &values, &call);
+        }
+        let scalars: Vec<_> = values
+            .into_iter()
+            .zip(arguments)
+            .map(|(value, argument)| self.as_scalar(&value, argument))
+            .collect();
+        let scalars: Vec<Expression> = scalars.into_iter().collect::<Option<_>>()?;
+        match (unary, binary) {
+            (Some(function), _) => Some(self.graph.unary(function, scalars[0])),
+            (_, Some(function)) => Some(self.graph.binary(function, scalars[0], scalars[1])),
+            _ => self.power(&written, arguments, &scalars),
+        }
+        .map(Value::Scalar)
+    }
+
+    /// A name that is called and is no function.
+    fn no_function(&mut self, name: &Ident) -> Option<Value> {
+        if self.scope.resolve(name).is_none() {
+            return self.unknown_function(name);
+        }
+        let message = format!("`{name}` is no function: write `{name} * (…)` for a product");
+        self.reject(name, message)
+    }
+
+    /// A function that there is not, unless it may stand where something could not be read.
+    fn unknown_function(&mut self, name: &Ident) -> Option<Value> {
+        if !self.scope.functions_complete {
+            return None;
+        }
+        let message = match self.scope.suggest_function(name) {
+            Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
+            None => hints::function(&name.to_string()),
+        };
+        self.reject(name, message)
+    }
+
+    fn power(
+        &mut self,
+        name: &str,
+        arguments: &[&Expr],
+        values: &[Expression],
+    ) -> Option<Expression> {
+        let exponent = match name {
+            "sqrt" => Rational::HALF,
+            "recip" => Rational::MINUS_ONE,
+            _ => match self
+                .graph
+                .as_constant(values[1])
+                .and_then(Rational::to_integer)
+            {
+                Some(exponent) if i32::try_from(exponent).is_ok() => Rational::integer(exponent),
+                _ => {
+                    return self.reject(
+                        arguments[1],
+                        "the exponent of `powi` is an integer constant: write `x.powi(2)`, or `x.powf(y)` \
+                         for any other exponent",
+                    );
+                }
+            },
+        };
+        if exponent.is_negative() && self.graph.is_zero(values[0]) {
+            return self.reject(
+                arguments[0],
+                "this divisor is zero: the quotient has no value anywhere",
+            );
+        }
+        Some(self.graph.power(values[0], &exponent))
+    }
+}

@@ -1,0 +1,136 @@
+//! Chains of `+ - * /`, from the left.
+
+use lagrangian_symbolic::{Graph, Rational};
+use syn::{BinOp, Expr, ExprBinary};
+
+use super::{Place, Translator};
+use crate::lower::hints;
+use crate::lower::value::{Product, Sum, Value};
+use crate::syntax::shape::Shape;
+
+/// A chain of operations of one kind, kept until it ends.
+#[derive(Clone)]
+enum Chain {
+    Sum(Sum),
+    Product(Product),
+}
+
+impl Chain {
+    fn value(self, graph: &mut Graph) -> Value {
+        match self {
+            Self::Sum(sum) => sum.value(graph),
+            Self::Product(product) => product.value(graph),
+        }
+    }
+
+    /// The chain with one more operation; the shape of what stands before the operator, if it does not
+    /// fit.
+    fn extend(self, graph: &mut Graph, operator: &BinOp, value: Value) -> Result<Self, Shape> {
+        let sign = match operator {
+            BinOp::Sub(_) | BinOp::Div(_) => Rational::MINUS_ONE,
+            _ => Rational::ONE,
+        };
+        if matches!(operator, BinOp::Add(_) | BinOp::Sub(_)) {
+            let mut sum = match self {
+                Self::Sum(sum) => sum,
+                before @ Self::Product(_) => {
+                    let mut sum = Sum::default();
+                    sum.add(before.value(graph), Rational::ONE)?;
+                    sum
+                }
+            };
+            sum.add(value, sign)?;
+            Ok(Self::Sum(sum))
+        } else {
+            let mut product = match self {
+                Self::Product(product) => product,
+                before @ Self::Sum(_) => {
+                    let mut product = Product::default();
+                    let before = before.value(graph);
+                    product.multiply(graph, before, Rational::ONE)?;
+                    product
+                }
+            };
+            product.multiply(graph, value, sign)?;
+            Ok(Self::Product(product))
+        }
+    }
+}
+
+impl Translator<'_> {
+    pub(super) fn chain(&mut self, binary: &ExprBinary, place: Place) -> Option<Value> {
+        let mut steps = vec![(&binary.op, &*binary.right)];
+        let mut first = &*binary.left;
+        while let Expr::Binary(inner) = first {
+            steps.push((&inner.op, &*inner.right));
+            first = &*inner.left;
+        }
+        let first = self.translate(first, place);
+        let mut chain = first.map(|first| {
+            let mut sum = Sum::default();
+            // The first term fits any sum.
+            let _ = sum.add(first, Rational::ONE);
+            Chain::Sum(sum)
+        });
+        for (operator, operand) in steps.into_iter().rev() {
+            let value = self.operand(operator, operand, place);
+            chain = match (chain, value) {
+                (Some(chain), Some(value)) => self.extend(chain, operator, value),
+                _ => None,
+            };
+        }
+        chain.map(|chain| chain.value(&mut self.graph))
+    }
+
+    /// The operand on the right of an operator that is understood.
+    fn operand(&mut self, operator: &BinOp, operand: &Expr, place: Place) -> Option<Value> {
+        if let Some(hint) = hints::operator(operator) {
+            return self.reject(operator, hint);
+        }
+        let value = self.translate(operand, place)?;
+        if matches!(operator, BinOp::Div(_)) && self.vanishes(&value) {
+            return self.reject(
+                operand,
+                "this divisor is zero: the quotient has no value anywhere",
+            );
+        }
+        Some(value)
+    }
+
+    /// Whether a value is the number zero.
+    pub(super) fn vanishes(&self, value: &Value) -> bool {
+        match value {
+            Value::Scalar(expression) => self.graph.is_zero(*expression),
+            Value::Nothing => true,
+            Value::Array(_) => false,
+        }
+    }
+
+    fn extend(&mut self, chain: Chain, operator: &BinOp, value: Value) -> Option<Chain> {
+        let right = value.shape();
+        match chain.extend(&mut self.graph, operator, value) {
+            Ok(chain) if self.within_index && matches!(operator, BinOp::Div(_)) => {
+                self.integer_quotient(chain, operator)
+            }
+            Ok(chain) => Some(chain),
+            Err(left) => self.reject(operator, hints::shapes(operator, left, right)),
+        }
+    }
+
+    /// Numbers are exact: of integers in an index `5 / 4` would be five quarters, and 1 in Rust.
+    fn integer_quotient(&mut self, chain: Chain, operator: &BinOp) -> Option<Chain> {
+        let quotient = chain.clone().value(&mut self.graph);
+        let constant = match quotient {
+            Value::Scalar(value) => self.graph.as_constant(value),
+            _ => None,
+        };
+        if constant.is_none_or(Rational::is_integer) {
+            return Some(chain);
+        }
+        self.reject(
+            operator,
+            "this quotient is no integer, as an index or the end of a range has to be, and is not rounded as in Rust: write a \
+             range for each part, as in `(0..3).map(|i| f[i + 1])`, and the last one by itself",
+        )
+    }
+}

@@ -1,0 +1,194 @@
+//! One of several: members of families, components of vectors and matrices.
+
+use lagrangian_symbolic::Matrix;
+use proc_macro2::Ident;
+use syn::{Expr, ExprField, ExprIndex, Member};
+
+use super::repetition::without_parentheses;
+use super::{Place, Translator};
+use crate::lower::hints;
+use crate::lower::scope::{Family, Kind, Meaning};
+use crate::lower::value::Value;
+use crate::syntax::label::Index;
+use crate::syntax::shape::Shape;
+
+impl Translator<'_> {
+    /// `theta[i]`, `m[(i, j)]`, `rows[i][j]`.
+    pub(super) fn indexed(&mut self, index: &ExprIndex, place: Place) -> Option<Value> {
+        let mut indices = vec![&*index.index];
+        let mut base = without_parentheses(&index.expr);
+        while let Expr::Index(inner) = base {
+            indices.push(&*inner.index);
+            base = without_parentheses(&inner.expr);
+        }
+        indices.reverse();
+        let name = match base {
+            Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
+            _ => None,
+        };
+        let family = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
+        let (name, kind, family) = match family {
+            Some((name, Meaning::Family(kind, family))) => (name, kind, family),
+            Some((name, Meaning::Later)) => {
+                let message = format!(
+                    "no member of `{name}` is defined before this one: define the first of them first, as in \
+                     `{name}[0] = …, {name}[i] = … for i in 1..5`"
+                );
+                return self.reject(name, message);
+            }
+            _ => {
+                let value = self.translate(base, place)?;
+                return self.components(value, &indices);
+            }
+        };
+        if indices.len() < family.rank {
+            let message = format!(
+                "`{name}` is told apart by {} indices: write `{name}{}`",
+                family.rank,
+                "[i]".repeat(family.rank)
+            );
+            return self.reject(index, message);
+        }
+        let (outer, inner) = indices.split_at(family.rank);
+        if let Some(Expr::Tuple(pair)) = outer.iter().map(|index| without_parentheses(index)).next()
+        {
+            let message = format!(
+                "the members of `{name}` are told apart by one index in each pair of brackets: write `{name}[i][j]`"
+            );
+            return self.reject(pair, message);
+        }
+        let member: Vec<i64> = outer
+            .iter()
+            .map(|index| self.integer(index))
+            .collect::<Option<_>>()?;
+        let positions = member.iter().map(|i| usize::try_from(*i).ok()).collect();
+        let positions: Option<Vec<usize>> = positions;
+        let value = positions.and_then(|positions| family.members.get(&positions).cloned());
+        let Some(value) = value else {
+            let message = absent(name, kind, &member, &family);
+            return self.reject(outer[0], message);
+        };
+        self.check_accelerations(name, kind, &value, place)?;
+        self.components(value, inner)
+    }
+
+    /// The component of a value at indices that stand behind it.
+    pub(crate) fn components(&mut self, value: Value, indices: &[&Expr]) -> Option<Value> {
+        let Some((first, rest)) = indices.split_first() else {
+            return Some(value);
+        };
+        if value == Value::Nothing {
+            return Some(Value::Nothing);
+        }
+        let Value::Array(array) = &value else {
+            let message = format!(
+                "this is {}, which has no components: leave out the index",
+                value.shape()
+            );
+            return self.reject(first, message);
+        };
+        let (rows, columns) = (array.rows(), array.columns());
+        let (row, column, rest) = match (without_parentheses(first), rest) {
+            (Expr::Tuple(pair), rest) if pair.elems.len() == 2 => {
+                let row = self.index_below(&pair.elems[0], rows, "rows", array);
+                let column = self.index_below(&pair.elems[1], columns, "columns", array);
+                (row?, column?, rest)
+            }
+            (row, [column, rest @ ..]) => {
+                let row = self.index_below(row, rows, "rows", array);
+                let column = self.index_below(column, columns, "columns", array);
+                (row?, column?, rest)
+            }
+            (single, rest) if columns == 1 => (
+                self.index_below(single, rows, "components", array)?,
+                0,
+                rest,
+            ),
+            (single, rest) if rows == 1 => (
+                0,
+                self.index_below(single, columns, "components", array)?,
+                rest,
+            ),
+            (single, []) => {
+                let message = format!(
+                    "this is {}, whose entries have two indices: write `m[(i, j)]` for the entry in row i and \
+                     column j, or `m.row(i)` and `m.column(j)`",
+                    value.shape()
+                );
+                return self.reject(single, message);
+            }
+        };
+        let component = array.get(row, column)?;
+        self.components(Value::Scalar(component), rest)
+    }
+
+    /// An index that counts from 0 and is below `end`.
+    pub(super) fn index_below(
+        &mut self,
+        index: &Expr,
+        end: usize,
+        what: &str,
+        array: &Matrix,
+    ) -> Option<usize> {
+        let written = self.integer(index)?;
+        match usize::try_from(written) {
+            Ok(i) if i < end => Some(i),
+            _ => {
+                let message = format!(
+                    "the index {written} is out of range: {} has {what} 0 to {}",
+                    Shape::of(array),
+                    end.saturating_sub(1)
+                );
+                self.reject(index, message)
+            }
+        }
+    }
+
+    /// `v.x`, `v.y`, `v.z`, `v.w`.
+    pub(super) fn field(&mut self, field: &ExprField, place: Place) -> Option<Value> {
+        let position = match &field.member {
+            Member::Named(name) => Index::AXES.iter().position(|axis| name == axis),
+            Member::Unnamed(_) => None,
+        };
+        let is_self = matches!(&*field.base, Expr::Path(base) if base.path.is_ident("self"));
+        let Some(position) = position.filter(|_| !is_self) else {
+            return self.reject(field, hints::field(field));
+        };
+        let value = self.translate(&field.base, place)?;
+        match &value {
+            Value::Nothing => return Some(Value::Nothing),
+            Value::Array(array) if array.columns() == 1 && array.rows() <= 4 => {
+                if let Some(component) = array.get(position, 0) {
+                    return Some(Value::Scalar(component));
+                }
+            }
+            _ => {}
+        }
+        let message = format!("this is {}, which has no such component", value.shape());
+        self.reject(&field.member, message)
+    }
+}
+
+/// For a member of a family that there is not.
+fn absent(name: &Ident, kind: Kind, member: &[i64], family: &Family) -> String {
+    let written = hints::member(name, member);
+    match (kind, bounds(family)) {
+        (Kind::Coordinate, _) => hints::beyond(name, member, family),
+        (Kind::Field, _) => format!(
+            "`{written}` is out of range: the array has {} members",
+            family.members.len()
+        ),
+        (_, Some((first, last))) if family.rank == 1 => format!(
+            "`{written}` is not defined here: what is defined before is `{name}[{first}]` to \
+             `{name}[{last}]`"
+        ),
+        _ => format!("`{written}` is not defined here"),
+    }
+}
+
+/// The least and the greatest index of a family that is told apart by one.
+fn bounds(family: &Family) -> Option<(usize, usize)> {
+    let first = family.members.keys().next()?.first()?;
+    let last = family.members.keys().next_back()?.first()?;
+    Some((*first, *last))
+}

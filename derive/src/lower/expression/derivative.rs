@@ -1,0 +1,110 @@
+//! `dot(x)`: the total time derivative.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::{Expr, ExprCall};
+
+use super::application::MADE_OF;
+use super::{Place, Translator};
+use crate::lower::scope::{Kind, Meaning};
+use crate::lower::value::Value;
+
+impl Translator<'_> {
+    pub(super) fn time_derivative(
+        &mut self,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        place: Place,
+    ) -> Option<Value> {
+        let argument = match arguments {
+            [argument] => argument,
+            [_, _] => {
+                let message = "`dot` takes one argument: write `dot(theta)` for a time derivative, and \
+                               `a.dot(b)` for the product of two vectors";
+                return self.reject(call, message);
+            }
+            _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
+        };
+        let value = self.translate(argument, Place::Observation)?;
+        if self.at_rest {
+            let zero = self.graph.zero();
+            return Some(value.shape().filled(zero));
+        }
+        let mut components = value.components().iter();
+        let varies = components.any(|component| self.graph.contents(*component).varies());
+        if !varies && value != Value::Nothing && !self.is_named(argument.to_token_stream()) {
+            return self.reject(
+                argument,
+                "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
+            );
+        }
+        self.check_differentiable(call, &value)?;
+        let derivative = match value {
+            Value::Scalar(expression) => {
+                let derivatives = self.graph.time_derivatives(&[expression], self.coordinates);
+                Value::Scalar(derivatives[0])
+            }
+            Value::Array(matrix) => {
+                Value::Array(self.graph.matrix_time_derivative(&matrix, self.coordinates))
+            }
+            Value::Nothing => Value::Nothing,
+        };
+        self.check_derivative(call, &derivative, place)?;
+        Some(derivative)
+    }
+
+    /// What contains inputs or accelerations has no time derivative here.
+    pub(super) fn check_differentiable(&mut self, call: &ExprCall, value: &Value) -> Option<()> {
+        if self.within_derivative {
+            return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
+        }
+        let mut components = value.components().iter();
+        if components.any(|component| self.graph.contents(*component).has_input()) {
+            return self.reject(
+                call,
+                "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \
+                 what is made of them, or make the input a coordinate",
+            );
+        }
+        if self.has_acceleration(value) {
+            return self.reject(
+                call,
+                "this contains accelerations already: a third time derivative is not part of the equations \
+                 of motion",
+            );
+        }
+        Some(())
+    }
+
+    /// A time derivative with accelerations is for observers.
+    pub(super) fn check_derivative(
+        &mut self,
+        call: &ExprCall,
+        derivative: &Value,
+        place: Place,
+    ) -> Option<()> {
+        if place == Place::Energy && self.has_acceleration(derivative) {
+            return self.reject(
+                call,
+                "`dot` of what contains velocities contains accelerations, which energies and forces cannot: \
+                 use it under `output`",
+            );
+        }
+        Some(())
+    }
+
+    /// Whether this speaks of a definition or a variable: one that happens to be constant is no mistake.
+    fn is_named(&mut self, tokens: TokenStream) -> bool {
+        tokens.into_iter().any(|token| match token {
+            TokenTree::Group(group) => self.is_named(group.stream()),
+            TokenTree::Ident(name) => matches!(
+                self.scope.resolve(&name),
+                Some(
+                    Meaning::Quantity(Kind::Defined | Kind::Variable, _)
+                        | Meaning::Family(Kind::Defined, _)
+                )
+            ),
+            _ => false,
+        })
+    }
+}

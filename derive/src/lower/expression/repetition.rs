@@ -1,0 +1,274 @@
+//! What is written once and meant for every index of a range: sums, products, families.
+
+use lagrangian_symbolic::{Matrix, Rational};
+use proc_macro2::Ident;
+use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
+
+use super::{Place, Translator};
+use crate::limits::MOST_REPETITIONS;
+use crate::lower::hints;
+use crate::lower::value::{Product, Sum, Value};
+use crate::syntax::named::Iteration;
+use crate::syntax::names::RESERVED;
+use crate::syntax::shape::Shape;
+
+/// Whether a method call ends a repetition, as `.sum()` does in `(0..5).map(|i| …).sum()`.
+pub(super) fn repeated(call: &ExprMethodCall) -> Option<&ExprMethodCall> {
+    if !["sum", "product", "collect"]
+        .iter()
+        .any(|name| call.method == name)
+    {
+        return None;
+    }
+    match &*call.receiver {
+        Expr::MethodCall(map) if map.method == "map" => Some(map),
+        _ => None,
+    }
+}
+
+impl Translator<'_> {
+    /// `range.map(|i| …).sum()`, `.product()` or `.collect()`.
+    pub(super) fn repetition(
+        &mut self,
+        call: &ExprMethodCall,
+        map: &ExprMethodCall,
+        place: Place,
+    ) -> Option<Value> {
+        if let Some(argument) = call.args.first() {
+            let message = format!("write `.{}()`", call.method);
+            return self.reject(argument, message);
+        }
+        let values = self.mapped(map, place)?;
+        if call.method == "collect" {
+            return self.collected(call, &values);
+        }
+        let product = call.method == "product";
+        self.folded(call, values, product)
+    }
+
+    /// The sum or the product of values.
+    pub(super) fn folded(
+        &mut self,
+        call: &ExprMethodCall,
+        values: Vec<Value>,
+        product: bool,
+    ) -> Option<Value> {
+        let mut sum = Sum::default();
+        let mut factors = Product::default();
+        for value in values {
+            let shape = value.shape();
+            let result = if product {
+                factors.multiply(&mut self.graph, value, Rational::ONE)
+            } else {
+                sum.add(value, Rational::ONE)
+            };
+            if let Err(before) = result {
+                let message = if product {
+                    format!("the factors do not fit: {shape} stands behind {before}")
+                } else {
+                    format!(
+                        "the terms have different shapes: one is {before}, and another is {shape}"
+                    )
+                };
+                return self.reject(&call.method, message);
+            }
+        }
+        Some(if product {
+            factors.value(&mut self.graph)
+        } else {
+            sum.value(&mut self.graph)
+        })
+    }
+
+    /// The values that a closure gives: for each index of a range, or each component of a vector.
+    pub(super) fn mapped(&mut self, map: &ExprMethodCall, place: Place) -> Option<Vec<Value>> {
+        let arguments: Vec<Value> = match without_parentheses(&map.receiver) {
+            range @ Expr::Range(_) => {
+                let indices = self.indices(range)?;
+                indices
+                    .map(|i| Value::Scalar(self.graph.integer(i)))
+                    .collect()
+            }
+            receiver => match self.translate(receiver, place)? {
+                Value::Array(array) => {
+                    let components = array.elements().iter();
+                    components
+                        .map(|component| Value::Scalar(*component))
+                        .collect()
+                }
+                other => {
+                    let message = format!(
+                        "this is {}, and `map` goes through a range or an array: write `(0..5).map(|i| …)`",
+                        other.shape()
+                    );
+                    return self.reject(receiver, message);
+                }
+            },
+        };
+        self.applied(map, arguments, place)
+    }
+
+    /// What the closure of `.map(|i| …)` gives for each of some values.
+    pub(super) fn applied(
+        &mut self,
+        map: &ExprMethodCall,
+        arguments: Vec<Value>,
+        place: Place,
+    ) -> Option<Vec<Value>> {
+        let (closure, variable) = self.closure(map)?;
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            let before = variable.map(|name| (name, self.scope.bind(name, argument)));
+            let value = self.translate(&closure.body, place);
+            if let Some((name, before)) = before {
+                self.scope.release(name, before);
+            }
+            // One error is enough for all indices.
+            values.push(value?);
+        }
+        Some(values)
+    }
+
+    /// The closure of `.map(|i| …)` and its variable, if it has a name.
+    fn closure<'a>(
+        &mut self,
+        map: &'a ExprMethodCall,
+    ) -> Option<(&'a ExprClosure, Option<&'a Ident>)> {
+        let message = "write `.map(|i| …)`";
+        let mut arguments = map.args.iter();
+        let (Some(Expr::Closure(closure)), None) = (arguments.next(), arguments.next()) else {
+            return match map.args.first() {
+                Some(argument) => self.reject(argument, message),
+                None => self.reject(&map.method, message),
+            };
+        };
+        let mut inputs = closure.inputs.iter();
+        let (Some(input), None) = (inputs.next(), inputs.next()) else {
+            return self.reject(
+                &closure.inputs,
+                "one variable stands between the bars: write `|i|`",
+            );
+        };
+        match input {
+            Pat::Wild(_) => Some((closure, None)),
+            Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => {
+                self.check_variable(&name.ident)?;
+                Some((closure, Some(&name.ident)))
+            }
+            other => self.reject(other, "a variable is a name alone: write `|i|`"),
+        }
+    }
+
+    fn check_variable(&mut self, name: &Ident) -> Option<()> {
+        if RESERVED.iter().any(|reserved| name == reserved) {
+            let message = format!("`{name}` has a meaning already: choose another name");
+            return self.reject(name, message);
+        }
+        Some(())
+    }
+
+    /// The integers of `a..b` or `a..=b`.
+    pub(super) fn indices(&mut self, range: &Expr) -> Option<core::ops::Range<i64>> {
+        let Expr::Range(written) = without_parentheses(range) else {
+            return self.reject(range, "write a range of integers: `0..5`");
+        };
+        let (Some(start), Some(end)) = (&written.start, &written.end) else {
+            return self.reject(range, "a range has two ends: write `0..5`");
+        };
+        let (start, end) = (self.integer(start), self.integer(end));
+        let (start, mut end) = (start?, end?);
+        if matches!(written.limits, RangeLimits::Closed(_)) {
+            end = end.saturating_add(1);
+        }
+        let length = usize::try_from(end.saturating_sub(start)).unwrap_or(0);
+        self.repetitions = self.repetitions.saturating_add(length);
+        if self.repetitions > MOST_REPETITIONS {
+            let message = format!(
+                "with this range, {} terms would be written out, and at most {MOST_REPETITIONS} are in one \
+                 declaration",
+                self.repetitions
+            );
+            self.repetitions = 0;
+            return self.reject(range, message);
+        }
+        Some(start..end)
+    }
+
+    /// Does something for all values of the variables of `for … in …`, of which later ones may depend on
+    /// those before; stops at the first error.
+    pub(crate) fn for_each(
+        &mut self,
+        iterations: &[Iteration],
+        action: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<()> {
+        let Some((iteration, inner)) = iterations.split_first() else {
+            return action(self);
+        };
+        self.check_variable(&iteration.index)?;
+        for i in self.indices(&iteration.range)? {
+            let value = Value::Scalar(self.graph.integer(i));
+            let before = self.scope.bind(&iteration.index, value);
+            let done = self.for_each(inner, action);
+            self.scope.release(&iteration.index, before);
+            done?;
+        }
+        Some(())
+    }
+
+    /// The vector or matrix that values make together.
+    fn collected(&mut self, call: &ExprMethodCall, values: &[Value]) -> Option<Value> {
+        if values.is_empty() {
+            return self.reject(
+                &call.receiver,
+                "this range is empty: a vector has components",
+            );
+        }
+        let values = self.filled(values.to_vec());
+        match stacked(&values) {
+            Ok(matrix) => Some(Value::Array(matrix)),
+            Err(odd) => {
+                let message = hints::rows(values[0].shape(), values[odd].shape());
+                self.reject(&call.method, message)
+            }
+        }
+    }
+}
+
+impl Translator<'_> {
+    /// The same values with zeros of the others' shape in place of sums without terms.
+    pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
+        let zero = self.graph.zero();
+        let like = values.iter().find(|value| **value != Value::Nothing);
+        let nothing = like.map_or(Shape::Scalar, Value::shape).filled(zero);
+        let filled = |value| match value {
+            Value::Nothing => nothing.clone(),
+            other => other,
+        };
+        values.into_iter().map(filled).collect()
+    }
+}
+
+/// Scalars as a vector, or vectors as the rows of a matrix; the position of the first value that does not
+/// fit those before.
+pub(super) fn stacked(values: &[Value]) -> Result<Matrix, usize> {
+    let shape = values.first().map(Value::shape).ok_or(0_usize)?;
+    let fits = |value: &Value| *value != Value::Nothing && value.shape() == shape;
+    if let Some(odd) = values.iter().position(|value| !fits(value)) {
+        return Err(odd);
+    }
+    let columns = match &values[0] {
+        Value::Array(matrix) if matrix.columns() > 1 && matrix.rows() > 1 => return Err(0),
+        other => other.components().len(),
+    };
+    let elements =
+        (0..columns).flat_map(|column| values.iter().map(move |row| row.components()[column]));
+    Matrix::new(values.len(), columns, elements.collect()).ok_or(0)
+}
+
+pub(super) fn without_parentheses(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => without_parentheses(&inner.expr),
+        Expr::Group(inner) => without_parentheses(&inner.expr),
+        other => other,
+    }
+}

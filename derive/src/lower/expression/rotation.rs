@@ -1,0 +1,186 @@
+//! Rotations by angles about the axes of a body, and their angular velocities.
+
+use lagrangian_symbolic::{Axis, Expression, Matrix, NoRotation};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, ExprCall};
+
+use super::{Place, Translator};
+use crate::lower::value::Value;
+use crate::syntax::shape::Shape;
+
+/// What a function of angles about axes gives.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    Rotation,
+    AngularVelocity,
+    AngularVelocityInertial,
+}
+
+/// The sequences of three angles: Euler's, then Tait and Bryan's.
+const SEQUENCES: &str = "zxz, xyx, yzy, zyz, xzx, yxy, xyz, yzx, zxy, xzy, zyx, yxz";
+
+impl Translator<'_> {
+    /// `rotation_zxz(a, b, c)`, `angular_velocity_zxz(a, b, c)`, `angular_velocity(r)` and their kin;
+    /// `None` if `name` is none of those.
+    #[allow(clippy::option_option)] // Whether it is a rotation, and whether it has no errors.
+    pub(super) fn rotation(
+        &mut self,
+        name: &Ident,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        place: Place,
+    ) -> Option<Option<Value>> {
+        let written = name.to_string();
+        match written.as_str() {
+            "angular_velocity" | "angular_velocity_inertial" => {
+                let inertial = written != "angular_velocity";
+                return Some(self.angular_velocity(name, call, arguments, inertial, place));
+            }
+            _ => {}
+        }
+        let (wanted, letters) = parts(&written)?;
+        Some(self.sequence(name, call, arguments, wanted, letters, place))
+    }
+
+    fn sequence(
+        &mut self,
+        name: &Ident,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        wanted: Wanted,
+        letters: &str,
+        place: Place,
+    ) -> Option<Value> {
+        let Some(axes) = axes(letters) else {
+            let message = format!(
+                "`{letters}` is no sequence of axes, of which neighbours differ: write one of `x`, `y`, `z`, \
+                 or of {SEQUENCES}"
+            );
+            return self.reject(name, message);
+        };
+        if arguments.len() != axes.len() {
+            let letters: Vec<&str> = ["a", "b", "c"][..axes.len()].to_vec();
+            let message = format!(
+                "`{name}` takes one angle for each axis: write `{name}({})`",
+                letters.join(", ")
+            );
+            return self.reject(call, message);
+        }
+        // The angles of an angular velocity are differentiated.
+        let place_of_angles = match wanted {
+            Wanted::Rotation => place,
+            _ => Place::Observation,
+        };
+        let angles: Vec<_> = arguments
+            .iter()
+            .map(|angle| self.scalar(angle, place_of_angles))
+            .collect();
+        let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
+        let factors: Vec<_> = axes.into_iter().zip(angles).collect();
+        let rotation = self.graph.rotation(&factors);
+        match wanted {
+            Wanted::Rotation => Some(Value::Array(rotation)),
+            Wanted::AngularVelocity => self.velocity(call, call, &rotation, false, place),
+            Wanted::AngularVelocityInertial => self.velocity(call, call, &rotation, true, place),
+        }
+    }
+
+    /// The angular velocity of a rotation that is given as a matrix.
+    fn angular_velocity(
+        &mut self,
+        name: &Ident,
+        call: &ExprCall,
+        arguments: &[&Expr],
+        inertial: bool,
+        place: Place,
+    ) -> Option<Value> {
+        let [argument] = arguments else {
+            let message =
+                format!("`{name}` takes one argument, a rotation matrix: write `{name}(r)`");
+            return self.reject(call, message);
+        };
+        let value = self.translate(argument, Place::Observation)?;
+        match value {
+            Value::Array(matrix) if matrix.rows() == 3 && matrix.columns() == 3 => {
+                self.velocity(call, argument, &matrix, inertial, place)
+            }
+            other => {
+                let message = format!(
+                    "`{name}` is of a rotation, a 3×3 matrix, and this is {}",
+                    other.shape()
+                );
+                self.reject(argument, message)
+            }
+        }
+    }
+
+    fn velocity(
+        &mut self,
+        call: &ExprCall,
+        argument: &dyn ToTokens,
+        rotation: &Matrix,
+        inertial: bool,
+        place: Place,
+    ) -> Option<Value> {
+        let value = Value::Array(rotation.clone());
+        self.check_differentiable(call, &value)?;
+        if self.at_rest {
+            let of_three = Shape::Array {
+                rows: 3,
+                columns: 1,
+            };
+            let zero = self.graph.zero();
+            return Some(of_three.filled(zero));
+        }
+        let velocity = if inertial {
+            self.graph
+                .angular_velocity_inertial(rotation, self.coordinates)
+        } else {
+            self.graph.angular_velocity(rotation, self.coordinates)
+        };
+        let velocity = match velocity {
+            Ok(velocity) => velocity,
+            Err(NoRotation::Reflection) => {
+                let message =
+                    "this is no rotation but reflects, so that it has no angular velocity";
+                return self.reject(argument, message);
+            }
+            Err(_) => {
+                let message = "this is no rotation: its transpose times itself is not the identity, so that it \
+                               has no angular velocity";
+                return self.reject(argument, message);
+            }
+        };
+        let velocity = Value::Array(velocity);
+        self.check_derivative(call, &velocity, place)?;
+        Some(velocity)
+    }
+}
+
+/// What a function of angles gives, and the letters of its axes.
+fn parts(name: &str) -> Option<(Wanted, &str)> {
+    if let Some(letters) = name.strip_prefix("rotation_") {
+        return Some((Wanted::Rotation, letters));
+    }
+    let letters = name.strip_prefix("angular_velocity_")?;
+    Some(match letters.strip_suffix("_inertial") {
+        Some(letters) => (Wanted::AngularVelocityInertial, letters),
+        None => (Wanted::AngularVelocity, letters),
+    })
+}
+
+/// The axes of a sequence of one to three letters, of which neighbours differ.
+fn axes(letters: &str) -> Option<Vec<Axis>> {
+    let axes: Vec<Axis> = letters
+        .chars()
+        .map(|letter| match letter {
+            'x' => Some(Axis::X),
+            'y' => Some(Axis::Y),
+            'z' => Some(Axis::Z),
+            _ => None,
+        })
+        .collect::<Option<_>>()?;
+    let differ = letters.as_bytes().windows(2).all(|pair| pair[0] != pair[1]);
+    (differ && (1..=3).contains(&axes.len())).then_some(axes)
+}

@@ -1,0 +1,307 @@
+//! What to write instead of what is not understood.
+
+use core::fmt::Display;
+use core::iter;
+
+use proc_macro2::Ident;
+use syn::{BinOp, Expr, ExprField, ExprPath, Member};
+
+use super::builtins::{functions, of_scalars};
+use crate::diagnostics::similar;
+use crate::limits::MOST_NAMES;
+use crate::lower::scope::Family;
+use crate::syntax::shape::Shape;
+
+/// For expressions that no part of the declaration language looks like.
+pub(crate) fn syntax(expression: &Expr) -> &'static str {
+    match expression {
+        Expr::If(_) | Expr::Match(_) => {
+            "there are no cases here: write one formula, with `abs`, `signum`, `min` and `max` where it \
+             has corners, or declare a function of Rust, `function(f(x) = …)`"
+        }
+        Expr::Block(_) | Expr::Let(_) | Expr::Assign(_) | Expr::Unsafe(_) | Expr::Const(_) => {
+            "there are no statements here: name intermediate quantities under `define(name = expression)`"
+        }
+        Expr::Closure(_) => {
+            "there are no closures here but in `(0..5).map(|i| …)`: name parts of an expression under `define(name = \
+             expression)`, or declare a function, `function(f(x) = …)`"
+        }
+        Expr::Macro(_) => {
+            "macros are not expanded here: write the expression out, or let a macro write the whole struct"
+        }
+        Expr::Cast(_) => "all numbers here are real: leave out the conversion",
+        Expr::Reference(_) => "there are no references here: leave out the `&`",
+        Expr::Tuple(_) => "vectors are written in brackets: `[x, y, z]`",
+        Expr::Range(_) => {
+            "a range is no quantity: write `(0..5).map(|i| …).sum()`, or `.product()` or `.collect()`"
+        }
+        Expr::Infer(_) => "write the expression that is meant in place of `_`",
+        _ => {
+            "this is not part of the declaration language: write an expression of numbers, names, \
+             `+ - * /`, and functions such as `sin(x)` or `x.powi(2)`"
+        }
+    }
+}
+
+/// For operators other than `+`, `-`, `*` and `/`.
+pub(crate) fn operator(operator: &BinOp) -> Option<&'static str> {
+    match operator {
+        BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) => None,
+        BinOp::BitXor(_) => Some(
+            "`^` is no power in Rust, where `a * b ^ 2` means `(a * b) ^ 2`: \
+             write `x.powi(2)`, or `x.powf(1.5)`",
+        ),
+        BinOp::Rem(_) => Some("there is no remainder here: angles need no reduction"),
+        BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_) => {
+            Some(
+                "there are no conditions here: write one formula, with `abs`, `signum`, `min` and `max` where \
+             it has corners",
+            )
+        }
+        _ => Some("only `+`, `-`, `*` and `/` join expressions here"),
+    }
+}
+
+/// For operands of shapes that do not fit.
+pub(crate) fn shapes(operator: &BinOp, left: Shape, right: Shape) -> String {
+    let is_vector = |shape| matches!(shape, Shape::Array { columns: 1, .. });
+    let (sign, hint) = match operator {
+        BinOp::Add(_) => ("+", "both sides have to have the same shape"),
+        BinOp::Sub(_) => ("-", "both sides have to have the same shape"),
+        BinOp::Div(_) => (
+            "/",
+            "a divisor is a scalar, or write `m.inverse() * v` for a matrix",
+        ),
+        _ if is_vector(left) && is_vector(right) => {
+            ("*", "write `a.dot(b)`, `a.cross(b)` or `a.outer(b)`")
+        }
+        _ => (
+            "*",
+            "the columns of the first have to be as many as the rows of the second",
+        ),
+    };
+    format!("`{sign}` stands between {left} and {right}: {hint}")
+}
+
+/// For what does not fit as a row of a matrix, or a component of a vector.
+pub(crate) fn rows(first: Shape, odd: Shape) -> String {
+    if first == odd {
+        return format!(
+            "a vector is made of scalars, and a matrix of vectors as rows: this is {odd}"
+        );
+    }
+    format!(
+        "this is {odd}, and the first is {first}: a vector is made of scalars, and a matrix of vectors of one \
+         length as rows"
+    )
+}
+
+/// For a name that stands for nothing where an integer belongs.
+pub(crate) fn no_integer(name: &Ident) -> String {
+    if is_constant(name) {
+        return format!(
+            "what the constant `{name}` is, the compiler knows later than these equations are derived: write the \
+             number, or `theta.len()`"
+        );
+    }
+    format!(
+        "`{name}` stands for no integer here: write `|{name}|` or `for {name} in 0..5` to let it run through a \
+         range"
+    )
+}
+
+/// Whether a name is written as those of constants are.
+fn is_constant(name: &Ident) -> bool {
+    let written = name.to_string();
+    let mut letters = written.chars();
+    letters.all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
+}
+
+/// For a name that stands for nothing, beside those of quantities.
+pub(crate) fn unknown(name: &Ident, known: &[&str]) -> String {
+    if is_constant(name) {
+        return format!(
+            "`{name}` is no field, coordinate or definition, and what a constant of Rust is, the compiler knows \
+             later than these equations are derived: make it a field of the struct, or write its value"
+        );
+    }
+    let known = match known {
+        [one] => format!("there is `{one}`; "),
+        [_, ..] if known.len() <= MOST_NAMES => format!("there are `{}`; ", known.join("`, `")),
+        _ => String::new(),
+    };
+    format!("unknown name `{name}`: {known}make it a field of the struct, or define it")
+}
+
+/// A member of a family, as it is written.
+pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
+    let indices = indices
+        .iter()
+        .flat_map(|index| ["[".to_owned(), index.to_string(), "]".to_owned()]);
+    [name.to_string()].into_iter().chain(indices).collect()
+}
+
+/// What stands for all members of a family, as in `theta[i] = … for i in 0..5`.
+pub(crate) fn every_member(name: &Ident, family: &Family) -> String {
+    let variables: Vec<&str> = ["i", "j", "k"]
+        .into_iter()
+        .chain(iter::repeat("l"))
+        .take(family.rank)
+        .collect();
+    let ranges = variables.iter().enumerate().map(|(position, variable)| {
+        let indices = family
+            .members
+            .keys()
+            .filter_map(|member| member.get(position));
+        let end = indices.max().map_or(0, |last| last + 1);
+        format!(" for {variable} in 0..{end}")
+    });
+    format!(
+        "{} = …{}",
+        member(name, &variables),
+        ranges.collect::<String>()
+    )
+}
+
+/// For a coordinate beyond the last one of its name.
+pub(crate) fn beyond(name: &Ident, indices: &[impl Display], family: &Family) -> String {
+    let written = member(name, indices);
+    match family.members.keys().next_back() {
+        Some(last) if family.rank > 1 => format!(
+            "`{written}` is out of range: the last coordinate of this name is `{}`",
+            member(name, last)
+        ),
+        _ => format!(
+            "`{written}` is out of range: there are {} coordinates of this name, from `{name}[0]` on",
+            family.members.len()
+        ),
+    }
+}
+
+/// For a force on what may be a velocity, or a position to which a velocity is added.
+pub(crate) fn position_and_velocity(name: &Ident) -> String {
+    format!(
+        "`{name}` adds a velocity to what depends on coordinates alone, so that the work of a force on it is not \
+         known: a velocity in a frame that moves is written by `dot`, as in `dot(x) - dot(rate * t) * y`; define a \
+         position and a velocity apart, or write the generalized forces, `force(x = …)`"
+    )
+}
+
+/// For what is called without being a name.
+pub(crate) fn callee(function: &Expr) -> &'static str {
+    match function {
+        Expr::Paren(inner) => callee(&inner.expr),
+        Expr::Closure(_) => syntax(function),
+        Expr::Path(path) if makes_an_array(path) => {
+            "write the components alone: `[x, y, z]` for a vector, `[[a, b], [c, d]]` for a matrix"
+        }
+        Expr::Path(_) => {
+            "write the function by its name alone, such as `sin(x)`; one of Rust is declared before, as \
+             `function(f(x) = path::f(x), derivative(x) = …)`"
+        }
+        _ => "parentheses behind an expression are a call: write `*` for a product",
+    }
+}
+
+/// Whether this is a function of a type of vectors or matrices, such as `Vector3::new`.
+fn makes_an_array(path: &ExprPath) -> bool {
+    let mut segments = path.path.segments.iter();
+    segments.any(|segment| {
+        let name = segment.ident.to_string();
+        ["Vector", "Matrix", "SVector", "SMatrix"]
+            .iter()
+            .any(|stem| name.starts_with(stem))
+    })
+}
+
+pub(crate) fn path(path: &ExprPath) -> &'static str {
+    match path.path.segments.last() {
+        Some(last) if last.ident == "PI" => "write `PI`",
+        Some(_) if path.path.is_ident("self") => "write the names of fields, without `self`",
+        _ => {
+            "paths are not part of the declaration language: make this a field of the struct, or write its value"
+        }
+    }
+}
+
+pub(crate) fn field(field: &ExprField) -> String {
+    match (&*field.base, &field.member) {
+        (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
+            format!("fields are written without `self`: write `{member}`")
+        }
+        (_, Member::Named(member)) if member == "T" => "write `.transpose()`".to_owned(),
+        _ => "fields of fields cannot be used here, but for `v.x`, `v.y`, `v.z` and `v.w` of vectors: make this \
+              a field of the struct"
+            .to_owned(),
+    }
+}
+
+/// How a function is written.
+pub(crate) fn example(name: &str, arguments: usize) -> String {
+    match (name, arguments) {
+        ("powi", _) => "x.powi(2)".to_owned(),
+        ("powf", _) => "x.powf(1.5)".to_owned(),
+        ("atan2", _) => "atan2(y, x)".to_owned(),
+        ("row" | "column", _) => format!("m.{name}(0)"),
+        ("identity", _) => "identity(3)".to_owned(),
+        ("dot" | "cross" | "outer" | "component_mul", _) => format!("a.{name}(b)"),
+        (_, 1) => format!("{name}(x)"),
+        _ => format!("{name}(x, y)"),
+    }
+}
+
+/// For a function that there is not.
+pub(crate) fn function(name: &str) -> String {
+    let hint = match name {
+        "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
+        "log" => "the natural logarithm is `ln(x)`",
+        "log2" => "write it through the natural logarithm, `ln(x) / ln(2.0)`",
+        "log10" => "write it through the natural logarithm, `ln(x) / ln(10.0)`",
+        "exp2" | "exp_m1" | "ln_1p" => "write it through `exp(x)` and `ln(x)`",
+        "arcsin" => "write `asin(x)`",
+        "arccos" => "write `acos(x)`",
+        "arctan" => "write `atan(x)`",
+        "sign" | "sgn" => "write `signum(x)`",
+        "cbrt" => {
+            "write `x.powf(1.0 / 3.0)` where x is positive, and `signum(x) * abs(x).powf(1.0 / 3.0)` elsewhere"
+        }
+        "sinc" => "write `sin(x) / x`, which has no value at 0",
+        "hypot" => "write `(x.powi(2) + y.powi(2)).sqrt()`",
+        "squared_norm" | "norm2" | "magnitude_squared" => "write `v.norm_squared()`",
+        "square" | "sq" => "write `x.powi(2)`",
+        "sin_cos" => "write `sin(x)` and `cos(x)`; they are computed together",
+        "mul_add" => "write `a * b + c`",
+        "clamp" => "write `x.max(lowest).min(highest)`",
+        "to_radians" => "write `x * PI / 180.0`",
+        "to_degrees" => "write `x * 180.0 / PI`",
+        "sec" | "csc" | "cosec" | "cot" | "cosine" | "sine" => {
+            "write it through `sin`, `cos` and `tan`"
+        }
+        "ddt" | "diff" | "der" | "derivative" | "velocity" | "d" | "D" => {
+            "the time derivative is `dot(x)`"
+        }
+        "ddot" | "acceleration" => {
+            "the second time derivative is `dot(dot(x))`, under `output` only"
+        }
+        "fold" | "reduce" | "iter" | "into_iter" | "zip" | "enumerate" | "filter" | "rev" => {
+            "repeat by an index, as in `(0..5).map(|i| m[i] * x[i]).sum()`"
+        }
+        "magnitude" | "length" => "the length of a vector is `v.norm()`",
+        "try_inverse" | "inv" => "write `m.inverse()`",
+        "det" => "write `m.determinant()`",
+        "matrix" => "write `[[a, b], [c, d]]` row by row",
+        "angular_velocity_body" => "`angular_velocity(r)` is in body axes already",
+        "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
+        _ => {
+            return match similar(name, functions()) {
+                Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
+                None => format!(
+                    "unknown function `{name}`: write one of `{}`, or one of vectors and matrices such as \
+                     `cross`, `norm` and `rotation_zxz`, or declare it, `function({name}(x) = …)`",
+                    of_scalars().collect::<Vec<_>>().join("`, `")
+                ),
+            };
+        }
+    };
+    format!("unknown function `{name}`: {hint}")
+}

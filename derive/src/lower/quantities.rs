@@ -1,0 +1,149 @@
+//! The quantities that have values of their own, component by component: each is one symbol.
+
+use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{quote, quote_spanned};
+use syn::Type;
+use syn::spanned::Spanned as _;
+
+use crate::lower::value::Value;
+use crate::syntax::coordinate::Coordinate;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::{Field, Role};
+use crate::syntax::label::{Index, Label};
+use crate::syntax::names::plain;
+use crate::syntax::shape::Shape;
+
+/// Coordinates, parameters and inputs, in the order in which symbols count them.
+pub(crate) struct Quantities {
+    pub(crate) coordinates: Vec<Label>,
+    pub(crate) parameters: Vec<Component>,
+    pub(crate) inputs: Vec<Component>,
+}
+
+/// One component of a field.
+pub(crate) struct Component {
+    pub(crate) field: Ident,
+    pub(crate) label: Label,
+    /// What stands behind the field to read the component.
+    access: TokenStream,
+    /// The type of the component.
+    pub(crate) element: Type,
+    /// What the declaration says that the field's type is, where it says so.
+    meant: Option<Type>,
+}
+
+impl Component {
+    /// The components of a field, member by member and column by column; none where its type is none that a
+    /// parameter can have.
+    fn of(field: &Field) -> Vec<Self> {
+        let Ok(form) = field.form() else {
+            return Vec::new();
+        };
+        let accesses = form.accesses();
+        let mut components = Vec::new();
+        for member in form.members() {
+            let places = member.iter().map(|i| Literal::usize_unsuffixed(*i));
+            let place: TokenStream = places.map(|i| quote!([#i])).collect();
+            for (i, access) in accesses.iter().enumerate() {
+                let outer = member.iter().copied().map(Index::One);
+                components.push(Self {
+                    field: field.name.clone(),
+                    label: Label {
+                        stem: plain(&field.name),
+                        indices: outer.chain(form.shape().index(i)).collect(),
+                    },
+                    access: quote!(#place #access),
+                    element: form.element.clone(),
+                    meant: field.meant.clone(),
+                });
+            }
+        }
+        components
+    }
+
+    /// The expression that reads the component, with the name of the field where it is spoken of.
+    pub(crate) fn read(&self, field: &Ident) -> TokenStream {
+        let access = &self.access;
+        let Some(meant) = &self.meant else {
+            return quote!(self.#field #access);
+        };
+        // The compiler says so where the type is another.
+        let checked =
+            quote_spanned!(meant.span()=> ::core::convert::identity::<&#meant>(&self.#field));
+        if access.is_empty() {
+            quote!(*#checked)
+        } else {
+            quote!(#checked #access)
+        }
+    }
+}
+
+impl Quantities {
+    pub(crate) fn new(declaration: &Declaration) -> Self {
+        let components = |role| {
+            let fields = declaration.fields_with(role);
+            fields.flat_map(Component::of).collect()
+        };
+        let coordinates = declaration.clauses.coordinates.iter();
+        Self {
+            coordinates: coordinates.flat_map(Coordinate::labels).collect(),
+            parameters: components(Role::Parameter),
+            inputs: components(Role::Input),
+        }
+    }
+
+    /// What a symbol is called in the emitted code.
+    pub(crate) fn variable(&self, symbol: Symbol) -> String {
+        let coordinate = |i: u32, suffix: &str| {
+            let name = self.coordinates.get(i as usize).map(Label::variable);
+            name.unwrap_or_default() + suffix
+        };
+        let component = |list: &[Component], i: u32| {
+            let name = list.get(i as usize).map(|found| found.label.variable());
+            name.unwrap_or_default()
+        };
+        match symbol {
+            Symbol::Time => "t".to_owned(),
+            Symbol::Coordinate(i) => coordinate(i, ""),
+            Symbol::Velocity(i) => coordinate(i, "_dot"),
+            Symbol::Acceleration(i) => coordinate(i, "_ddot"),
+            Symbol::Parameter(i) => component(&self.parameters, i),
+            Symbol::Input(i) => component(&self.inputs, i),
+            Symbol::Prepared(i) => format!("c{i}"),
+            Symbol::Argument(i) => format!("x{i}"),
+        }
+    }
+}
+
+/// The symbols of one kind, given out in order.
+pub(crate) struct Symbols {
+    kind: fn(u32) -> Symbol,
+    next: u32,
+}
+
+impl Symbols {
+    pub(crate) const fn of(kind: fn(u32) -> Symbol) -> Self {
+        Self { kind, next: 0 }
+    }
+
+    /// The next symbol.
+    pub(crate) fn scalar(&mut self, graph: &mut Graph) -> Value {
+        Value::Scalar(self.take(graph))
+    }
+
+    /// A value of which each component is a symbol.
+    pub(crate) fn value(&mut self, graph: &mut Graph, shape: Shape) -> Value {
+        let Shape::Array { rows, columns } = shape else {
+            return self.scalar(graph);
+        };
+        let elements = (0..rows * columns).map(|_| self.take(graph)).collect();
+        Matrix::new(rows, columns, elements).map_or(Value::Nothing, Value::Array)
+    }
+
+    fn take(&mut self, graph: &mut Graph) -> Expression {
+        let symbol = (self.kind)(self.next);
+        self.next = self.next.saturating_add(1);
+        graph.symbol(symbol)
+    }
+}

@@ -1,0 +1,353 @@
+//! The names of a declaration and what they stand for.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use lagrangian_symbolic::{Expression, Function, Graph, Symbol};
+use proc_macro2::Ident;
+
+use crate::diagnostics::similar;
+use crate::lower::quantities::Symbols;
+use crate::lower::value::Value;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+use crate::syntax::label::{Index, Label};
+use crate::syntax::names::{plain, spelled};
+use crate::syntax::scalar::is_number;
+use crate::syntax::shape::Shape;
+
+/// What a name stands for.
+#[derive(Clone)]
+pub(crate) enum Meaning {
+    /// A quantity.
+    Quantity(Kind, Value),
+    /// Several quantities, told apart by indices.
+    Family(Kind, Rc<Family>),
+    /// A quantity from `define` further down.
+    Later,
+    /// What has an error that was reported where it stands.
+    Broken,
+    /// A field that is marked `skip`.
+    Skipped,
+    /// A quantity from `output`, which only observers use.
+    Output,
+}
+
+/// Where a quantity comes from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// The time, and π.
+    Reserved,
+    /// The coordinates.
+    Coordinate,
+    /// A parameter or input.
+    Field,
+    /// `define`.
+    Defined,
+    /// A sum or another repetition, whose variable it is.
+    Variable,
+}
+
+/// Quantities that are told apart by indices.
+#[derive(Clone)]
+pub(crate) struct Family {
+    /// How many indices tell them apart.
+    pub(crate) rank: usize,
+    pub(crate) members: BTreeMap<Vec<usize>, Value>,
+}
+
+/// Names in their order of declaration, with what they stand for.
+pub(crate) struct Scope {
+    meanings: BTreeMap<String, Meaning>,
+    /// The functions from outside.
+    functions: BTreeMap<String, Function>,
+    /// Where a field is first spoken of: the emitted code accesses it with that span.
+    uses: BTreeMap<String, Ident>,
+    /// Names that stand for nothing, wherever they were written.
+    unknown: Vec<Ident>,
+    /// Whether all names of the declaration are here. They are not where coordinates or definitions
+    /// could not be read, or where one of them is written for another.
+    pub(crate) complete: bool,
+    /// Whether all functions from outside are here.
+    pub(crate) functions_complete: bool,
+    /// Whether there are fields with names, for one of which an unknown name may be meant.
+    names_fields: bool,
+}
+
+impl Scope {
+    /// The scope of a checked declaration, before its definitions.
+    pub(crate) fn new(declaration: &Declaration, graph: &mut Graph) -> Self {
+        let mut meanings = reserved(graph);
+        add_fields(&mut meanings, declaration, graph);
+        add_coordinates(&mut meanings, declaration, graph);
+        add_names_without_values(&mut meanings, declaration);
+        let clauses = &declaration.clauses;
+        let names: BTreeSet<String> = clauses
+            .coordinates
+            .iter()
+            .map(|coordinate| plain(&coordinate.name))
+            .collect();
+        let repeated = names.len() < clauses.coordinates.len();
+        Self {
+            meanings,
+            functions: BTreeMap::new(),
+            uses: BTreeMap::new(),
+            unknown: Vec::new(),
+            functions_complete: !clauses.functions_unreadable,
+            names_fields: declaration.names_fields,
+            complete: !clauses.names_unreadable && !clauses.coordinates.is_empty() && !repeated,
+        }
+    }
+
+    /// What `name` stands for, if anything.
+    pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Meaning> {
+        let written = plain(name);
+        let meaning = self.meanings.get(&written)?.clone();
+        if let Meaning::Quantity(Kind::Field, _) | Meaning::Family(Kind::Field, _) = meaning {
+            self.uses.entry(written).or_insert_with(|| name.clone());
+        }
+        Some(meaning)
+    }
+
+    /// Gives the name of a definition its meaning, unless the name is taken.
+    pub(crate) fn define(&mut self, name: &Ident, meaning: Meaning) {
+        if let Some(later @ Meaning::Later) = self.meanings.get_mut(&plain(name)) {
+            *later = meaning;
+        }
+    }
+
+    /// Adds a member to a family of definitions, unless the name is taken. Says whether the member is
+    /// new.
+    pub(crate) fn define_member(&mut self, name: &Ident, indices: &[usize], value: Value) -> bool {
+        let Some(meaning) = self.meanings.get_mut(&plain(name)) else {
+            return true;
+        };
+        if let Meaning::Later = meaning {
+            let rank = indices.len();
+            let members = BTreeMap::new();
+            *meaning = Meaning::Family(Kind::Defined, Rc::new(Family { rank, members }));
+        }
+        match meaning {
+            Meaning::Family(Kind::Defined, family) => {
+                let members = &mut Rc::make_mut(family).members;
+                members.insert(indices.to_vec(), value).is_none()
+            }
+            _ => true,
+        }
+    }
+
+    /// How many indices tell the members of a family of definitions apart, if there are any yet.
+    pub(crate) fn rank_of_definition(&self, name: &Ident) -> Option<usize> {
+        match self.meanings.get(&plain(name))? {
+            Meaning::Family(Kind::Defined, family) => Some(family.rank),
+            _ => None,
+        }
+    }
+
+    /// Says no more of a family of definitions with an error in one of them.
+    pub(crate) fn silence_definition(&mut self, name: &Ident) {
+        if let Some(meaning @ (Meaning::Later | Meaning::Family(Kind::Defined, _))) =
+            self.meanings.get_mut(&plain(name))
+        {
+            *meaning = Meaning::Broken;
+        }
+    }
+
+    /// Gives the name of a function its meaning, unless there is one already.
+    pub(crate) fn declare_function(&mut self, name: &Ident, function: Function) {
+        self.functions.entry(plain(name)).or_insert(function);
+    }
+
+    /// The function from outside that is called `name`.
+    pub(crate) fn function(&self, name: &Ident) -> Option<Function> {
+        self.functions.get(&plain(name)).copied()
+    }
+
+    /// The function from outside that was probably meant by an unknown name.
+    pub(crate) fn suggest_function(&self, name: &Ident) -> Option<&str> {
+        similar(&plain(name), self.functions.keys().map(String::as_str))
+    }
+
+    /// Lets a name stand for something until [`release`](Self::release) gives it back what it stood for.
+    pub(crate) fn bind(&mut self, name: &Ident, value: Value) -> Option<Meaning> {
+        let meaning = Meaning::Quantity(Kind::Variable, value);
+        self.meanings.insert(plain(name), meaning)
+    }
+
+    pub(crate) fn release(&mut self, name: &Ident, before: Option<Meaning>) {
+        match before {
+            Some(meaning) => self.meanings.insert(plain(name), meaning),
+            None => self.meanings.remove(&plain(name)),
+        };
+    }
+
+    /// Says no more of a name that has an error.
+    pub(crate) fn silence(&mut self, name: &Ident) {
+        self.meanings.insert(plain(name), Meaning::Broken);
+    }
+
+    /// Whether there is a coordinate, or a family of them, called `name`.
+    pub(crate) fn is_coordinate(&self, name: &str) -> bool {
+        matches!(
+            self.meanings.get(name),
+            Some(Meaning::Quantity(Kind::Coordinate, _) | Meaning::Family(Kind::Coordinate, _))
+        )
+    }
+
+    /// The quantity that was probably meant by an unknown name.
+    pub(crate) fn suggest(&self, name: &Ident) -> Option<String> {
+        let meant = similar(&plain(name), self.meanings.keys().map(String::as_str))?;
+        match self.meanings[meant] {
+            Meaning::Skipped | Meaning::Output => None,
+            _ => Some(spelled(meant)),
+        }
+    }
+
+    /// Notes a name that stands for nothing, which an editor may complete to a field. Says whether it is to be
+    /// reported: once, and only where fields have names.
+    pub(crate) fn note_unknown(&mut self, name: &Ident) -> bool {
+        let is_new = self.unknown.iter().all(|noted| noted != name);
+        self.unknown.push(name.clone());
+        is_new && self.names_fields
+    }
+
+    /// The names of fields, coordinates, definitions and variables.
+    pub(crate) fn quantities(&self) -> Vec<&str> {
+        let is_quantity = |meaning: &Meaning| match meaning {
+            Meaning::Quantity(kind, _) | Meaning::Family(kind, _) => *kind != Kind::Reserved,
+            _ => false,
+        };
+        let known = self.meanings.iter();
+        let known = known.filter(|(_, meaning)| is_quantity(meaning));
+        known.map(|(name, _)| name.as_str()).collect()
+    }
+
+    /// The names that stand for nothing, wherever they were written.
+    pub(crate) fn unknown(&self) -> impl Iterator<Item = &Ident> {
+        self.unknown.iter()
+    }
+
+    /// Where the field called `name` is first spoken of.
+    pub(crate) fn first_use(&self, name: &Ident) -> Option<&Ident> {
+        self.uses.get(&plain(name))
+    }
+
+    /// The components of what is defined as `name`.
+    pub(crate) fn defined(&self, name: &str) -> Vec<(Label, Expression)> {
+        let labelled = |indices: &[usize], value: &Value| -> Vec<_> {
+            let label = |inner: Vec<Index>| {
+                let outer = indices.iter().copied().map(Index::One);
+                Label {
+                    stem: name.to_owned(),
+                    indices: outer.chain(inner).collect(),
+                }
+            };
+            let components = value.labelled().into_iter();
+            components
+                .map(|(inner, component)| (label(inner), component))
+                .collect()
+        };
+        match self.meanings.get(name) {
+            Some(Meaning::Quantity(Kind::Defined, value)) => labelled(&[], value),
+            Some(Meaning::Family(Kind::Defined, family)) => {
+                let members = family.members.iter();
+                members
+                    .flat_map(|(indices, value)| labelled(indices, value))
+                    .collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The components of all that is defined, but for constants.
+    pub(crate) fn definitions<'a>(
+        &'a self,
+        graph: &'a Graph,
+    ) -> impl Iterator<Item = (Label, Expression)> + 'a {
+        let components = self.meanings.keys().flat_map(|name| self.defined(name));
+        components.filter(|(_, expression)| graph.as_constant(*expression).is_none())
+    }
+}
+
+type Meanings = BTreeMap<String, Meaning>;
+
+/// What has a meaning in every declaration.
+fn reserved(graph: &mut Graph) -> Meanings {
+    let [time, pi] = [graph.symbol(Symbol::Time), graph.pi()];
+    let reserved = |value| Meaning::Quantity(Kind::Reserved, Value::Scalar(value));
+    BTreeMap::from([
+        ("t".to_owned(), reserved(time)),
+        ("PI".to_owned(), reserved(pi)),
+    ])
+}
+
+/// Adds parameters and inputs.
+fn add_fields(meanings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
+    let kinds = [
+        (Role::Parameter, Symbol::Parameter as fn(u32) -> Symbol),
+        (Role::Input, Symbol::Input),
+    ];
+    for (role, kind) in kinds {
+        let mut symbols = Symbols::of(kind);
+        for field in declaration.fields_with(role) {
+            let meaning = match field.form() {
+                Ok(form) if is_number(declaration, form.element) => {
+                    let indices = (form.rank() > 0).then(|| form.members());
+                    symbols.meaning(graph, Kind::Field, form.shape(), indices)
+                }
+                Ok(_) | Err(_) => Meaning::Broken,
+            };
+            meanings.insert(plain(&field.name), meaning);
+        }
+    }
+}
+
+fn add_coordinates(meanings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
+    let mut symbols = Symbols::of(Symbol::Coordinate);
+    for coordinate in &declaration.clauses.coordinates {
+        let is_family = !coordinate.lengths.is_empty();
+        let indices = is_family.then(|| coordinate.members());
+        let meaning = symbols.meaning(graph, Kind::Coordinate, coordinate.shape(), indices);
+        meanings.insert(plain(&coordinate.name), meaning);
+    }
+}
+
+/// Adds what has no value yet or none at all. A name that is taken keeps its meaning: an output may be called
+/// like what it shows.
+fn add_names_without_values(meanings: &mut Meanings, declaration: &Declaration) {
+    let clauses = &declaration.clauses;
+    let definitions = clauses.definitions.iter().map(|named| &named.name);
+    let skipped = declaration.fields_with(Role::Skipped);
+    let skipped = skipped.map(|field| &field.name);
+    let outputs = clauses.outputs.iter().map(|named| &named.name);
+    let others = definitions
+        .map(|name| (name, Meaning::Later))
+        .chain(skipped.map(|name| (name, Meaning::Skipped)))
+        .chain(outputs.map(|name| (name, Meaning::Output)));
+    for (name, meaning) in others {
+        meanings.entry(plain(name)).or_insert(meaning);
+    }
+}
+
+impl Symbols {
+    /// A quantity of which each component is a symbol, or a family of those with these indices.
+    fn meaning(
+        &mut self,
+        graph: &mut Graph,
+        kind: Kind,
+        shape: Shape,
+        indices: Option<Vec<Vec<usize>>>,
+    ) -> Meaning {
+        let Some(indices) = indices else {
+            return Meaning::Quantity(kind, self.value(graph, shape));
+        };
+        let family = Family {
+            rank: indices.first().map_or(0, Vec::len),
+            members: indices
+                .into_iter()
+                .map(|indices| (indices, self.value(graph, shape)))
+                .collect(),
+        };
+        Meaning::Family(kind, Rc::new(family))
+    }
+}

@@ -1,0 +1,11 @@
+//! The constants that a model has besides the indices of its coordinates and inputs.
+
+/// The constants of its type that every model has.
+pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
+
+/// The constants of traits that a model has; a constant of the type would hide them.
+pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 3] = ["ANGLES", "IGNORABLE", "SINGULARITIES"];
+/// The constants of a model with inputs.
+pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
+/// The constants of a model with external functions.
+pub(crate) const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];

@@ -1,0 +1,69 @@
+//! What is emitted is validated against Lagrange's equations in numbers, in every build.
+//!
+//! Where one disagrees, all are replaced by plain ones: derived without any pass, and solved numerically. That
+//! it happened is a defect, of which debug builds warn.
+
+use std::collections::BTreeSet;
+
+use lagrangian_symbolic as symbolic;
+use lagrangian_symbolic::{
+    AccelerationProgram, Equations, LinearizationProgram, Model, Passes, Programs, Validator,
+};
+
+use crate::plan::Methods;
+use crate::syntax::shape::Shape;
+
+impl Methods {
+    /// Where a method disagrees with the equations of `validator`, replaces all of them by what is derived without
+    /// any pass, since they come from one derivation; says which ones disagreed.
+    pub(crate) fn validate(
+        &mut self,
+        validator: &Validator,
+        model: &mut Model,
+        equations: &mut Equations,
+        shapes: &[Shape],
+    ) -> BTreeSet<symbolic::Method> {
+        let disagreements = validator.disagreements(self.programs());
+        if disagreements.is_empty() {
+            return disagreements;
+        }
+        let passes = core::mem::replace(&mut model.graph.passes, Passes::NONE);
+        if let Ok(plain) = Equations::derive(model) {
+            *self = Self::schedule(model, &plain, shapes);
+            *equations = plain;
+        }
+        model.graph.passes = passes;
+        disagreements
+    }
+
+    /// The programs as they are validated.
+    pub(crate) fn programs(&self) -> Programs<'_> {
+        let accelerations = &self.accelerations.program;
+        let (state, inputs) = (&self.linearize.program, &self.input_jacobian.program);
+        let energies = self.energies.as_ref();
+        Programs {
+            lagrangian: &self.lagrangian.program,
+            energies: energies.map(|energies| [&energies[0].program, &energies[1].program]),
+            energy: &self.energy.program,
+            momenta: &self.momenta.program,
+            mass_matrix: &self.mass_matrix.program,
+            forcing: &self.forcing.program,
+            generalized_forces: &self.generalized_forces.program,
+            inverse_dynamics: &self.inverse_dynamics.program,
+            preparation: &self.prepare.program,
+            accelerations: match self.accelerations.outputs.pivots() {
+                Some(pivots) => AccelerationProgram::Solved(accelerations, pivots),
+                None => AccelerationProgram::System(accelerations),
+            },
+            linearization: match self.linearize.outputs.pivots() {
+                Some(pivots) => LinearizationProgram::Solved {
+                    state,
+                    inputs,
+                    pivots,
+                },
+                None => LinearizationProgram::System { state, inputs },
+            },
+            outputs: &self.outputs.program,
+        }
+    }
+}

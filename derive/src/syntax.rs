@@ -1,0 +1,15 @@
+//! The user's words: what a declaration consists of, and how it is read.
+
+pub(crate) mod declaration;
+pub(crate) mod clauses;
+pub(crate) mod coordinate;
+pub(crate) mod named;
+pub(crate) mod function;
+pub(crate) mod field;
+pub(crate) mod field_type;
+pub(crate) mod scalar;
+pub(crate) mod root;
+pub(crate) mod shape;
+pub(crate) mod label;
+pub(crate) mod names;
+mod grammar;

@@ -1,0 +1,187 @@
+//! What stands in the struct's `#[lagrangian(…)]` attributes.
+
+use proc_macro2::Ident;
+use syn::parse::ParseStream;
+use syn::{Attribute, Expr, MacroDelimiter, Meta, Token, Type, token};
+
+use crate::diagnostics::{Diagnostics, similar};
+use crate::syntax::coordinate::{Coordinate, coordinates};
+use crate::syntax::function::Function;
+use crate::syntax::grammar::{equated, position, separated, word};
+use crate::syntax::named::{Named, named};
+use crate::syntax::root::Root;
+
+/// All that stands in the struct's `#[lagrangian(…)]` attributes.
+#[derive(Default)]
+pub(crate) struct Clauses {
+    pub(crate) coordinates: Vec<Coordinate>,
+    pub(crate) functions: Vec<Function>,
+    pub(crate) definitions: Vec<Named>,
+    pub(crate) kinetic: Vec<Clause>,
+    pub(crate) potential: Vec<Clause>,
+    pub(crate) lagrangian: Vec<Clause>,
+    pub(crate) dissipation: Vec<Clause>,
+    /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
+    pub(crate) forces: Vec<Vec<Named>>,
+    pub(crate) outputs: Vec<Named>,
+    /// What `scalar = …` says.
+    pub(crate) scalar: Option<Type>,
+    /// What `crate = …` says.
+    pub(crate) root: Option<Root>,
+    /// Whether something could not be read, so that what seems to be missing may stand there.
+    pub(crate) unreadable: bool,
+    /// Whether functions could not be read, so that an unknown one may stand there.
+    pub(crate) functions_unreadable: bool,
+    /// Whether coordinates or definitions could not be read, so that an unknown name may stand there.
+    pub(crate) names_unreadable: bool,
+}
+
+/// `keyword = expression`.
+pub(crate) struct Clause {
+    pub(crate) keyword: Ident,
+    pub(crate) expression: Expr,
+}
+
+const KEYWORDS: [&str; 10] = [
+    "coordinates",
+    "function",
+    "define",
+    "kinetic",
+    "potential",
+    "lagrangian",
+    "dissipation",
+    "force",
+    "output",
+    "scalar",
+];
+
+impl Clauses {
+    /// Reads one attribute. What can be read is kept even where errors are found.
+    pub(crate) fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {
+        let clauses = |input: ParseStream<'_>| {
+            separated(input, "a comma between clauses, or an operator,", |input| {
+                if input.peek(Token![crate]) {
+                    return self.read_root(input);
+                }
+                let keyword = word(input, &no_clause())?;
+                self.read_clause(keyword, input)
+            })
+        };
+        let read = match &attribute.meta {
+            Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => {
+                attribute.parse_args_with(clauses)
+            }
+            meta => Err(syn::Error::new_spanned(
+                meta,
+                "write `#[lagrangian(coordinates(theta), kinetic = …)]`",
+            )),
+        };
+        if let Err(error) = read {
+            self.unreadable = true;
+            diagnostics.add(error);
+        }
+    }
+
+    fn read_root(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        let (keyword, root) = Root::read(input)?;
+        if self.root.is_some() {
+            let message = "the crate is named already: keep one `crate = …`";
+            return Err(syn::Error::new(keyword.span(), message));
+        }
+        self.root = Some(root);
+        Ok(())
+    }
+
+    fn read_scalar(&mut self, keyword: &Ident, input: ParseStream<'_>) -> syn::Result<()> {
+        let message = "write `scalar = f64`, with the type on which the model is evaluated";
+        if !input.peek(Token![=]) {
+            return Err(syn::Error::new(position(keyword, input), message));
+        }
+        let equals = input.parse::<Token![=]>()?;
+        if input.is_empty() || input.peek(Token![,]) {
+            return Err(syn::Error::new_spanned(equals, message));
+        }
+        let scalar: Type = input
+            .parse()
+            .map_err(|error| syn::Error::new(error.span(), message))?;
+        if self.scalar.is_some() {
+            let message = "the scalar is named already: keep one `scalar = …`";
+            return Err(syn::Error::new(keyword.span(), message));
+        }
+        self.scalar = Some(scalar);
+        Ok(())
+    }
+
+    fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
+        match keyword.to_string().as_str() {
+            "coordinates" => {
+                let read = coordinates(&keyword, input, &mut self.coordinates);
+                self.names_unreadable |= read.is_err();
+                read?;
+            }
+            "function" => {
+                let read = Function::read(&keyword, input, &mut self.functions);
+                self.functions_unreadable |= read.is_err();
+                read?;
+            }
+            "define" => {
+                let read = named(&keyword, input, &mut self.definitions);
+                self.names_unreadable |= read.is_err();
+                read?;
+            }
+            "force" => {
+                self.forces.push(Vec::new());
+                if let Some(forces) = self.forces.last_mut() {
+                    named(&keyword, input, forces)?;
+                }
+            }
+            "output" => named(&keyword, input, &mut self.outputs)?,
+            "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),
+            "potential" => self.potential.push(Clause::read(keyword, input)?),
+            "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),
+            "dissipation" => self.dissipation.push(Clause::read(keyword, input)?),
+            "scalar" => self.read_scalar(&keyword, input)?,
+            "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"
+            | "multiplier" | "multipliers" => {
+                return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));
+            }
+            written => {
+                // Functions stand in parentheses, and friction is a word of mechanics.
+                let fits = |meant: &&str| *meant != "function" || input.peek(token::Paren);
+                let meant = similar(written, KEYWORDS).filter(fits);
+                let hint = match meant {
+                    Some(meant) => format!("did you mean `{meant}`?"),
+                    None => no_clause(),
+                };
+                let message = format!("unknown clause `{written}`: {hint}");
+                let mut error = syn::Error::new(keyword.span(), message);
+                if let Some(meant) = meant {
+                    // Read as what was meant, it leaves nothing missing.
+                    let read = self.read_clause(Ident::new(meant, keyword.span()), input);
+                    read.unwrap_or_else(|more| error.combine(more));
+                }
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Clause {
+    fn read(keyword: Ident, input: ParseStream<'_>) -> syn::Result<Self> {
+        let expression = equated(&keyword, input)?;
+        Ok(Self {
+            keyword,
+            expression,
+        })
+    }
+}
+
+const NO_CONSTRAINTS: &str = "there are no constraints yet: choose coordinates that fulfil a holonomic one, \
+                              f(q, t) = 0, or hold it by a stiff spring and damper, or a multiplier of your own, under \
+                              `force`; do not put a nonholonomic one, such as rolling, into the energies, which gives \
+                              wrong equations unless it can be integrated, as that of a disc on a straight line";
+
+fn no_clause() -> String {
+    format!("write a clause: one of `{}`", KEYWORDS.join("`, `"))
+}

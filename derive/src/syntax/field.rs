@@ -1,0 +1,129 @@
+//! The fields of the struct: parameters, inputs, and what is none of the model's business.
+
+use proc_macro2::Ident;
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Token, Type};
+
+use crate::diagnostics::Diagnostics;
+use crate::syntax::field_type::{FieldType, Unfit};
+use crate::syntax::grammar::own;
+
+/// A named field of the struct.
+pub(crate) struct Field {
+    pub(crate) name: Ident,
+    pub(crate) ty: Type,
+    /// What its type is an alias of: `#[lagrangian(type = Matrix3<f64>)]`.
+    pub(crate) meant: Option<Type>,
+    pub(crate) role: Role,
+    /// Whether its attributes could be read.
+    pub(crate) readable: bool,
+}
+
+/// What a field is to the model.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// Constant in time.
+    #[default]
+    Parameter,
+    /// Set from outside: `#[lagrangian(input)]`.
+    Input,
+    /// None of the model's business: `#[lagrangian(skip)]`.
+    Skipped,
+}
+
+impl Field {
+    pub(crate) fn read(field: syn::Field, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let mut marks = Marks::default();
+        let mut readable = true;
+        for attribute in own(&field.attrs) {
+            match attribute.parse_args_with(Punctuated::<Mark, Token![,]>::parse_terminated) {
+                Ok(found) if !found.is_empty() => {
+                    for mark in found {
+                        marks.add(mark, diagnostics);
+                    }
+                }
+                Ok(_) => diagnostics.error(&attribute.meta, HOW_TO_MARK),
+                Err(error) => {
+                    readable = false;
+                    diagnostics.error_at(error.span(), HOW_TO_MARK);
+                }
+            }
+        }
+        Some(Self {
+            name: field.ident?,
+            ty: field.ty,
+            meant: marks.meant,
+            role: marks.role,
+            readable,
+        })
+    }
+
+    /// The type that decides what the field is to the model.
+    pub(crate) fn meant(&self) -> &Type {
+        self.meant.as_ref().unwrap_or(&self.ty)
+    }
+
+    /// Its type as parameters can have it, or why they cannot.
+    pub(crate) fn form(&self) -> Result<FieldType<'_>, Unfit> {
+        FieldType::read(self.meant())
+    }
+}
+
+/// One word of a field's attribute.
+enum Mark {
+    Word(Ident),
+    Meant(Box<Type>),
+}
+
+impl Parse for Mark {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        if input.parse::<Option<Token![type]>>()?.is_none() {
+            return input.parse().map(Self::Word);
+        }
+        input.parse::<Token![=]>()?;
+        input.parse().map(Box::new).map(Self::Meant)
+    }
+}
+
+/// What a field's attributes say.
+#[derive(Default)]
+struct Marks {
+    role: Role,
+    meant: Option<Type>,
+}
+
+impl Marks {
+    fn add(&mut self, mark: Mark, diagnostics: &mut Diagnostics) {
+        let word = match mark {
+            Mark::Meant(ty) => {
+                if self.meant.is_some() {
+                    let message = "the type of this field is given twice: keep one of them";
+                    diagnostics.error(&ty, message);
+                }
+                self.meant = Some(*ty);
+                return;
+            }
+            Mark::Word(word) => word,
+        };
+        let role = match word.to_string().as_str() {
+            "input" => Role::Input,
+            "skip" => Role::Skipped,
+            written => {
+                let message = format!(
+                    "unknown field attribute `{written}`: write `input`, `skip` or `type = Matrix3<f64>`"
+                );
+                return diagnostics.error(word, message);
+            }
+        };
+        if self.role == Role::Parameter || self.role == role {
+            self.role = role;
+        } else {
+            let message = "a field is an input or it is skipped: keep one of `input` and `skip`";
+            diagnostics.error(word, message);
+        }
+    }
+}
+
+const HOW_TO_MARK: &str = "write `#[lagrangian(input)]`, `#[lagrangian(skip)]` or `#[lagrangian(type = …)]` on a \
+                           field";

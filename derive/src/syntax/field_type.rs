@@ -1,0 +1,238 @@
+//! The types that parameters and inputs can have.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::{Expr, GenericArgument, Lit, PathArguments, Type};
+
+use crate::limits::MOST_COMPONENTS;
+use crate::syntax::shape::Shape;
+
+/// The type of a field, taken apart: a number, a vector or a matrix, or an array of those.
+pub(crate) struct FieldType<'a> {
+    /// The type of one component.
+    pub(crate) element: &'a Type,
+    form: Form,
+    /// The lengths of the arrays around a vector or matrix, from the outermost.
+    lengths: Vec<usize>,
+}
+
+/// How the components of a quantity are held.
+#[derive(Clone, Copy)]
+enum Form {
+    Scalar,
+    /// `[f64; N]`, or a vector of nalgebra.
+    Vector(usize),
+    /// A matrix of nalgebra with so many rows and columns.
+    Matrix(usize, usize),
+}
+
+/// Why a type is none that a parameter can have.
+pub(crate) enum Unfit {
+    /// It is nothing that is known here.
+    Unknown,
+    /// A number of components is not written as a number.
+    Length,
+    /// There are more than [`MOST_COMPONENTS`].
+    TooMany,
+}
+
+impl<'a> FieldType<'a> {
+    /// Takes a type apart.
+    pub(crate) fn read(ty: &'a Type) -> Result<Self, Unfit> {
+        let read = Self::parts(ty)?;
+        let (rows, columns) = match read.form {
+            Form::Scalar => (1, 1),
+            Form::Vector(rows) => (rows, 1),
+            Form::Matrix(rows, columns) => (rows, columns),
+        };
+        let lengths = read.lengths.iter().copied().chain([rows, columns]);
+        if lengths.fold(1, usize::saturating_mul) > MOST_COMPONENTS {
+            return Err(Unfit::TooMany);
+        }
+        Ok(read)
+    }
+
+    fn parts(ty: &'a Type) -> Result<Self, Unfit> {
+        match ty {
+            Type::Group(group) => Self::parts(&group.elem),
+            Type::Paren(paren) => Self::parts(&paren.elem),
+            Type::Array(array) => {
+                let length = length(&array.len)?;
+                let mut inner = Self::parts(&array.elem)?;
+                match inner.form {
+                    Form::Scalar => inner.form = Form::Vector(length),
+                    Form::Vector(_) | Form::Matrix(..) => inner.lengths.insert(0, length),
+                }
+                Ok(inner)
+            }
+            Type::Path(path) => {
+                let last = path.path.segments.last().ok_or(Unfit::Unknown)?;
+                match &last.arguments {
+                    PathArguments::None => Ok(Self {
+                        element: ty,
+                        form: Form::Scalar,
+                        lengths: Vec::new(),
+                    }),
+                    PathArguments::AngleBracketed(arguments) => {
+                        let mut arguments = arguments.args.iter();
+                        let Some(GenericArgument::Type(element)) = arguments.next() else {
+                            return Err(Unfit::Unknown);
+                        };
+                        let form = Form::of_nalgebra(&last.ident.to_string(), arguments)?;
+                        Ok(Self {
+                            element,
+                            form,
+                            lengths: Vec::new(),
+                        })
+                    }
+                    PathArguments::Parenthesized(_) => Err(Unfit::Unknown),
+                }
+            }
+            _ => Err(Unfit::Unknown),
+        }
+    }
+
+    /// The shape of the field's value, or of each member of an array of vectors or matrices.
+    pub(crate) const fn shape(&self) -> Shape {
+        match self.form {
+            Form::Scalar => Shape::Scalar,
+            Form::Vector(rows) => Shape::Array { rows, columns: 1 },
+            Form::Matrix(rows, columns) => Shape::Array { rows, columns },
+        }
+    }
+
+    /// How many indices tell the members of an array of vectors or matrices apart; 0 for no such array.
+    pub(crate) const fn rank(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// The indices of the members of an array of vectors or matrices, the last one running fastest; one
+    /// empty list for no such array.
+    pub(crate) fn members(&self) -> Vec<Vec<usize>> {
+        members(&self.lengths)
+    }
+
+    /// What stands behind a member to read each of its components, column by column.
+    pub(crate) fn accesses(&self) -> Vec<TokenStream> {
+        let literal = Literal::usize_unsuffixed;
+        let access = |component: usize| match self.form {
+            Form::Scalar => TokenStream::new(),
+            Form::Vector(_) => {
+                let i = literal(component);
+                quote!([#i])
+            }
+            Form::Matrix(rows, _) => {
+                let (row, column) = (literal(component % rows), literal(component / rows));
+                quote!([(#row, #column)])
+            }
+        };
+        (0..self.shape().count()).map(access).collect()
+    }
+}
+
+impl Form {
+    /// The form of nalgebra's type with this name, and with these arguments behind that of its elements.
+    fn of_nalgebra<'a>(
+        name: &str,
+        arguments: impl Iterator<Item = &'a GenericArgument>,
+    ) -> Result<Self, Unfit> {
+        let lengths: Vec<usize> = arguments
+            .map(|argument| match argument {
+                GenericArgument::Const(number) => length(number),
+                _ => Err(Unfit::Length),
+            })
+            .collect::<Result<_, _>>()?;
+        let square = |n: Option<usize>| n.map(|n| Self::Matrix(n, n));
+        let form = match (name, lengths.as_slice()) {
+            ("SVector", [rows]) => Some(Self::Vector(*rows)),
+            ("SMatrix", [rows, columns]) => Some(Self::Matrix(*rows, *columns)),
+            ("RowSVector", [columns]) => Some(Self::Matrix(1, *columns)),
+            (_, []) => [
+                (
+                    "RowVector",
+                    (|n| digit(n).map(|n| Self::Matrix(1, n))) as fn(&str) -> _,
+                ),
+                ("Vector", |n| digit(n).map(Self::Vector)),
+                ("Point", |n| digit(n).map(Self::Vector)),
+            ]
+            .into_iter()
+            .find_map(|(stem, form)| form(name.strip_prefix(stem)?))
+            .or_else(|| square(digit(name.strip_prefix("Rotation")?)))
+            .or_else(|| {
+                let dimensions = name.strip_prefix("Matrix")?;
+                match dimensions.split_once('x') {
+                    Some((rows, columns)) => Some(Self::Matrix(digit(rows)?, digit(columns)?)),
+                    None => square(digit(dimensions)),
+                }
+            }),
+            _ => None,
+        };
+        form.ok_or(Unfit::Unknown)
+    }
+}
+
+/// All indices below some lengths, the last one running fastest.
+pub(crate) fn members(lengths: &[usize]) -> Vec<Vec<usize>> {
+    let mut members = vec![Vec::new()];
+    for length in lengths {
+        let longer = |member: &Vec<usize>, i| {
+            let mut longer = member.clone();
+            longer.push(i);
+            longer
+        };
+        members = members
+            .iter()
+            .flat_map(|member| (0..*length).map(move |i| longer(member, i)))
+            .collect();
+    }
+    members
+}
+
+/// How many components a vector of nalgebra has, and their type, which may be left out.
+pub(crate) fn vector(ty: &Type) -> Option<(usize, Option<&Type>)> {
+    let path = match ty {
+        Type::Group(group) => return vector(&group.elem),
+        Type::Paren(paren) => return vector(&paren.elem),
+        Type::Path(path) => path,
+        _ => return None,
+    };
+    let last = path.path.segments.last()?;
+    let arguments: Vec<_> = match &last.arguments {
+        PathArguments::None => Vec::new(),
+        PathArguments::AngleBracketed(arguments) => arguments.args.iter().collect(),
+        PathArguments::Parenthesized(_) => return None,
+    };
+    let (element, lengths) = match arguments.as_slice() {
+        [GenericArgument::Type(element), lengths @ ..] => (Some(element), lengths),
+        lengths => (None, lengths),
+    };
+    match Form::of_nalgebra(&last.ident.to_string(), lengths.iter().copied()) {
+        Ok(Form::Vector(rows)) => Some((rows, element)),
+        _ => None,
+    }
+}
+
+/// The one digit from 1 to 6 of a name such as `Vector3`.
+fn digit(written: &str) -> Option<usize> {
+    written.parse().ok().filter(|n| (1..=6).contains(n))
+}
+
+/// A number of components, at least 1.
+fn length(written: &Expr) -> Result<usize, Unfit> {
+    match written {
+        Expr::Group(inner) => length(&inner.expr),
+        Expr::Paren(inner) => length(&inner.expr),
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Int(number) => {
+                let number = number.base10_parse().map_err(|_| Unfit::Length)?;
+                Some(number).filter(|n| *n > 0).ok_or(Unfit::Unknown)
+            }
+            _ => Err(Unfit::Length),
+        },
+        Expr::Block(block) => match block.block.stmts.as_slice() {
+            [syn::Stmt::Expr(only, None)] => length(only),
+            _ => Err(Unfit::Length),
+        },
+        _ => Err(Unfit::Length),
+    }
+}

@@ -1,0 +1,125 @@
+//! Functions from outside: `function(name(argument, …) = value, derivative(argument) = expression, …)`.
+//!
+//! The value is any expression of Rust; what the derivatives are made of is of the declaration language.
+
+use proc_macro2::{Ident, Span};
+use syn::parse::ParseStream;
+use syn::{Expr, token};
+
+use crate::syntax::grammar::{expression, position, separated, word};
+
+/// A function from outside.
+pub(crate) struct Function {
+    pub(crate) name: Ident,
+    pub(crate) arguments: Vec<Ident>,
+    /// The value, for the compiler to understand.
+    pub(crate) value: Expr,
+    pub(crate) derivatives: Vec<Derivative>,
+}
+
+/// `derivative(argument) = expression`.
+pub(crate) struct Derivative {
+    pub(crate) argument: Ident,
+    pub(crate) expression: Expr,
+}
+
+impl Function {
+    /// Reads what stands behind the keyword, and keeps what could be read even where there is an error.
+    pub(crate) fn read(
+        keyword: &Ident,
+        input: ParseStream<'_>,
+        functions: &mut Vec<Self>,
+    ) -> syn::Result<()> {
+        if !input.peek(token::Paren) {
+            return Err(syn::Error::new(position(keyword, input), HOW_TO_DECLARE));
+        }
+        let content;
+        let parentheses = syn::parenthesized!(content in input);
+        if content.is_empty() {
+            return Err(syn::Error::new(parentheses.span.join(), HOW_TO_DECLARE));
+        }
+        let mut function = None;
+        let mut derivatives = Vec::new();
+        let read = separated(&content, "a comma, or an operator,", |input| {
+            if function.is_some() {
+                derivatives.push(Derivative::read(input)?);
+            } else {
+                // What comes after a head that cannot be read is not looked at.
+                function = Some(None);
+                function = Some(Some(Self::head(input)?));
+            }
+            Ok(())
+        });
+        if let Some(Some(function)) = function {
+            functions.push(Self {
+                derivatives,
+                ..function
+            });
+        }
+        read
+    }
+
+    /// `name(argument, …) = value`.
+    fn head(input: ParseStream<'_>) -> syn::Result<Self> {
+        let name = word(input, HOW_TO_DECLARE)?;
+        let (arguments, _) = names(&name, input, "the arguments of a function are names")?;
+        let written: Vec<String> = arguments.iter().map(ToString::to_string).collect();
+        let message = format!(
+            "write `{name}({}) = value`, where `value` is an expression of Rust",
+            written.join(", ")
+        );
+        Ok(Self {
+            value: expression(&name, &message, input)?,
+            name,
+            arguments,
+            derivatives: Vec::new(),
+        })
+    }
+}
+
+impl Derivative {
+    fn read(input: ParseStream<'_>) -> syn::Result<Self> {
+        let keyword = word(input, HOW_TO_DIFFERENTIATE)?;
+        if keyword != "derivative" {
+            return Err(syn::Error::new(keyword.span(), HOW_TO_DIFFERENTIATE));
+        }
+        let (arguments, span) = names(&keyword, input, HOW_TO_DIFFERENTIATE)?;
+        let mut arguments = arguments.into_iter();
+        match (arguments.next(), arguments.next()) {
+            (Some(argument), None) => Ok(Self {
+                expression: expression(
+                    &keyword,
+                    &format!("write `derivative({argument}) = expression`"),
+                    input,
+                )?,
+                argument,
+            }),
+            _ => Err(syn::Error::new(
+                span,
+                "a derivative is by one argument: write `derivative(x) = …` for each",
+            )),
+        }
+    }
+}
+
+/// `(name, …)` behind a word, and where that stands.
+fn names(before: &Ident, input: ParseStream<'_>, message: &str) -> syn::Result<(Vec<Ident>, Span)> {
+    if !input.peek(token::Paren) {
+        let message = format!("write `{before}(x) = …`");
+        return Err(syn::Error::new(position(before, input), message));
+    }
+    let content;
+    let parentheses = syn::parenthesized!(content in input);
+    let mut names = Vec::new();
+    separated(&content, "a comma", |input| {
+        names.push(word(input, message)?);
+        Ok(())
+    })?;
+    Ok((names, parentheses.span.join()))
+}
+
+const HOW_TO_DECLARE: &str =
+    "write `function(f(x) = value, derivative(x) = …)`, where `value` is an expression of Rust";
+
+const HOW_TO_DIFFERENTIATE: &str =
+    "write `derivative(x) = …`, with one of the function's arguments";

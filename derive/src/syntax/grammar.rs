@@ -1,0 +1,105 @@
+//! What the grammar of clauses is made of: words, lists, expressions behind an equals sign.
+
+use proc_macro2::{Ident, Span, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::parse::discouraged::Speculative;
+use syn::{Attribute, Expr, Token, token};
+
+/// `= expression` after a word.
+pub(crate) fn equated(word: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
+    expression(word, &format!("write `{word} = expression`"), input)
+}
+
+/// `= expression` after a word, or an error that says how to write it.
+pub(crate) fn expression(word: &Ident, message: &str, input: ParseStream<'_>) -> syn::Result<Expr> {
+    if !input.peek(Token![=]) {
+        return Err(syn::Error::new(position(word, input), message));
+    }
+    let equals = input.parse::<Token![=]>()?;
+    if input.is_empty() || input.peek(Token![,]) {
+        return Err(syn::Error::new_spanned(equals, message));
+    }
+    input.parse()
+}
+
+/// A name, or an error that says what the name is for.
+pub(crate) fn word(input: ParseStream<'_>, message: &str) -> syn::Result<Ident> {
+    if input.peek(syn::Ident) || !input.peek(syn::Ident::peek_any) {
+        return input
+            .parse()
+            .map_err(|error| syn::Error::new(error.span(), message));
+    }
+    let keyword = input.call(Ident::parse_any)?;
+    let message = match keyword.to_string().as_str() {
+        "self" | "Self" | "super" | "crate" | "_" => message.to_owned(),
+        word => format!("`{word}` is a keyword of Rust: write `r#{word}`, or choose another name"),
+    };
+    Err(syn::Error::new(keyword.span(), message))
+}
+
+/// `(item, item, …)` after a keyword.
+pub(crate) fn list(
+    keyword: &Ident,
+    input: ParseStream<'_>,
+    separator: &str,
+    read: impl FnMut(ParseStream<'_>) -> syn::Result<()>,
+) -> syn::Result<()> {
+    if !input.peek(token::Paren) {
+        let message = match keyword.to_string().as_str() {
+            "coordinates" => "write `coordinates(theta, phi)`".to_owned(),
+            word => format!("write `{word}(name = expression, …)`"),
+        };
+        return Err(syn::Error::new(position(keyword, input), message));
+    }
+    let content;
+    syn::parenthesized!(content in input);
+    separated(&content, separator, read)
+}
+
+/// Reads what commas separate, up to the end. Where an item cannot be read, reading goes on behind the
+/// next comma, so that one look shows all errors; they are returned together.
+pub(crate) fn separated(
+    input: ParseStream<'_>,
+    separator: &str,
+    mut read: impl FnMut(ParseStream<'_>) -> syn::Result<()>,
+) -> syn::Result<()> {
+    let mut errors: Option<syn::Error> = None;
+    while !input.is_empty() {
+        // What is read halfway is read again as mere tokens, which cannot fail.
+        let item = input.fork();
+        let result = read(&item).and_then(|()| {
+            if item.is_empty() || item.peek(Token![,]) {
+                Ok(())
+            } else {
+                Err(item.error(format!("write {separator} before this")))
+            }
+        });
+        match (result, &mut errors) {
+            (Ok(()), _) => input.advance_to(&item),
+            (Err(error), Some(errors)) => errors.combine(error),
+            (Err(error), None) => errors = Some(error),
+        }
+        while !input.is_empty() && !input.peek(Token![,]) {
+            input.parse::<TokenTree>()?;
+        }
+        input.parse::<Option<Token![,]>>()?;
+    }
+    errors.map_or(Ok(()), Err)
+}
+
+/// Where an error about what follows `word` is shown: there, or at the word if nothing follows.
+pub(crate) fn position(word: &Ident, input: ParseStream<'_>) -> Span {
+    if input.is_empty() || input.peek(Token![,]) {
+        word.span()
+    } else {
+        input.span()
+    }
+}
+
+/// The attributes that are ours.
+pub(crate) fn own(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
+    attributes
+        .iter()
+        .filter(|attribute| attribute.path().is_ident("lagrangian"))
+}

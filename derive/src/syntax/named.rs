@@ -1,0 +1,112 @@
+//! Expressions under names, in lists: `name = expression`, or `name[i] = expression for i in 0..5`.
+
+use proc_macro2::{Ident, Literal, Span};
+use syn::parse::ParseStream;
+use syn::{Expr, Token, token};
+
+use crate::syntax::grammar::{equated, list, word};
+use crate::syntax::label::Index;
+
+/// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
+pub(crate) struct Named {
+    pub(crate) name: Ident,
+    pub(crate) indices: Vec<Expr>,
+    pub(crate) expression: Expr,
+    pub(crate) iterations: Vec<Iteration>,
+}
+
+/// `for index in range`.
+pub(crate) struct Iteration {
+    pub(crate) index: Ident,
+    pub(crate) range: Expr,
+}
+
+/// `(name = expression, …)` after a keyword.
+pub(crate) fn named(
+    keyword: &Ident,
+    input: ParseStream<'_>,
+    items: &mut Vec<Named>,
+) -> syn::Result<()> {
+    list(keyword, input, "a comma, or an operator,", |input| {
+        items.push(Named::read(keyword, input)?);
+        Ok(())
+    })
+}
+
+impl Named {
+    fn read(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<Self> {
+        let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
+        let mut indices = Vec::new();
+        loop {
+            if input.peek(Token![.]) && keyword == "force" {
+                indices.push(axis(&name, input)?);
+                continue;
+            }
+            if !input.peek(token::Bracket) {
+                break;
+            }
+            let content;
+            let bracket = syn::bracketed!(content in input);
+            let message =
+                format!("write one index in brackets, as in `{name}[i] = … for i in 0..5`");
+            if content.is_empty() {
+                return Err(syn::Error::new(bracket.span.join(), message));
+            }
+            indices.push(content.parse()?);
+            if !content.is_empty() {
+                return Err(content.error(message));
+            }
+        }
+        let expression = equated(&name, input)?;
+        let mut iterations = Vec::new();
+        while let Some(word) = input.parse::<Option<Token![for]>>()? {
+            iterations.push(Iteration::read(word, input)?);
+        }
+        Ok(Self {
+            name,
+            indices,
+            expression,
+            iterations,
+        })
+    }
+}
+
+/// `.x` behind the name of a vector on which a force acts, as the index that it stands for.
+fn axis(name: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
+    let point: Token![.] = input.parse()?;
+    let axis: Option<Ident> = input.parse()?;
+    let position = axis
+        .as_ref()
+        .and_then(|axis| Index::AXES.iter().position(|name| axis == name));
+    let Some(position) = position else {
+        let message = format!(
+            "write `{name}.x`, `{name}.y`, `{name}.z` or `{name}.w` for a component of a vector"
+        );
+        return Err(match axis {
+            Some(axis) => syn::Error::new(axis.span(), message),
+            None => syn::Error::new(point.span, message),
+        });
+    };
+    let span = axis.map_or(point.span, |axis| axis.span());
+    let mut index = Literal::usize_unsuffixed(position);
+    index.set_span(span);
+    Ok(syn::parse_quote!(#index))
+}
+
+impl Iteration {
+    /// `i in 0..5` behind `for`.
+    fn read(keyword: Token![for], input: ParseStream<'_>) -> syn::Result<Self> {
+        let message = "write `for i in 0..5`";
+        let here = |input: ParseStream<'_>, before: Span| {
+            let nothing = input.is_empty() || input.peek(Token![,]);
+            syn::Error::new(if nothing { before } else { input.span() }, message)
+        };
+        let index: Ident = input.parse().map_err(|_| here(input, keyword.span))?;
+        let between: Token![in] = input.parse().map_err(|_| here(input, index.span()))?;
+        if input.is_empty() || input.peek(Token![,]) {
+            return Err(here(input, between.span));
+        }
+        let range = input.parse()?;
+        Ok(Self { index, range })
+    }
+}

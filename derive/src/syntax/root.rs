@@ -1,0 +1,57 @@
+//! Where the emitted code finds the crate `lagrangian`.
+//!
+//! That is `::lagrangian`, unless the declaration says `crate = "path"`: a crate that hands on the derive
+//! may have renamed `lagrangian`, and its users may not depend on it. Every path that is emitted begins
+//! with the root, so that no other one is absolute but `::core`.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{LitStr, Path, Token};
+
+use crate::syntax::grammar::position;
+
+/// The path of the crate `lagrangian`.
+pub(crate) struct Root(TokenStream);
+
+impl Default for Root {
+    fn default() -> Self {
+        Self(quote!(::lagrangian))
+    }
+}
+
+impl ToTokens for Root {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.extend(self.0.clone());
+    }
+}
+
+impl Root {
+    /// Reads `crate = "path"` or `crate = path`; returns the word `crate`, too.
+    pub(crate) fn read(input: ParseStream<'_>) -> syn::Result<(Ident, Self)> {
+        let keyword = input.call(Ident::parse_any)?;
+        if !input.peek(Token![=]) {
+            return Err(syn::Error::new(position(&keyword, input), HOW_TO_NAME));
+        }
+        let equals = input.parse::<Token![=]>()?;
+        if input.is_empty() || input.peek(Token![,]) {
+            return Err(syn::Error::new_spanned(equals, HOW_TO_NAME));
+        }
+        let path = if input.peek(LitStr) {
+            let path = input.parse::<LitStr>()?;
+            path.parse_with(Path::parse_mod_style)
+                .map_err(|_| syn::Error::new_spanned(path, HOW_TO_NAME))?
+        } else {
+            Path::parse_mod_style(input)
+                .map_err(|error| syn::Error::new(error.span(), HOW_TO_NAME))?
+        };
+        if !(input.is_empty() || input.peek(Token![,])) {
+            return Err(input.error(HOW_TO_NAME));
+        }
+        Ok((keyword, Self(path.into_token_stream())))
+    }
+}
+
+const HOW_TO_NAME: &str =
+    "write `crate = \"path\"`, with the path at which this module finds the crate `lagrangian`";

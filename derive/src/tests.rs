@@ -1,0 +1,11 @@
+//! Tests of the whole macro: from the tokens of a declaration to those that are emitted.
+
+mod editor;
+mod golden;
+mod half_typed;
+mod robustness;
+mod roots;
+mod scalars;
+mod scopes;
+mod timing;
+mod validation;

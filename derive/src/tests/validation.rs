@@ -1,0 +1,265 @@
+//! Altered programs are found and replaced.
+
+use lagrangian_symbolic as symbolic;
+use lagrangian_symbolic::{Equations, Model, Operation, Program, Validator};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::check::check;
+use crate::diagnostics::Diagnostics;
+use crate::lower::lower;
+use crate::plan::Methods;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::shape::Shape;
+
+/// A model, what validates it, and its methods.
+struct Derived {
+    model: Model,
+    equations: Equations,
+    validator: Validator,
+    methods: Methods,
+    /// The shapes of the outputs.
+    shapes: Vec<Shape>,
+}
+
+fn derive(declaration: TokenStream) -> Derived {
+    let mut diagnostics = Diagnostics::default();
+    let input = syn::parse2(declaration).unwrap();
+    let declaration = Declaration::parse(input, &mut diagnostics);
+    check(&declaration, &mut diagnostics);
+    let lowered = lower(&declaration, &mut diagnostics);
+    assert!(diagnostics.is_empty());
+    let mut model = lowered.model.unwrap();
+    let validator = Validator::new(&model);
+    let equations = Equations::derive(&mut model).unwrap();
+    let shapes = lowered.outputs;
+    let methods = Methods::schedule(&mut model, &equations, &shapes);
+    Derived {
+        model,
+        equations,
+        validator,
+        methods,
+        shapes,
+    }
+}
+
+/// A pendulum on a cart on a shaken rail, of every kind of term.
+fn driven_cart() -> TokenStream {
+    quote! {
+        #[lagrangian(
+            coordinates(x, theta),
+            define(p = [x + l * sin(theta) + a * sin(w * t), -l * cos(theta)]),
+            kinetic = 0.5 * mc * dot(x).powi(2) + 0.5 * m * dot(p).norm_squared(),
+            potential = m * g * p.y + k * abs(x - 2.0).powi(3) + b * x * dot(theta),
+            dissipation = 0.5 * c * dot(theta).powi(2) / (1.0 + x.powi(2)),
+            force(x = u * cos(theta) + sqrt(1.0 + theta.powi(2)), theta = h * u),
+            output(height = p.y, acceleration = dot(dot(p.x))),
+        )]
+        struct Cart {
+            mc: f64, m: f64, l: f64, g: f64, a: f64, w: f64, k: f64, b: f64, c: f64, h: f64,
+            #[lagrangian(input)]
+            u: f64,
+        }
+    }
+}
+
+/// A chain of five, which is solved numerically for its derivatives.
+fn chain() -> TokenStream {
+    quote! {
+        #[lagrangian(
+            coordinates(q[5]),
+            define(
+                p[0] = [sin(q[0]), -cos(q[0])],
+                p[i] = p[i - 1] + l[i] * [sin(q[i]), -cos(q[i])] for i in 1..5,
+            ),
+            kinetic = (0..5).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
+            potential = (0..5).map(|i| m[i] * g * p[i].y).sum(),
+            force(q[1] = u),
+        )]
+        struct Chain { m: [f64; 5], l: [f64; 5], g: f64, #[lagrangian(input)] u: f64 }
+    }
+}
+
+/// A rigid body, solved through its angular velocity.
+fn top() -> TokenStream {
+    quote! {
+        #[lagrangian(
+            coordinates(phi, theta, psi),
+            define(r = rotation_zxz(phi, theta, psi), w = angular_velocity(r)),
+            kinetic = 0.5 * (i1 * w.x.powi(2) + i2 * w.y.powi(2) + i3 * w.z.powi(2)),
+            potential = m * g * (r * [0.0, d, l]).z,
+            force(w = [0.0, tau, 0.0]),
+        )]
+        struct Top { i1: f64, i2: f64, i3: f64, m: f64, g: f64, d: f64, l: f64, tau: f64 }
+    }
+}
+
+fn models() -> [TokenStream; 3] {
+    [driven_cart(), chain(), top()]
+}
+
+#[test]
+fn what_is_derived_agrees() {
+    for model in models() {
+        let Derived {
+            validator, methods, ..
+        } = derive(model);
+        assert!(validator.disagreements(methods.programs()).is_empty());
+    }
+}
+
+/// The same program with one instruction changed, if it is one that can be.
+fn altered(program: &Program, position: usize) -> Option<Program> {
+    let mut program = program.clone();
+    let instructions = program
+        .phases
+        .iter_mut()
+        .flat_map(|phase| &mut phase.instructions);
+    let instruction = instructions.into_iter().nth(position)?;
+    instruction.operation = match instruction.operation.clone() {
+        Operation::Add(x, y) => Operation::Subtract(x, y),
+        Operation::Subtract(x, y) => Operation::Add(x, y),
+        Operation::Multiply(x, y) => Operation::Divide(x, y),
+        Operation::Divide(x, y) => Operation::Multiply(x, y),
+        Operation::Negate(x) => Operation::Add(x.clone(), x),
+        _ => return None,
+    };
+    Some(program)
+}
+
+/// Where a program stands among the methods.
+type Slot = fn(&mut Methods) -> &mut Program;
+
+const SLOTS: [(symbolic::Method, Slot); 12] = {
+    use lagrangian_symbolic::Method;
+    [
+        (Method::Lagrangian, |methods| {
+            &mut methods.lagrangian.program
+        }),
+        (Method::Energy, |methods| &mut methods.energy.program),
+        (Method::Momenta, |methods| &mut methods.momenta.program),
+        (Method::MassMatrix, |methods| {
+            &mut methods.mass_matrix.program
+        }),
+        (Method::Forcing, |methods| &mut methods.forcing.program),
+        (Method::GeneralizedForces, |methods| {
+            &mut methods.generalized_forces.program
+        }),
+        (Method::InverseDynamics, |methods| {
+            &mut methods.inverse_dynamics.program
+        }),
+        (Method::Outputs, |methods| &mut methods.outputs.program),
+        (Method::Accelerations, |methods| {
+            &mut methods.prepare.program
+        }),
+        (Method::Accelerations, |methods| {
+            &mut methods.accelerations.program
+        }),
+        (Method::Linearization, |methods| {
+            &mut methods.linearize.program
+        }),
+        (Method::Linearization, |methods| {
+            &mut methods.input_jacobian.program
+        }),
+    ]
+};
+
+/// What is computed, but for pivots, of which the signs alone matter, at some numbers.
+fn values(methods: &Methods, method: symbolic::Method, program: &Program, seed: u32) -> Vec<f64> {
+    let value = |symbol: symbolic::Symbol| {
+        let text = format!("{symbol:?}");
+        let mix = |code: u32, byte| code.wrapping_mul(31) + u32::from(byte);
+        let code = text.bytes().fold(seed, mix);
+        0.3 + f64::from(code.wrapping_mul(2_654_435_761) >> 16) / 65536.0
+    };
+    let pivots = methods.accelerations.outputs.pivots().unwrap_or(0);
+    match method {
+        symbolic::Method::Accelerations => {
+            let prepared = methods.prepare.program.evaluate(value).concat();
+            let program = &methods.accelerations.program;
+            let accelerations = program.evaluate(|symbol| match symbol {
+                symbolic::Symbol::Prepared(index) => prepared[index as usize],
+                _ => value(symbol),
+            });
+            accelerations.concat().split_off(pivots)
+        }
+        symbolic::Method::Linearization => program.evaluate(value).concat().split_off(pivots),
+        _ => program.evaluate(value).concat(),
+    }
+}
+
+/// The same at several points.
+fn all_values(methods: &mut Methods, method: symbolic::Method, slot: Slot) -> Vec<f64> {
+    let program = slot(methods).clone();
+    let values = (1..5).map(|seed| values(methods, method, &program, seed));
+    values.flatten().collect()
+}
+
+fn differ(first: &[f64], second: &[f64]) -> bool {
+    let mut pairs = first.iter().zip(second);
+    pairs.any(|(x, y)| (x - y).abs() > 1e-9 * (x.abs() + y.abs()))
+}
+
+/// Every instruction of every method is altered in turn, and every alteration of its values is found. Some
+/// change nothing: the energy function is the same for either sign of the velocity of a frame.
+#[test]
+fn every_altered_instruction_is_found() {
+    for model in models() {
+        let Derived {
+            validator,
+            mut methods,
+            ..
+        } = derive(model);
+        let mut count = 0;
+        for (method, slot) in SLOTS {
+            let program = slot(&mut methods).clone();
+            let expected = all_values(&mut methods, method, slot);
+            for position in 0..program.instructions().count() {
+                let Some(altered) = altered(&program, position) else {
+                    continue;
+                };
+                *slot(&mut methods) = altered;
+                // Some of many: each costs a validation.
+                if (position < 40 || position % 7 == 0)
+                    && differ(&all_values(&mut methods, method, slot), &expected)
+                {
+                    let found = validator.disagreements(methods.programs());
+                    let instruction = program.instructions().nth(position);
+                    assert!(found.contains(&method), "{method:?} {instruction:?}");
+                    count += 1;
+                }
+            }
+            *slot(&mut methods) = program;
+        }
+        assert!(count > 100, "{count}");
+    }
+}
+
+/// What was simplified wrongly is replaced by what was derived plainly.
+#[test]
+fn what_disagrees_is_replaced() {
+    for model in models() {
+        let Derived {
+            mut model,
+            mut equations,
+            validator,
+            mut methods,
+            shapes,
+        } = derive(model);
+        let wrong = |program: &Program| {
+            let count = program.instructions().count();
+            (0..count)
+                .find_map(|position| altered(program, position))
+                .unwrap()
+        };
+        methods.accelerations.program = wrong(&methods.accelerations.program);
+        methods.forcing.program = wrong(&methods.forcing.program);
+        methods.linearize.program = wrong(&methods.linearize.program);
+        let found = methods.validate(&validator, &mut model, &mut equations, &shapes);
+        assert!(found.contains(&symbolic::Method::Accelerations));
+        assert!(found.contains(&symbolic::Method::Forcing));
+        assert!(!found.contains(&symbolic::Method::MassMatrix));
+        assert!(validator.disagreements(methods.programs()).is_empty());
+        assert!(methods.accelerations.outputs.pivots().is_none());
+    }
+}
