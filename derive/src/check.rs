@@ -13,7 +13,7 @@ use crate::diagnostics::{Diagnostics, similar};
 use crate::plan::is_method;
 use crate::syntax::clauses::Clause;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::names::plain;
+use crate::syntax::names::unraw;
 
 /// Checks names, types of fields and the set of clauses.
 pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
@@ -38,13 +38,13 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         return;
     }
     let coordinates = clauses.coordinates.iter();
-    let coordinates = coordinates.map(|coordinate| plain(&coordinate.name));
+    let coordinates = coordinates.map(|coordinate| unraw(&coordinate.name));
     let definitions = clauses.definitions.iter();
-    let definitions = definitions.map(|definition| plain(&definition.name));
+    let definitions = definitions.map(|definition| unraw(&definition.name));
     let coordinates: BTreeSet<String> = coordinates.collect();
     let names: BTreeSet<String> = coordinates.iter().cloned().chain(definitions).collect();
     for force in clauses.forces.iter().flatten() {
-        let written = plain(&force.name);
+        let written = unraw(&force.name);
         if !names.contains(&written) {
             let meant = similar(&written, names.iter().map(String::as_str));
             let hint = meant.map_or_else(
@@ -65,7 +65,7 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
 fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut seen = BTreeSet::new();
     for output in &declaration.clauses.outputs {
-        if !seen.insert(plain(&output.name)) {
+        if !seen.insert(unraw(&output.name)) {
             let message = format!(
                 "the output `{}` is declared twice: give one of them another name",
                 output.name

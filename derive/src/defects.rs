@@ -12,7 +12,7 @@ use crate::syntax::clauses::Clause;
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
 
-/// Says which derivatives of functions from outside are missing.
+/// Says which derivatives of external functions are missing.
 pub(crate) fn report_undeclared(
     undeclared: &BTreeMap<(usize, usize), &'static str>,
     declaration: &Declaration,

@@ -21,19 +21,19 @@ mod fallback;
 use proc_macro2::TokenStream;
 
 pub(crate) use defect_warning::warning;
-pub(crate) use emitter::Implementation;
+pub(crate) use emitter::Emitter;
 pub(crate) use fallback::items as items_without_equations;
 
 /// All items, in the order in which a reader wants them.
-pub(crate) fn items(implementation: &Implementation<'_>) -> TokenStream {
+pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
     [
-        implementation.constants(),
-        implementation.system(),
-        implementation.lagrangian(),
-        implementation.energies(),
-        implementation.inputs(),
-        implementation.outputs(),
-        implementation.functions(),
+        emitter.constants(),
+        emitter.system(),
+        emitter.lagrangian(),
+        emitter.energies(),
+        emitter.inputs(),
+        emitter.outputs(),
+        emitter.functions(),
     ]
     .into_iter()
     .collect()

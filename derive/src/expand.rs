@@ -8,7 +8,7 @@ use syn::DeriveInput;
 use crate::check::{check, check_whole};
 use crate::defects;
 use crate::diagnostics::Diagnostics;
-use crate::emit::{Implementation, items, items_without_equations, warning};
+use crate::emit::{Emitter, items, items_without_equations, warning};
 use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
 use crate::plan::Methods;
@@ -77,7 +77,7 @@ fn implement(
         defects::report_at_energy(declaration, message, diagnostics);
         return None;
     }
-    let implementation = Implementation::new(
+    let emitter = Emitter::new(
         declaration,
         lowered,
         &model,
@@ -85,7 +85,7 @@ fn implement(
         &methods,
         most_scopes,
     );
-    let items = items(&implementation);
+    let items = items(&emitter);
     let warning = warning(&disagreements, declaration);
     Some(quote!(#items #warning))
 }

@@ -16,9 +16,9 @@ use syn::Expr;
 
 use crate::diagnostics::Diagnostics;
 use crate::lower::ablation::passes;
-use crate::lower::expression::{Place, Translator};
+use crate::lower::expression::{ExpressionContext, Translator};
 use crate::lower::quantities::Quantities;
-use crate::lower::scope::{Kind, Meaning, Scope};
+use crate::lower::scope::{Meaning, Origin, Scope};
 use crate::lower::value::Value;
 use crate::syntax::clauses::Clause;
 use crate::syntax::declaration::Declaration;
@@ -77,7 +77,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
 fn components(graph: &mut Graph, values: &[Value]) -> Vec<Expression> {
     let zero = [graph.zero()];
     let components = |value: &Value| match value {
-        Value::Nothing => zero.to_vec(),
+        Value::EmptySum => zero.to_vec(),
         other => other.components().to_vec(),
     };
     values.iter().flat_map(components).collect()
@@ -128,7 +128,7 @@ impl Translator<'_> {
                 // An output with indices has been refused.
                 let whole = output.indices.is_empty() && output.iterations.is_empty();
                 let expression = whole.then_some(&output.expression)?;
-                self.translate(expression, Place::Observation)
+                self.translate(expression, ExpressionContext::Observation)
             })
             .collect();
         let energies = if clauses.lagrangian.is_empty() {
@@ -171,12 +171,13 @@ impl Translator<'_> {
                     iteration.index
                 );
                 self.diagnostics.error(name, message);
-                return self.scope.define(name, Meaning::Broken);
+                return self.scope.define(name, Meaning::Poisoned);
             }
-            let meaning = match self.translate(&definition.expression, Place::Observation) {
-                Some(value) => Meaning::Quantity(Kind::Defined, value),
-                None => Meaning::Broken,
-            };
+            let meaning =
+                match self.translate(&definition.expression, ExpressionContext::Observation) {
+                    Some(value) => Meaning::Quantity(Origin::Defined, value),
+                    None => Meaning::Poisoned,
+                };
             return self.scope.define(&definition.name, meaning);
         }
         let defined = self.for_each(&definition.iterations, &mut |translator| {
@@ -205,7 +206,7 @@ impl Translator<'_> {
             );
             return self.reject(name, message);
         }
-        let value = self.translate(&definition.expression, Place::Observation)?;
+        let value = self.translate(&definition.expression, ExpressionContext::Observation)?;
         if self.scope.define_member(name, &indices, value) {
             return Some(());
         }
@@ -247,7 +248,7 @@ impl Translator<'_> {
     fn total(&mut self, clauses: &[Clause]) -> Option<Expression> {
         let values: Vec<_> = clauses
             .iter()
-            .map(|clause| self.scalar(&clause.expression, Place::Energy))
+            .map(|clause| self.scalar(&clause.expression, ExpressionContext::Energy))
             .collect();
         let zero = self.graph.zero();
         values

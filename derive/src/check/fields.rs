@@ -4,7 +4,7 @@ use crate::diagnostics::Diagnostics;
 use crate::limits::MOST_COMPONENTS;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
-use crate::syntax::field_type::Unfit;
+use crate::syntax::field_type::UnsupportedType;
 use crate::syntax::scalar::is_number;
 
 /// The components of a vector of coordinates are numbers of the model.
@@ -25,23 +25,23 @@ pub(super) fn check_field_types(declaration: &Declaration, diagnostics: &mut Dia
         .iter()
         .filter(|field| field.role != Role::Skipped && field.readable)
     {
-        let ty = field.meant();
-        let message = match field.form() {
+        let ty = field.declared_type();
+        let message = match field.field_type() {
             Ok(read) if is_number(declaration, read.element) => continue,
-            Ok(_) | Err(Unfit::Unknown) => {
+            Ok(_) | Err(UnsupportedType::Unknown) => {
                 "parameters are of type `f64`, `f32`, arrays of them such as `[f64; 5]`, or vectors and \
                  matrices of nalgebra such as `Vector3<f64>`: change the type, name what it is an alias of by \
                  `#[lagrangian(type = Vector3<f64>)]`, or mark the field `#[lagrangian(skip)]` if the \
                  equations do not need it"
             }
-            Err(Unfit::Length) => {
+            Err(UnsupportedType::Length) => {
                 "the equations are derived for a certain number of components: write it as a number, as in \
                  `[f64; 5]`"
             }
-            Err(Unfit::TooMany) => {
+            Err(UnsupportedType::TooMany) => {
                 let message = format!(
                     "a parameter has at most {MOST_COMPONENTS} numbers, each of which is a symbol of the equations: \
-                     mark a larger table `#[lagrangian(skip)]`, and read it by a function from outside, as in \
+                     mark a larger table `#[lagrangian(skip)]`, and read it by an external function, as in \
                      `function(table(x) = self.table.at(x), derivative(x) = 0.0)`"
                 );
                 diagnostics.error(ty, message);

@@ -7,8 +7,8 @@ use crate::diagnostics::{Diagnostics, similar};
 use crate::lower::builtins;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
-use crate::syntax::function::{Derivative, Function};
-use crate::syntax::names::{RESERVED, plain};
+use crate::syntax::function::{DerivativeDeclaration, FunctionDeclaration};
+use crate::syntax::names::{RESERVED, unraw};
 
 /// Checks the names of functions and of their arguments, and what their derivatives are by.
 pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
@@ -17,12 +17,12 @@ pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         let name = &function.name;
         if RESERVED.iter().any(|reserved| name == reserved) {
             refuse_reserved(name, diagnostics);
-        } else if builtins::is_function(&plain(name)) {
+        } else if builtins::is_function(&unraw(name)) {
             let message = format!(
                 "`{name}` is a function of the declaration language: give this one another name"
             );
             diagnostics.error(name, message);
-        } else if let Some(holder) = taken.insert(plain(name), "function") {
+        } else if let Some(holder) = taken.insert(unraw(name), "function") {
             let message = match holder {
                 "function" => format!("`{name}` is declared twice: give one of them another name"),
                 _ => format!("`{name}` is a {holder} already: give this function another name"),
@@ -46,20 +46,24 @@ fn quantities(declaration: &Declaration) -> BTreeMap<String, &'static str> {
     let definitions = clauses.definitions.iter();
     let definitions = definitions.map(|definition| (&definition.name, "definition"));
     let all = fields.chain(coordinates).chain(definitions);
-    all.map(|(name, kind)| (plain(name), kind)).collect()
+    all.map(|(name, kind)| (unraw(name), kind)).collect()
 }
 
-fn check_arguments(declaration: &Declaration, function: &Function, diagnostics: &mut Diagnostics) {
+fn check_arguments(
+    declaration: &Declaration,
+    function: &FunctionDeclaration,
+    diagnostics: &mut Diagnostics,
+) {
     let mut seen = BTreeSet::new();
     for argument in &function.arguments {
         refuse_reserved(argument, diagnostics);
         let mut fields = declaration.fields.iter();
-        if !seen.insert(plain(argument)) {
+        if !seen.insert(unraw(argument)) {
             let message =
                 format!("`{argument}` is an argument already: give one of them another name");
             diagnostics.error(argument, message);
         } else if fields
-            .any(|field| field.role != Role::Skipped && plain(&field.name) == plain(argument))
+            .any(|field| field.role != Role::Skipped && unraw(&field.name) == unraw(argument))
         {
             let message =
                 format!("`{argument}` is a field already: give this argument another name");
@@ -68,11 +72,11 @@ fn check_arguments(declaration: &Declaration, function: &Function, diagnostics: 
     }
 }
 
-fn check_derivatives(function: &Function, diagnostics: &mut Diagnostics) {
+fn check_derivatives(function: &FunctionDeclaration, diagnostics: &mut Diagnostics) {
     let mut seen = BTreeSet::new();
-    for Derivative { argument, .. } in &function.derivatives {
-        let written = plain(argument);
-        let arguments: Vec<String> = function.arguments.iter().map(plain).collect();
+    for DerivativeDeclaration { argument, .. } in &function.derivatives {
+        let written = unraw(argument);
+        let arguments: Vec<String> = function.arguments.iter().map(unraw).collect();
         if !arguments.contains(&written) {
             let name = &function.name;
             let hint = match (

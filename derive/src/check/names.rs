@@ -11,7 +11,7 @@ use crate::plan::constants::{
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::named::Named;
-use crate::syntax::names::{RESERVED, constant, plain};
+use crate::syntax::names::{RESERVED, constant_name, unraw};
 
 /// Names are unique, and none is reserved.
 pub(super) fn check_names(declaration: &Declaration, diagnostics: &mut Diagnostics) {
@@ -20,7 +20,7 @@ pub(super) fn check_names(declaration: &Declaration, diagnostics: &mut Diagnosti
         if field.role != Role::Skipped {
             refuse_reserved(&field.name, diagnostics);
         }
-        taken.insert(plain(&field.name), "field");
+        taken.insert(unraw(&field.name), "field");
     }
     let clauses = &declaration.clauses;
     let coordinates = clauses.coordinates.iter();
@@ -30,7 +30,7 @@ pub(super) fn check_names(declaration: &Declaration, diagnostics: &mut Diagnosti
         .map(|name| (name, "definition"));
     for (name, kind) in coordinates.chain(definitions) {
         refuse_reserved(name, diagnostics);
-        if let Some(holder) = taken.insert(plain(name), kind) {
+        if let Some(holder) = taken.insert(unraw(name), kind) {
             let message = if holder == kind {
                 format!("`{name}` is declared twice: give one of them another name")
             } else {
@@ -44,7 +44,7 @@ pub(super) fn check_names(declaration: &Declaration, diagnostics: &mut Diagnosti
 /// The names of definitions; that of a family once, though its members may be defined one by one.
 fn first_of_families(definitions: &[Named]) -> Vec<&Ident> {
     let mut families = BTreeSet::new();
-    let first = |named: &&Named| named.indices.is_empty() || families.insert(plain(&named.name));
+    let first = |named: &&Named| named.indices.is_empty() || families.insert(unraw(&named.name));
     definitions
         .iter()
         .filter(first)
@@ -71,7 +71,7 @@ pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagn
     let inputs = declaration.fields_with(Role::Input);
     let inputs = inputs.map(|field| (&field.name, "input"));
     for (name, quantity) in coordinates.chain(inputs) {
-        let constant = constant(name);
+        let constant = constant_name(name);
         let kind = format!("the index of `{name}`");
         // The same name twice is reported as such.
         if let Some(holder) = taken.insert(constant.clone(), kind.clone())
@@ -101,7 +101,7 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
         (
             &CONSTANTS_OF_FUNCTIONS,
             has_functions,
-            "a constant of every model with functions from outside",
+            "a constant of every model with external functions",
         ),
     ];
     let all = all.into_iter().filter(|(_, there, _)| *there);

@@ -4,19 +4,21 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::scalar::{is_name, is_scalar, uses};
+use crate::syntax::scalar::{is_name, is_scalar, scalar_parameters};
 
 /// Checks that the fields' type parameters are one, and a scalar, and no other than is named.
 pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    if let (Some(named), Some((used, _))) = (&declaration.clauses.scalar, uses(declaration).next())
-        && !is_name(named, used)
+    if let (Some(named), Some((used, _))) = (
+        &declaration.clauses.scalar,
+        scalar_parameters(declaration).next(),
+    ) && !is_name(named, used)
     {
         let message =
             format!("parameters are of `{used}`: write `scalar = {used}`, or leave it out");
         return diagnostics.error(named, message);
     }
     let mut checked: Vec<&Ident> = Vec::new();
-    for (parameter, ty) in uses(declaration) {
+    for (parameter, ty) in scalar_parameters(declaration) {
         if checked.contains(&parameter) {
             continue;
         }

@@ -6,7 +6,7 @@
 mod variables;
 mod block;
 mod angles;
-mod text;
+mod fragment;
 mod constant;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,25 +22,25 @@ use crate::syntax::scalar::Scalar;
 use angles::Angles;
 use block::Block;
 use constant::constant;
-use text::{Level, Text, infix};
+use fragment::{Fragment, Precedence, infix};
 use variables::Variables;
 
 /// Where the emitted code finds a symbol's value.
-pub(crate) trait Source {
+pub(crate) trait SymbolReader {
     /// The expression that reads `symbol`.
     fn read(&self, symbol: Symbol) -> TokenStream;
 }
 
-/// Writes the phases of one program, one after the other.
+/// Writes the groups of one program, one after the other.
 pub(crate) struct Body<'a> {
     passes: Passes,
     locals: Locals<'a>,
     scalar: &'a Scalar<'a>,
-    source: &'a dyn Source,
-    /// The methods that compute functions from outside, in the order of declaration.
+    source: &'a dyn SymbolReader,
+    /// The methods that compute external functions, in the order of declaration.
     functions: Vec<Ident>,
     symbols: BTreeMap<Symbol, Ident>,
-    texts: BTreeMap<usize, Text>,
+    fragments: BTreeMap<usize, Fragment>,
     variables: Variables,
     block: Block,
 }
@@ -51,7 +51,7 @@ impl<'a> Body<'a> {
         passes: Passes,
         locals: Locals<'a>,
         scalar: &'a Scalar<'a>,
-        source: &'a dyn Source,
+        source: &'a dyn SymbolReader,
         functions: Vec<Ident>,
         most_scopes: usize,
     ) -> Self {
@@ -64,22 +64,22 @@ impl<'a> Body<'a> {
             source,
             functions,
             symbols: BTreeMap::new(),
-            texts: BTreeMap::new(),
+            fragments: BTreeMap::new(),
             variables,
             block: Block::new(scopes > most_scopes),
         }
     }
 
-    /// The statements of a phase, and the expressions of its outputs.
-    pub(crate) fn phase(&mut self, phase: &Phase) -> (TokenStream, Vec<TokenStream>) {
-        self.load_symbols(phase);
-        let done = self.angles(phase);
-        for (index, instruction) in phase.instructions.iter().enumerate() {
+    /// The statements of a group, and the expressions of its outputs.
+    pub(crate) fn group(&mut self, group: &Phase) -> (TokenStream, Vec<TokenStream>) {
+        self.load_symbols(group);
+        let done = self.angles(group);
+        for (index, instruction) in group.instructions.iter().enumerate() {
             if !done.contains(&index) {
                 self.instruction(instruction);
             }
         }
-        let outputs = phase
+        let outputs = group
             .outputs
             .iter()
             .map(|operand| self.operand(operand).tokens)
@@ -87,14 +87,14 @@ impl<'a> Body<'a> {
         (self.block.take(self.scalar), outputs)
     }
 
-    /// Reads the symbols that no phase before has read.
-    fn load_symbols(&mut self, phase: &Phase) {
-        let operands = phase
+    /// Reads the symbols that no group before has read.
+    fn load_symbols(&mut self, group: &Phase) {
+        let operands = group
             .instructions
             .iter()
             .flat_map(|instruction| instruction.operation.operands());
         let wanted: BTreeSet<Symbol> = operands
-            .chain(&phase.outputs)
+            .chain(&group.outputs)
             .filter_map(|operand| match operand {
                 Operand::Symbol(symbol) => Some(*symbol),
                 _ => None,
@@ -111,19 +111,19 @@ impl<'a> Body<'a> {
     }
 
     /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
-    fn angles(&mut self, phase: &Phase) -> BTreeSet<usize> {
+    fn angles(&mut self, group: &Phase) -> BTreeSet<usize> {
         if !self.passes.has(Pass::Vectors) {
             return BTreeSet::new();
         }
-        let Some(angles) = Angles::of(phase, |value| self.texts.contains_key(&value)) else {
+        let Some(angles) = Angles::of(group, |value| self.fragments.contains_key(&value)) else {
             return BTreeSet::new();
         };
         for index in &angles.made_of {
-            self.instruction(&phase.instructions[*index]);
+            self.instruction(&group.instructions[*index]);
         }
         let (mut arguments, mut sines, mut cosines) = (Vec::new(), Vec::new(), Vec::new());
         for index in &angles.pairs {
-            let instruction = &phase.instructions[*index];
+            let instruction = &group.instructions[*index];
             let operands = instruction.operation.operands();
             arguments.extend(operands.map(|operand| self.operand(operand).tokens));
             let (sine, cosine) = self.pair(instruction);
@@ -141,9 +141,10 @@ impl<'a> Body<'a> {
     /// Names the two values of an instruction that computes a sine and a cosine.
     fn pair(&mut self, instruction: &Instruction) -> (Ident, Ident) {
         let (sine, cosine) = self.locals.pair(instruction.expression);
-        self.texts.insert(instruction.value, Text::atom(&sine));
-        self.texts
-            .insert(instruction.value + 1, Text::atom(&cosine));
+        self.fragments
+            .insert(instruction.value, Fragment::atom(&sine));
+        self.fragments
+            .insert(instruction.value + 1, Fragment::atom(&cosine));
         (sine, cosine)
     }
 
@@ -157,20 +158,20 @@ impl<'a> Body<'a> {
             self.block.define(&names, &pattern, &value, self.scalar);
             return;
         }
-        let text = self.operation(&instruction.operation);
+        let fragment = self.operation(&instruction.operation);
         if !self.variables.contain(value) {
-            self.texts.insert(value, text);
+            self.fragments.insert(value, fragment);
             return;
         }
         let name = self.locals.value(instruction.expression);
         let pattern = name.to_token_stream();
-        self.texts.insert(value, Text::atom(&name));
+        self.fragments.insert(value, Fragment::atom(&name));
         self.block
-            .define(&[name], &pattern, &text.tokens, self.scalar);
+            .define(&[name], &pattern, &fragment.tokens, self.scalar);
     }
 
-    fn operation(&self, operation: &Operation) -> Text {
-        let operands: Vec<Text> = operation
+    fn operation(&self, operation: &Operation) -> Fragment {
+        let operands: Vec<Fragment> = operation
             .operands()
             .map(|operand| self.operand(operand))
             .collect();
@@ -178,105 +179,110 @@ impl<'a> Body<'a> {
         let mut next = || {
             operands
                 .next()
-                .unwrap_or_else(|| Text::atom(TokenStream::new()))
+                .unwrap_or_else(|| Fragment::atom(TokenStream::new()))
         };
-        let (tokens, level) = match operation {
+        let (tokens, precedence) = match operation {
             Operation::Add(..) => self.sum(next(), next()),
             Operation::Subtract(..) => self.difference(next(), next()),
             Operation::Multiply(..) => {
                 let (x, y) = (next(), next());
-                let tokens = infix(x.clone(), '*', y.clone(), Level::Product);
-                return Text {
+                let tokens = infix(x.clone(), '*', y.clone(), Precedence::Product);
+                return Fragment {
                     tokens,
-                    level: Level::Product,
+                    precedence: Precedence::Product,
                     factors: self.passes.has(Pass::Fusion).then(|| Box::new([x, y])),
                 };
             }
-            Operation::Divide(..) => (infix(next(), '/', next(), Level::Product), Level::Product),
-            Operation::Negate(_) => (next().negative(), Level::Sign),
-            Operation::SquareRoot(_) => (self.call(next(), "sqrt", &[]), Level::Atom),
-            Operation::SineAndCosine(_) => (self.call(next(), "sin_cos", &[]), Level::Atom),
-            Operation::Unary(function, _) => (self.call(next(), function.name(), &[]), Level::Atom),
+            Operation::Divide(..) => (
+                infix(next(), '/', next(), Precedence::Product),
+                Precedence::Product,
+            ),
+            Operation::Negate(_) => (next().negated_tokens(), Precedence::Sign),
+            Operation::SquareRoot(_) => (self.call(next(), "sqrt", &[]), Precedence::Atom),
+            Operation::SineAndCosine(_) => (self.call(next(), "sin_cos", &[]), Precedence::Atom),
+            Operation::Unary(function, _) => {
+                (self.call(next(), function.name(), &[]), Precedence::Atom)
+            }
             Operation::Binary(function, ..) => {
                 let (x, y) = (next(), next());
-                (self.call(x, function.name(), &[y.tokens]), Level::Atom)
+                (self.call(x, function.name(), &[y.tokens]), Precedence::Atom)
             }
             Operation::Application(function, _) => {
-                let arguments: Vec<_> = operands.map(|text| text.tokens).collect();
-                (self.application(*function, &arguments), Level::Atom)
+                let arguments: Vec<_> = operands.map(|fragment| fragment.tokens).collect();
+                (self.application(*function, &arguments), Precedence::Atom)
             }
         };
-        Text {
+        Fragment {
             tokens,
-            level,
+            precedence,
             factors: None,
         }
     }
 
-    fn operand(&self, operand: &Operand) -> Text {
+    fn operand(&self, operand: &Operand) -> Fragment {
         match operand {
-            Operand::Value(value) => self.texts[value].clone(),
-            Operand::Symbol(symbol) => Text::atom(&self.symbols[symbol]),
-            Operand::Constant(number) => Text::atom(constant(self.scalar, number)),
+            Operand::Value(value) => self.fragments[value].clone(),
+            Operand::Symbol(symbol) => Fragment::atom(&self.symbols[symbol]),
+            Operand::Constant(number) => Fragment::atom(constant(self.scalar, number)),
             Operand::Pi => {
                 let functions = self.scalar.functions();
-                Text::atom(quote!(#functions::pi()))
+                Fragment::atom(quote!(#functions::pi()))
             }
             Operand::MinPositive => {
                 let functions = self.scalar.functions();
-                Text::atom(quote!(#functions::min_positive()))
+                Fragment::atom(quote!(#functions::min_positive()))
             }
         }
     }
 
     /// x + y, with a product among them fused.
-    fn sum(&self, x: Text, y: Text) -> (TokenStream, Level) {
+    fn sum(&self, x: Fragment, y: Fragment) -> (TokenStream, Precedence) {
         let (factors, summand) = match (x.factors.clone(), y.factors.clone()) {
             (_, Some(factors)) => (factors, x),
             (Some(factors), None) => (factors, y),
-            (None, None) => return (infix(x, '+', y, Level::Sum), Level::Sum),
+            (None, None) => return (infix(x, '+', y, Precedence::Sum), Precedence::Sum),
         };
         let [a, b] = *factors;
-        (self.fused(a, b, summand.tokens), Level::Atom)
+        (self.fused(a, b, summand.tokens), Precedence::Atom)
     }
 
     /// x − y, with a product among them fused.
-    fn difference(&self, x: Text, y: Text) -> (TokenStream, Level) {
+    fn difference(&self, x: Fragment, y: Fragment) -> (TokenStream, Precedence) {
         let (a, b, summand) = match (x.factors.clone(), y.factors.clone()) {
             (_, Some(factors)) => {
                 let [a, b] = *factors;
-                (a.opposite(), b, x.tokens)
+                (a.negated(), b, x.tokens)
             }
             (Some(factors), None) => {
                 let [a, b] = *factors;
-                (a, b, y.negative())
+                (a, b, y.negated_tokens())
             }
-            (None, None) => return (infix(x, '-', y, Level::Sum), Level::Sum),
+            (None, None) => return (infix(x, '-', y, Precedence::Sum), Precedence::Sum),
         };
-        (self.fused(a, b, summand), Level::Atom)
+        (self.fused(a, b, summand), Precedence::Atom)
     }
 
     /// a · b + summand.
-    fn fused(&self, a: Text, b: Text, summand: TokenStream) -> TokenStream {
+    fn fused(&self, a: Fragment, b: Fragment, summand: TokenStream) -> TokenStream {
         self.call(a, "mul_add", &[b.tokens, summand])
     }
 
-    /// A function from outside, on the scalar.
+    /// An external function, on the scalar.
     fn application(&self, function: Function, arguments: &[TokenStream]) -> TokenStream {
         let name = self.functions.get(function.index());
         let scalar = self.scalar;
-        let parameters = scalar.is_every().then(|| quote!(::<#scalar>));
+        let parameters = scalar.is_generic().then(|| quote!(::<#scalar>));
         quote!(self.#name #parameters(#(#arguments),*))
     }
 
     /// A function of the scalar: as a method, unless that could be another trait's.
-    fn call(&self, x: Text, function: &str, arguments: &[TokenStream]) -> TokenStream {
+    fn call(&self, x: Fragment, function: &str, arguments: &[TokenStream]) -> TokenStream {
         let function = Ident::new(function, Span::mixed_site());
         if self.scalar.is_ambiguous() {
             let (functions, x) = (self.scalar.functions(), x.tokens);
             quote!(#functions::#function(#x #(, #arguments)*))
         } else {
-            let receiver = x.at(Level::Atom);
+            let receiver = x.in_parentheses_below(Precedence::Atom);
             quote!(#receiver.#function(#(#arguments),*))
         }
     }

@@ -6,12 +6,12 @@ use quote::{format_ident, quote};
 
 use super::documentation;
 use super::editor;
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use crate::syntax::coordinate::indices;
-use crate::syntax::names::{constant, placed};
+use crate::syntax::names::{constant_name, hygienic_ident};
 use crate::syntax::root::Root;
 
-impl Implementation<'_> {
+impl Emitter<'_> {
     /// What is known of the model before any number is, as constants of its type.
     pub(super) fn constants(&self) -> TokenStream {
         let root = &self.declaration.root;
@@ -27,7 +27,7 @@ impl Implementation<'_> {
         let mentions = editor::method(self.declaration);
         let indices = indices(&self.declaration.clauses.coordinates);
         let indices = indices.map(|(coordinate, indices)| {
-            let constant = placed(&constant(&coordinate.name), &coordinate.name);
+            let constant = hygienic_ident(&constant_name(&coordinate.name), &coordinate.name);
             let text = coordinate.documentation();
             let (ty, value) = coordinate.constant(indices.start);
             quote!(#[doc = #text] #visibility const #constant: #ty = #value;)

@@ -5,14 +5,14 @@ use std::fmt::Write as _;
 
 use lagrangian_symbolic::{Energies, Expression, Letters, Names, OperationCount};
 
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use crate::limits::LONGEST_FORMULA;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::syntax::names::plain;
+use crate::syntax::names::unraw;
 
 /// The documentation of the model's impl: coordinates, energies, mass matrix, equations of motion.
-pub(crate) fn of(implementation: &Implementation<'_>, equations: &str) -> String {
+pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
     let mut text = String::from(
         "# The equations of motion\n\nM q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with\n\n```text\n",
     );
@@ -21,7 +21,7 @@ pub(crate) fn of(implementation: &Implementation<'_>, equations: &str) -> String
     text.push_str(
         "| method | + − | × | ÷ | √ | sin, cos | others |\n|---|---|---|---|---|---|---|\n",
     );
-    for (name, method) in implementation.methods.counted() {
+    for (name, method) in emitter.methods.counted() {
         let OperationCount {
             additions,
             multiplications,
@@ -41,8 +41,8 @@ pub(crate) fn of(implementation: &Implementation<'_>, equations: &str) -> String
 }
 
 /// Definitions, energies, momenta, M, Q and f as text, one formula a line.
-pub(crate) fn equations(implementation: &Implementation<'_>) -> String {
-    let mut page = Page::new(implementation);
+pub(crate) fn equations(emitter: &Emitter<'_>) -> String {
+    let mut page = Page::new(emitter);
     page.coordinates();
     page.definitions();
     page.energies();
@@ -54,23 +54,23 @@ pub(crate) fn equations(implementation: &Implementation<'_>) -> String {
 
 /// Formulas under names, one below the other.
 struct Page<'a> {
-    implementation: &'a Implementation<'a>,
+    emitter: &'a Emitter<'a>,
     letters: Letters,
     coordinates: Vec<String>,
     text: String,
 }
 
 impl<'a> Page<'a> {
-    fn new(implementation: &'a Implementation<'a>) -> Self {
+    fn new(emitter: &'a Emitter<'a>) -> Self {
         let Lowered {
             scope, quantities, ..
-        } = implementation.lowered;
+        } = emitter.lowered;
         let all = |components: &[Component]| -> Vec<String> {
             let labels = components.iter().map(|component| &component.label);
             labels.map(ToString::to_string).collect()
         };
         let coordinates = quantities.coordinates.iter();
-        let definitions = scope.definitions(&implementation.model.graph);
+        let definitions = scope.definitions(&emitter.model.graph);
         let names = Names {
             coordinates: coordinates.map(ToString::to_string).collect(),
             parameters: all(&quantities.parameters),
@@ -80,9 +80,9 @@ impl<'a> Page<'a> {
                 .collect(),
         };
         let letters = Letters::new(&names);
-        let coordinates = implementation.model.coordinate_symbols();
+        let coordinates = emitter.model.coordinate_symbols();
         Self {
-            implementation,
+            emitter,
             coordinates: coordinates
                 .into_iter()
                 .map(|symbol| letters.print_symbol(symbol))
@@ -93,7 +93,7 @@ impl<'a> Page<'a> {
     }
 
     fn line(&mut self, name: &str, expression: Expression) {
-        let graph = &self.implementation.model.graph;
+        let graph = &self.emitter.model.graph;
         let formula = graph
             .display_in(expression, &self.letters)
             .limit(LONGEST_FORMULA);
@@ -106,10 +106,10 @@ impl<'a> Page<'a> {
     }
 
     fn definitions(&mut self) {
-        let scope = &self.implementation.lowered.scope;
+        let scope = &self.emitter.lowered.scope;
         let mut seen = BTreeSet::new();
-        for definition in &self.implementation.declaration.clauses.definitions {
-            let name = plain(&definition.name);
+        for definition in &self.emitter.declaration.clauses.definitions {
+            let name = unraw(&definition.name);
             let components = scope.defined(&name);
             if !seen.insert(name) {
                 continue;
@@ -123,7 +123,7 @@ impl<'a> Page<'a> {
     }
 
     fn energies(&mut self) {
-        match self.implementation.model.energies {
+        match self.emitter.model.energies {
             Energies::Natural { kinetic, potential } => {
                 self.line("T", kinetic);
                 self.line("V", potential);
@@ -133,7 +133,7 @@ impl<'a> Page<'a> {
     }
 
     fn momenta(&mut self) {
-        let momenta = self.implementation.equations.momenta.clone();
+        let momenta = self.emitter.equations.momenta.clone();
         for (i, momentum) in momenta.into_iter().enumerate() {
             let name = format!("p[{}]", self.coordinates[i]);
             self.line(&name, momentum);
@@ -141,10 +141,10 @@ impl<'a> Page<'a> {
     }
 
     fn mass_matrix(&mut self) {
-        let mass = self.implementation.equations.mass.clone();
+        let mass = self.emitter.equations.mass.clone();
         for (i, row) in mass.iter().enumerate() {
             for (j, entry) in row.iter().enumerate().take(i + 1) {
-                if !self.implementation.model.graph.is_zero(*entry) {
+                if !self.emitter.model.graph.is_zero(*entry) {
                     let name = format!("M[{}, {}]", self.coordinates[i], self.coordinates[j]);
                     self.line(&name, *entry);
                 }
@@ -153,14 +153,14 @@ impl<'a> Page<'a> {
     }
 
     fn forces(&mut self) {
-        let equations = self.implementation.equations;
+        let equations = self.emitter.equations;
         let forces = [
             ("Q", equations.generalized_forces.clone()),
             ("f", equations.forcing.clone()),
         ];
         for (letter, forces) in forces {
             for (i, force) in forces.into_iter().enumerate() {
-                let zero = self.implementation.model.graph.is_zero(force);
+                let zero = self.emitter.model.graph.is_zero(force);
                 if letter == "f" || !zero {
                     let name = format!("{letter}[{}]", self.coordinates[i]);
                     self.line(&name, force);

@@ -12,9 +12,9 @@ use quote::{ToTokens, quote};
 
 use crate::syntax::clauses::Clauses;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::function::Function;
+use crate::syntax::function::FunctionDeclaration;
 use crate::syntax::named::Named;
-use crate::syntax::names::{constant, placed, plain};
+use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
 /// The method with all mentions.
 pub(crate) fn method(declaration: &Declaration) -> TokenStream {
@@ -25,9 +25,9 @@ pub(crate) fn method(declaration: &Declaration) -> TokenStream {
     let definitions = definitions.map(|definition| &definition.name);
     let defined: TokenStream = functions
         .chain(definitions)
-        .filter(|name| names.is_variable(name) && names.once.insert(plain(name)))
+        .filter(|name| names.is_variable(name) && names.once.insert(unraw(name)))
         .map(|name| {
-            let name = placed(&plain(name), name);
+            let name = hygienic_ident(&unraw(name), name);
             quote!(let #name = ();)
         })
         .collect();
@@ -92,17 +92,17 @@ impl Names {
         let fields: BTreeSet<String> = declaration
             .fields
             .iter()
-            .map(|field| plain(&field.name))
+            .map(|field| unraw(&field.name))
             .collect();
         let coordinates: BTreeSet<String> = coordinates
             .iter()
-            .map(|coordinate| plain(&coordinate.name))
+            .map(|coordinate| unraw(&coordinate.name))
             .filter(|name| !fields.contains(name))
             .collect();
-        let functions = functions.iter().map(|function| plain(&function.name));
+        let functions = functions.iter().map(|function| unraw(&function.name));
         let definitions = definitions
             .iter()
-            .map(|definition| plain(&definition.name))
+            .map(|definition| unraw(&definition.name))
             .filter(|name| !fields.contains(name) && !coordinates.contains(name))
             .filter(|name| can_be_variable(name))
             .collect();
@@ -117,13 +117,13 @@ impl Names {
 
     /// Whether there is a variable for a definition or a function.
     fn is_variable(&self, name: &Ident) -> bool {
-        let name = plain(name);
+        let name = unraw(name);
         self.definitions.contains(&name) || self.functions.contains(&name)
     }
 
     /// What the derivatives of a function mention, as closures of its arguments.
-    fn derivatives(&self, function: &Function) -> TokenStream {
-        let written = function.arguments.iter().map(plain).collect();
+    fn derivatives(&self, function: &FunctionDeclaration) -> TokenStream {
+        let written = function.arguments.iter().map(unraw).collect();
         let inner = Self {
             fields: &self.fields - &written,
             coordinates: BTreeSet::new(),
@@ -137,9 +137,9 @@ impl Names {
         let mut once = BTreeSet::new();
         let arguments = function.arguments.iter();
         let arguments: Vec<_> = arguments
-            .filter(|argument| inner.definitions.contains(&plain(argument)))
-            .filter(|argument| once.insert(plain(argument)))
-            .map(|argument| placed(&plain(argument), argument))
+            .filter(|argument| inner.definitions.contains(&unraw(argument)))
+            .filter(|argument| once.insert(unraw(argument)))
+            .map(|argument| hygienic_ident(&unraw(argument), argument))
             .collect();
         let mut mentions = TokenStream::new();
         for derivative in &function.derivatives {
@@ -159,8 +159,8 @@ impl Names {
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
             );
             match &token {
-                TokenTree::Ident(name) if called && self.functions.contains(&plain(name)) => {
-                    let variable = placed(&plain(name), name);
+                TokenTree::Ident(name) if called && self.functions.contains(&unraw(name)) => {
+                    let variable = hygienic_ident(&unraw(name), name);
                     mentions.extend(quote!(#variable,));
                 }
                 TokenTree::Ident(name) if !(behind_a_point || called) => {
@@ -177,15 +177,15 @@ impl Names {
 
     /// What speaks of what a name stands for, if it stands for something.
     fn named(&self, name: &Ident) -> Option<TokenStream> {
-        let written = plain(name);
+        let written = unraw(name);
         if self.fields.contains(&written) {
             return Some(quote!(&self.#name,));
         }
         if self.coordinates.contains(&written) {
-            let constant = placed(&constant(name), name);
+            let constant = hygienic_ident(&constant_name(name), name);
             return Some(quote!(Self::#constant,));
         }
-        let variable = placed(&written, name);
+        let variable = hygienic_ident(&written, name);
         let defined = self.definitions.contains(&written);
         defined.then(|| quote!(#variable,))
     }

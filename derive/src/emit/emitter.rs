@@ -12,7 +12,7 @@ use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
 /// Everything about one model that the emitted text depends on.
-pub(crate) struct Implementation<'a> {
+pub(crate) struct Emitter<'a> {
     pub(crate) declaration: &'a Declaration,
     pub(crate) lowered: &'a Lowered,
     pub(crate) model: &'a Model,
@@ -23,7 +23,7 @@ pub(crate) struct Implementation<'a> {
     pub(crate) most_scopes: usize,
 }
 
-impl<'a> Implementation<'a> {
+impl<'a> Emitter<'a> {
     pub(crate) fn new(
         declaration: &'a Declaration,
         lowered: &'a Lowered,

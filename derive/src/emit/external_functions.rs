@@ -1,4 +1,4 @@
-//! Functions from outside: a method for the value and each derivative, and the impl of `Functions`.
+//! External functions: a method for the value and each derivative, and the impl of `Functions`.
 
 use std::collections::BTreeSet;
 
@@ -6,16 +6,16 @@ use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::Expr;
 
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use super::item_names::{derivative_name, value_name};
 use super::parameters::marked_if_unused;
 use super::signatures::InputsFrom;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::function::Function;
-use crate::syntax::names::plain;
+use crate::syntax::function::FunctionDeclaration;
+use crate::syntax::names::unraw;
 use crate::syntax::scalar::Scalar;
 
-impl Implementation<'_> {
+impl Emitter<'_> {
     pub(super) fn functions(&self) -> TokenStream {
         let declared = &self.declaration.clauses.functions;
         if declared.is_empty() {
@@ -115,7 +115,7 @@ impl Implementation<'_> {
 pub(crate) fn values(declaration: &Declaration, scalar: &Scalar<'_>) -> TokenStream {
     // The compiler's errors call it by this name.
     let any = Ident::new("AnyScalar", Span::mixed_site());
-    let ty = if scalar.is_every() {
+    let ty = if scalar.is_generic() {
         quote!(#any)
     } else {
         quote!(#scalar)
@@ -123,7 +123,7 @@ pub(crate) fn values(declaration: &Declaration, scalar: &Scalar<'_>) -> TokenStr
     let mut once = BTreeSet::new();
     let declared = declaration.clauses.functions.iter();
     // Where two have one name, that has been said.
-    let declared = declared.filter(|function| once.insert(plain(&function.name)));
+    let declared = declared.filter(|function| once.insert(unraw(&function.name)));
     let values = declared
         .filter(|function| are_distinct(&function.arguments))
         .map(|function| {
@@ -142,7 +142,7 @@ pub(crate) fn values(declaration: &Declaration, scalar: &Scalar<'_>) -> TokenStr
 }
 
 fn are_distinct(names: &[Ident]) -> bool {
-    let distinct: BTreeSet<String> = names.iter().map(plain).collect();
+    let distinct: BTreeSet<String> = names.iter().map(unraw).collect();
     distinct.len() == names.len()
 }
 
@@ -167,12 +167,12 @@ fn parameters(
     declaration: &Declaration,
 ) -> Option<TokenStream> {
     let root = &declaration.root;
-    scalar.is_every().then(|| quote!(<#ty: #root::Scalar>))
+    scalar.is_generic().then(|| quote!(<#ty: #root::Scalar>))
 }
 
 /// The scalar on which derivatives are checked.
 pub(crate) fn of_checks(scalar: &Scalar<'_>) -> TokenStream {
-    if scalar.is_every() {
+    if scalar.is_generic() {
         quote!(::core::primitive::f64)
     } else {
         quote!(#scalar)
@@ -183,15 +183,15 @@ pub(crate) fn of_checks(scalar: &Scalar<'_>) -> TokenStream {
 pub(crate) fn signatures(declaration: &Declaration) -> TokenStream {
     let root = &declaration.root;
     let signatures = declaration.clauses.functions.iter().map(|function| {
-        let name = plain(&function.name);
-        let arguments = function.arguments.iter().map(plain);
+        let name = unraw(&function.name);
+        let arguments = function.arguments.iter().map(unraw);
         quote!(#root::Signature { name: #name, arguments: &[#(#arguments),*] })
     });
     quote!(const FUNCTIONS: &'static [#root::Signature] = &[#(#signatures),*];)
 }
 
 /// Variables for the arguments of a function, which meet none of the user's.
-fn arguments(function: &Function) -> Vec<Ident> {
+fn arguments(function: &FunctionDeclaration) -> Vec<Ident> {
     let names = (0..function.arguments.len()).map(|i| format_ident!("x{i}"));
     names
         .map(|mut name| {

@@ -20,7 +20,7 @@ use crate::plan::constants::{CONSTANTS, CONSTANTS_OF_INPUTS};
 use crate::plan::{EmittedMethod, Interface, MethodRow};
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
-use crate::syntax::names::{constant, placed, plain};
+use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 use crate::syntax::scalar::Scalar;
 use crate::syntax::shape::Shape;
 
@@ -65,10 +65,10 @@ impl<'a> Fallback<'a> {
             taken.extend(CONSTANTS_OF_INPUTS.map(str::to_owned));
         }
         let coordinates: Vec<_> = indices(declared)
-            .filter(|(coordinate, _)| taken.insert(constant(&coordinate.name)))
+            .filter(|(coordinate, _)| taken.insert(constant_name(&coordinate.name)))
             .collect();
         let inputs = input_indices(&lowered.quantities.inputs)
-            .filter(|(field, _)| taken.insert(constant(field)))
+            .filter(|(field, _)| taken.insert(constant_name(field)))
             .collect();
         let certain = scope.complete && coordinates.len() == declared.len();
         let (dimension, dimension_parameter) = if certain {
@@ -131,7 +131,7 @@ impl<'a> Fallback<'a> {
         let names = &self.lowered.quantities.coordinates;
         let names = names.iter().map(ToString::to_string);
         let indices = self.coordinates.iter().map(|(coordinate, indices)| {
-            let constant = placed(&constant(&coordinate.name), &coordinate.name);
+            let constant = hygienic_ident(&constant_name(&coordinate.name), &coordinate.name);
             let (ty, value) = coordinate.constant(indices.start);
             quote!(#visibility const #constant: #ty = #value;)
         });
@@ -251,7 +251,7 @@ impl<'a> Fallback<'a> {
         let interface = quote!(#root::Inputs<#n, #u, #scalar>);
         let inputs = self.implement(&interface, Some(scalar), &items);
         let of_parameters = self.scalar.of_parameters();
-        let scalar = (!self.scalar.is_every()).then_some(&self.scalar);
+        let scalar = (!self.scalar.is_generic()).then_some(&self.scalar);
         let plant = self.implement(
             &quote!(#root::Plant<#n, #u>),
             scalar,
@@ -268,7 +268,7 @@ impl<'a> Fallback<'a> {
         let names: Vec<(&Ident, Shape)> = declared
             .map(|output| &output.name)
             .zip(shapes)
-            .filter(|(name, _)| seen.insert(plain(name)))
+            .filter(|(name, _)| seen.insert(unraw(name)))
             .collect();
         if names.is_empty() {
             return TokenStream::new();
@@ -297,7 +297,7 @@ impl<'a> Fallback<'a> {
         let root = &declaration.root;
         let name = &declaration.name;
         let scalar = of_checks(&self.scalar);
-        let generics = if self.scalar.is_every() {
+        let generics = if self.scalar.is_generic() {
             declaration.generics.clone()
         } else {
             self.scalar.generics(&declaration.generics)

@@ -5,14 +5,14 @@ use core::ops::Range;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use super::signatures::InputsFrom;
 use crate::lower::quantities::Component;
 use crate::plan::MethodRow;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::names::{constant, placed, plain};
+use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
-impl Implementation<'_> {
+impl Emitter<'_> {
     pub(super) fn inputs(&self) -> TokenStream {
         if !self.has_inputs() {
             return TokenStream::new();
@@ -69,7 +69,7 @@ impl Implementation<'_> {
         let u = components.len();
         let names = components.iter().map(|input| input.label.to_string());
         let indices = input_indices(components).map(|(field, indices)| {
-            let name = plain(field);
+            let name = unraw(field);
             let text = match indices {
                 Indices::One(_) => format!("The index of the input `{name}`."),
                 Indices::Several(_) => {
@@ -98,7 +98,7 @@ pub(crate) enum Indices {
 impl Indices {
     /// `NAME: type = value` for the constant of the field.
     pub(crate) fn constant(&self, field: &Ident) -> TokenStream {
-        let name = placed(&constant(field), field);
+        let name = hygienic_ident(&constant_name(field), field);
         match self {
             Self::One(index) => quote!(#name: usize = #index),
             Self::Several(indices) => {

@@ -3,12 +3,12 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use super::parameters::marked_if_unused;
 use super::signatures::{InputsFrom, method_name};
 use crate::plan::{Argument, EmittedMethod, Interface, Method, MethodRow, Variant};
 
-impl Implementation<'_> {
+impl Emitter<'_> {
     pub(super) fn lagrangian(&self) -> TokenStream {
         let n = self.coordinates();
         let root = &self.declaration.root;

@@ -3,17 +3,17 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use super::item_names::outputs_name;
 use super::signatures::InputsFrom;
 use crate::plan::Interface;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::names::{hygienic, plain};
+use crate::syntax::names::{hygienic_span, unraw};
 use crate::syntax::root::Root;
 use crate::syntax::scalar::Scalar;
 use crate::syntax::shape::Shape;
 
-impl Implementation<'_> {
+impl Emitter<'_> {
     pub(super) fn outputs(&self) -> TokenStream {
         let outputs = &self.declaration.clauses.outputs;
         if outputs.is_empty() {
@@ -63,8 +63,8 @@ pub(crate) fn results(
     let fields = outputs.iter().map(|(output, shape)| {
         let ty = type_of(*shape, &scalar, &declaration.root);
         let mut name = (*output).clone();
-        name.set_span(hygienic(output));
-        let text = format!("The output `{}`.", plain(output));
+        name.set_span(hygienic_span(output));
+        let text = format!("The output `{}`.", unraw(output));
         quote!(#[doc = #text] #visibility #name: #ty)
     });
     let definition = quote! {

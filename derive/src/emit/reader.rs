@@ -4,22 +4,21 @@ use lagrangian_symbolic::Symbol;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::body::Source;
-use super::emitter::Implementation;
+use super::body::SymbolReader;
+use super::emitter::Emitter;
 use super::signatures::InputsFrom;
 use crate::lower::quantities::Component;
 
 /// Reads the symbols of a model.
 pub(super) struct Reader<'a> {
-    pub(super) implementation: &'a Implementation<'a>,
+    pub(super) emitter: &'a Emitter<'a>,
     pub(super) inputs: InputsFrom,
 }
 
-impl Source for Reader<'_> {
+impl SymbolReader for Reader<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
-        let quantities = &self.implementation.lowered.quantities;
-        let field =
-            |components: &[Component], i: u32| self.implementation.read(&components[i as usize]);
+        let quantities = &self.emitter.lowered.quantities;
+        let field = |components: &[Component], i: u32| self.emitter.read(&components[i as usize]);
         match symbol {
             Symbol::Time => quote!(state.t),
             Symbol::Coordinate(i) => element(&quote!(state.q), i),

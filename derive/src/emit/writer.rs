@@ -5,7 +5,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::body::Body;
-use super::emitter::Implementation;
+use super::emitter::Emitter;
 use super::item_names::{outputs_name, value_name};
 use super::locals::Locals;
 use super::reader::Reader;
@@ -14,20 +14,20 @@ use crate::plan::{
     AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, Method,
     MethodOutputs, OutputSlice, PivotOutputs, StateJacobian,
 };
-use crate::syntax::names::plain;
+use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
 /// Writes the body of one method.
 pub(super) struct Writer<'a> {
-    pub(super) implementation: &'a Implementation<'a>,
+    pub(super) emitter: &'a Emitter<'a>,
     pub(super) method: &'a Method,
     pub(super) inputs: InputsFrom,
     pub(super) body: Body<'a>,
-    /// The outputs of the phases that are written.
+    /// The outputs of the groups that are written.
     pub(super) computed: Vec<Vec<TokenStream>>,
 }
 
-impl Implementation<'_> {
+impl Emitter<'_> {
     /// The body of a method, with variables of its own; in that of a function's derivative its arguments have
     /// these names.
     pub(super) fn body(
@@ -37,16 +37,16 @@ impl Implementation<'_> {
         arguments: &[Ident],
     ) -> TokenStream {
         let reader = Reader {
-            implementation: self,
+            emitter: self,
             inputs,
         };
         let graph = &self.model.graph;
         let functions = self.declaration.clauses.functions.iter();
         let functions = functions.map(value_name).collect();
         let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities)
-            .with_arguments(arguments.iter().map(plain));
+            .with_arguments(arguments.iter().map(unraw));
         let mut writer = Writer {
-            implementation: self,
+            emitter: self,
             method,
             inputs,
             body: Body::new(
@@ -98,9 +98,9 @@ impl Writer<'_> {
     /// The statements that compute some outputs, as far as they are not written yet, and the outputs.
     fn compute(&mut self, slice: &OutputSlice) -> (TokenStream, Vec<TokenStream>) {
         let mut statements = TokenStream::new();
-        let phases = self.method.program.phases.iter();
-        for phase in phases.take(slice.phase() + 1).skip(self.computed.len()) {
-            let (more, outputs) = self.body.phase(phase);
+        let groups = self.method.program.phases.iter();
+        for group in groups.take(slice.group() + 1).skip(self.computed.len()) {
+            let (more, outputs) = self.body.group(group);
             statements.extend(more);
             self.computed.push(outputs);
         }
@@ -129,13 +129,13 @@ impl Writer<'_> {
 
     /// Accelerations that hold where all pivots are positive; elsewhere M is factored numerically.
     fn if_positive(&self, pivots: &[TokenStream], accelerations: &[TokenStream]) -> TokenStream {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         let accelerations = self.vector(accelerations);
         if pivots.is_empty() {
             return accelerations;
         }
         let factors = self.factors_of_mass_matrix();
-        let forcing = self.implementation.forcing(self.inputs);
+        let forcing = self.emitter.forcing(self.inputs);
         quote! {
             #root::__private::if_positive([#(#pivots),*], #accelerations, || {
                 #factors.solve(&#forcing)
@@ -144,18 +144,18 @@ impl Writer<'_> {
     }
 
     fn factors_of_mass_matrix(&self) -> TokenStream {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         let mass = self.mass_matrix();
         quote!(#root::Factorization::new(#mass))
     }
 
     fn mass_matrix(&self) -> TokenStream {
-        let Implementation {
+        let Emitter {
             declaration,
             scalar,
             ..
-        } = self.implementation;
-        let (root, n) = (&declaration.root, self.implementation.coordinates());
+        } = self.emitter;
+        let (root, n) = (&declaration.root, self.emitter.coordinates());
         quote!(#root::Lagrangian::<#n, #scalar>::mass_matrix(self, state))
     }
 
@@ -179,7 +179,7 @@ impl Writer<'_> {
                 };
                 let (others, solved) = self.solve_residuals(residuals);
                 let factors = self.factors_of_mass_matrix();
-                let root = &self.implementation.declaration.root;
+                let root = &self.emitter.declaration.root;
                 quote! {
                     #statements #accelerations #more #others
                     #root::__private::if_positive([#(#pivots),*], #derivatives, || {
@@ -217,7 +217,7 @@ impl Writer<'_> {
 
     /// The derivatives by q, q̇ and t from their columns.
     fn derivatives(&mut self, columns: &StateJacobian) -> (TokenStream, TokenStream) {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         let (statements, position) = self.compute(&columns.position);
         let (_, velocity) = self.compute(&columns.velocity);
         let (_, time) = self.compute(&columns.time);
@@ -236,7 +236,7 @@ impl Writer<'_> {
     /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M. All columns are solved for at once,
     /// but for ∂/∂t where the time does not occur.
     fn solve_residuals(&mut self, columns: &StateJacobian) -> (TokenStream, TokenStream) {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         let (statements, mut elements) = self.compute(&columns.position);
         elements.extend(self.compute(&columns.velocity).1);
         let zero = Operand::Constant(Rational::ZERO);
@@ -251,7 +251,7 @@ impl Writer<'_> {
 
     /// The derivatives of the accelerations by the inputs.
     fn input_jacobian(&mut self, outputs: &InputJacobianOutputs) -> TokenStream {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         match outputs {
             InputJacobianOutputs::Symbolic {
                 pivots,
@@ -285,7 +285,7 @@ impl Writer<'_> {
 
     /// The relative pivots where all pivots are positive; else those of a numerical factorization of M.
     fn relative_pivots(&mut self, outputs: &PivotOutputs) -> TokenStream {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         let (statements, pivots) = self.compute(&outputs.pivots);
         let (_, magnitudes) = self.compute(&outputs.magnitudes);
         let (_, diagonal) = self.compute(&outputs.diagonal);
@@ -300,10 +300,10 @@ impl Writer<'_> {
 
     /// Factors M, of which a program computes the lower triangle.
     fn factors(&mut self, mass: &LowerTriangle) -> (TokenStream, TokenStream) {
-        let root = &self.implementation.declaration.root;
-        let functions = self.implementation.scalar.functions();
+        let root = &self.emitter.declaration.root;
+        let functions = self.emitter.scalar.functions();
         let zero = quote!(#functions::from_f64(0.0));
-        let n = self.implementation.coordinates();
+        let n = self.emitter.coordinates();
         let (statements, lower) = self.compute(&mass.0);
         let entries = (0..n).flat_map(|column| (0..n).map(move |row| (row, column)));
         let entries = entries.map(|(row, column)| {
@@ -318,12 +318,12 @@ impl Writer<'_> {
     /// The struct of the declared outputs.
     fn declared_outputs(&mut self, outputs: &[(Shape, OutputSlice)]) -> TokenStream {
         let accelerations = self.reads_accelerations().then(|| {
-            let accelerations = self.implementation.accelerations(self.inputs);
+            let accelerations = self.emitter.accelerations(self.inputs);
             quote!(let accelerations = #accelerations;)
         });
         let mut statements = TokenStream::new();
         let mut fields = Vec::with_capacity(outputs.len());
-        let declaration = self.implementation.declaration;
+        let declaration = self.emitter.declaration;
         for (output, (shape, slice)) in declaration.clauses.outputs.iter().zip(outputs) {
             let (more, components) = self.compute(slice);
             statements.extend(more);
@@ -344,18 +344,18 @@ impl Writer<'_> {
     }
 
     fn vector(&self, elements: &[TokenStream]) -> TokenStream {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         quote!(#root::__private::SVector::from([#(#elements),*]))
     }
 
     /// A matrix with a row for each coordinate, from its elements, column by column.
     fn matrix(&self, elements: &[TokenStream]) -> TokenStream {
-        self.matrix_of(elements, self.implementation.coordinates())
+        self.matrix_of(elements, self.emitter.coordinates())
     }
 
     /// A matrix from its elements, column by column.
     fn matrix_of(&self, elements: &[TokenStream], rows: usize) -> TokenStream {
-        let root = &self.implementation.declaration.root;
+        let root = &self.emitter.declaration.root;
         let columns = elements
             .chunks(rows.max(1))
             .map(|column| quote!([#(#column),*]));

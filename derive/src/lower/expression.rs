@@ -22,13 +22,13 @@ use crate::diagnostics::Diagnostics;
 use crate::limits::in_range;
 use crate::lower::builtins;
 use crate::lower::hints;
-use crate::lower::scope::{Kind, Meaning, Scope};
+use crate::lower::scope::{Meaning, Origin, Scope};
 use crate::lower::value::Value;
-use crate::syntax::names::{plain, spelled};
+use crate::syntax::names::{to_source, unraw};
 
 /// Where an expression stands, which decides what it may contain.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum ExpressionContext {
     /// Energies, dissipation and forces: functions of q, q̇, t, parameters and inputs.
     Energy,
     /// Definitions and outputs, which may contain accelerations.
@@ -53,34 +53,44 @@ pub(crate) struct Translator<'a> {
 
 impl Translator<'_> {
     /// The value of `expression`; `None` if errors were reported.
-    pub(crate) fn translate(&mut self, expression: &Expr, place: Place) -> Option<Value> {
+    pub(crate) fn translate(
+        &mut self,
+        expression: &Expr,
+        context: ExpressionContext,
+    ) -> Option<Value> {
         match expression {
-            Expr::Paren(inner) => self.translate(&inner.expr, place),
-            Expr::Group(inner) => self.translate(&inner.expr, place),
+            Expr::Paren(inner) => self.translate(&inner.expr, context),
+            Expr::Group(inner) => self.translate(&inner.expr, context),
             Expr::Block(block) => match (block.block.stmts.as_slice(), &block.label) {
-                ([Stmt::Expr(only, None)], None) => self.translate(only, place),
+                ([Stmt::Expr(only, None)], None) => self.translate(only, context),
                 _ => self.reject(block, hints::syntax(expression)),
             },
             Expr::Lit(literal) => self.literal(literal).map(Value::Scalar),
             Expr::Path(path) => match path.path.get_ident() {
-                Some(name) if path.qself.is_none() && !leads_a_path(name) => self.name(name, place),
+                Some(name) if path.qself.is_none() && !leads_a_path(name) => {
+                    self.name(name, context)
+                }
                 _ => self.reject(path, hints::path(path)),
             },
-            Expr::Unary(unary) => self.negation(unary, place),
-            Expr::Binary(binary) => self.chain(binary, place),
-            Expr::Call(call) => self.call(call, place),
-            Expr::MethodCall(call) => self.method(call, place),
-            Expr::Array(array) => self.array(array, place),
-            Expr::Repeat(repeat) => self.repeat(repeat, place),
-            Expr::Index(index) => self.indexed(index, place),
-            Expr::Field(field) => self.field(field, place),
+            Expr::Unary(unary) => self.negation(unary, context),
+            Expr::Binary(binary) => self.chain(binary, context),
+            Expr::Call(call) => self.call(call, context),
+            Expr::MethodCall(call) => self.method(call, context),
+            Expr::Array(array) => self.array(array, context),
+            Expr::Repeat(repeat) => self.repeat(repeat, context),
+            Expr::Index(index) => self.indexed(index, context),
+            Expr::Field(field) => self.field(field, context),
             other => self.reject(other, hints::syntax(other)),
         }
     }
 
     /// The value of an expression where only a scalar fits.
-    pub(crate) fn scalar(&mut self, expression: &Expr, place: Place) -> Option<Expression> {
-        let value = self.translate(expression, place)?;
+    pub(crate) fn scalar(
+        &mut self,
+        expression: &Expr,
+        context: ExpressionContext,
+    ) -> Option<Expression> {
+        let value = self.translate(expression, context)?;
         self.as_scalar(&value, expression)
     }
 
@@ -88,7 +98,7 @@ impl Translator<'_> {
     pub(crate) fn as_scalar(&mut self, value: &Value, tokens: impl ToTokens) -> Option<Expression> {
         match value {
             Value::Scalar(expression) => Some(*expression),
-            Value::Nothing => Some(self.graph.zero()),
+            Value::EmptySum => Some(self.graph.zero()),
             Value::Array(_) => {
                 let message = format!(
                     "this is {}, and a scalar belongs here: write one of its components, as in `v[0]` or \
@@ -104,7 +114,7 @@ impl Translator<'_> {
     /// a range.
     pub(crate) fn integer(&mut self, expression: &Expr) -> Option<i64> {
         let outside = core::mem::replace(&mut self.within_index, true);
-        let value = self.scalar(expression, Place::Observation);
+        let value = self.scalar(expression, ExpressionContext::Observation);
         self.within_index = outside;
         let value = value?;
         let constant = self.graph.as_constant(value);
@@ -150,11 +160,11 @@ impl Translator<'_> {
         }
     }
 
-    fn name(&mut self, name: &Ident, place: Place) -> Option<Value> {
+    fn name(&mut self, name: &Ident, context: ExpressionContext) -> Option<Value> {
         self.check_within_derivative(name)?;
         match self.scope.resolve(name) {
-            Some(Meaning::Quantity(kind, value)) => {
-                self.check_accelerations(name, kind, &value, place)?;
+            Some(Meaning::Quantity(origin, value)) => {
+                self.check_accelerations(name, origin, &value, context)?;
                 Some(value)
             }
             Some(Meaning::Family(_, family)) => {
@@ -175,11 +185,14 @@ impl Translator<'_> {
     fn check_accelerations(
         &mut self,
         name: &Ident,
-        kind: Kind,
+        origin: Origin,
         value: &Value,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<()> {
-        if kind == Kind::Defined && place == Place::Energy && self.has_acceleration(value) {
+        if origin == Origin::Defined
+            && context == ExpressionContext::Energy
+            && self.has_acceleration(value)
+        {
             let message = format!(
                 "`{name}` contains accelerations, which energies and forces cannot: \
                  use it under `output`"
@@ -202,7 +215,7 @@ impl Translator<'_> {
                 self.scope.silence(name);
                 format!("the field `{name}` is marked `skip`: remove the mark to use it here")
             }
-            Meaning::Quantity(..) | Meaning::Family(..) | Meaning::Broken => return None,
+            Meaning::Quantity(..) | Meaning::Family(..) | Meaning::Poisoned => return None,
         };
         self.reject(name, message)
     }
@@ -212,7 +225,7 @@ impl Translator<'_> {
         if !self.scope.complete {
             return None;
         }
-        let written = plain(name);
+        let written = unraw(name);
         if self.within_index {
             self.scope.silence(name);
             return self.reject(name, hints::no_integer(name));
@@ -248,18 +261,18 @@ impl Translator<'_> {
             .chain(behind)
             .flatten()
             .find(|stem| self.scope.is_coordinate(stem))
-            .map(spelled)
+            .map(to_source)
     }
 
-    fn negation(&mut self, unary: &ExprUnary, place: Place) -> Option<Value> {
+    fn negation(&mut self, unary: &ExprUnary, context: ExpressionContext) -> Option<Value> {
         match unary.op {
-            UnOp::Neg(_) => Some(match self.translate(&unary.expr, place)? {
+            UnOp::Neg(_) => Some(match self.translate(&unary.expr, context)? {
                 Value::Scalar(operand) => Value::Scalar(self.graph.negate(operand)),
                 Value::Array(operand) => {
                     let opposite = self.graph.constant(&Rational::MINUS_ONE);
                     Value::Array(self.graph.matrix_scaled(&operand, opposite))
                 }
-                Value::Nothing => Value::Nothing,
+                Value::EmptySum => Value::EmptySum,
             }),
             UnOp::Deref(_) => self.reject(
                 unary.op,

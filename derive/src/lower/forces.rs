@@ -8,9 +8,9 @@
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
 use super::at_rest::AtRest;
-use crate::lower::expression::{Place, Translator};
+use crate::lower::expression::{ExpressionContext, Translator};
 use crate::lower::hints;
-use crate::lower::scope::{Family, Kind, Meaning};
+use crate::lower::scope::{Family, Meaning, Origin};
 use crate::lower::value::Value;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::named::Named;
@@ -21,11 +21,11 @@ enum Target {
     /// The coordinates with these indices, which are those of one scalar or vector.
     Coordinates(Vec<usize>, Shape),
     /// What is defined as a function of coordinates, or of velocities.
-    Moved(Moved),
+    Defined(DefinedTarget),
 }
 
 /// What is defined as a function of coordinates, or of velocities.
-struct Moved {
+struct DefinedTarget {
     value: Value,
     /// The indices by which a family tells it apart.
     member: Vec<usize>,
@@ -33,7 +33,7 @@ struct Moved {
 }
 
 /// The generalized forces so far.
-struct Totals<'a> {
+struct GeneralizedForces<'a> {
     declaration: &'a Declaration,
     forces: Vec<Expression>,
     /// What is defined, while nothing moves; read when it is asked for.
@@ -44,7 +44,7 @@ impl Translator<'_> {
     /// The generalized force of each coordinate: the sum of what the clauses say.
     pub(super) fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
         let zero = self.graph.zero();
-        let mut totals = Totals {
+        let mut totals = GeneralizedForces {
             declaration,
             forces: vec![zero; self.coordinates as usize],
             at_rest: None,
@@ -64,7 +64,12 @@ impl Translator<'_> {
     }
 
     /// Adds one force to the totals.
-    fn force(&mut self, force: &Named, taken: &mut [bool], totals: &mut Totals<'_>) -> Option<()> {
+    fn force(
+        &mut self,
+        force: &Named,
+        taken: &mut [bool],
+        totals: &mut GeneralizedForces<'_>,
+    ) -> Option<()> {
         self.check_not_bound(&force.name, &force.iterations)?;
         let target = if force.indices.is_empty() {
             self.target(force)
@@ -72,7 +77,7 @@ impl Translator<'_> {
             // What is wrong with an index is wrong with the expression, too.
             Some(self.target(force)?)
         };
-        let value = self.translate(&force.expression, Place::Energy);
+        let value = self.translate(&force.expression, ExpressionContext::Energy);
         match target? {
             Target::Coordinates(indices, shape) => {
                 let components = self.generalized(force, value?, shape)?;
@@ -87,8 +92,8 @@ impl Translator<'_> {
                     totals.forces[i] = self.graph.add(totals.forces[i], component);
                 }
             }
-            Target::Moved(moved) => {
-                let work = self.work(force, &value?, &moved, totals)?;
+            Target::Defined(target) => {
+                let work = self.virtual_work(force, &value?, &target, totals)?;
                 for (total, work) in totals.forces.iter_mut().zip(work) {
                     *total = self.graph.add(*total, work);
                 }
@@ -109,7 +114,7 @@ impl Translator<'_> {
         }
         let zero = self.graph.zero();
         let value = match value {
-            Value::Nothing => shape.filled(zero),
+            Value::EmptySum => shape.filled(zero),
             other => other,
         };
         self.check_shape(force, &value, shape)?;
@@ -130,27 +135,27 @@ impl Translator<'_> {
     }
 
     /// F·∂p/∂qᵢ for each coordinate, or F·∂w/∂q̇ᵢ.
-    fn work(
+    fn virtual_work(
         &mut self,
         force: &Named,
         value: &Value,
-        moved: &Moved,
-        totals: &mut Totals<'_>,
+        target: &DefinedTarget,
+        totals: &mut GeneralizedForces<'_>,
     ) -> Option<Vec<Expression>> {
         let zero = self.graph.zero();
-        if *value == Value::Nothing {
+        if *value == Value::EmptySum {
             return Some(vec![zero; self.coordinates as usize]);
         }
-        self.check_shape(force, value, moved.value.shape())?;
+        self.check_shape(force, value, target.value.shape())?;
         let mut work = vec![zero; self.coordinates as usize];
-        let along = moved.value.components().iter();
-        for (i, (component, along)) in value.components().iter().zip(along).enumerate() {
-            let slopes = self.slopes(*along, moved.is_velocity);
-            if moved.is_velocity && self.graph.contents(*along).has_velocity() {
-                self.check_velocity(force, moved, i, *along, totals)?;
+        let acted_on = target.value.components().iter();
+        for (i, (component, acted_on)) in value.components().iter().zip(acted_on).enumerate() {
+            let partial_derivatives = self.partial_derivatives(*acted_on, target.is_velocity);
+            if target.is_velocity && self.graph.contents(*acted_on).has_velocity() {
+                self.check_velocity(force, target, i, *acted_on, totals)?;
             }
-            for (total, slope) in work.iter_mut().zip(slopes) {
-                let part = self.graph.multiply(*component, slope);
+            for (total, derivative) in work.iter_mut().zip(partial_derivatives) {
+                let part = self.graph.multiply(*component, derivative);
                 *total = self.graph.add(*total, part);
             }
         }
@@ -158,14 +163,14 @@ impl Translator<'_> {
     }
 
     /// ∂p/∂qᵢ, or ∂w/∂q̇ᵢ.
-    fn slopes(&mut self, along: Expression, is_velocity: bool) -> Vec<Expression> {
+    fn partial_derivatives(&mut self, acted_on: Expression, is_velocity: bool) -> Vec<Expression> {
         let symbol = if is_velocity {
             Symbol::Velocity
         } else {
             Symbol::Coordinate
         };
         let symbols: Vec<_> = (0..self.coordinates).map(symbol).collect();
-        let columns = self.graph.jacobian(&[along], &symbols);
+        let columns = self.graph.jacobian(&[acted_on], &symbols);
         columns.into_iter().flatten().collect()
     }
 
@@ -174,10 +179,10 @@ impl Translator<'_> {
     fn check_velocity(
         &mut self,
         force: &Named,
-        moved: &Moved,
+        target: &DefinedTarget,
         component: usize,
         velocity: Expression,
-        totals: &mut Totals<'_>,
+        totals: &mut GeneralizedForces<'_>,
     ) -> Option<()> {
         let name = &force.name;
         let degree = self.graph.velocity_degree(velocity);
@@ -192,7 +197,7 @@ impl Translator<'_> {
         let at_rest = totals
             .at_rest
             .get_or_insert_with(|| AtRest::new(self, declaration));
-        if at_rest.depends_on_position(name, &moved.member, component) {
+        if at_rest.depends_on_position(name, &target.member, component) {
             return self.reject(name, hints::position_and_velocity(name));
         }
         Some(())
@@ -202,7 +207,7 @@ impl Translator<'_> {
     fn target(&mut self, force: &Named) -> Option<Target> {
         let name = &force.name;
         match (self.scope.resolve(name)?, force.indices.as_slice()) {
-            (Meaning::Quantity(Kind::Coordinate, value), indices) => {
+            (Meaning::Quantity(Origin::Coordinate, value), indices) => {
                 if let (Value::Scalar(_), [index, ..]) = (&value, indices) {
                     let message = format!("`{name}` is one coordinate: leave out the index");
                     return self.reject(index, message);
@@ -213,26 +218,26 @@ impl Translator<'_> {
                 let message = format!("`{name}` has no index: write the force on the whole of it");
                 self.reject(index, message)
             }
-            (Meaning::Quantity(kind, value), []) => {
+            (Meaning::Quantity(origin, value), []) => {
                 let is_velocity = self.has_velocity(&value);
-                self.moved(force, kind, value, Vec::new(), is_velocity)
+                self.moved(force, origin, value, Vec::new(), is_velocity)
             }
-            (Meaning::Family(kind, family), indices) if indices.len() >= family.rank => {
+            (Meaning::Family(origin, family), indices) if indices.len() >= family.rank => {
                 let (outer, inner) = indices.split_at(family.rank);
                 let member = self.member(outer)?;
                 let Some(value) = family.members.get(&member).cloned() else {
-                    let message = match kind {
-                        Kind::Coordinate => hints::beyond(name, &member, &family),
+                    let message = match origin {
+                        Origin::Coordinate => hints::beyond(name, &member, &family),
                         _ => format!("`{}` is not defined", hints::member(name, &member)),
                     };
                     return self.reject(&indices[0], message);
                 };
                 match inner {
-                    _ if kind == Kind::Coordinate => self.on_coordinates(value, inner),
+                    _ if origin == Origin::Coordinate => self.on_coordinates(value, inner),
                     [] => {
                         let mut members = family.members.values();
                         let is_velocity = members.any(|member| self.has_velocity(member));
-                        self.moved(force, kind, value, member, is_velocity)
+                        self.moved(force, origin, value, member, is_velocity)
                     }
                     _ => self.reject_family(force, &family),
                 }
@@ -275,12 +280,12 @@ impl Translator<'_> {
     fn moved(
         &mut self,
         force: &Named,
-        kind: Kind,
+        origin: Origin,
         value: Value,
         member: Vec<usize>,
         is_velocity: bool,
     ) -> Option<Target> {
-        if kind != Kind::Defined {
+        if origin != Origin::Defined {
             return None;
         }
         let name = &force.name;
@@ -302,7 +307,7 @@ impl Translator<'_> {
         {
             return self.on_coordinates(value, &[]);
         }
-        Some(Target::Moved(Moved {
+        Some(Target::Defined(DefinedTarget {
             value,
             member,
             is_velocity,

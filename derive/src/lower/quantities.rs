@@ -11,7 +11,7 @@ use crate::syntax::coordinate::Coordinate;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::{Field, Role};
 use crate::syntax::label::{Index, Label};
-use crate::syntax::names::plain;
+use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
 /// Coordinates, parameters and inputs, in the order in which symbols count them.
@@ -30,32 +30,32 @@ pub(crate) struct Component {
     /// The type of the component.
     pub(crate) element: Type,
     /// What the declaration says that the field's type is, where it says so.
-    meant: Option<Type>,
+    declared_type: Option<Type>,
 }
 
 impl Component {
     /// The components of a field, member by member and column by column; none where its type is none that a
     /// parameter can have.
     fn of(field: &Field) -> Vec<Self> {
-        let Ok(form) = field.form() else {
+        let Ok(field_type) = field.field_type() else {
             return Vec::new();
         };
-        let accesses = form.accesses();
+        let accesses = field_type.accesses();
         let mut components = Vec::new();
-        for member in form.members() {
-            let places = member.iter().map(|i| Literal::usize_unsuffixed(*i));
-            let place: TokenStream = places.map(|i| quote!([#i])).collect();
+        for member in field_type.members() {
+            let indices = member.iter().map(|i| Literal::usize_unsuffixed(*i));
+            let index: TokenStream = indices.map(|i| quote!([#i])).collect();
             for (i, access) in accesses.iter().enumerate() {
                 let outer = member.iter().copied().map(Index::One);
                 components.push(Self {
                     field: field.name.clone(),
                     label: Label {
-                        stem: plain(&field.name),
-                        indices: outer.chain(form.shape().index(i)).collect(),
+                        stem: unraw(&field.name),
+                        indices: outer.chain(field_type.shape().index(i)).collect(),
                     },
-                    access: quote!(#place #access),
-                    element: form.element.clone(),
-                    meant: field.meant.clone(),
+                    access: quote!(#index #access),
+                    element: field_type.element.clone(),
+                    declared_type: field.declared_type.clone(),
                 });
             }
         }
@@ -65,12 +65,11 @@ impl Component {
     /// The expression that reads the component, with the name of the field where it is spoken of.
     pub(crate) fn read(&self, field: &Ident) -> TokenStream {
         let access = &self.access;
-        let Some(meant) = &self.meant else {
+        let Some(declared_type) = &self.declared_type else {
             return quote!(self.#field #access);
         };
         // The compiler says so where the type is another.
-        let checked =
-            quote_spanned!(meant.span()=> ::core::convert::identity::<&#meant>(&self.#field));
+        let checked = quote_spanned!(declared_type.span()=> ::core::convert::identity::<&#declared_type>(&self.#field));
         if access.is_empty() {
             quote!(*#checked)
         } else {
@@ -138,7 +137,7 @@ impl Symbols {
             return self.scalar(graph);
         };
         let elements = (0..rows * columns).map(|_| self.take(graph)).collect();
-        Matrix::new(rows, columns, elements).map_or(Value::Nothing, Value::Array)
+        Matrix::new(rows, columns, elements).map_or(Value::EmptySum, Value::Array)
     }
 
     fn take(&mut self, graph: &mut Graph) -> Expression {

@@ -12,7 +12,7 @@ use crate::lower::value::Value;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::label::{Index, Label};
-use crate::syntax::names::{plain, spelled};
+use crate::syntax::names::{to_source, unraw};
 use crate::syntax::scalar::is_number;
 use crate::syntax::shape::Shape;
 
@@ -20,13 +20,13 @@ use crate::syntax::shape::Shape;
 #[derive(Clone)]
 pub(crate) enum Meaning {
     /// A quantity.
-    Quantity(Kind, Value),
+    Quantity(Origin, Value),
     /// Several quantities, told apart by indices.
-    Family(Kind, Rc<Family>),
+    Family(Origin, Rc<Family>),
     /// A quantity from `define` further down.
     Later,
     /// What has an error that was reported where it stands.
-    Broken,
+    Poisoned,
     /// A field that is marked `skip`.
     Skipped,
     /// A quantity from `output`, which only observers use.
@@ -35,7 +35,7 @@ pub(crate) enum Meaning {
 
 /// Where a quantity comes from.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum Origin {
     /// The time, and π.
     Reserved,
     /// The coordinates.
@@ -59,7 +59,7 @@ pub(crate) struct Family {
 /// Names in their order of declaration, with what they stand for.
 pub(crate) struct Scope {
     meanings: BTreeMap<String, Meaning>,
-    /// The functions from outside.
+    /// The external functions.
     functions: BTreeMap<String, Function>,
     /// Where a field is first spoken of: the emitted code accesses it with that span.
     uses: BTreeMap<String, Ident>,
@@ -68,7 +68,7 @@ pub(crate) struct Scope {
     /// Whether all names of the declaration are here. They are not where coordinates or definitions
     /// could not be read, or where one of them is written for another.
     pub(crate) complete: bool,
-    /// Whether all functions from outside are here.
+    /// Whether all external functions are here.
     pub(crate) functions_complete: bool,
     /// Whether there are fields with names, for one of which an unknown name may be meant.
     names_fields: bool,
@@ -85,7 +85,7 @@ impl Scope {
         let names: BTreeSet<String> = clauses
             .coordinates
             .iter()
-            .map(|coordinate| plain(&coordinate.name))
+            .map(|coordinate| unraw(&coordinate.name))
             .collect();
         let repeated = names.len() < clauses.coordinates.len();
         Self {
@@ -101,9 +101,9 @@ impl Scope {
 
     /// What `name` stands for, if anything.
     pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Meaning> {
-        let written = plain(name);
+        let written = unraw(name);
         let meaning = self.meanings.get(&written)?.clone();
-        if let Meaning::Quantity(Kind::Field, _) | Meaning::Family(Kind::Field, _) = meaning {
+        if let Meaning::Quantity(Origin::Field, _) | Meaning::Family(Origin::Field, _) = meaning {
             self.uses.entry(written).or_insert_with(|| name.clone());
         }
         Some(meaning)
@@ -111,7 +111,7 @@ impl Scope {
 
     /// Gives the name of a definition its meaning, unless the name is taken.
     pub(crate) fn define(&mut self, name: &Ident, meaning: Meaning) {
-        if let Some(later @ Meaning::Later) = self.meanings.get_mut(&plain(name)) {
+        if let Some(later @ Meaning::Later) = self.meanings.get_mut(&unraw(name)) {
             *later = meaning;
         }
     }
@@ -119,16 +119,16 @@ impl Scope {
     /// Adds a member to a family of definitions, unless the name is taken. Says whether the member is
     /// new.
     pub(crate) fn define_member(&mut self, name: &Ident, indices: &[usize], value: Value) -> bool {
-        let Some(meaning) = self.meanings.get_mut(&plain(name)) else {
+        let Some(meaning) = self.meanings.get_mut(&unraw(name)) else {
             return true;
         };
         if let Meaning::Later = meaning {
             let rank = indices.len();
             let members = BTreeMap::new();
-            *meaning = Meaning::Family(Kind::Defined, Rc::new(Family { rank, members }));
+            *meaning = Meaning::Family(Origin::Defined, Rc::new(Family { rank, members }));
         }
         match meaning {
-            Meaning::Family(Kind::Defined, family) => {
+            Meaning::Family(Origin::Defined, family) => {
                 let members = &mut Rc::make_mut(family).members;
                 members.insert(indices.to_vec(), value).is_none()
             }
@@ -138,68 +138,68 @@ impl Scope {
 
     /// How many indices tell the members of a family of definitions apart, if there are any yet.
     pub(crate) fn rank_of_definition(&self, name: &Ident) -> Option<usize> {
-        match self.meanings.get(&plain(name))? {
-            Meaning::Family(Kind::Defined, family) => Some(family.rank),
+        match self.meanings.get(&unraw(name))? {
+            Meaning::Family(Origin::Defined, family) => Some(family.rank),
             _ => None,
         }
     }
 
     /// Says no more of a family of definitions with an error in one of them.
     pub(crate) fn silence_definition(&mut self, name: &Ident) {
-        if let Some(meaning @ (Meaning::Later | Meaning::Family(Kind::Defined, _))) =
-            self.meanings.get_mut(&plain(name))
+        if let Some(meaning @ (Meaning::Later | Meaning::Family(Origin::Defined, _))) =
+            self.meanings.get_mut(&unraw(name))
         {
-            *meaning = Meaning::Broken;
+            *meaning = Meaning::Poisoned;
         }
     }
 
     /// Gives the name of a function its meaning, unless there is one already.
     pub(crate) fn declare_function(&mut self, name: &Ident, function: Function) {
-        self.functions.entry(plain(name)).or_insert(function);
+        self.functions.entry(unraw(name)).or_insert(function);
     }
 
-    /// The function from outside that is called `name`.
+    /// The external function that is called `name`.
     pub(crate) fn function(&self, name: &Ident) -> Option<Function> {
-        self.functions.get(&plain(name)).copied()
+        self.functions.get(&unraw(name)).copied()
     }
 
-    /// The function from outside that was probably meant by an unknown name.
+    /// The external function that was probably meant by an unknown name.
     pub(crate) fn suggest_function(&self, name: &Ident) -> Option<&str> {
-        similar(&plain(name), self.functions.keys().map(String::as_str))
+        similar(&unraw(name), self.functions.keys().map(String::as_str))
     }
 
     /// Lets a name stand for something until [`release`](Self::release) gives it back what it stood for.
     pub(crate) fn bind(&mut self, name: &Ident, value: Value) -> Option<Meaning> {
-        let meaning = Meaning::Quantity(Kind::Variable, value);
-        self.meanings.insert(plain(name), meaning)
+        let meaning = Meaning::Quantity(Origin::Variable, value);
+        self.meanings.insert(unraw(name), meaning)
     }
 
     pub(crate) fn release(&mut self, name: &Ident, before: Option<Meaning>) {
         match before {
-            Some(meaning) => self.meanings.insert(plain(name), meaning),
-            None => self.meanings.remove(&plain(name)),
+            Some(meaning) => self.meanings.insert(unraw(name), meaning),
+            None => self.meanings.remove(&unraw(name)),
         };
     }
 
     /// Says no more of a name that has an error.
     pub(crate) fn silence(&mut self, name: &Ident) {
-        self.meanings.insert(plain(name), Meaning::Broken);
+        self.meanings.insert(unraw(name), Meaning::Poisoned);
     }
 
     /// Whether there is a coordinate, or a family of them, called `name`.
     pub(crate) fn is_coordinate(&self, name: &str) -> bool {
         matches!(
             self.meanings.get(name),
-            Some(Meaning::Quantity(Kind::Coordinate, _) | Meaning::Family(Kind::Coordinate, _))
+            Some(Meaning::Quantity(Origin::Coordinate, _) | Meaning::Family(Origin::Coordinate, _))
         )
     }
 
     /// The quantity that was probably meant by an unknown name.
     pub(crate) fn suggest(&self, name: &Ident) -> Option<String> {
-        let meant = similar(&plain(name), self.meanings.keys().map(String::as_str))?;
+        let meant = similar(&unraw(name), self.meanings.keys().map(String::as_str))?;
         match self.meanings[meant] {
             Meaning::Skipped | Meaning::Output => None,
-            _ => Some(spelled(meant)),
+            _ => Some(to_source(meant)),
         }
     }
 
@@ -214,7 +214,7 @@ impl Scope {
     /// The names of fields, coordinates, definitions and variables.
     pub(crate) fn quantities(&self) -> Vec<&str> {
         let is_quantity = |meaning: &Meaning| match meaning {
-            Meaning::Quantity(kind, _) | Meaning::Family(kind, _) => *kind != Kind::Reserved,
+            Meaning::Quantity(kind, _) | Meaning::Family(kind, _) => *kind != Origin::Reserved,
             _ => false,
         };
         let known = self.meanings.iter();
@@ -229,7 +229,7 @@ impl Scope {
 
     /// Where the field called `name` is first spoken of.
     pub(crate) fn first_use(&self, name: &Ident) -> Option<&Ident> {
-        self.uses.get(&plain(name))
+        self.uses.get(&unraw(name))
     }
 
     /// The components of what is defined as `name`.
@@ -248,8 +248,8 @@ impl Scope {
                 .collect()
         };
         match self.meanings.get(name) {
-            Some(Meaning::Quantity(Kind::Defined, value)) => labelled(&[], value),
-            Some(Meaning::Family(Kind::Defined, family)) => {
+            Some(Meaning::Quantity(Origin::Defined, value)) => labelled(&[], value),
+            Some(Meaning::Family(Origin::Defined, family)) => {
                 let members = family.members.iter();
                 members
                     .flat_map(|(indices, value)| labelled(indices, value))
@@ -274,7 +274,7 @@ type Meanings = BTreeMap<String, Meaning>;
 /// What has a meaning in every declaration.
 fn reserved(graph: &mut Graph) -> Meanings {
     let [time, pi] = [graph.symbol(Symbol::Time), graph.pi()];
-    let reserved = |value| Meaning::Quantity(Kind::Reserved, Value::Scalar(value));
+    let reserved = |value| Meaning::Quantity(Origin::Reserved, Value::Scalar(value));
     BTreeMap::from([
         ("t".to_owned(), reserved(time)),
         ("PI".to_owned(), reserved(pi)),
@@ -290,14 +290,14 @@ fn add_fields(meanings: &mut Meanings, declaration: &Declaration, graph: &mut Gr
     for (role, kind) in kinds {
         let mut symbols = Symbols::of(kind);
         for field in declaration.fields_with(role) {
-            let meaning = match field.form() {
-                Ok(form) if is_number(declaration, form.element) => {
-                    let indices = (form.rank() > 0).then(|| form.members());
-                    symbols.meaning(graph, Kind::Field, form.shape(), indices)
+            let meaning = match field.field_type() {
+                Ok(field_type) if is_number(declaration, field_type.element) => {
+                    let indices = (field_type.rank() > 0).then(|| field_type.members());
+                    symbols.meaning(graph, Origin::Field, field_type.shape(), indices)
                 }
-                Ok(_) | Err(_) => Meaning::Broken,
+                Ok(_) | Err(_) => Meaning::Poisoned,
             };
-            meanings.insert(plain(&field.name), meaning);
+            meanings.insert(unraw(&field.name), meaning);
         }
     }
 }
@@ -307,8 +307,8 @@ fn add_coordinates(meanings: &mut Meanings, declaration: &Declaration, graph: &m
     for coordinate in &declaration.clauses.coordinates {
         let is_family = !coordinate.lengths.is_empty();
         let indices = is_family.then(|| coordinate.members());
-        let meaning = symbols.meaning(graph, Kind::Coordinate, coordinate.shape(), indices);
-        meanings.insert(plain(&coordinate.name), meaning);
+        let meaning = symbols.meaning(graph, Origin::Coordinate, coordinate.shape(), indices);
+        meanings.insert(unraw(&coordinate.name), meaning);
     }
 }
 
@@ -325,7 +325,7 @@ fn add_names_without_values(meanings: &mut Meanings, declaration: &Declaration) 
         .chain(skipped.map(|name| (name, Meaning::Skipped)))
         .chain(outputs.map(|name| (name, Meaning::Output)));
     for (name, meaning) in others {
-        meanings.entry(plain(name)).or_insert(meaning);
+        meanings.entry(unraw(name)).or_insert(meaning);
     }
 }
 
@@ -334,7 +334,7 @@ impl Symbols {
     fn meaning(
         &mut self,
         graph: &mut Graph,
-        kind: Kind,
+        kind: Origin,
         shape: Shape,
         indices: Option<Vec<Vec<usize>>>,
     ) -> Meaning {

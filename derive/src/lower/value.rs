@@ -13,14 +13,14 @@ pub(crate) enum Value {
     /// A vector, which is a matrix of one column, or a matrix.
     Array(Matrix),
     /// A sum without terms: the zero of whatever it is added to.
-    Nothing,
+    EmptySum,
 }
 
 impl Value {
     pub(crate) fn shape(&self) -> Shape {
         match self {
             Self::Array(matrix) => Shape::of(matrix),
-            Self::Scalar(_) | Self::Nothing => Shape::Scalar,
+            Self::Scalar(_) | Self::EmptySum => Shape::Scalar,
         }
     }
 
@@ -29,7 +29,7 @@ impl Value {
         match self {
             Self::Scalar(expression) => core::slice::from_ref(expression),
             Self::Array(matrix) => matrix.elements(),
-            Self::Nothing => &[],
+            Self::EmptySum => &[],
         }
     }
 
@@ -57,7 +57,7 @@ impl Shape {
             Self::Scalar => Value::Scalar(component),
             Self::Array { rows, columns } => {
                 let components = vec![component; rows * columns];
-                Matrix::new(rows, columns, components).map_or(Value::Nothing, Value::Array)
+                Matrix::new(rows, columns, components).map_or(Value::EmptySum, Value::Array)
             }
         }
     }
@@ -74,7 +74,7 @@ impl Sum {
     /// Adds `sign` times a value; the shape of the terms before it, if it has another.
     pub(crate) fn add(&mut self, value: Value, sign: Rational) -> Result<(), Shape> {
         match value {
-            Value::Nothing => {}
+            Value::EmptySum => {}
             Value::Scalar(term) => match self.arrays.first() {
                 Some((first, _)) => return Err(Shape::of(first)),
                 None => self.scalars.push((term, sign)),
@@ -102,7 +102,7 @@ impl Sum {
         let terms: Vec<_> = terms.map(|(term, sign)| (term, sign.clone())).collect();
         match graph.matrix_sum(&terms) {
             Some(sum) if !terms.is_empty() => Value::Array(sum),
-            _ => Value::Nothing,
+            _ => Value::EmptySum,
         }
     }
 }
@@ -125,7 +125,7 @@ impl Product {
         exponent: Rational,
     ) -> Result<(), Shape> {
         match value {
-            Value::Nothing => self.vanishes = true,
+            Value::EmptySum => self.vanishes = true,
             Value::Scalar(factor) => self.scalars.push((factor, exponent)),
             Value::Array(_) if exponent.is_negative() => {
                 return Err(self.array.as_ref().map_or(Shape::Scalar, Shape::of));
@@ -146,7 +146,7 @@ impl Product {
 
     pub(crate) fn value(self, graph: &mut Graph) -> Value {
         if self.vanishes {
-            return Value::Nothing;
+            return Value::EmptySum;
         }
         match (self.array, self.scalars) {
             (None, scalars) => Value::Scalar(graph.product(scalars)),

@@ -22,9 +22,9 @@ impl Derivatives {
             let residuals = residuals_beside(model, kinetics, solution, &symbols);
             let pivots = layout.add(&solution.pivots);
             let accelerations = layout.add(&solution.accelerations);
-            layout.begin_phase();
+            layout.begin_group();
             let derivatives = layout.add_state_jacobian(&derivatives, model);
-            layout.begin_phase();
+            layout.begin_group();
             let residuals = residuals.map(|columns| layout.add_state_jacobian(&columns, model));
             return Self {
                 layout,
@@ -41,7 +41,7 @@ impl Derivatives {
         let residuals = columns(model, &system.residuals, &symbols);
         let mass = layout.add_mass(system);
         let forcing = layout.add(&system.forcing);
-        layout.begin_phase();
+        layout.begin_group();
         let residuals = layout.add_state_jacobian(&residuals, model);
         Self {
             layout,
@@ -63,9 +63,9 @@ impl Derivatives {
             let residuals = residuals_beside(model, kinetics, solution, &symbols);
             let residuals = residuals.map(|columns| without_accelerations(model, &columns));
             let pivots = layout.add(&solution.pivots);
-            layout.begin_phase();
+            layout.begin_group();
             let derivatives = layout.add(&derivatives);
-            layout.begin_phase();
+            layout.begin_group();
             let residuals = residuals.map(|columns| layout.add(&columns));
             return Self {
                 layout,
@@ -80,7 +80,7 @@ impl Derivatives {
         let residuals = columns(model, &kinetics.system.residuals, &symbols);
         let residuals = without_accelerations(model, &residuals);
         let mass = layout.add_mass(&kinetics.system);
-        layout.begin_phase();
+        layout.begin_group();
         let residuals = layout.add(&residuals);
         Self {
             layout,

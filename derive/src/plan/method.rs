@@ -1,8 +1,8 @@
 //! One method, whose body is one program.
 
-use lagrangian_symbolic::{Expression, Model, OperationCount, Program};
+use lagrangian_symbolic::{Expression, Kinetics, Model, OperationCount, Prepared, Program};
 
-use super::outputs::{MethodOutputs, OutputSlice, ProgramLayout};
+use super::outputs::{AccelerationOutputs, MethodOutputs, OutputSlice, ProgramLayout};
 
 /// A method whose body is one program.
 pub(crate) struct Method {
@@ -13,7 +13,7 @@ pub(crate) struct Method {
 
 impl Method {
     pub(super) fn schedule(model: &Model, layout: &ProgramLayout, outputs: MethodOutputs) -> Self {
-        let program = Program::schedule(&model.graph, &layout.phases());
+        let program = Program::schedule(&model.graph, &layout.groups());
         Self {
             count: program.count(),
             program,
@@ -30,6 +30,42 @@ impl Method {
         let mut layout = ProgramLayout::new();
         let outputs = outputs(layout.add(expressions));
         Self::schedule(model, &layout, outputs)
+    }
+
+    /// What depends on the parameters alone in the accelerations, and the rest.
+    pub(super) fn accelerations(model: &Model, kinetics: &Kinetics) -> [Self; 2] {
+        let mut layout = ProgramLayout::new();
+        let (outputs, is_numerical) = if let Some(solution) = &kinetics.solution {
+            let outputs = AccelerationOutputs::Symbolic {
+                pivots: layout.add(&solution.pivots),
+                accelerations: layout.add(&solution.accelerations),
+            };
+            (outputs, false)
+        } else {
+            let outputs = AccelerationOutputs::Numerical {
+                mass: layout.add_mass(&kinetics.system),
+                forcing: layout.add(&kinetics.system.forcing),
+            };
+            (outputs, true)
+        };
+        let whole = Program::schedule_for_preparation(&model.graph, &layout.groups());
+        let Prepared { before, after } = whole.parted(model.graph.passes);
+        let prepare = Self {
+            count: before.count(),
+            outputs: MethodOutputs::Invariants(OutputSlice::of_only_phase(&before)),
+            program: before,
+        };
+        let accelerations = Self {
+            count: after.count(),
+            outputs: MethodOutputs::Accelerations(outputs),
+            program: after,
+        };
+        let accelerations = if is_numerical {
+            accelerations.with_solution(model.coordinates as usize, 1)
+        } else {
+            accelerations
+        };
+        [prepare, accelerations]
     }
 
     /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.

@@ -1,14 +1,10 @@
 //! Which programs a model's methods are.
 
-use lagrangian_symbolic::{
-    Energies, Equations, Expression, Kinetics, Model, Prepared, Program, Rational,
-};
+use lagrangian_symbolic::{Energies, Equations, Expression, Kinetics, Model, Rational};
 
 use super::derivatives::Derivatives;
 use super::method::Method;
-use super::outputs::{
-    AccelerationOutputs, MethodOutputs, OutputSlice, PivotOutputs, ProgramLayout,
-};
+use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
 use super::table::EmittedMethod;
 use crate::limits::{MOST_PIVOTS, in_range};
 use crate::syntax::shape::Shape;
@@ -32,11 +28,11 @@ pub(crate) struct Methods {
     pub(crate) energies: Option<[Method; 2]>,
     pub(crate) input_jacobian: Method,
     pub(crate) outputs: Method,
-    /// The declared derivatives of functions from outside.
+    /// The declared derivatives of external functions.
     pub(crate) functions: Vec<FunctionDerivative>,
 }
 
-/// A declared derivative of a function from outside.
+/// A declared derivative of an external function.
 pub(crate) struct FunctionDerivative {
     /// The position of the function.
     pub(crate) function: usize,
@@ -126,7 +122,7 @@ impl Methods {
     }
 }
 
-/// The declared derivatives of all functions from outside.
+/// The declared derivatives of all external functions.
 fn function_derivatives(model: &Model) -> Vec<FunctionDerivative> {
     let mut derivatives = Vec::new();
     for function in model.graph.functions() {
@@ -177,42 +173,6 @@ impl PivotExpressions {
 }
 
 impl Method {
-    /// What depends on the parameters alone in the accelerations, and the rest.
-    fn accelerations(model: &Model, kinetics: &Kinetics) -> [Self; 2] {
-        let mut layout = ProgramLayout::new();
-        let (outputs, is_numerical) = if let Some(solution) = &kinetics.solution {
-            let outputs = AccelerationOutputs::Symbolic {
-                pivots: layout.add(&solution.pivots),
-                accelerations: layout.add(&solution.accelerations),
-            };
-            (outputs, false)
-        } else {
-            let outputs = AccelerationOutputs::Numerical {
-                mass: layout.add_mass(&kinetics.system),
-                forcing: layout.add(&kinetics.system.forcing),
-            };
-            (outputs, true)
-        };
-        let whole = Program::schedule_for_preparation(&model.graph, &layout.phases());
-        let Prepared { before, after } = whole.parted(model.graph.passes);
-        let prepare = Self {
-            count: before.count(),
-            outputs: MethodOutputs::Invariants(OutputSlice::of_only_phase(&before)),
-            program: before,
-        };
-        let accelerations = Self {
-            count: after.count(),
-            outputs: MethodOutputs::Accelerations(outputs),
-            program: after,
-        };
-        let accelerations = if is_numerical {
-            accelerations.with_solution(model.coordinates as usize, 1)
-        } else {
-            accelerations
-        };
-        [prepare, accelerations]
-    }
-
     fn declared_outputs(model: &Model, shapes: &[Shape]) -> Self {
         let mut layout = ProgramLayout::new();
         let mut rest = model.outputs.as_slice();

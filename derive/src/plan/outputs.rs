@@ -1,6 +1,6 @@
 //! Which outputs of a program are what.
 //!
-//! A program computes lists of numbers, phase by phase. Where each quantity stands in them is noted here while
+//! A program computes lists of numbers, group by group. Where each quantity stands in them is noted here while
 //! the lists are made, so that whoever writes the method asks for a quantity by its name.
 
 use core::ops::Range;
@@ -9,43 +9,43 @@ use lagrangian_symbolic::{Expression, LinearSystem, Model, Operand, Program};
 
 use crate::syntax::shape::Shape;
 
-/// Consecutive outputs of one phase.
+/// Consecutive outputs of one group.
 #[derive(Clone, Debug)]
 pub(crate) struct OutputSlice {
-    phase: usize,
+    group: usize,
     range: Range<usize>,
 }
 
 impl OutputSlice {
-    /// All outputs of a program with one phase.
+    /// All outputs of a program with one group.
     pub(crate) fn of_only_phase(program: &Program) -> Self {
-        let outputs = program.phases.first().map(|phase| phase.outputs.len());
+        let outputs = program.phases.first().map(|group| group.outputs.len());
         Self {
-            phase: 0,
+            group: 0,
             range: 0..outputs.unwrap_or(0),
         }
     }
 
-    /// The phase that computes them.
-    pub(crate) const fn phase(&self) -> usize {
-        self.phase
+    /// The group that computes them.
+    pub(crate) const fn group(&self) -> usize {
+        self.group
     }
 
     pub(crate) fn len(&self) -> usize {
         self.range.len()
     }
 
-    /// These among the outputs of each phase.
+    /// These among the outputs of each group.
     pub(crate) fn of<'a, T>(&self, outputs: &'a [Vec<T>]) -> &'a [T] {
-        let outputs = outputs.get(self.phase);
+        let outputs = outputs.get(self.group);
         let slice = outputs.and_then(|outputs| outputs.get(self.range.clone()));
         slice.unwrap_or_default()
     }
 
     /// What a program returns for them.
     pub(crate) fn operands<'a>(&self, program: &'a Program) -> &'a [Operand] {
-        let phase = program.phases.get(self.phase);
-        let slice = phase.and_then(|phase| phase.outputs.get(self.range.clone()));
+        let group = program.phases.get(self.group);
+        let slice = group.and_then(|group| group.outputs.get(self.range.clone()));
         slice.unwrap_or_default()
     }
 }
@@ -159,34 +159,34 @@ impl MethodOutputs {
     }
 }
 
-/// The outputs of a program that is about to be scheduled, phase by phase.
+/// The outputs of a program that is about to be scheduled, group by group.
 pub(crate) struct ProgramLayout {
-    phases: Vec<Vec<Expression>>,
+    groups: Vec<Vec<Expression>>,
 }
 
 impl ProgramLayout {
-    /// One phase without outputs.
+    /// One group without outputs.
     pub(crate) fn new() -> Self {
         Self {
-            phases: vec![Vec::new()],
+            groups: vec![Vec::new()],
         }
     }
 
     /// What is added from here on is computed after what was added before.
-    pub(crate) fn begin_phase(&mut self) {
-        self.phases.push(Vec::new());
+    pub(crate) fn begin_group(&mut self) {
+        self.groups.push(Vec::new());
     }
 
-    /// Adds outputs to the last phase.
+    /// Adds outputs to the last group.
     pub(crate) fn add(&mut self, outputs: &[Expression]) -> OutputSlice {
-        let phase = self.phases.len().saturating_sub(1);
+        let group = self.groups.len().saturating_sub(1);
         let mut range = 0..0;
-        if let Some(last) = self.phases.last_mut() {
+        if let Some(last) = self.groups.last_mut() {
             range.start = last.len();
             last.extend_from_slice(outputs);
             range.end = last.len();
         }
-        OutputSlice { phase, range }
+        OutputSlice { group, range }
     }
 
     /// Adds the lower triangle of M.
@@ -213,8 +213,8 @@ impl ProgramLayout {
         }
     }
 
-    /// The outputs of each phase.
-    pub(crate) fn phases(&self) -> Vec<&[Expression]> {
-        self.phases.iter().map(Vec::as_slice).collect()
+    /// The outputs of each group.
+    pub(crate) fn groups(&self) -> Vec<&[Expression]> {
+        self.groups.iter().map(Vec::as_slice).collect()
     }
 }

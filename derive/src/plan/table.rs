@@ -35,13 +35,13 @@ pub(crate) enum ResultType {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Argument {
     /// Nothing.
-    Nothing,
+    StateOnly,
     /// The accelerations.
     Accelerations,
     /// Nothing; a second method, whose name ends in `_prepared`, takes what depends on the parameters alone.
     Staged,
     /// Not even the state.
-    Stateless,
+    Parameters,
 }
 
 /// A row of the table.
@@ -89,21 +89,21 @@ macro_rules! table {
 
 table! {
     // method            name                  trait       result         argument       inputs counted
-    Lagrangian:        "lagrangian",         Lagrangian, Scalar,        Nothing,       true,  true;
-    Energy:            "energy",             Lagrangian, Scalar,        Nothing,       true,  true;
-    Momenta:           "momenta",            Lagrangian, Vector,        Nothing,       false, true;
-    MassMatrix:        "mass_matrix",        Lagrangian, SquareMatrix,  Nothing,       false, true;
-    Forcing:           "forcing",            Lagrangian, Vector,        Nothing,       true,  true;
-    GeneralizedForces: "generalized_forces", Lagrangian, Vector,        Nothing,       true,  true;
-    Prepare:           "prepare",            Lagrangian, Invariants,    Stateless,     false, true;
+    Lagrangian:        "lagrangian",         Lagrangian, Scalar,        StateOnly,     true,  true;
+    Energy:            "energy",             Lagrangian, Scalar,        StateOnly,     true,  true;
+    Momenta:           "momenta",            Lagrangian, Vector,        StateOnly,     false, true;
+    MassMatrix:        "mass_matrix",        Lagrangian, SquareMatrix,  StateOnly,     false, true;
+    Forcing:           "forcing",            Lagrangian, Vector,        StateOnly,     true,  true;
+    GeneralizedForces: "generalized_forces", Lagrangian, Vector,        StateOnly,     true,  true;
+    Prepare:           "prepare",            Lagrangian, Invariants,    Parameters,    false, true;
     Accelerations:     "accelerations",      Lagrangian, Vector,        Staged,        true,  true;
     InverseDynamics:   "inverse_dynamics",   Lagrangian, Vector,        Accelerations, true,  true;
-    Linearize:         "linearize",          Lagrangian, Linearization, Nothing,       true,  true;
-    RelativePivots:    "relative_pivots",    Lagrangian, Vector,        Nothing,       false, false;
-    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        Nothing,       false, false;
-    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        Nothing,       false, false;
-    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   Nothing,       true,  false;
-    Outputs:           "outputs",            Outputs,    Outputs,       Nothing,       true,  false;
+    Linearize:         "linearize",          Lagrangian, Linearization, StateOnly,     true,  true;
+    RelativePivots:    "relative_pivots",    Lagrangian, Vector,        StateOnly,     false, false;
+    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     false, false;
+    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     false, false;
+    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     true,  false;
+    Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     true,  false;
 }
 
 /// The methods that the traits of the runtime have besides.
@@ -130,7 +130,7 @@ pub(crate) fn is_method(name: &str) -> bool {
 impl MethodRow {
     /// Whether the method is one of the state.
     pub(crate) fn takes_state(self) -> bool {
-        self.argument != Argument::Stateless
+        self.argument != Argument::Parameters
     }
 
     /// Whether the method stands in the trait `Inputs`, with the inputs as a parameter.
@@ -180,7 +180,7 @@ impl Variant {
         match self.row.argument {
             Argument::Staged if self.is_prepared => Some("prepared"),
             Argument::Accelerations => Some("accelerations"),
-            Argument::Staged | Argument::Nothing | Argument::Stateless => None,
+            Argument::Staged | Argument::StateOnly | Argument::Parameters => None,
         }
     }
 }

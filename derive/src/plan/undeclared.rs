@@ -8,7 +8,7 @@ use super::methods::Methods;
 use super::table::EmittedMethod;
 
 impl Methods {
-    /// Derivatives of functions from outside that are needed and not declared, by the positions of function
+    /// Derivatives of external functions that are needed and not declared, by the positions of function
     /// and argument, and what needs them.
     pub(crate) fn undeclared(&self, graph: &Graph) -> BTreeMap<(usize, usize), &'static str> {
         let mut undeclared = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! What is emitted is validated against Lagrange's equations in numbers, in every build.
+//! What is emitted is validated against Lagrange's equations numerically, in every build.
 //!
 //! Where one disagrees, all are replaced by plain ones: derived without any pass, and solved numerically. That
 //! it happened is a defect, of which debug builds warn.

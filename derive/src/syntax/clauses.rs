@@ -6,7 +6,7 @@ use syn::{Attribute, Expr, MacroDelimiter, Meta, Token, Type, token};
 
 use crate::diagnostics::{Diagnostics, similar};
 use crate::syntax::coordinate::{Coordinate, coordinates};
-use crate::syntax::function::Function;
+use crate::syntax::function::FunctionDeclaration;
 use crate::syntax::grammar::{equated, position, separated, word};
 use crate::syntax::named::{Named, named};
 use crate::syntax::root::Root;
@@ -15,7 +15,7 @@ use crate::syntax::root::Root;
 #[derive(Default)]
 pub(crate) struct Clauses {
     pub(crate) coordinates: Vec<Coordinate>,
-    pub(crate) functions: Vec<Function>,
+    pub(crate) functions: Vec<FunctionDeclaration>,
     pub(crate) definitions: Vec<Named>,
     pub(crate) kinetic: Vec<Clause>,
     pub(crate) potential: Vec<Clause>,
@@ -120,7 +120,7 @@ impl Clauses {
                 read?;
             }
             "function" => {
-                let read = Function::read(&keyword, input, &mut self.functions);
+                let read = FunctionDeclaration::read(&keyword, input, &mut self.functions);
                 self.functions_unreadable |= read.is_err();
                 read?;
             }

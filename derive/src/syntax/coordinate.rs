@@ -11,7 +11,7 @@ use crate::limits::LARGEST_FAMILY;
 use crate::syntax::field_type::{members, vector};
 use crate::syntax::grammar::{list, position, word};
 use crate::syntax::label::{Index, Label};
-use crate::syntax::names::plain;
+use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
 /// A generalized coordinate, or several under one name.
@@ -63,7 +63,7 @@ impl Coordinate {
         let components: Vec<_> = components.collect();
         self.members().into_iter().flat_map(move |member| {
             let label = |component: &Option<Index>| Label {
-                stem: plain(&self.name),
+                stem: unraw(&self.name),
                 indices: member
                     .iter()
                     .copied()
@@ -103,7 +103,7 @@ impl Coordinate {
 
     /// What the constant with the indices holds.
     pub(crate) fn documentation(&self) -> String {
-        let name = plain(&self.name);
+        let name = unraw(&self.name);
         let what = if self.vector.is_some() {
             "components of the coordinate"
         } else {

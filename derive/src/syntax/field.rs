@@ -6,7 +6,7 @@ use syn::punctuated::Punctuated;
 use syn::{Token, Type};
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::field_type::{FieldType, Unfit};
+use crate::syntax::field_type::{FieldType, UnsupportedType};
 use crate::syntax::grammar::own;
 
 /// A named field of the struct.
@@ -14,7 +14,7 @@ pub(crate) struct Field {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
     /// What its type is an alias of: `#[lagrangian(type = Matrix3<f64>)]`.
-    pub(crate) meant: Option<Type>,
+    pub(crate) declared_type: Option<Type>,
     pub(crate) role: Role,
     /// Whether its attributes could be read.
     pub(crate) readable: bool,
@@ -34,77 +34,79 @@ pub(crate) enum Role {
 
 impl Field {
     pub(crate) fn read(field: syn::Field, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let mut marks = Marks::default();
+        let mut attributes = FieldAttributes::default();
         let mut readable = true;
         for attribute in own(&field.attrs) {
-            match attribute.parse_args_with(Punctuated::<Mark, Token![,]>::parse_terminated) {
+            match attribute
+                .parse_args_with(Punctuated::<FieldAttribute, Token![,]>::parse_terminated)
+            {
                 Ok(found) if !found.is_empty() => {
-                    for mark in found {
-                        marks.add(mark, diagnostics);
+                    for attribute in found {
+                        attributes.add(attribute, diagnostics);
                     }
                 }
-                Ok(_) => diagnostics.error(&attribute.meta, HOW_TO_MARK),
+                Ok(_) => diagnostics.error(&attribute.meta, HOW_TO_WRITE),
                 Err(error) => {
                     readable = false;
-                    diagnostics.error_at(error.span(), HOW_TO_MARK);
+                    diagnostics.error_at(error.span(), HOW_TO_WRITE);
                 }
             }
         }
         Some(Self {
             name: field.ident?,
             ty: field.ty,
-            meant: marks.meant,
-            role: marks.role,
+            declared_type: attributes.declared_type,
+            role: attributes.role,
             readable,
         })
     }
 
     /// The type that decides what the field is to the model.
-    pub(crate) fn meant(&self) -> &Type {
-        self.meant.as_ref().unwrap_or(&self.ty)
+    pub(crate) fn declared_type(&self) -> &Type {
+        self.declared_type.as_ref().unwrap_or(&self.ty)
     }
 
     /// Its type as parameters can have it, or why they cannot.
-    pub(crate) fn form(&self) -> Result<FieldType<'_>, Unfit> {
-        FieldType::read(self.meant())
+    pub(crate) fn field_type(&self) -> Result<FieldType<'_>, UnsupportedType> {
+        FieldType::read(self.declared_type())
     }
 }
 
 /// One word of a field's attribute.
-enum Mark {
+enum FieldAttribute {
     Word(Ident),
-    Meant(Box<Type>),
+    Type(Box<Type>),
 }
 
-impl Parse for Mark {
+impl Parse for FieldAttribute {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         if input.parse::<Option<Token![type]>>()?.is_none() {
             return input.parse().map(Self::Word);
         }
         input.parse::<Token![=]>()?;
-        input.parse().map(Box::new).map(Self::Meant)
+        input.parse().map(Box::new).map(Self::Type)
     }
 }
 
 /// What a field's attributes say.
 #[derive(Default)]
-struct Marks {
+struct FieldAttributes {
     role: Role,
-    meant: Option<Type>,
+    declared_type: Option<Type>,
 }
 
-impl Marks {
-    fn add(&mut self, mark: Mark, diagnostics: &mut Diagnostics) {
-        let word = match mark {
-            Mark::Meant(ty) => {
-                if self.meant.is_some() {
+impl FieldAttributes {
+    fn add(&mut self, attribute: FieldAttribute, diagnostics: &mut Diagnostics) {
+        let word = match attribute {
+            FieldAttribute::Type(ty) => {
+                if self.declared_type.is_some() {
                     let message = "the type of this field is given twice: keep one of them";
                     diagnostics.error(&ty, message);
                 }
-                self.meant = Some(*ty);
+                self.declared_type = Some(*ty);
                 return;
             }
-            Mark::Word(word) => word,
+            FieldAttribute::Word(word) => word,
         };
         let role = match word.to_string().as_str() {
             "input" => Role::Input,
@@ -125,5 +127,5 @@ impl Marks {
     }
 }
 
-const HOW_TO_MARK: &str = "write `#[lagrangian(input)]`, `#[lagrangian(skip)]` or `#[lagrangian(type = …)]` on a \
+const HOW_TO_WRITE: &str = "write `#[lagrangian(input)]`, `#[lagrangian(skip)]` or `#[lagrangian(type = …)]` on a \
                            field";

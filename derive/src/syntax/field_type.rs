@@ -11,14 +11,14 @@ use crate::syntax::shape::Shape;
 pub(crate) struct FieldType<'a> {
     /// The type of one component.
     pub(crate) element: &'a Type,
-    form: Form,
+    layout: ComponentLayout,
     /// The lengths of the arrays around a vector or matrix, from the outermost.
     lengths: Vec<usize>,
 }
 
 /// How the components of a quantity are held.
 #[derive(Clone, Copy)]
-enum Form {
+enum ComponentLayout {
     Scalar,
     /// `[f64; N]`, or a vector of nalgebra.
     Vector(usize),
@@ -27,7 +27,7 @@ enum Form {
 }
 
 /// Why a type is none that a parameter can have.
-pub(crate) enum Unfit {
+pub(crate) enum UnsupportedType {
     /// It is nothing that is known here.
     Unknown,
     /// A number of components is not written as a number.
@@ -38,66 +38,69 @@ pub(crate) enum Unfit {
 
 impl<'a> FieldType<'a> {
     /// Takes a type apart.
-    pub(crate) fn read(ty: &'a Type) -> Result<Self, Unfit> {
+    pub(crate) fn read(ty: &'a Type) -> Result<Self, UnsupportedType> {
         let read = Self::parts(ty)?;
-        let (rows, columns) = match read.form {
-            Form::Scalar => (1, 1),
-            Form::Vector(rows) => (rows, 1),
-            Form::Matrix(rows, columns) => (rows, columns),
+        let (rows, columns) = match read.layout {
+            ComponentLayout::Scalar => (1, 1),
+            ComponentLayout::Vector(rows) => (rows, 1),
+            ComponentLayout::Matrix(rows, columns) => (rows, columns),
         };
         let lengths = read.lengths.iter().copied().chain([rows, columns]);
         if lengths.fold(1, usize::saturating_mul) > MOST_COMPONENTS {
-            return Err(Unfit::TooMany);
+            return Err(UnsupportedType::TooMany);
         }
         Ok(read)
     }
 
-    fn parts(ty: &'a Type) -> Result<Self, Unfit> {
+    fn parts(ty: &'a Type) -> Result<Self, UnsupportedType> {
         match ty {
             Type::Group(group) => Self::parts(&group.elem),
             Type::Paren(paren) => Self::parts(&paren.elem),
             Type::Array(array) => {
                 let length = length(&array.len)?;
                 let mut inner = Self::parts(&array.elem)?;
-                match inner.form {
-                    Form::Scalar => inner.form = Form::Vector(length),
-                    Form::Vector(_) | Form::Matrix(..) => inner.lengths.insert(0, length),
+                match inner.layout {
+                    ComponentLayout::Scalar => inner.layout = ComponentLayout::Vector(length),
+                    ComponentLayout::Vector(_) | ComponentLayout::Matrix(..) => {
+                        inner.lengths.insert(0, length)
+                    }
                 }
                 Ok(inner)
             }
             Type::Path(path) => {
-                let last = path.path.segments.last().ok_or(Unfit::Unknown)?;
+                let last = path.path.segments.last().ok_or(UnsupportedType::Unknown)?;
                 match &last.arguments {
                     PathArguments::None => Ok(Self {
                         element: ty,
-                        form: Form::Scalar,
+                        layout: ComponentLayout::Scalar,
                         lengths: Vec::new(),
                     }),
                     PathArguments::AngleBracketed(arguments) => {
                         let mut arguments = arguments.args.iter();
                         let Some(GenericArgument::Type(element)) = arguments.next() else {
-                            return Err(Unfit::Unknown);
+                            return Err(UnsupportedType::Unknown);
                         };
-                        let form = Form::of_nalgebra(&last.ident.to_string(), arguments)?;
+                        let layout =
+                            ComponentLayout::of_nalgebra(&last.ident.to_string(), arguments)?;
                         Ok(Self {
                             element,
-                            form,
+                            layout,
                             lengths: Vec::new(),
                         })
                     }
-                    PathArguments::Parenthesized(_) => Err(Unfit::Unknown),
+                    PathArguments::Parenthesized(_) => Err(UnsupportedType::Unknown),
                 }
             }
-            _ => Err(Unfit::Unknown),
+            _ => Err(UnsupportedType::Unknown),
         }
     }
 
     /// The shape of the field's value, or of each member of an array of vectors or matrices.
     pub(crate) const fn shape(&self) -> Shape {
-        match self.form {
-            Form::Scalar => Shape::Scalar,
-            Form::Vector(rows) => Shape::Array { rows, columns: 1 },
-            Form::Matrix(rows, columns) => Shape::Array { rows, columns },
+        match self.layout {
+            ComponentLayout::Scalar => Shape::Scalar,
+            ComponentLayout::Vector(rows) => Shape::Array { rows, columns: 1 },
+            ComponentLayout::Matrix(rows, columns) => Shape::Array { rows, columns },
         }
     }
 
@@ -115,13 +118,13 @@ impl<'a> FieldType<'a> {
     /// What stands behind a member to read each of its components, column by column.
     pub(crate) fn accesses(&self) -> Vec<TokenStream> {
         let literal = Literal::usize_unsuffixed;
-        let access = |component: usize| match self.form {
-            Form::Scalar => TokenStream::new(),
-            Form::Vector(_) => {
+        let access = |component: usize| match self.layout {
+            ComponentLayout::Scalar => TokenStream::new(),
+            ComponentLayout::Vector(_) => {
                 let i = literal(component);
                 quote!([#i])
             }
-            Form::Matrix(rows, _) => {
+            ComponentLayout::Matrix(rows, _) => {
                 let (row, column) = (literal(component % rows), literal(component / rows));
                 quote!([(#row, #column)])
             }
@@ -130,20 +133,20 @@ impl<'a> FieldType<'a> {
     }
 }
 
-impl Form {
-    /// The form of nalgebra's type with this name, and with these arguments behind that of its elements.
+impl ComponentLayout {
+    /// The layout of nalgebra's type with this name, and with these arguments behind that of its elements.
     fn of_nalgebra<'a>(
         name: &str,
         arguments: impl Iterator<Item = &'a GenericArgument>,
-    ) -> Result<Self, Unfit> {
+    ) -> Result<Self, UnsupportedType> {
         let lengths: Vec<usize> = arguments
             .map(|argument| match argument {
                 GenericArgument::Const(number) => length(number),
-                _ => Err(Unfit::Length),
+                _ => Err(UnsupportedType::Length),
             })
             .collect::<Result<_, _>>()?;
         let square = |n: Option<usize>| n.map(|n| Self::Matrix(n, n));
-        let form = match (name, lengths.as_slice()) {
+        let layout = match (name, lengths.as_slice()) {
             ("SVector", [rows]) => Some(Self::Vector(*rows)),
             ("SMatrix", [rows, columns]) => Some(Self::Matrix(*rows, *columns)),
             ("RowSVector", [columns]) => Some(Self::Matrix(1, *columns)),
@@ -156,7 +159,7 @@ impl Form {
                 ("Point", |n| digit(n).map(Self::Vector)),
             ]
             .into_iter()
-            .find_map(|(stem, form)| form(name.strip_prefix(stem)?))
+            .find_map(|(stem, layout)| layout(name.strip_prefix(stem)?))
             .or_else(|| square(digit(name.strip_prefix("Rotation")?)))
             .or_else(|| {
                 let dimensions = name.strip_prefix("Matrix")?;
@@ -167,7 +170,7 @@ impl Form {
             }),
             _ => None,
         };
-        form.ok_or(Unfit::Unknown)
+        layout.ok_or(UnsupportedType::Unknown)
     }
 }
 
@@ -206,8 +209,8 @@ pub(crate) fn vector(ty: &Type) -> Option<(usize, Option<&Type>)> {
         [GenericArgument::Type(element), lengths @ ..] => (Some(element), lengths),
         lengths => (None, lengths),
     };
-    match Form::of_nalgebra(&last.ident.to_string(), lengths.iter().copied()) {
-        Ok(Form::Vector(rows)) => Some((rows, element)),
+    match ComponentLayout::of_nalgebra(&last.ident.to_string(), lengths.iter().copied()) {
+        Ok(ComponentLayout::Vector(rows)) => Some((rows, element)),
         _ => None,
     }
 }
@@ -218,21 +221,23 @@ fn digit(written: &str) -> Option<usize> {
 }
 
 /// A number of components, at least 1.
-fn length(written: &Expr) -> Result<usize, Unfit> {
+fn length(written: &Expr) -> Result<usize, UnsupportedType> {
     match written {
         Expr::Group(inner) => length(&inner.expr),
         Expr::Paren(inner) => length(&inner.expr),
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(number) => {
-                let number = number.base10_parse().map_err(|_| Unfit::Length)?;
-                Some(number).filter(|n| *n > 0).ok_or(Unfit::Unknown)
+                let number = number.base10_parse().map_err(|_| UnsupportedType::Length)?;
+                Some(number)
+                    .filter(|n| *n > 0)
+                    .ok_or(UnsupportedType::Unknown)
             }
-            _ => Err(Unfit::Length),
+            _ => Err(UnsupportedType::Length),
         },
         Expr::Block(block) => match block.block.stmts.as_slice() {
             [syn::Stmt::Expr(only, None)] => length(only),
-            _ => Err(Unfit::Length),
+            _ => Err(UnsupportedType::Length),
         },
-        _ => Err(Unfit::Length),
+        _ => Err(UnsupportedType::Length),
     }
 }

@@ -1,4 +1,4 @@
-//! Functions from outside: `function(name(argument, …) = value, derivative(argument) = expression, …)`.
+//! External functions: `function(name(argument, …) = value, derivative(argument) = expression, …)`.
 //!
 //! The value is any expression of Rust; what the derivatives are made of is of the declaration language.
 
@@ -8,22 +8,22 @@ use syn::{Expr, token};
 
 use crate::syntax::grammar::{expression, position, separated, word};
 
-/// A function from outside.
-pub(crate) struct Function {
+/// An external function.
+pub(crate) struct FunctionDeclaration {
     pub(crate) name: Ident,
     pub(crate) arguments: Vec<Ident>,
     /// The value, for the compiler to understand.
     pub(crate) value: Expr,
-    pub(crate) derivatives: Vec<Derivative>,
+    pub(crate) derivatives: Vec<DerivativeDeclaration>,
 }
 
 /// `derivative(argument) = expression`.
-pub(crate) struct Derivative {
+pub(crate) struct DerivativeDeclaration {
     pub(crate) argument: Ident,
     pub(crate) expression: Expr,
 }
 
-impl Function {
+impl FunctionDeclaration {
     /// Reads what stands behind the keyword, and keeps what could be read even where there is an error.
     pub(crate) fn read(
         keyword: &Ident,
@@ -42,7 +42,7 @@ impl Function {
         let mut derivatives = Vec::new();
         let read = separated(&content, "a comma, or an operator,", |input| {
             if function.is_some() {
-                derivatives.push(Derivative::read(input)?);
+                derivatives.push(DerivativeDeclaration::read(input)?);
             } else {
                 // What comes after a head that cannot be read is not looked at.
                 function = Some(None);
@@ -77,7 +77,7 @@ impl Function {
     }
 }
 
-impl Derivative {
+impl DerivativeDeclaration {
     fn read(input: ParseStream<'_>) -> syn::Result<Self> {
         let keyword = word(input, HOW_TO_DIFFERENTIATE)?;
         if keyword != "derivative" {

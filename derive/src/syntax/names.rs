@@ -7,8 +7,8 @@ pub(crate) const RESERVED: [&str; 3] = ["t", "PI", "dot"];
 
 /// The constant that holds a coordinate's index: its name in capitals. Names outside of ASCII stay as
 /// they are, since θ and Θ together are what the compiler warns of as confusable.
-pub(crate) fn constant(coordinate: &Ident) -> String {
-    let name = plain(coordinate);
+pub(crate) fn constant_name(coordinate: &Ident) -> String {
+    let name = unraw(coordinate);
     if name.is_ascii() {
         name.to_ascii_uppercase()
     } else {
@@ -18,25 +18,25 @@ pub(crate) fn constant(coordinate: &Ident) -> String {
 
 /// A name where `at` stands, with the hygiene of the macro: what the user's lints would say of it does
 /// not concern the user.
-pub(crate) fn placed(name: &str, at: &Ident) -> Ident {
-    Ident::new(name, hygienic(at))
+pub(crate) fn hygienic_ident(name: &str, at: &Ident) -> Ident {
+    Ident::new(name, hygienic_span(at))
 }
 
 /// The place of a name, with the hygiene of the macro.
-pub(crate) fn hygienic(at: &Ident) -> Span {
+pub(crate) fn hygienic_span(at: &Ident) -> Span {
     Span::mixed_site().located_at(at.span())
 }
 
 /// The name without `r#`.
-pub(crate) fn plain(name: &Ident) -> String {
+pub(crate) fn unraw(name: &Ident) -> String {
     let written = name.to_string();
     written.strip_prefix("r#").unwrap_or(&written).to_owned()
 }
 
 /// The name as the declaration has to write it: with `r#` if it is a keyword.
-pub(crate) fn spelled(plain: &str) -> String {
-    match syn::parse_str::<Ident>(plain) {
-        Ok(_) => plain.to_owned(),
-        Err(_) => format!("r#{plain}"),
+pub(crate) fn to_source(name: &str) -> String {
+    match syn::parse_str::<Ident>(name) {
+        Ok(_) => name.to_owned(),
+        Err(_) => format!("r#{name}"),
     }
 }

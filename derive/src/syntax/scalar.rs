@@ -31,7 +31,7 @@ enum Owner {
     StructAmongBounds,
     /// Of nothing: it is the type that `scalar = …` names. Methods of its own may be called as those of the
     /// trait.
-    Nothing,
+    NamedType,
     /// Of the struct, which does not bound it by `Scalar`. That is an error; impls beside it do.
     StructUnbounded,
 }
@@ -45,9 +45,12 @@ impl ToTokens for Scalar<'_> {
 impl<'a> Scalar<'a> {
     pub(crate) fn of(declaration: &'a Declaration) -> Self {
         let generics = &declaration.generics;
-        let (name, owner) = match (uses(declaration).next(), &declaration.clauses.scalar) {
+        let (name, owner) = match (
+            scalar_parameters(declaration).next(),
+            &declaration.clauses.scalar,
+        ) {
             (None, None) => (parameter_of_impls().into_token_stream(), Owner::Impl),
-            (None, Some(named)) => (named.to_token_stream(), Owner::Nothing),
+            (None, Some(named)) => (named.to_token_stream(), Owner::NamedType),
             (Some((name, _)), _) => {
                 let owner = match (is_scalar(generics, name), bounds(generics, name).count()) {
                     (false, _) => Owner::StructUnbounded,
@@ -70,7 +73,7 @@ impl<'a> Scalar<'a> {
         let mut generics = declared.clone();
         match self.owner {
             Owner::Impl => generics.params.push(parse_quote!(#name: #root::Scalar)),
-            Owner::Struct | Owner::StructAmongBounds | Owner::Nothing => {}
+            Owner::Struct | Owner::StructAmongBounds | Owner::NamedType => {}
             Owner::StructUnbounded => {
                 let conditions = &mut generics.make_where_clause().predicates;
                 conditions.push(parse_quote!(#name: #root::Scalar));
@@ -102,11 +105,11 @@ impl<'a> Scalar<'a> {
 
     /// Whether methods of the scalar must be called as functions of the trait.
     pub(crate) fn is_ambiguous(&self) -> bool {
-        matches!(self.owner, Owner::StructAmongBounds | Owner::Nothing)
+        matches!(self.owner, Owner::StructAmongBounds | Owner::NamedType)
     }
 
     /// Whether the impls are on every scalar.
-    pub(crate) fn is_every(&self) -> bool {
+    pub(crate) fn is_generic(&self) -> bool {
         self.owner == Owner::Impl
     }
 
@@ -126,7 +129,7 @@ impl<'a> Scalar<'a> {
     /// What the parameter of a struct of results is called, which has one whatever the scalar is.
     pub(crate) fn of_results(&self) -> TokenStream {
         match self.owner {
-            Owner::Nothing => parameter_of_impls().into_token_stream(),
+            Owner::NamedType => parameter_of_impls().into_token_stream(),
             _ => self.name.clone(),
         }
     }
@@ -146,7 +149,9 @@ pub(crate) fn type_parameter<'a>(generics: &'a Generics, ty: &Type) -> Option<&'
 
 /// The type parameters that parameters and inputs are of, in the order of the fields; then the one that is
 /// named as the scalar.
-pub(crate) fn uses(declaration: &Declaration) -> impl Iterator<Item = (&Ident, &Type)> {
+pub(crate) fn scalar_parameters(
+    declaration: &Declaration,
+) -> impl Iterator<Item = (&Ident, &Type)> {
     let fields = declaration.fields.iter();
     let named = declaration.clauses.scalar.iter().filter_map(|named| {
         let parameter = type_parameter(&declaration.generics, named)?;
@@ -155,7 +160,7 @@ pub(crate) fn uses(declaration: &Declaration) -> impl Iterator<Item = (&Ident, &
     fields
         .filter(|field| field.role != Role::Skipped)
         .filter_map(|field| {
-            let element = field.form().ok()?.element;
+            let element = field.field_type().ok()?.element;
             let parameter = type_parameter(&declaration.generics, element)?;
             Some((parameter, element))
         })

@@ -1,7 +1,7 @@
-//! The sines and cosines that a phase computes at once, and before everything else.
+//! The sines and cosines that a group computes at once, and before everything else.
 //!
 //! Several angles take less time together than one by one. Together go those that are known when the
-//! phase begins: coordinates and other symbols, and sums and products of them.
+//! group begins: coordinates and other symbols, and sums and products of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,12 +16,12 @@ pub(super) struct Angles {
 }
 
 impl Angles {
-    /// The angles known at the beginning of a phase, if they are two or more; `earlier` tells which
-    /// values are those of phases before.
-    pub(super) fn of(phase: &Phase, earlier: impl Fn(usize) -> bool) -> Option<Self> {
+    /// The angles known at the beginning of a group, if they are two or more; `earlier` tells which
+    /// values are those of groups before.
+    pub(super) fn of(group: &Phase, earlier: impl Fn(usize) -> bool) -> Option<Self> {
         let mut simple = BTreeMap::new();
         let mut pairs = Vec::new();
-        for (index, instruction) in phase.instructions.iter().enumerate() {
+        for (index, instruction) in group.instructions.iter().enumerate() {
             let is_known = |operand: &Operand| match operand {
                 Operand::Value(value) => simple.contains_key(value) || earlier(*value),
                 _ => true,
@@ -36,7 +36,7 @@ impl Angles {
             }
         }
         (pairs.len() > 1).then(|| Self {
-            made_of: ancestors(phase, &pairs, &simple),
+            made_of: ancestors(group, &pairs, &simple),
             pairs,
         })
     }
@@ -54,11 +54,11 @@ const fn is_simple(operation: &Operation) -> bool {
 }
 
 /// The instructions whose values the pairs are made of.
-fn ancestors(phase: &Phase, pairs: &[usize], simple: &BTreeMap<usize, usize>) -> BTreeSet<usize> {
+fn ancestors(group: &Phase, pairs: &[usize], simple: &BTreeMap<usize, usize>) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     let mut waiting = pairs.to_vec();
     while let Some(index) = waiting.pop() {
-        for operand in phase.instructions[index].operation.operands() {
+        for operand in group.instructions[index].operation.operands() {
             if let Operand::Value(value) = operand
                 && let Some(index) = simple.get(value)
                 && found.insert(*index)

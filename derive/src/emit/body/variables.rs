@@ -40,23 +40,23 @@ impl Variables {
     }
 }
 
-/// How often each value is used; where a phase uses a value of another one, that counts twice, so that it is
+/// How often each value is used; where a group uses a value of another one, that counts twice, so that it is
 /// not written twice.
 fn count_uses(program: &Program) -> Vec<usize> {
     let end = |last: &Instruction| last.value + last.operation.results();
     let mut uses = vec![0; program.instructions().last().map_or(0, end)];
     let mut start = 0;
-    for phase in &program.phases {
+    for group in &program.phases {
         let mut note = |operand: &Operand| {
             if let Some(value) = value_of(operand) {
                 uses[value] += if value < start { 2 } else { 1 };
             }
         };
-        for instruction in &phase.instructions {
+        for instruction in &group.instructions {
             instruction.operation.operands().for_each(&mut note);
         }
-        phase.outputs.iter().for_each(&mut note);
-        start = phase.instructions.last().map_or(start, end);
+        group.outputs.iter().for_each(&mut note);
+        start = group.instructions.last().map_or(start, end);
     }
     uses
 }

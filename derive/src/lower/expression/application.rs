@@ -1,26 +1,26 @@
-//! Functions from outside: their derivatives, and calls of them.
+//! External functions: their derivatives, and calls of them.
 
 use lagrangian_symbolic::{Function, Symbol};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
 
-use super::{Place, Translator};
-use crate::lower::scope::{Kind, Meaning};
+use super::{ExpressionContext, Translator};
+use crate::lower::scope::{Meaning, Origin};
 use crate::lower::value::Value;
-use crate::syntax::function::{self, Derivative};
-use crate::syntax::names::plain;
+use crate::syntax::function::{DerivativeDeclaration, FunctionDeclaration};
+use crate::syntax::names::unraw;
 
 impl Translator<'_> {
     /// Declares all functions, then their derivatives, which may be made of any of them.
-    pub(crate) fn declare_functions(&mut self, declared: &[function::Function]) {
+    pub(crate) fn declare_functions(&mut self, declared: &[FunctionDeclaration]) {
         let mut functions = Vec::with_capacity(declared.len());
         for declared in declared {
-            let arguments: Vec<String> = declared.arguments.iter().map(plain).collect();
+            let arguments: Vec<String> = declared.arguments.iter().map(unraw).collect();
             let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
             let function = self
                 .graph
-                .declare_function(&plain(&declared.name), &arguments);
+                .declare_function(&unraw(&declared.name), &arguments);
             self.scope.declare_function(&declared.name, function);
             functions.push(function);
         }
@@ -35,7 +35,7 @@ impl Translator<'_> {
         &mut self,
         function: Function,
         arguments: &[Ident],
-        derivative: &Derivative,
+        derivative: &DerivativeDeclaration,
     ) {
         let mut hidden = Vec::new();
         for (i, argument) in (0..).zip(arguments) {
@@ -43,13 +43,13 @@ impl Translator<'_> {
             hidden.push((argument, self.scope.bind(argument, value)));
         }
         self.within_derivative = true;
-        let value = self.scalar(&derivative.expression, Place::Observation);
+        let value = self.scalar(&derivative.expression, ExpressionContext::Observation);
         self.within_derivative = false;
         for (argument, before) in hidden.into_iter().rev() {
             self.scope.release(argument, before);
         }
         let mut names = arguments.iter();
-        let argument = names.position(|argument| plain(argument) == plain(&derivative.argument));
+        let argument = names.position(|argument| unraw(argument) == unraw(&derivative.argument));
         if let (Some(value), Some(argument)) = (value, argument) {
             if self.graph.contents(value).varies_in_time() {
                 return self.diagnostics.error(&derivative.expression, MADE_OF);
@@ -64,7 +64,7 @@ impl Translator<'_> {
             return Some(());
         }
         let known = match self.scope.resolve(name) {
-            Some(Meaning::Quantity(Kind::Defined, _) | Meaning::Family(..) | Meaning::Later) => {
+            Some(Meaning::Quantity(Origin::Defined, _) | Meaning::Family(..) | Meaning::Later) => {
                 false
             }
             Some(Meaning::Quantity(_, value)) => {
@@ -82,13 +82,13 @@ impl Translator<'_> {
         )
     }
 
-    /// A function from outside, applied to scalars.
+    /// An external function, applied to scalars.
     pub(super) fn application(
         &mut self,
         function: Function,
         arguments: &[&Expr],
         call: impl ToTokens,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         let expected = self.graph.function_arguments(function);
         if expected.len() != arguments.len() {
@@ -107,7 +107,7 @@ impl Translator<'_> {
         }
         let values: Vec<_> = arguments
             .iter()
-            .map(|argument| self.scalar(argument, place))
+            .map(|argument| self.scalar(argument, context))
             .collect();
         let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
         Some(Value::Scalar(self.graph.apply(function, &values)))

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
 
 use super::repetition::stacked;
-use super::{Place, Translator};
+use super::{ExpressionContext, Translator};
 use crate::limits::{LARGEST_ARRAY, MOST_DIAGONAL_ROWS};
 use crate::lower::hints;
 use crate::lower::value::Value;
@@ -14,11 +14,11 @@ use crate::syntax::shape::Shape;
 
 impl Translator<'_> {
     /// `[x, y, z]`, or `[[a, b], [c, d]]` row by row.
-    pub(super) fn array(&mut self, array: &ExprArray, place: Place) -> Option<Value> {
+    pub(super) fn array(&mut self, array: &ExprArray, context: ExpressionContext) -> Option<Value> {
         let values: Vec<_> = array
             .elems
             .iter()
-            .map(|element| self.translate(element, place))
+            .map(|element| self.translate(element, context))
             .collect();
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
         if values.is_empty() {
@@ -35,12 +35,16 @@ impl Translator<'_> {
     }
 
     /// `[0.0; 3]`.
-    pub(super) fn repeat(&mut self, repeat: &ExprRepeat, place: Place) -> Option<Value> {
-        let value = self.translate(&repeat.expr, place);
+    pub(super) fn repeat(
+        &mut self,
+        repeat: &ExprRepeat,
+        context: ExpressionContext,
+    ) -> Option<Value> {
+        let value = self.translate(&repeat.expr, context);
         let length = self.integer(&repeat.len);
         let (value, length) = (value?, length?);
         let value = match value {
-            Value::Nothing => Value::Scalar(self.graph.zero()),
+            Value::EmptySum => Value::Scalar(self.graph.zero()),
             other => other,
         };
         let size = value.components().len().max(1);
@@ -71,10 +75,10 @@ impl Translator<'_> {
         if written == "identity" {
             return self.identity(arguments[0]);
         }
-        if values[0] == Value::Nothing
+        if values[0] == Value::EmptySum
             && ["norm", "norm_squared", "sum", "dot"].contains(&&*written)
         {
-            return Some(Value::Nothing);
+            return Some(Value::EmptySum);
         }
         let Value::Array(first) = &values[0] else {
             return self.reject(arguments[0], wants_array(&written, &values[0]));

@@ -6,15 +6,15 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprMethodCall};
 
 use super::repetition::{repeated, stacked, without_parentheses};
-use super::{Place, Translator};
+use super::{ExpressionContext, Translator};
 use crate::lower::builtins;
 use crate::lower::hints;
 use crate::lower::scope::Meaning;
 use crate::lower::value::Value;
-use crate::syntax::names::plain;
+use crate::syntax::names::unraw;
 
 impl Translator<'_> {
-    pub(super) fn call(&mut self, call: &ExprCall, place: Place) -> Option<Value> {
+    pub(super) fn call(&mut self, call: &ExprCall, context: ExpressionContext) -> Option<Value> {
         let name = match &*call.func {
             Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
             _ => None,
@@ -24,19 +24,23 @@ impl Translator<'_> {
         };
         let arguments: Vec<&Expr> = call.args.iter().collect();
         if name == "dot" {
-            return self.time_derivative(call, &arguments, place);
+            return self.time_derivative(call, &arguments, context);
         }
         if name == "vector" {
-            return self.whole_family(call, &arguments, place);
+            return self.whole_family(call, &arguments, context);
         }
-        if let Some(value) = self.rotation(name, call, &arguments, place) {
+        if let Some(value) = self.rotation(name, call, &arguments, context) {
             return value;
         }
-        self.apply(name, &arguments, call, place)
+        self.apply(name, &arguments, call, context)
     }
 
-    pub(super) fn method(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
-        let name = plain(&call.method);
+    pub(super) fn method(
+        &mut self,
+        call: &ExprMethodCall,
+        context: ExpressionContext,
+    ) -> Option<Value> {
+        let name = unraw(&call.method);
         if let (Some(turbofish), true) = (&call.turbofish, builtins::is_function(&name)) {
             let arguments = if call.args.is_empty() { "" } else { "…" };
             return self.reject(
@@ -45,10 +49,10 @@ impl Translator<'_> {
             );
         }
         if let Some(map) = repeated(call) {
-            return self.repetition(call, map, place);
+            return self.repetition(call, map, context);
         }
         if name == "map" {
-            return self.map(call, place);
+            return self.map(call, context);
         }
         if let Some(module) = self.module(&call.receiver)
             && builtins::is_function(&name)
@@ -69,7 +73,7 @@ impl Translator<'_> {
         }
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
-        self.apply(&call.method, &arguments, call, place)
+        self.apply(&call.method, &arguments, call, context)
     }
 
     /// The name of a module in which other languages keep their functions.
@@ -84,20 +88,20 @@ impl Translator<'_> {
     }
 
     /// `v.map(|x| …)` of an array, component by component.
-    fn map(&mut self, call: &ExprMethodCall, place: Place) -> Option<Value> {
+    fn map(&mut self, call: &ExprMethodCall, context: ExpressionContext) -> Option<Value> {
         if let Expr::Range(_) = without_parentheses(&call.receiver) {
             let message = "what is mapped has to become one quantity: write `.sum()`, `.product()` or \
                            `.collect()` behind it";
             return self.reject(&call.method, message);
         }
-        let Value::Array(array) = self.translate(&call.receiver, place)? else {
+        let Value::Array(array) = self.translate(&call.receiver, context)? else {
             let message = "`map` goes through a range or an array: write `(0..5).map(|i| …)`";
             return self.reject(&call.receiver, message);
         };
         let (rows, columns) = (array.rows(), array.columns());
         let components = array.elements().iter();
         let components = components.map(|component| Value::Scalar(*component));
-        let values = self.applied(call, components.collect(), place)?;
+        let values = self.applied(call, components.collect(), context)?;
         let elements: Vec<_> = values
             .into_iter()
             .map(|value| self.as_scalar(&value, &call.args))
@@ -110,7 +114,7 @@ impl Translator<'_> {
         &mut self,
         call: &ExprCall,
         arguments: &[&Expr],
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         let [argument] = arguments else {
             let message = "`vector` takes the name of a family: write `vector(theta)`, and `[x, y, z]` for a \
@@ -122,9 +126,9 @@ impl Translator<'_> {
             _ => None,
         };
         let meaning = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
-        let Some((name, Meaning::Family(kind, family))) = meaning else {
+        let Some((name, Meaning::Family(origin, family))) = meaning else {
             // What is a vector already stays one, and what is unknown is reported as such.
-            return match self.translate(argument, place)? {
+            return match self.translate(argument, context)? {
                 array @ Value::Array(_) => Some(array),
                 other => {
                     let message = format!("this is {}, and no family", other.shape());
@@ -142,7 +146,7 @@ impl Translator<'_> {
         }
         let values: Vec<Value> = family.members.values().cloned().collect();
         for value in &values {
-            self.check_accelerations(name, kind, value, place)?;
+            self.check_accelerations(name, origin, value, context)?;
         }
         match stacked(&values) {
             Ok(matrix) => Some(Value::Array(matrix)),
@@ -170,10 +174,10 @@ impl Translator<'_> {
         name: &Ident,
         arguments: &[&Expr],
         call: impl ToTokens,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         if let Some(function) = self.scope.function(name) {
-            return self.application(function, arguments, call, place);
+            return self.application(function, arguments, call, context);
         }
         let written = name.to_string();
         let unary = Unary::ALL
@@ -205,7 +209,7 @@ impl Translator<'_> {
         }
         let values: Vec<_> = arguments
             .iter()
-            .map(|argument| self.translate(argument, place))
+            .map(|argument| self.translate(argument, context))
             .collect();
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
         if of_arrays.is_some() {

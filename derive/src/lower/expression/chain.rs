@@ -3,19 +3,19 @@
 use lagrangian_symbolic::{Graph, Rational};
 use syn::{BinOp, Expr, ExprBinary};
 
-use super::{Place, Translator};
+use super::{ExpressionContext, Translator};
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
 use crate::syntax::shape::Shape;
 
-/// A chain of operations of one kind, kept until it ends.
+/// A chain of operations of one origin, kept until it ends.
 #[derive(Clone)]
-enum Chain {
+enum OperatorChain {
     Sum(Sum),
     Product(Product),
 }
 
-impl Chain {
+impl OperatorChain {
     fn value(self, graph: &mut Graph) -> Value {
         match self {
             Self::Sum(sum) => sum.value(graph),
@@ -58,22 +58,26 @@ impl Chain {
 }
 
 impl Translator<'_> {
-    pub(super) fn chain(&mut self, binary: &ExprBinary, place: Place) -> Option<Value> {
+    pub(super) fn chain(
+        &mut self,
+        binary: &ExprBinary,
+        context: ExpressionContext,
+    ) -> Option<Value> {
         let mut steps = vec![(&binary.op, &*binary.right)];
         let mut first = &*binary.left;
         while let Expr::Binary(inner) = first {
             steps.push((&inner.op, &*inner.right));
             first = &*inner.left;
         }
-        let first = self.translate(first, place);
+        let first = self.translate(first, context);
         let mut chain = first.map(|first| {
             let mut sum = Sum::default();
             // The first term fits any sum.
             let _ = sum.add(first, Rational::ONE);
-            Chain::Sum(sum)
+            OperatorChain::Sum(sum)
         });
         for (operator, operand) in steps.into_iter().rev() {
-            let value = self.operand(operator, operand, place);
+            let value = self.operand(operator, operand, context);
             chain = match (chain, value) {
                 (Some(chain), Some(value)) => self.extend(chain, operator, value),
                 _ => None,
@@ -83,11 +87,16 @@ impl Translator<'_> {
     }
 
     /// The operand on the right of an operator that is understood.
-    fn operand(&mut self, operator: &BinOp, operand: &Expr, place: Place) -> Option<Value> {
+    fn operand(
+        &mut self,
+        operator: &BinOp,
+        operand: &Expr,
+        context: ExpressionContext,
+    ) -> Option<Value> {
         if let Some(hint) = hints::operator(operator) {
             return self.reject(operator, hint);
         }
-        let value = self.translate(operand, place)?;
+        let value = self.translate(operand, context)?;
         if matches!(operator, BinOp::Div(_)) && self.vanishes(&value) {
             return self.reject(
                 operand,
@@ -101,12 +110,17 @@ impl Translator<'_> {
     pub(super) fn vanishes(&self, value: &Value) -> bool {
         match value {
             Value::Scalar(expression) => self.graph.is_zero(*expression),
-            Value::Nothing => true,
+            Value::EmptySum => true,
             Value::Array(_) => false,
         }
     }
 
-    fn extend(&mut self, chain: Chain, operator: &BinOp, value: Value) -> Option<Chain> {
+    fn extend(
+        &mut self,
+        chain: OperatorChain,
+        operator: &BinOp,
+        value: Value,
+    ) -> Option<OperatorChain> {
         let right = value.shape();
         match chain.extend(&mut self.graph, operator, value) {
             Ok(chain) if self.within_index && matches!(operator, BinOp::Div(_)) => {
@@ -118,7 +132,11 @@ impl Translator<'_> {
     }
 
     /// Numbers are exact: of integers in an index `5 / 4` would be five quarters, and 1 in Rust.
-    fn integer_quotient(&mut self, chain: Chain, operator: &BinOp) -> Option<Chain> {
+    fn integer_quotient(
+        &mut self,
+        chain: OperatorChain,
+        operator: &BinOp,
+    ) -> Option<OperatorChain> {
         let quotient = chain.clone().value(&mut self.graph);
         let constant = match quotient {
             Value::Scalar(value) => self.graph.as_constant(value),

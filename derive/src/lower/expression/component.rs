@@ -5,16 +5,20 @@ use proc_macro2::Ident;
 use syn::{Expr, ExprField, ExprIndex, Member};
 
 use super::repetition::without_parentheses;
-use super::{Place, Translator};
+use super::{ExpressionContext, Translator};
 use crate::lower::hints;
-use crate::lower::scope::{Family, Kind, Meaning};
+use crate::lower::scope::{Family, Meaning, Origin};
 use crate::lower::value::Value;
 use crate::syntax::label::Index;
 use crate::syntax::shape::Shape;
 
 impl Translator<'_> {
     /// `theta[i]`, `m[(i, j)]`, `rows[i][j]`.
-    pub(super) fn indexed(&mut self, index: &ExprIndex, place: Place) -> Option<Value> {
+    pub(super) fn indexed(
+        &mut self,
+        index: &ExprIndex,
+        context: ExpressionContext,
+    ) -> Option<Value> {
         let mut indices = vec![&*index.index];
         let mut base = without_parentheses(&index.expr);
         while let Expr::Index(inner) = base {
@@ -27,8 +31,8 @@ impl Translator<'_> {
             _ => None,
         };
         let family = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
-        let (name, kind, family) = match family {
-            Some((name, Meaning::Family(kind, family))) => (name, kind, family),
+        let (name, origin, family) = match family {
+            Some((name, Meaning::Family(origin, family))) => (name, origin, family),
             Some((name, Meaning::Later)) => {
                 let message = format!(
                     "no member of `{name}` is defined before this one: define the first of them first, as in \
@@ -37,7 +41,7 @@ impl Translator<'_> {
                 return self.reject(name, message);
             }
             _ => {
-                let value = self.translate(base, place)?;
+                let value = self.translate(base, context)?;
                 return self.components(value, &indices);
             }
         };
@@ -65,10 +69,10 @@ impl Translator<'_> {
         let positions: Option<Vec<usize>> = positions;
         let value = positions.and_then(|positions| family.members.get(&positions).cloned());
         let Some(value) = value else {
-            let message = absent(name, kind, &member, &family);
+            let message = absent(name, origin, &member, &family);
             return self.reject(outer[0], message);
         };
-        self.check_accelerations(name, kind, &value, place)?;
+        self.check_accelerations(name, origin, &value, context)?;
         self.components(value, inner)
     }
 
@@ -77,8 +81,8 @@ impl Translator<'_> {
         let Some((first, rest)) = indices.split_first() else {
             return Some(value);
         };
-        if value == Value::Nothing {
-            return Some(Value::Nothing);
+        if value == Value::EmptySum {
+            return Some(Value::EmptySum);
         }
         let Value::Array(array) = &value else {
             let message = format!(
@@ -145,7 +149,7 @@ impl Translator<'_> {
     }
 
     /// `v.x`, `v.y`, `v.z`, `v.w`.
-    pub(super) fn field(&mut self, field: &ExprField, place: Place) -> Option<Value> {
+    pub(super) fn field(&mut self, field: &ExprField, context: ExpressionContext) -> Option<Value> {
         let position = match &field.member {
             Member::Named(name) => Index::AXES.iter().position(|axis| name == axis),
             Member::Unnamed(_) => None,
@@ -154,9 +158,9 @@ impl Translator<'_> {
         let Some(position) = position.filter(|_| !is_self) else {
             return self.reject(field, hints::field(field));
         };
-        let value = self.translate(&field.base, place)?;
+        let value = self.translate(&field.base, context)?;
         match &value {
-            Value::Nothing => return Some(Value::Nothing),
+            Value::EmptySum => return Some(Value::EmptySum),
             Value::Array(array) if array.columns() == 1 && array.rows() <= 4 => {
                 if let Some(component) = array.get(position, 0) {
                     return Some(Value::Scalar(component));
@@ -170,11 +174,11 @@ impl Translator<'_> {
 }
 
 /// For a member of a family that there is not.
-fn absent(name: &Ident, kind: Kind, member: &[i64], family: &Family) -> String {
+fn absent(name: &Ident, origin: Origin, member: &[i64], family: &Family) -> String {
     let written = hints::member(name, member);
-    match (kind, bounds(family)) {
-        (Kind::Coordinate, _) => hints::beyond(name, member, family),
-        (Kind::Field, _) => format!(
+    match (origin, bounds(family)) {
+        (Origin::Coordinate, _) => hints::beyond(name, member, family),
+        (Origin::Field, _) => format!(
             "`{written}` is out of range: the array has {} members",
             family.members.len()
         ),

@@ -5,8 +5,8 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::application::MADE_OF;
-use super::{Place, Translator};
-use crate::lower::scope::{Kind, Meaning};
+use super::{ExpressionContext, Translator};
+use crate::lower::scope::{Meaning, Origin};
 use crate::lower::value::Value;
 
 impl Translator<'_> {
@@ -14,7 +14,7 @@ impl Translator<'_> {
         &mut self,
         call: &ExprCall,
         arguments: &[&Expr],
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         let argument = match arguments {
             [argument] => argument,
@@ -25,14 +25,14 @@ impl Translator<'_> {
             }
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
-        let value = self.translate(argument, Place::Observation)?;
+        let value = self.translate(argument, ExpressionContext::Observation)?;
         if self.at_rest {
             let zero = self.graph.zero();
             return Some(value.shape().filled(zero));
         }
         let mut components = value.components().iter();
         let varies = components.any(|component| self.graph.contents(*component).varies());
-        if !varies && value != Value::Nothing && !self.is_named(argument.to_token_stream()) {
+        if !varies && value != Value::EmptySum && !self.is_named(argument.to_token_stream()) {
             return self.reject(
                 argument,
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
@@ -47,9 +47,9 @@ impl Translator<'_> {
             Value::Array(matrix) => {
                 Value::Array(self.graph.matrix_time_derivative(&matrix, self.coordinates))
             }
-            Value::Nothing => Value::Nothing,
+            Value::EmptySum => Value::EmptySum,
         };
-        self.check_derivative(call, &derivative, place)?;
+        self.check_derivative(call, &derivative, context)?;
         Some(derivative)
     }
 
@@ -81,9 +81,9 @@ impl Translator<'_> {
         &mut self,
         call: &ExprCall,
         derivative: &Value,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<()> {
-        if place == Place::Energy && self.has_acceleration(derivative) {
+        if context == ExpressionContext::Energy && self.has_acceleration(derivative) {
             return self.reject(
                 call,
                 "`dot` of what contains velocities contains accelerations, which energies and forces cannot: \
@@ -100,8 +100,8 @@ impl Translator<'_> {
             TokenTree::Ident(name) => matches!(
                 self.scope.resolve(&name),
                 Some(
-                    Meaning::Quantity(Kind::Defined | Kind::Variable, _)
-                        | Meaning::Family(Kind::Defined, _)
+                    Meaning::Quantity(Origin::Defined | Origin::Variable, _)
+                        | Meaning::Family(Origin::Defined, _)
                 )
             ),
             _ => false,

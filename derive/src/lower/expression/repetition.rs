@@ -4,7 +4,7 @@ use lagrangian_symbolic::{Matrix, Rational};
 use proc_macro2::Ident;
 use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
 
-use super::{Place, Translator};
+use super::{ExpressionContext, Translator};
 use crate::limits::MOST_REPETITIONS;
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
@@ -32,13 +32,13 @@ impl Translator<'_> {
         &mut self,
         call: &ExprMethodCall,
         map: &ExprMethodCall,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         if let Some(argument) = call.args.first() {
             let message = format!("write `.{}()`", call.method);
             return self.reject(argument, message);
         }
-        let values = self.mapped(map, place)?;
+        let values = self.mapped(map, context)?;
         if call.method == "collect" {
             return self.collected(call, &values);
         }
@@ -81,7 +81,11 @@ impl Translator<'_> {
     }
 
     /// The values that a closure gives: for each index of a range, or each component of a vector.
-    pub(super) fn mapped(&mut self, map: &ExprMethodCall, place: Place) -> Option<Vec<Value>> {
+    pub(super) fn mapped(
+        &mut self,
+        map: &ExprMethodCall,
+        context: ExpressionContext,
+    ) -> Option<Vec<Value>> {
         let arguments: Vec<Value> = match without_parentheses(&map.receiver) {
             range @ Expr::Range(_) => {
                 let indices = self.indices(range)?;
@@ -89,7 +93,7 @@ impl Translator<'_> {
                     .map(|i| Value::Scalar(self.graph.integer(i)))
                     .collect()
             }
-            receiver => match self.translate(receiver, place)? {
+            receiver => match self.translate(receiver, context)? {
                 Value::Array(array) => {
                     let components = array.elements().iter();
                     components
@@ -105,7 +109,7 @@ impl Translator<'_> {
                 }
             },
         };
-        self.applied(map, arguments, place)
+        self.applied(map, arguments, context)
     }
 
     /// What the closure of `.map(|i| …)` gives for each of some values.
@@ -113,13 +117,13 @@ impl Translator<'_> {
         &mut self,
         map: &ExprMethodCall,
         arguments: Vec<Value>,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Vec<Value>> {
         let (closure, variable) = self.closure(map)?;
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let before = variable.map(|name| (name, self.scope.bind(name, argument)));
-            let value = self.translate(&closure.body, place);
+            let value = self.translate(&closure.body, context);
             if let Some((name, before)) = before {
                 self.scope.release(name, before);
             }
@@ -235,13 +239,13 @@ impl Translator<'_> {
 }
 
 impl Translator<'_> {
-    /// The same values with zeros of the others' shape in place of sums without terms.
+    /// The same values with zeros of the others' shape in context of sums without terms.
     pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
         let zero = self.graph.zero();
-        let like = values.iter().find(|value| **value != Value::Nothing);
+        let like = values.iter().find(|value| **value != Value::EmptySum);
         let nothing = like.map_or(Shape::Scalar, Value::shape).filled(zero);
         let filled = |value| match value {
-            Value::Nothing => nothing.clone(),
+            Value::EmptySum => nothing.clone(),
             other => other,
         };
         values.into_iter().map(filled).collect()
@@ -252,7 +256,7 @@ impl Translator<'_> {
 /// fit those before.
 pub(super) fn stacked(values: &[Value]) -> Result<Matrix, usize> {
     let shape = values.first().map(Value::shape).ok_or(0_usize)?;
-    let fits = |value: &Value| *value != Value::Nothing && value.shape() == shape;
+    let fits = |value: &Value| *value != Value::EmptySum && value.shape() == shape;
     if let Some(odd) = values.iter().position(|value| !fits(value)) {
         return Err(odd);
     }

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
-use super::{Place, Translator};
+use super::{ExpressionContext, Translator};
 use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
@@ -29,18 +29,18 @@ impl Translator<'_> {
         name: &Ident,
         call: &ExprCall,
         arguments: &[&Expr],
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Option<Value>> {
         let written = name.to_string();
         match written.as_str() {
             "angular_velocity" | "angular_velocity_inertial" => {
                 let inertial = written != "angular_velocity";
-                return Some(self.angular_velocity(name, call, arguments, inertial, place));
+                return Some(self.angular_velocity(name, call, arguments, inertial, context));
             }
             _ => {}
         }
         let (wanted, letters) = parts(&written)?;
-        Some(self.sequence(name, call, arguments, wanted, letters, place))
+        Some(self.sequence(name, call, arguments, wanted, letters, context))
     }
 
     fn sequence(
@@ -50,7 +50,7 @@ impl Translator<'_> {
         arguments: &[&Expr],
         wanted: Wanted,
         letters: &str,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         let Some(axes) = axes(letters) else {
             let message = format!(
@@ -68,21 +68,21 @@ impl Translator<'_> {
             return self.reject(call, message);
         }
         // The angles of an angular velocity are differentiated.
-        let place_of_angles = match wanted {
-            Wanted::Rotation => place,
-            _ => Place::Observation,
+        let context_of_angles = match wanted {
+            Wanted::Rotation => context,
+            _ => ExpressionContext::Observation,
         };
         let angles: Vec<_> = arguments
             .iter()
-            .map(|angle| self.scalar(angle, place_of_angles))
+            .map(|angle| self.scalar(angle, context_of_angles))
             .collect();
         let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
         let rotation = self.graph.rotation(&factors);
         match wanted {
             Wanted::Rotation => Some(Value::Array(rotation)),
-            Wanted::AngularVelocity => self.velocity(call, call, &rotation, false, place),
-            Wanted::AngularVelocityInertial => self.velocity(call, call, &rotation, true, place),
+            Wanted::AngularVelocity => self.velocity(call, call, &rotation, false, context),
+            Wanted::AngularVelocityInertial => self.velocity(call, call, &rotation, true, context),
         }
     }
 
@@ -93,17 +93,17 @@ impl Translator<'_> {
         call: &ExprCall,
         arguments: &[&Expr],
         inertial: bool,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         let [argument] = arguments else {
             let message =
                 format!("`{name}` takes one argument, a rotation matrix: write `{name}(r)`");
             return self.reject(call, message);
         };
-        let value = self.translate(argument, Place::Observation)?;
+        let value = self.translate(argument, ExpressionContext::Observation)?;
         match value {
             Value::Array(matrix) if matrix.rows() == 3 && matrix.columns() == 3 => {
-                self.velocity(call, argument, &matrix, inertial, place)
+                self.velocity(call, argument, &matrix, inertial, context)
             }
             other => {
                 let message = format!(
@@ -121,7 +121,7 @@ impl Translator<'_> {
         argument: &dyn ToTokens,
         rotation: &Matrix,
         inertial: bool,
-        place: Place,
+        context: ExpressionContext,
     ) -> Option<Value> {
         let value = Value::Array(rotation.clone());
         self.check_differentiable(call, &value)?;
@@ -153,7 +153,7 @@ impl Translator<'_> {
             }
         };
         let velocity = Value::Array(velocity);
-        self.check_derivative(call, &velocity, place)?;
+        self.check_derivative(call, &velocity, context)?;
         Some(velocity)
     }
 }

@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Level {
+pub(super) enum Precedence {
     Sum,
     Product,
     Sign,
@@ -14,40 +14,40 @@ pub(super) enum Level {
 
 /// The text of a value.
 #[derive(Clone)]
-pub(super) struct Text {
+pub(super) struct Fragment {
     pub(super) tokens: TokenStream,
-    pub(super) level: Level,
+    pub(super) precedence: Precedence,
     /// The factors, if this is a product that may be fused with a sum.
     pub(super) factors: Option<Box<[Self; 2]>>,
 }
 
-impl Text {
+impl Fragment {
     pub(super) fn atom(tokens: impl ToTokens) -> Self {
         Self {
             tokens: tokens.into_token_stream(),
-            level: Level::Atom,
+            precedence: Precedence::Atom,
             factors: None,
         }
     }
 
     /// −x, which is not fused with anything.
-    pub(super) fn opposite(self) -> Self {
+    pub(super) fn negated(self) -> Self {
         Self {
-            level: Level::Sign,
+            precedence: Precedence::Sign,
             factors: None,
-            tokens: self.negative(),
+            tokens: self.negated_tokens(),
         }
     }
 
     /// −x.
-    pub(super) fn negative(self) -> TokenStream {
-        let x = self.at(Level::Atom);
+    pub(super) fn negated_tokens(self) -> TokenStream {
+        let x = self.in_parentheses_below(Precedence::Atom);
         quote!(-#x)
     }
 
-    /// The tokens, in parentheses unless they hold together at `level`.
-    pub(super) fn at(self, level: Level) -> TokenStream {
-        if self.level >= level {
+    /// The tokens, in parentheses unless they hold together at `precedence`.
+    pub(super) fn in_parentheses_below(self, precedence: Precedence) -> TokenStream {
+        if self.precedence >= precedence {
             self.tokens
         } else {
             TokenTree::Group(Group::new(Delimiter::Parenthesis, self.tokens)).into()
@@ -55,17 +55,22 @@ impl Text {
     }
 }
 
-/// `left operator right`, which holds together at `level`.
-pub(super) fn infix(left: Text, operator: char, right: Text, level: Level) -> TokenStream {
-    let mut tokens = left.at(level);
+/// `left operator right`, which holds together at `precedence`.
+pub(super) fn infix(
+    left: Fragment,
+    operator: char,
+    right: Fragment,
+    precedence: Precedence,
+) -> TokenStream {
+    let mut tokens = left.in_parentheses_below(precedence);
     tokens.extend([TokenTree::Punct(Punct::new(operator, Spacing::Alone))]);
-    // The operand on the right keeps its parentheses at the same level: the order of operations is
+    // The operand on the right keeps its parentheses at the same precedence: the order of operations is
     // part of what was scheduled.
-    let tighter = if level == Level::Sum {
-        Level::Product
+    let tighter = if precedence == Precedence::Sum {
+        Precedence::Product
     } else {
-        Level::Sign
+        Precedence::Sign
     };
-    tokens.extend(right.at(tighter));
+    tokens.extend(right.in_parentheses_below(tighter));
     tokens
 }
