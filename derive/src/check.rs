@@ -1,6 +1,6 @@
-//! What can be wrong with a declaration before its expressions are looked at.
+//! Checks of a declaration before its expressions are translated.
 //!
-//! Each check says why it is there by what it reports.
+//! The reason for each check is the message that it reports.
 
 mod fields;
 mod functions;
@@ -110,8 +110,8 @@ fn check_energies(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// What is missing. That is no news while there are other errors: a declaration that is being typed ends
-/// somewhere.
+/// Checks that nothing is missing. It is not reported beside other errors: a declaration that is being typed is
+/// incomplete.
 pub(crate) fn check_whole(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let clauses = &declaration.clauses;
     let name = &declaration.name;

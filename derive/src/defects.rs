@@ -1,4 +1,4 @@
-//! Why there are no equations of motion, where the declaration can be mended.
+//! Errors of the equations of motion, reported where the declaration can be corrected.
 
 use std::collections::BTreeMap;
 
@@ -29,13 +29,13 @@ pub(crate) fn report_undeclared(
     }
 }
 
-/// The clause in which the equations of motion begin.
+/// The first clause of the energies.
 fn energy(declaration: &Declaration) -> Option<&Clause> {
     let clauses = &declaration.clauses;
     clauses.kinetic.first().or(clauses.lagrangian.first())
 }
 
-/// An error of the energies.
+/// Reports an error of the energies.
 pub(crate) fn report_at_energy(
     declaration: &Declaration,
     message: &str,
@@ -62,9 +62,9 @@ pub(crate) fn report(
                 if !missing.is_empty() {
                     let velocities = velocities(coordinate, &missing, lowered);
                     let occur = missing.iter().any(|i| occurs(model, *i));
-                    let spoken = spoken(declaration, &coordinate.name, &velocities);
+                    let mention = mention(declaration, &coordinate.name, &velocities);
                     let message = without_inertia(&velocities, occur);
-                    match spoken.filter(|_| occur) {
+                    match mention.filter(|_| occur) {
                         Some(velocity) => diagnostics.error(velocity, message),
                         None => diagnostics.error(&coordinate.name, message),
                     }
@@ -116,17 +116,17 @@ fn occurs(model: &Model, coordinate: usize) -> bool {
     model.graph.contains(&energies, is_velocity)
 }
 
-/// Where the energies speak of some velocities, or of all coordinates of that name, if they do so in these words.
-fn spoken(declaration: &Declaration, name: &Ident, velocities: &[String]) -> Option<TokenStream> {
+/// The first mention of some velocities in the energies, written like this or as that of all coordinates of the name.
+fn mention(declaration: &Declaration, name: &Ident, velocities: &[String]) -> Option<TokenStream> {
     let whole = format!("dot({name})");
-    let is_meant = |written: &str| written == whole || velocities.iter().any(|one| one == written);
+    let is_wanted = |written: &str| written == whole || velocities.iter().any(|one| one == written);
     let clauses = &declaration.clauses;
     let mut energies = clauses.kinetic.iter().chain(&clauses.lagrangian);
-    energies.find_map(|clause| velocity(clause.expression.to_token_stream(), &is_meant))
+    energies.find_map(|clause| velocity(clause.expression.to_token_stream(), &is_wanted))
 }
 
-/// The first call of `dot` that is meant in an expression.
-fn velocity(tokens: TokenStream, is_meant: &dyn Fn(&str) -> bool) -> Option<TokenStream> {
+/// The first wanted call of `dot` in an expression.
+fn velocity(tokens: TokenStream, is_wanted: &dyn Fn(&str) -> bool) -> Option<TokenStream> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     tokens.iter().enumerate().find_map(|(i, token)| {
         let TokenTree::Group(group) = token else {
@@ -135,15 +135,15 @@ fn velocity(tokens: TokenStream, is_meant: &dyn Fn(&str) -> bool) -> Option<Toke
         let call = i.checked_sub(1).map(|before| &tokens[before..=i]);
         let call: TokenStream = call.into_iter().flatten().cloned().collect();
         let written = call.to_string().replace(' ', "");
-        if is_meant(&written) {
+        if is_wanted(&written) {
             Some(call)
         } else {
-            velocity(group.stream(), is_meant)
+            velocity(group.stream(), is_wanted)
         }
     })
 }
 
-/// For velocities in which the energies are not of second degree.
+/// The message for velocities in which the energies are not quadratic.
 fn without_inertia(velocities: &[String], occur: bool) -> String {
     let all = match velocities {
         [first, _, .., last] => format!("`{first}` to `{last}`"),

@@ -1,4 +1,4 @@
-//! Errors, gathered so that one look shows all of them.
+//! Errors, collected so that all of them are reported together.
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -42,7 +42,7 @@ impl Diagnostics {
     }
 }
 
-/// The name of `names` that was probably meant by `written`, if one is close.
+/// The name among `names` that `written` is probably misspelled for, if one is near.
 pub(crate) fn similar<'a>(
     written: &str,
     names: impl IntoIterator<Item = &'a str>,
@@ -55,7 +55,9 @@ pub(crate) fn similar<'a>(
         .map(|(_, name)| name)
 }
 
-/// How many insertions, deletions, replacements and swaps of neighbours lead from one word to another.
+/// The edit distance of two words: how many insertions, deletions, substitutions and transpositions of adjacent letters
+/// lead from one to the other (Damerau, A technique for computer detection and correction of spelling errors, 1964), in
+/// its restricted form, the optimal string alignment.
 fn distance(from: &str, to: &str) -> usize {
     let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
     let mut table = vec![vec![0; to.len() + 1]; from.len() + 1];

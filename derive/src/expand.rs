@@ -14,7 +14,7 @@ use crate::lower::{Lowered, lower};
 use crate::plan::Methods;
 use crate::syntax::declaration::Declaration;
 
-/// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls in their place.
+/// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls without equations.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
     expand_within(input, MOST_SCOPES)
 }

@@ -25,13 +25,13 @@ use crate::syntax::declaration::Declaration;
 use crate::syntax::named::{Iteration, Named};
 use crate::syntax::shape::Shape;
 
-/// A declaration of which every name is resolved, as far as it is understood.
+/// A declaration with its names resolved, as far as it is free of errors.
 pub(crate) struct Lowered {
-    /// There unless errors were reported or names are unknown.
+    /// Present unless errors were reported or names are unresolved.
     pub(crate) model: Option<Model>,
     pub(crate) scope: Scope,
     pub(crate) quantities: Quantities,
-    /// The shapes of the outputs, in their order; of those not understood, that of a scalar.
+    /// The shapes of the outputs, in their order; of those with errors, that of a scalar.
     pub(crate) outputs: Vec<Shape>,
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let outputs = parts.outputs.iter().map(shape).collect();
     let coordinates = translator.coordinates;
     let mut graph = translator.graph;
-    let model = parts.understood().filter(|_| complete).map(|parts| Model {
+    let model = parts.complete().filter(|_| complete).map(|parts| Model {
         coordinates,
         inputs: count(quantities.inputs.len()),
         energies: parts.energies,
@@ -83,7 +83,7 @@ fn components(graph: &mut Graph, values: &[Value]) -> Vec<Expression> {
     values.iter().flat_map(components).collect()
 }
 
-/// What a declaration says, each part `None` if it has errors.
+/// The parts of a model, each `None` if it has errors.
 struct Parts {
     energies: Option<Energies>,
     dissipation: Option<Expression>,
@@ -91,7 +91,7 @@ struct Parts {
     outputs: Vec<Option<Value>>,
 }
 
-struct Understood {
+struct CompleteParts {
     energies: Energies,
     dissipation: Expression,
     forces: Vec<Expression>,
@@ -99,8 +99,8 @@ struct Understood {
 }
 
 impl Parts {
-    fn understood(self) -> Option<Understood> {
-        Some(Understood {
+    fn complete(self) -> Option<CompleteParts> {
+        Some(CompleteParts {
             energies: self.energies?,
             dissipation: self.dissipation?,
             forces: self.forces?,
@@ -215,7 +215,7 @@ impl Translator<'_> {
         self.reject(&definition.indices[0], message)
     }
 
-    /// A variable that is called like what is defined, or acted on, for each of its values hides it.
+    /// Rejects a variable that shadows the name whose members it enumerates.
     fn check_not_bound(&mut self, name: &Ident, iterations: &[Iteration]) -> Option<()> {
         let hiding = iterations.iter().find(|iteration| iteration.index == *name);
         match hiding {
@@ -229,7 +229,7 @@ impl Translator<'_> {
         }
     }
 
-    /// The indices of a member of a family, as they stand behind its name.
+    /// The indices of a member of a family, as they follow its name.
     pub(super) fn member(&mut self, indices: &[Expr]) -> Option<Vec<usize>> {
         let indices = indices.iter().map(|written| {
             let index = self.integer(written)?;

@@ -1,4 +1,4 @@
-//! The user's words: what a declaration consists of, and how it is read.
+//! The syntax of declarations: what they consist of, and how they are parsed.
 
 pub(crate) mod declaration;
 pub(crate) mod clauses;

@@ -1,4 +1,4 @@
-//! What can be wrong with the types of fields and of coordinates.
+//! Checks of the types of fields and of coordinates.
 
 use crate::diagnostics::Diagnostics;
 use crate::limits::MOST_COMPONENTS;

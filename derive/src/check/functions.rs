@@ -1,4 +1,4 @@
-//! What can be wrong with the names of external functions, of their arguments, and with their derivatives.
+//! Checks of the names of external functions, of their arguments, and of their derivatives.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use crate::syntax::field::Role;
 use crate::syntax::function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::names::{RESERVED, unraw};
 
-/// Checks the names of functions and of their arguments, and what their derivatives are by.
+/// Checks the names of functions and of their arguments, and by which arguments they are differentiated.
 pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut taken = quantities(declaration);
     for function in &declaration.clauses.functions {
@@ -34,8 +34,8 @@ pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The names that stand for quantities. A skipped field may be called as the function that reads it, and
-/// an output as what it shows.
+/// The names of quantities. A skipped field may be called like the function that reads it, and an output like
+/// what it shows.
 fn quantities(declaration: &Declaration) -> BTreeMap<String, &'static str> {
     let clauses = &declaration.clauses;
     let fields = declaration.fields.iter();

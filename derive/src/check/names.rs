@@ -1,4 +1,4 @@
-//! What can be wrong with the names of fields, coordinates and definitions.
+//! Checks of the names of fields, coordinates and definitions.
 
 use std::collections::{BTreeMap, BTreeSet};
 

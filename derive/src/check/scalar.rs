@@ -1,4 +1,4 @@
-//! What can be wrong with the scalar of a model.
+//! Checks of the scalar of a model.
 
 use proc_macro2::Ident;
 

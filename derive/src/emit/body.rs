@@ -1,7 +1,7 @@
 //! From a straight-line program to the statements of a method.
 //!
-//! Each value that is used more than once, or that the declaration names, is a variable; the others stand
-//! where they are used, as a person would write them, though never nested deeply.
+//! Each value that is used more than once, or that the declaration names, is a variable; the others are inlined
+//! where they are used, up to a depth of nesting.
 
 mod variables;
 mod block;

@@ -1,4 +1,4 @@
-//! What is known of a model before any number is, as constants of its type.
+//! What is known of a model at compile time, as constants of its type.
 
 use lagrangian_symbolic::OperationCount;
 use proc_macro2::{Literal, TokenStream};
@@ -12,7 +12,7 @@ use crate::syntax::names::{constant_name, hygienic_ident};
 use crate::syntax::root::Root;
 
 impl Emitter<'_> {
-    /// What is known of the model before any number is, as constants of its type.
+    /// What is known of the model at compile time, as constants of its type.
     pub(super) fn constants(&self) -> TokenStream {
         let root = &self.declaration.root;
         let name = &self.declaration.name;

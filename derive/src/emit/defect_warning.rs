@@ -8,8 +8,8 @@ use quote::{format_ident, quote_spanned};
 
 use crate::syntax::declaration::Declaration;
 
-/// Tells in a debug build of the macro that methods had to be replaced: the use of something deprecated, since
-/// macros on stable Rust have no warnings of their own.
+/// Warns in a debug build of the macro that methods had to be replaced: by the use of something deprecated, since
+/// macros on stable Rust cannot emit warnings.
 pub(crate) fn warning(
     disagreements: &BTreeSet<symbolic::Method>,
     declaration: &Declaration,

@@ -1,4 +1,4 @@
-//! What the emitted impl says of itself: the equations as they were derived.
+//! The documentation of the emitted impl: the equations as they were derived, and the operation counts.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -30,7 +30,7 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
             sines_and_cosines,
             functions,
         } = method.count;
-        // Writing to a string cannot fail.
+        // Writing to a `String` does not fail.
         let _ = writeln!(
             text,
             "| `{name}` | {additions} | {multiplications} | {divisions} | {square_roots} | \
@@ -97,7 +97,7 @@ impl<'a> Page<'a> {
         let formula = graph
             .display_in(expression, &self.letters)
             .limit(LONGEST_FORMULA);
-        // Writing to a string cannot fail.
+        // Writing to a `String` does not fail.
         let _ = writeln!(self.text, "{name} = {formula}");
     }
 

@@ -1,9 +1,9 @@
-//! Where the declaration speaks of fields, coordinates, functions and definitions, for editors.
+//! Support for editors: every mention of fields, coordinates, functions and definitions.
 //!
-//! An editor knows what a word in an attribute means if the word, with its place, stands in the emitted
-//! code where the compiler resolves it. The impls read each field once; here every mention stands, in a
-//! method that nobody calls: of a field as the field, of a coordinate as the constant that holds its
-//! index, of a definition or a function as a variable, and of a function's arguments as those of a closure.
+//! An editor resolves a word in an attribute if the word, with its span, occurs in the emitted code. The impls
+//! read each field once; here every mention is repeated, in a method that nobody calls: a field as the field, a
+//! coordinate as the constant that holds its index, a definition or a function as a variable, and a function's
+//! arguments as those of a closure.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 /// The method with all mentions.
 pub(crate) fn method(declaration: &Declaration) -> TokenStream {
     let clauses = &declaration.clauses;
-    let mut names = Names::of(declaration);
+    let mut names = KnownNames::of(declaration);
     let functions = clauses.functions.iter().map(|function| &function.name);
     let definitions = clauses.definitions.iter();
     let definitions = definitions.map(|definition| &definition.name);
@@ -32,7 +32,7 @@ pub(crate) fn method(declaration: &Declaration) -> TokenStream {
         })
         .collect();
     let mut mentions = TokenStream::new();
-    for tokens in spoken(clauses) {
+    for tokens in expressions(clauses) {
         names.mention(tokens, &mut mentions);
     }
     for function in &clauses.functions {
@@ -48,7 +48,7 @@ pub(crate) fn method(declaration: &Declaration) -> TokenStream {
 }
 
 /// All expressions of the declaration, and the names on which forces act.
-fn spoken(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
+fn expressions(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
     let energies = [
         &clauses.kinetic,
         &clauses.potential,
@@ -72,7 +72,7 @@ fn spoken(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
 }
 
 /// The names that are mentioned.
-struct Names {
+struct KnownNames {
     fields: BTreeSet<String>,
     coordinates: BTreeSet<String>,
     functions: BTreeSet<String>,
@@ -81,7 +81,7 @@ struct Names {
     once: BTreeSet<String>,
 }
 
-impl Names {
+impl KnownNames {
     fn of(declaration: &Declaration) -> Self {
         let Clauses {
             coordinates,
@@ -149,10 +149,10 @@ impl Names {
         quote!(|#(#arguments: ()),*| (#(#arguments,)* #mentions),)
     }
 
-    /// Adds what `tokens` mention. A word behind a point or before parentheses is a function's.
+    /// Adds what `tokens` mention. A word after a dot or before parentheses is that of a function.
     fn mention(&self, tokens: TokenStream, mentions: &mut TokenStream) {
         let mut tokens = tokens.into_iter().peekable();
-        let mut behind_a_point = false;
+        let mut after_a_dot = false;
         while let Some(token) = tokens.next() {
             let called = matches!(
                 tokens.peek(),
@@ -163,19 +163,19 @@ impl Names {
                     let variable = hygienic_ident(&unraw(name), name);
                     mentions.extend(quote!(#variable,));
                 }
-                TokenTree::Ident(name) if !(behind_a_point || called) => {
+                TokenTree::Ident(name) if !(after_a_dot || called) => {
                     mentions.extend(self.named(name));
                 }
                 TokenTree::Group(group) => self.mention(group.stream(), mentions),
                 _ => {}
             }
-            // Two points are a range.
-            let point = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.');
-            behind_a_point = point && !behind_a_point;
+            // Two dots are a range.
+            let dot = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.');
+            after_a_dot = dot && !after_a_dot;
         }
     }
 
-    /// What speaks of what a name stands for, if it stands for something.
+    /// A mention of what a name refers to, if it refers to something.
     fn named(&self, name: &Ident) -> Option<TokenStream> {
         let written = unraw(name);
         if self.fields.contains(&written) {

@@ -1,4 +1,4 @@
-//! What the emitted text depends on, and what all parts of it need.
+//! What the emitted code depends on, and what all parts of it share.
 
 use lagrangian_symbolic::{Equations, Model};
 use proc_macro2::TokenStream;
@@ -11,7 +11,7 @@ use crate::plan::{EmittedMethod, Methods};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
-/// Everything about one model that the emitted text depends on.
+/// Everything about one model that the emitted code depends on.
 pub(crate) struct Emitter<'a> {
     pub(crate) declaration: &'a Declaration,
     pub(crate) lowered: &'a Lowered,

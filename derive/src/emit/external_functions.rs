@@ -111,7 +111,7 @@ impl Emitter<'_> {
     }
 }
 
-/// A method for the value of each function: the user's words, with the user's names for the arguments.
+/// A method for the value of each function: the user's expression, with the user's names for the arguments.
 pub(crate) fn values(declaration: &Declaration, scalar: &Scalar<'_>) -> TokenStream {
     // The compiler's errors call it by this name.
     let any = Ident::new("AnyScalar", Span::mixed_site());
@@ -122,7 +122,7 @@ pub(crate) fn values(declaration: &Declaration, scalar: &Scalar<'_>) -> TokenStr
     };
     let mut once = BTreeSet::new();
     let declared = declaration.clauses.functions.iter();
-    // Where two have one name, that has been said.
+    // Where two have one name, that has been reported.
     let declared = declared.filter(|function| once.insert(unraw(&function.name)));
     let values = declared
         .filter(|function| are_distinct(&function.arguments))
@@ -146,8 +146,8 @@ fn are_distinct(names: &[Ident]) -> bool {
     distinct.len() == names.len()
 }
 
-/// The parameter `self` as the value speaks of it: where a macro has written the value, `self` is not what it
-/// is elsewhere.
+/// The parameter `self` with the hygiene of the value: in a value that a macro has expanded to, `self` differs from
+/// that elsewhere.
 fn receiver(value: &Expr) -> Ident {
     fn find(tokens: TokenStream) -> Option<Ident> {
         tokens.into_iter().find_map(|token| match token {
@@ -190,7 +190,7 @@ pub(crate) fn signatures(declaration: &Declaration) -> TokenStream {
     quote!(const FUNCTIONS: &'static [#root::Signature] = &[#(#signatures),*];)
 }
 
-/// Variables for the arguments of a function, which meet none of the user's.
+/// Variables for the arguments of a function, hygienic.
 fn arguments(function: &FunctionDeclaration) -> Vec<Ident> {
     let names = (0..function.arguments.len()).map(|i| format_ident!("x{i}"));
     names

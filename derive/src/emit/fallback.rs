@@ -1,8 +1,7 @@
-//! What is emitted beside errors.
+//! Impls without equations, emitted beside errors.
 //!
-//! An impl still stands, so that code which uses the model shows no errors of its own. Names that stand
-//! for nothing are accessed as fields here, for rust-analyzer alone: it completes what is half typed by the
-//! names of the fields.
+//! Code that uses the model then shows no errors of its own. Unresolved names are accessed as fields here, for
+//! rust-analyzer alone, which completes them to the names of fields.
 
 use core::ops::Range;
 use std::collections::BTreeSet;
@@ -51,7 +50,7 @@ struct Fallback<'a> {
     /// then states of any dimension fit.
     dimension: TokenStream,
     dimension_parameter: Option<TokenStream>,
-    /// Names that stand for nothing, which an editor may complete to those of fields.
+    /// Unresolved names, which an editor may complete to those of fields.
     unknown: Vec<&'a Ident>,
     scalar: Scalar<'a>,
 }

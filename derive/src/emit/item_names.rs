@@ -13,7 +13,7 @@ pub(super) fn outputs_name(declaration: &Declaration) -> Ident {
     hygienic_ident(&format!("{}Outputs", unraw(name)), name)
 }
 
-/// The method that computes the value of a function, which meets none of the user's.
+/// The method that computes the value of a function, hygienic.
 pub(super) fn value_name(function: &FunctionDeclaration) -> Ident {
     let name = unraw(&function.name);
     Ident::new(&format!("__value_of_{name}"), hygienic_span(&function.name))

@@ -108,8 +108,7 @@ impl<'a> Locals<'a> {
         self.free(name)
     }
 
-    /// `name`, or the next free one after it. A local variable never meets a variable of the user's: its
-    /// span has the hygiene of the macro. A constant or a unit struct of the same name would make a
+    /// `name`, or the next free one after it. A local variable is hygienic: it never meets a variable of the user's. A constant or a unit struct of the same name would make a
     /// pattern of it, and those are written in capitals.
     fn unique(&mut self, name: String) -> Ident {
         let mut name = if name.is_ascii() {

@@ -99,7 +99,7 @@ impl Emitter<'_> {
         (inputs == InputsFrom::Argument).then(|| quote!(inputs: &#ty,))
     }
 
-    /// What depends on the parameters alone.
+    /// The function that computes the hoisted invariants.
     fn prepare(&self, row: MethodRow, method: &Method) -> TokenStream {
         let signatures = self.signatures();
         let output = signatures.result(row.result);
@@ -112,7 +112,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The function that prepares, and then calls the one that takes what is prepared.
+    /// The function that computes the invariants, and then calls the one that takes them.
     fn both_stages(&self, variant: Variant, inputs: InputsFrom) -> TokenStream {
         let signatures = self.signatures();
         let (name, state) = (method_name(variant, inputs), signatures.state());

@@ -1,4 +1,4 @@
-//! Where the emitted code finds the values of symbols.
+//! Where the emitted code reads the values of symbols.
 
 use lagrangian_symbolic::Symbol;
 use proc_macro2::{Literal, TokenStream};

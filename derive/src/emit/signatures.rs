@@ -24,7 +24,7 @@ pub(crate) struct Signatures<'a> {
     pub(crate) dimension: TokenStream,
     /// How many inputs there are.
     pub(crate) inputs: usize,
-    /// The type of what depends on the parameters alone.
+    /// The type of the hoisted invariants.
     pub(crate) prepared: TokenStream,
 }
 

@@ -1,4 +1,4 @@
-//! The bodies of methods, each in the shape that it returns.
+//! The bodies of methods: the statements of their programs, and the values that they return.
 
 use lagrangian_symbolic::{Operand, Rational, Symbol};
 use proc_macro2::{Ident, TokenStream};

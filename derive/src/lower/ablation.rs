@@ -1,4 +1,4 @@
-//! Which passes are applied: all, but for the benchmark's ablation.
+//! Which passes are applied: all, except in the ablation study of the benchmark.
 //!
 //! With the feature `ablation` the environment variable `LAGRANGIAN_WITHOUT`, read when a model is expanded,
 //! names the passes to switch off, separated by commas. Without the feature nothing is read, so that what

@@ -1,9 +1,9 @@
-//! What is left of definitions while nothing moves: the same declaration with all time derivatives zero.
+//! The definitions of a declaration at rest: with all time derivatives zero.
 //!
-//! Of a velocity nothing is left that depends on the coordinates: what a frame in motion adds to it comes from
-//! a time derivative, too, or is a product ω × r as in (1.4), which is zero with them. Of the sum of a position
-//! and a velocity, the position is. The two differ in how they are written, not in what they are: hence the
-//! definitions are read once more, in a graph of their own.
+//! At rest a velocity does not depend on the coordinates: the velocity of a moving frame is a time derivative,
+//! too, or a product ω × r as in (1.4), which vanishes with them. The sum of a position and a velocity leaves the
+//! position. As expressions of q and q̇ the two do not differ: hence the definitions are translated once more, in
+//! a graph of their own.
 
 use core::mem;
 
@@ -14,14 +14,14 @@ use crate::lower::expression::Translator;
 use crate::lower::scope::{Meaning, Scope};
 use crate::syntax::declaration::Declaration;
 
-/// The definitions of a declaration while nothing moves.
+/// The definitions of a declaration at rest.
 pub(super) struct AtRest {
     graph: Graph,
     scope: Scope,
 }
 
 impl AtRest {
-    /// Reads the definitions, of which all have been understood before.
+    /// Translates the definitions, all of which are free of errors.
     pub(super) fn new(translator: &mut Translator<'_>, declaration: &Declaration) -> Self {
         let mut graph = Graph::new();
         let scope = Scope::new(declaration, &mut graph);
@@ -47,7 +47,7 @@ impl AtRest {
         mem::swap(&mut self.scope, &mut translator.scope);
     }
 
-    /// Whether a component of what is defined depends on coordinates while nothing moves, as far as is known.
+    /// Whether a component of what is defined depends on coordinates at rest, as far as is known.
     pub(super) fn depends_on_position(
         &mut self,
         name: &Ident,

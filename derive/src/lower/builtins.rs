@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{Binary, Unary};
 
-/// What is computed with vectors and matrices, by name; `dot` as a method alone.
+/// Functions of vectors and matrices; `dot` is one as a method alone.
 const OF_ARRAYS: [&str; 18] = [
     "cross",
     "norm",
@@ -24,7 +24,7 @@ const OF_ARRAYS: [&str; 18] = [
     "identity",
 ];
 
-/// How many arguments a function takes, if it is one of those here.
+/// The arity of a function of vectors and matrices, if it is one.
 pub(super) fn arity_of_arrays(name: &str) -> Option<usize> {
     match name {
         "dot" | "cross" | "outer" | "component_mul" | "row" | "column" => Some(2),

@@ -1,8 +1,8 @@
 //! From Rust expressions to the expression graph.
 //!
 //! Comes in: `syn` expressions with their spans. Goes out: values made of handles of the graph, or
-//! errors at the tokens that are not understood. Long sums and products are loops; only nesting
-//! recurses, which the compiler's own parser bounds.
+//! errors at the tokens that are not supported. Long sums and products are loops; only nesting
+//! recurses, and the compiler's own parser bounds its depth.
 
 mod application;
 mod array;
@@ -26,7 +26,7 @@ use crate::lower::scope::{Meaning, Origin, Scope};
 use crate::lower::value::Value;
 use crate::syntax::names::{to_source, unraw};
 
-/// Where an expression stands, which decides what it may contain.
+/// The context of an expression, which decides what it may contain.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ExpressionContext {
     /// Energies, dissipation and forces: functions of q, q̇, t, parameters and inputs.
@@ -41,13 +41,13 @@ pub(crate) struct Translator<'a> {
     pub(crate) scope: Scope,
     pub(crate) coordinates: u32,
     pub(crate) diagnostics: &'a mut Diagnostics,
-    /// How often something was repeated so far, over all ranges.
+    /// The number of unrolled iterations so far, over all ranges.
     pub(crate) repetitions: usize,
-    /// Whether an index is looked at, where an unknown name is a variable that nobody has bound.
+    /// Whether an index is translated: there an unknown name is an unbound variable.
     pub(crate) within_index: bool,
-    /// Whether the derivative of a function is looked at, which knows neither coordinates nor the time.
+    /// Whether the derivative of a function is translated, which contains neither coordinates nor the time.
     pub(crate) within_derivative: bool,
-    /// Whether nothing moves, so that all time derivatives are zero.
+    /// Whether the system is at rest, so that all time derivatives are zero.
     pub(crate) at_rest: bool,
 }
 
@@ -181,7 +181,7 @@ impl Translator<'_> {
         }
     }
 
-    /// Energies do not contain accelerations; a definition that does is for observers.
+    /// Energies do not contain accelerations; a definition that does is for outputs only.
     fn check_accelerations(
         &mut self,
         name: &Ident,
@@ -202,7 +202,7 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// A name that stands for nothing that can be used here.
+    /// An unresolved name that can be used here.
     fn refuse<T>(&mut self, name: &Ident, meaning: &Meaning) -> Option<T> {
         let message = match meaning {
             Meaning::Later => {
@@ -220,7 +220,7 @@ impl Translator<'_> {
         self.reject(name, message)
     }
 
-    /// A name that stands for nothing.
+    /// An unresolved name.
     fn unknown<T>(&mut self, name: &Ident) -> Option<T> {
         if !self.scope.complete {
             return None;
@@ -291,7 +291,7 @@ impl Translator<'_> {
     }
 }
 
-/// Whether a word is one of those that only paths begin with, which no field can be called.
+/// Whether an identifier is a keyword with which only paths begin.
 fn leads_a_path(name: &Ident) -> bool {
     ["self", "Self", "super", "crate"]
         .iter()

@@ -1,9 +1,9 @@
-//! Generalized forces: those that act on coordinates, and those that act on what coordinates move.
+//! Generalized forces: on coordinates, and on positions and velocities that depend on them.
 //!
-//! A force F on a position p(q, t) does the work F·δp, so that Qᵢ = F·∂p/∂qᵢ; a torque on an angle that is
-//! made of coordinates likewise. A force on a velocity w = A(q, t) q̇ + b(q, t), such as the angular velocity in
-//! the axes of a body, has the power F·w, of which F·b is that of what drives the frame, and Q = Aᵀ F: the
-//! principle of virtual power (Jourdain, 1909). What contains a velocity anywhere is a velocity as a whole.
+//! A force F on a position p(q, t) does the virtual work F·δp, so that Qᵢ = F·∂p/∂qᵢ; a torque on an angle
+//! likewise. A force on a velocity w = A(q, t) q̇ + b(q, t), such as the angular velocity in body axes, has the
+//! power F·w, of which F·b is the power of the prescribed motion, and Q = Aᵀ F: the principle of virtual power
+//! (Jourdain, 1909). A vector or family with a velocity in any component is a velocity as a whole.
 
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
@@ -20,14 +20,14 @@ use crate::syntax::shape::Shape;
 enum Target {
     /// The coordinates with these indices, which are those of one scalar or vector.
     Coordinates(Vec<usize>, Shape),
-    /// What is defined as a function of coordinates, or of velocities.
+    /// A definition: a position or a velocity.
     Defined(DefinedTarget),
 }
 
-/// What is defined as a function of coordinates, or of velocities.
+/// A position or a velocity on which a force acts.
 struct DefinedTarget {
     value: Value,
-    /// The indices by which a family tells it apart.
+    /// The indices by which a family distinguishes it.
     member: Vec<usize>,
     is_velocity: bool,
 }
@@ -36,7 +36,7 @@ struct DefinedTarget {
 struct GeneralizedForces<'a> {
     declaration: &'a Declaration,
     forces: Vec<Expression>,
-    /// What is defined, while nothing moves; read when it is asked for.
+    /// The definitions at rest, translated on demand.
     at_rest: Option<AtRest>,
 }
 
@@ -80,7 +80,7 @@ impl Translator<'_> {
         let value = self.translate(&force.expression, ExpressionContext::Energy);
         match target? {
             Target::Coordinates(indices, shape) => {
-                let components = self.generalized(force, value?, shape)?;
+                let components = self.force_on_coordinates(force, value?, shape)?;
                 for (i, component) in indices.into_iter().zip(components) {
                     if core::mem::replace(taken.get_mut(i)?, true) {
                         return self.reject(
@@ -93,7 +93,7 @@ impl Translator<'_> {
                 }
             }
             Target::Defined(target) => {
-                let work = self.virtual_work(force, &value?, &target, totals)?;
+                let work = self.generalized_force(force, &value?, &target, totals)?;
                 for (total, work) in totals.forces.iter_mut().zip(work) {
                     *total = self.graph.add(*total, work);
                 }
@@ -103,7 +103,7 @@ impl Translator<'_> {
     }
 
     /// The components of a force on a scalar or vector of coordinates.
-    fn generalized(
+    fn force_on_coordinates(
         &mut self,
         force: &Named,
         value: Value,
@@ -135,7 +135,7 @@ impl Translator<'_> {
     }
 
     /// F·∂p/∂qᵢ for each coordinate, or F·∂w/∂q̇ᵢ.
-    fn virtual_work(
+    fn generalized_force(
         &mut self,
         force: &Named,
         value: &Value,
@@ -174,8 +174,8 @@ impl Translator<'_> {
         columns.into_iter().flatten().collect()
     }
 
-    /// A velocity is of first degree in q̇, and what it contains beside q̇ comes from time derivatives, too: else
-    /// it may be a position to which a velocity is added.
+    /// Checks that a velocity is linear in q̇, and that nothing else in it depends on coordinates at rest: else it may
+    /// be the sum of a position and a velocity.
     fn check_velocity(
         &mut self,
         force: &Named,
@@ -203,7 +203,7 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// What a force acts on; that there is a coordinate or a definition of this name has been checked.
+    /// Resolves what a force acts on; that there is a coordinate or a definition of this name has been checked.
     fn target(&mut self, force: &Named) -> Option<Target> {
         let name = &force.name;
         match (self.scope.resolve(name)?, force.indices.as_slice()) {
@@ -220,7 +220,7 @@ impl Translator<'_> {
             }
             (Meaning::Quantity(origin, value), []) => {
                 let is_velocity = self.has_velocity(&value);
-                self.moved(force, origin, value, Vec::new(), is_velocity)
+                self.defined_target(force, origin, value, Vec::new(), is_velocity)
             }
             (Meaning::Family(origin, family), indices) if indices.len() >= family.rank => {
                 let (outer, inner) = indices.split_at(family.rank);
@@ -237,7 +237,7 @@ impl Translator<'_> {
                     [] => {
                         let mut members = family.members.values();
                         let is_velocity = members.any(|member| self.has_velocity(member));
-                        self.moved(force, origin, value, member, is_velocity)
+                        self.defined_target(force, origin, value, member, is_velocity)
                     }
                     _ => self.reject_family(force, &family),
                 }
@@ -276,8 +276,8 @@ impl Translator<'_> {
         components.any(|component| self.graph.contents(*component).has_velocity())
     }
 
-    /// What a force can act on beside a coordinate.
-    fn moved(
+    /// A position or a velocity, where a force can act on it.
+    fn defined_target(
         &mut self,
         force: &Named,
         origin: Origin,

@@ -1,4 +1,4 @@
-//! What to write instead of what is not understood.
+//! Error messages that say what to write instead.
 
 use core::fmt::Display;
 use core::iter;
@@ -12,7 +12,7 @@ use crate::limits::MOST_NAMES;
 use crate::lower::scope::Family;
 use crate::syntax::shape::Shape;
 
-/// For expressions that no part of the declaration language looks like.
+/// For expressions that are not part of the declaration language.
 pub(crate) fn syntax(expression: &Expr) -> &'static str {
     match expression {
         Expr::If(_) | Expr::Match(_) => {
@@ -62,7 +62,7 @@ pub(crate) fn operator(operator: &BinOp) -> Option<&'static str> {
     }
 }
 
-/// For operands of shapes that do not fit.
+/// For operands of incompatible shapes.
 pub(crate) fn shapes(operator: &BinOp, left: Shape, right: Shape) -> String {
     let is_vector = |shape| matches!(shape, Shape::Array { columns: 1, .. });
     let (sign, hint) = match operator {
@@ -96,7 +96,7 @@ pub(crate) fn rows(first: Shape, odd: Shape) -> String {
     )
 }
 
-/// For a name that stands for nothing where an integer belongs.
+/// For an unresolved name where an integer is expected.
 pub(crate) fn no_integer(name: &Ident) -> String {
     if is_constant(name) {
         return format!(
@@ -110,14 +110,14 @@ pub(crate) fn no_integer(name: &Ident) -> String {
     )
 }
 
-/// Whether a name is written as those of constants are.
+/// Whether a name is written like that of a constant.
 fn is_constant(name: &Ident) -> bool {
     let written = name.to_string();
     let mut letters = written.chars();
     letters.all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
 }
 
-/// For a name that stands for nothing, beside those of quantities.
+/// For an unresolved name, beside those of quantities.
 pub(crate) fn unknown(name: &Ident, known: &[&str]) -> String {
     if is_constant(name) {
         return format!(
@@ -141,7 +141,7 @@ pub(crate) fn member(name: &Ident, indices: &[impl Display]) -> String {
     [name.to_string()].into_iter().chain(indices).collect()
 }
 
-/// What stands for all members of a family, as in `theta[i] = … for i in 0..5`.
+/// How all members of a family are written, as in `theta[i] = … for i in 0..5`.
 pub(crate) fn every_member(name: &Ident, family: &Family) -> String {
     let variables: Vec<&str> = ["i", "j", "k"]
         .into_iter()
@@ -187,7 +187,7 @@ pub(crate) fn position_and_velocity(name: &Ident) -> String {
     )
 }
 
-/// For what is called without being a name.
+/// For a call of what is not a name.
 pub(crate) fn callee(function: &Expr) -> &'static str {
     match function {
         Expr::Paren(inner) => callee(&inner.expr),
@@ -250,7 +250,7 @@ pub(crate) fn example(name: &str, arguments: usize) -> String {
     }
 }
 
-/// For a function that there is not.
+/// For an unknown function.
 pub(crate) fn function(name: &str) -> String {
     let hint = match name {
         "pow" => "write `x.powi(2)` or `x.powf(1.5)`",

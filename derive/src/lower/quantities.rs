@@ -1,4 +1,4 @@
-//! The quantities that have values of their own, component by component: each is one symbol.
+//! Coordinates, parameters and inputs, component by component: each component is one symbol.
 
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -25,17 +25,17 @@ pub(crate) struct Quantities {
 pub(crate) struct Component {
     pub(crate) field: Ident,
     pub(crate) label: Label,
-    /// What stands behind the field to read the component.
+    /// The tokens that follow the field to read the component.
     access: TokenStream,
     /// The type of the component.
     pub(crate) element: Type,
-    /// What the declaration says that the field's type is, where it says so.
+    /// The declared type of the field, where it is declared by `type = …`.
     declared_type: Option<Type>,
 }
 
 impl Component {
-    /// The components of a field, member by member and column by column; none where its type is none that a
-    /// parameter can have.
+    /// The components of a field, member by member and column by column; none where its type is
+    /// unsupported.
     fn of(field: &Field) -> Vec<Self> {
         let Ok(field_type) = field.field_type() else {
             return Vec::new();
@@ -62,7 +62,7 @@ impl Component {
         components
     }
 
-    /// The expression that reads the component, with the name of the field where it is spoken of.
+    /// The expression that reads the component, with the name of the field where it is mentioned.
     pub(crate) fn read(&self, field: &Ident) -> TokenStream {
         let access = &self.access;
         let Some(declared_type) = &self.declared_type else {
@@ -92,7 +92,7 @@ impl Quantities {
         }
     }
 
-    /// What a symbol is called in the emitted code.
+    /// The name of a symbol in the emitted code.
     pub(crate) fn variable(&self, symbol: Symbol) -> String {
         let coordinate = |i: u32, suffix: &str| {
             let name = self.coordinates.get(i as usize).map(Label::variable);
@@ -115,7 +115,7 @@ impl Quantities {
     }
 }
 
-/// The symbols of one kind, given out in order.
+/// Allocates the symbols of one kind, in order.
 pub(crate) struct Symbols {
     kind: fn(u32) -> Symbol,
     next: u32,

@@ -1,4 +1,4 @@
-//! The names of a declaration and what they stand for.
+//! Name resolution: the names of a declaration, and what they refer to.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -16,20 +16,20 @@ use crate::syntax::names::{to_source, unraw};
 use crate::syntax::scalar::is_number;
 use crate::syntax::shape::Shape;
 
-/// What a name stands for.
+/// What a name refers to.
 #[derive(Clone)]
 pub(crate) enum Meaning {
     /// A quantity.
     Quantity(Origin, Value),
-    /// Several quantities, told apart by indices.
+    /// Several quantities, distinguished by indices.
     Family(Origin, Rc<Family>),
     /// A quantity from `define` further down.
     Later,
-    /// What has an error that was reported where it stands.
+    /// Poisoned: an error in its declaration has been reported.
     Poisoned,
     /// A field that is marked `skip`.
     Skipped,
-    /// A quantity from `output`, which only observers use.
+    /// A quantity from `output`, which no expression refers to.
     Output,
 }
 
@@ -44,33 +44,33 @@ pub(crate) enum Origin {
     Field,
     /// `define`.
     Defined,
-    /// A sum or another repetition, whose variable it is.
+    /// The variable of an iteration.
     Variable,
 }
 
-/// Quantities that are told apart by indices.
+/// Quantities that are distinguished by indices.
 #[derive(Clone)]
 pub(crate) struct Family {
-    /// How many indices tell them apart.
+    /// How many indices distinguish them.
     pub(crate) rank: usize,
     pub(crate) members: BTreeMap<Vec<usize>, Value>,
 }
 
-/// Names in their order of declaration, with what they stand for.
+/// The names of a declaration, with what they refer to.
 pub(crate) struct Scope {
     meanings: BTreeMap<String, Meaning>,
     /// The external functions.
     functions: BTreeMap<String, Function>,
-    /// Where a field is first spoken of: the emitted code accesses it with that span.
+    /// Where a field is first mentioned: the emitted code accesses it with that span.
     uses: BTreeMap<String, Ident>,
-    /// Names that stand for nothing, wherever they were written.
+    /// Unresolved names, wherever they were written.
     unknown: Vec<Ident>,
-    /// Whether all names of the declaration are here. They are not where coordinates or definitions
-    /// could not be read, or where one of them is written for another.
+    /// Whether all names of the declaration are here. They are not where coordinates or definitions could not be
+    /// parsed, or where two coordinates have one name.
     pub(crate) complete: bool,
     /// Whether all external functions are here.
     pub(crate) functions_complete: bool,
-    /// Whether there are fields with names, for one of which an unknown name may be meant.
+    /// Whether the fields have names, one of which an unresolved name may be misspelled for.
     names_fields: bool,
 }
 
@@ -99,7 +99,7 @@ impl Scope {
         }
     }
 
-    /// What `name` stands for, if anything.
+    /// What `name` refers to, if anything.
     pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Meaning> {
         let written = unraw(name);
         let meaning = self.meanings.get(&written)?.clone();
@@ -136,7 +136,7 @@ impl Scope {
         }
     }
 
-    /// How many indices tell the members of a family of definitions apart, if there are any yet.
+    /// How many indices distinguish the members of a family of definitions, if there are any yet.
     pub(crate) fn rank_of_definition(&self, name: &Ident) -> Option<usize> {
         match self.meanings.get(&unraw(name))? {
             Meaning::Family(Origin::Defined, family) => Some(family.rank),
@@ -144,7 +144,7 @@ impl Scope {
         }
     }
 
-    /// Says no more of a family of definitions with an error in one of them.
+    /// Poisons a family of definitions with an error in one of them.
     pub(crate) fn silence_definition(&mut self, name: &Ident) {
         if let Some(meaning @ (Meaning::Later | Meaning::Family(Origin::Defined, _))) =
             self.meanings.get_mut(&unraw(name))
@@ -168,7 +168,7 @@ impl Scope {
         similar(&unraw(name), self.functions.keys().map(String::as_str))
     }
 
-    /// Lets a name stand for something until [`release`](Self::release) gives it back what it stood for.
+    /// Binds a name, which shadows what it referred to until [`release`](Self::release).
     pub(crate) fn bind(&mut self, name: &Ident, value: Value) -> Option<Meaning> {
         let meaning = Meaning::Quantity(Origin::Variable, value);
         self.meanings.insert(unraw(name), meaning)
@@ -181,7 +181,7 @@ impl Scope {
         };
     }
 
-    /// Says no more of a name that has an error.
+    /// Poisons a name: no more errors are reported for it.
     pub(crate) fn silence(&mut self, name: &Ident) {
         self.meanings.insert(unraw(name), Meaning::Poisoned);
     }
@@ -203,7 +203,7 @@ impl Scope {
         }
     }
 
-    /// Notes a name that stands for nothing, which an editor may complete to a field. Says whether it is to be
+    /// Notes an unresolved name, which an editor may complete to a field. Says whether it is to be
     /// reported: once, and only where fields have names.
     pub(crate) fn note_unknown(&mut self, name: &Ident) -> bool {
         let is_new = self.unknown.iter().all(|noted| noted != name);
@@ -222,12 +222,12 @@ impl Scope {
         known.map(|(name, _)| name.as_str()).collect()
     }
 
-    /// The names that stand for nothing, wherever they were written.
+    /// The unresolved names, wherever they were written.
     pub(crate) fn unknown(&self) -> impl Iterator<Item = &Ident> {
         self.unknown.iter()
     }
 
-    /// Where the field called `name` is first spoken of.
+    /// Where the field called `name` is first mentioned.
     pub(crate) fn first_use(&self, name: &Ident) -> Option<&Ident> {
         self.uses.get(&unraw(name))
     }
@@ -271,7 +271,7 @@ impl Scope {
 
 type Meanings = BTreeMap<String, Meaning>;
 
-/// What has a meaning in every declaration.
+/// The names that every declaration has.
 fn reserved(graph: &mut Graph) -> Meanings {
     let [time, pi] = [graph.symbol(Symbol::Time), graph.pi()];
     let reserved = |value| Meaning::Quantity(Origin::Reserved, Value::Scalar(value));
@@ -312,8 +312,8 @@ fn add_coordinates(meanings: &mut Meanings, declaration: &Declaration, graph: &m
     }
 }
 
-/// Adds what has no value yet or none at all. A name that is taken keeps its meaning: an output may be called
-/// like what it shows.
+/// Adds names without a value, or without one yet. A name that is taken keeps its meaning: an output may be
+/// called like what it shows.
 fn add_names_without_values(meanings: &mut Meanings, declaration: &Declaration) {
     let clauses = &declaration.clauses;
     let definitions = clauses.definitions.iter().map(|named| &named.name);

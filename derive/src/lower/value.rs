@@ -1,4 +1,4 @@
-//! What an expression of the declaration stands for: a scalar, a vector or a matrix.
+//! The value of an expression of the declaration: a scalar, a vector or a matrix.
 
 use lagrangian_symbolic::{Expression, Graph, Matrix, Rational};
 
@@ -107,7 +107,7 @@ impl Sum {
     }
 }
 
-/// A product that grows factor by factor: numbers, and at most one array, since those multiply in order.
+/// A product that grows factor by factor: scalars, and at most one array, since arrays do not commute.
 #[derive(Clone, Default)]
 pub(crate) struct Product {
     scalars: Vec<(Expression, Rational)>,

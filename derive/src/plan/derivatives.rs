@@ -124,7 +124,7 @@ fn residuals_beside(
     can_fail.then(|| columns(model, &kinetics.inverse_dynamics, symbols))
 }
 
-/// Expressions with the accelerations 0.
+/// Expressions with zero accelerations.
 fn without_accelerations(model: &mut Model, roots: &[Expression]) -> Vec<Expression> {
     let zero = model.graph.zero();
     let rest = (0..model.coordinates).map(|i| (Symbol::Acceleration(i), zero));

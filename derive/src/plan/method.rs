@@ -32,7 +32,7 @@ impl Method {
         Self::schedule(model, &layout, outputs)
     }
 
-    /// What depends on the parameters alone in the accelerations, and the rest.
+    /// The accelerations in two stages: the invariants, which depend on the parameters alone, and the rest.
     pub(super) fn accelerations(model: &Model, kinetics: &Kinetics) -> [Self; 2] {
         let mut layout = ProgramLayout::new();
         let (outputs, is_numerical) = if let Some(solution) = &kinetics.solution {

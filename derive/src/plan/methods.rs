@@ -1,4 +1,4 @@
-//! Which programs a model's methods are.
+//! The programs of a model's methods.
 
 use lagrangian_symbolic::{Energies, Equations, Expression, Kinetics, Model, Rational};
 
@@ -17,7 +17,7 @@ pub(crate) struct Methods {
     pub(crate) mass_matrix: Method,
     pub(crate) forcing: Method,
     pub(crate) generalized_forces: Method,
-    /// What depends on the parameters alone in `accelerations`.
+    /// The invariants that are hoisted out of `accelerations`.
     pub(crate) prepare: Method,
     pub(crate) accelerations: Method,
     pub(crate) inverse_dynamics: Method,

@@ -1,7 +1,7 @@
-//! Which outputs of a program are what.
+//! What the outputs of a program are.
 //!
-//! A program computes lists of numbers, group by group. Where each quantity stands in them is noted here while
-//! the lists are made, so that whoever writes the method asks for a quantity by its name.
+//! A program computes groups of outputs, one after the other. The position of each quantity in them is noted here
+//! while the groups are put together, so that the writer of a method asks for a quantity by its name.
 
 use core::ops::Range;
 
@@ -120,7 +120,7 @@ pub(crate) enum InputJacobianOutputs {
     },
 }
 
-/// The pivots of M as it was eliminated symbolically, and what makes them relative ones.
+/// What the relative pivots of a symbolic elimination of M are computed from.
 #[derive(Clone, Debug)]
 pub(crate) struct PivotOutputs {
     pub(crate) pivots: OutputSlice,
@@ -177,7 +177,7 @@ impl ProgramLayout {
         self.groups.push(Vec::new());
     }
 
-    /// Adds outputs to the last group.
+    /// Adds outputs to the last group, and returns where they are.
     pub(crate) fn add(&mut self, outputs: &[Expression]) -> OutputSlice {
         let group = self.groups.len().saturating_sub(1);
         let mut range = 0..0;

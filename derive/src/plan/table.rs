@@ -1,8 +1,8 @@
 //! The emitted methods, one row each.
 //!
-//! The table drives what is emitted, what stands in its place beside errors, the operation counts, the names that
-//! no output may have, and the delegations of models with inputs. A method is added by a row, by its program
-//! in `methods.rs`, and by the trait of the runtime that declares it.
+//! Emission, the impls beside errors, the operation counts, the delegations of models with inputs, and the names
+//! that no output may have are read off this table. To add a method, add its row here, its program in `methods.rs`,
+//! and its declaration in the trait of the runtime.
 
 /// The trait of the runtime that declares a method.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -25,7 +25,7 @@ pub(crate) enum ResultType {
     InputMatrix,
     /// The derivatives of the accelerations by q, q̇ and t.
     Linearization,
-    /// What depends on the parameters alone.
+    /// The invariants of an integration: what depends on the parameters alone.
     Invariants,
     /// The struct of the declared outputs.
     Outputs,
@@ -38,7 +38,7 @@ pub(crate) enum Argument {
     StateOnly,
     /// The accelerations.
     Accelerations,
-    /// Nothing; a second method, whose name ends in `_prepared`, takes what depends on the parameters alone.
+    /// Nothing; a second method, whose name ends in `_prepared`, takes the hoisted invariants.
     Staged,
     /// Not even the state.
     Parameters,
@@ -138,7 +138,7 @@ impl MethodRow {
         self.takes_inputs && matches!(self.interface, Interface::Lagrangian | Interface::Inputs)
     }
 
-    /// The function that takes nothing prepared.
+    /// The function that takes no invariants.
     pub(crate) const fn unprepared(self) -> Variant {
         Variant {
             row: self,
@@ -164,7 +164,7 @@ impl MethodRow {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Variant {
     pub(crate) row: MethodRow,
-    /// Whether it takes what depends on the parameters alone.
+    /// Whether it takes the hoisted invariants.
     pub(crate) is_prepared: bool,
 }
 

@@ -1,7 +1,7 @@
-//! What is emitted is validated against Lagrange's equations numerically, in every build.
+//! Translation validation: in every build, all programs are compared with Lagrange's equations numerically.
 //!
-//! Where one disagrees, all are replaced by plain ones: derived without any pass, and solved numerically. That
-//! it happened is a defect, of which debug builds warn.
+//! Where one disagrees, all are replaced by plain ones, derived without any optimization pass. That is a defect of
+//! this crate, of which debug builds warn.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! What stands in the struct's `#[lagrangian(…)]` attributes.
+//! The clauses of the struct's `#[lagrangian(…)]` attributes.
 
 use proc_macro2::Ident;
 use syn::parse::ParseStream;
@@ -11,7 +11,7 @@ use crate::syntax::grammar::{equated, position, separated, word};
 use crate::syntax::named::{Named, named};
 use crate::syntax::root::Root;
 
-/// All that stands in the struct's `#[lagrangian(…)]` attributes.
+/// All clauses of the struct's `#[lagrangian(…)]` attributes.
 #[derive(Default)]
 pub(crate) struct Clauses {
     pub(crate) coordinates: Vec<Coordinate>,
@@ -24,15 +24,15 @@ pub(crate) struct Clauses {
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
     pub(crate) forces: Vec<Vec<Named>>,
     pub(crate) outputs: Vec<Named>,
-    /// What `scalar = …` says.
+    /// The type of `scalar = …`.
     pub(crate) scalar: Option<Type>,
-    /// What `crate = …` says.
+    /// The path of `crate = …`.
     pub(crate) root: Option<Root>,
-    /// Whether something could not be read, so that what seems to be missing may stand there.
+    /// Whether something could not be parsed, so that nothing is reported as missing.
     pub(crate) unreadable: bool,
-    /// Whether functions could not be read, so that an unknown one may stand there.
+    /// Whether functions could not be parsed, so that none is reported as unknown.
     pub(crate) functions_unreadable: bool,
-    /// Whether coordinates or definitions could not be read, so that an unknown name may stand there.
+    /// Whether coordinates or definitions could not be parsed, so that no name is reported as unknown.
     pub(crate) names_unreadable: bool,
 }
 
@@ -56,7 +56,7 @@ const KEYWORDS: [&str; 10] = [
 ];
 
 impl Clauses {
-    /// Reads one attribute. What can be read is kept even where errors are found.
+    /// Parses one attribute, with recovery: what can be parsed is kept.
     pub(crate) fn read(&mut self, attribute: &Attribute, diagnostics: &mut Diagnostics) {
         let clauses = |input: ParseStream<'_>| {
             separated(input, "a comma between clauses, or an operator,", |input| {
@@ -156,7 +156,7 @@ impl Clauses {
                 let message = format!("unknown clause `{written}`: {hint}");
                 let mut error = syn::Error::new(keyword.span(), message);
                 if let Some(meant) = meant {
-                    // Read as what was meant, it leaves nothing missing.
+                    // Parsed as the clause it is misspelled for, it leaves nothing missing.
                     let read = self.read_clause(Ident::new(meant, keyword.span()), input);
                     read.unwrap_or_else(|more| error.combine(more));
                 }

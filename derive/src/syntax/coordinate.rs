@@ -47,7 +47,7 @@ impl Coordinate {
         self.lengths.iter().product::<usize>() * self.shape().count()
     }
 
-    /// The indices of the members of a family, the last one running fastest; one empty list for one alone.
+    /// The indices of the members of a family, in row-major order; one empty list for one alone.
     pub(crate) fn members(&self) -> Vec<Vec<usize>> {
         members(&self.lengths)
     }

@@ -1,7 +1,7 @@
-//! The user's words: a struct of parameters and its `#[lagrangian(…)]` attributes.
+//! A declaration: a struct of parameters and its `#[lagrangian(…)]` attributes.
 //!
 //! Comes in: the tokens of a struct. Goes out: a [`Declaration`] that is grammatical, every part with
-//! its span. What the words mean is not looked at here.
+//! its span. Names are not resolved here.
 
 use proc_macro2::Ident;
 use syn::punctuated::Punctuated;
@@ -19,7 +19,7 @@ pub(crate) struct Declaration {
     pub(crate) visibility: Visibility,
     pub(crate) generics: Generics,
     pub(crate) fields: Vec<Field>,
-    /// Whether it is a struct whose fields have names, so that an unknown name may be meant for one.
+    /// Whether it is a struct whose fields have names, one of which an unresolved name may be misspelled for.
     pub(crate) names_fields: bool,
     pub(crate) clauses: Clauses,
     /// Where the emitted code finds the crate `lagrangian`.
@@ -27,7 +27,7 @@ pub(crate) struct Declaration {
 }
 
 impl Declaration {
-    /// Reads a declaration. What can be read is kept even where errors are found.
+    /// Parses a declaration, with recovery: what can be parsed is kept.
     pub(crate) fn parse(input: DeriveInput, diagnostics: &mut Diagnostics) -> Self {
         let fields = named_fields(input.data, diagnostics);
         let names_fields = fields.is_some();

@@ -1,4 +1,4 @@
-//! The fields of the struct: parameters, inputs, and what is none of the model's business.
+//! The fields of the struct: parameters, inputs, and fields that the model ignores.
 
 use proc_macro2::Ident;
 use syn::parse::{Parse, ParseStream};
@@ -26,9 +26,9 @@ pub(crate) enum Role {
     /// Constant in time.
     #[default]
     Parameter,
-    /// Set from outside: `#[lagrangian(input)]`.
+    /// An input of the system, set by a controller: `#[lagrangian(input)]`.
     Input,
-    /// None of the model's business: `#[lagrangian(skip)]`.
+    /// Ignored by the model: `#[lagrangian(skip)]`.
     Skipped,
 }
 
@@ -61,18 +61,18 @@ impl Field {
         })
     }
 
-    /// The type that decides what the field is to the model.
+    /// The declared type of the field: what its type is an alias of, or that type.
     pub(crate) fn declared_type(&self) -> &Type {
         self.declared_type.as_ref().unwrap_or(&self.ty)
     }
 
-    /// Its type as parameters can have it, or why they cannot.
+    /// The field's type, analysed, or why it is unsupported.
     pub(crate) fn field_type(&self) -> Result<FieldType<'_>, UnsupportedType> {
         FieldType::read(self.declared_type())
     }
 }
 
-/// One word of a field's attribute.
+/// One attribute of a field.
 enum FieldAttribute {
     Word(Ident),
     Type(Box<Type>),
@@ -88,7 +88,7 @@ impl Parse for FieldAttribute {
     }
 }
 
-/// What a field's attributes say.
+/// All attributes of a field together.
 #[derive(Default)]
 struct FieldAttributes {
     role: Role,

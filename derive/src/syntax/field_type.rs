@@ -7,7 +7,7 @@ use syn::{Expr, GenericArgument, Lit, PathArguments, Type};
 use crate::limits::MOST_COMPONENTS;
 use crate::syntax::shape::Shape;
 
-/// The type of a field, taken apart: a number, a vector or a matrix, or an array of those.
+/// The type of a field, analysed: a number, a vector or a matrix, or an array of those.
 pub(crate) struct FieldType<'a> {
     /// The type of one component.
     pub(crate) element: &'a Type,
@@ -16,7 +16,7 @@ pub(crate) struct FieldType<'a> {
     lengths: Vec<usize>,
 }
 
-/// How the components of a quantity are held.
+/// How the components of a quantity are laid out.
 #[derive(Clone, Copy)]
 enum ComponentLayout {
     Scalar,
@@ -26,9 +26,9 @@ enum ComponentLayout {
     Matrix(usize, usize),
 }
 
-/// Why a type is none that a parameter can have.
+/// Why a type is unsupported for parameters.
 pub(crate) enum UnsupportedType {
-    /// It is nothing that is known here.
+    /// It is neither a number nor an array, vector or matrix.
     Unknown,
     /// A number of components is not written as a number.
     Length,
@@ -37,7 +37,7 @@ pub(crate) enum UnsupportedType {
 }
 
 impl<'a> FieldType<'a> {
-    /// Takes a type apart.
+    /// Analyses a type.
     pub(crate) fn read(ty: &'a Type) -> Result<Self, UnsupportedType> {
         let read = Self::parts(ty)?;
         let (rows, columns) = match read.layout {
@@ -62,7 +62,7 @@ impl<'a> FieldType<'a> {
                 match inner.layout {
                     ComponentLayout::Scalar => inner.layout = ComponentLayout::Vector(length),
                     ComponentLayout::Vector(_) | ComponentLayout::Matrix(..) => {
-                        inner.lengths.insert(0, length)
+                        inner.lengths.insert(0, length);
                     }
                 }
                 Ok(inner)
@@ -104,18 +104,18 @@ impl<'a> FieldType<'a> {
         }
     }
 
-    /// How many indices tell the members of an array of vectors or matrices apart; 0 for no such array.
+    /// How many indices distinguish the members of an array of vectors or matrices; 0 for no such array.
     pub(crate) const fn rank(&self) -> usize {
         self.lengths.len()
     }
 
-    /// The indices of the members of an array of vectors or matrices, the last one running fastest; one
+    /// The indices of the members of an array of vectors or matrices, in row-major order; one
     /// empty list for no such array.
     pub(crate) fn members(&self) -> Vec<Vec<usize>> {
         members(&self.lengths)
     }
 
-    /// What stands behind a member to read each of its components, column by column.
+    /// The tokens that follow a member to read each of its components, in column-major order.
     pub(crate) fn accesses(&self) -> Vec<TokenStream> {
         let literal = Literal::usize_unsuffixed;
         let access = |component: usize| match self.layout {
@@ -174,7 +174,7 @@ impl ComponentLayout {
     }
 }
 
-/// All indices below some lengths, the last one running fastest.
+/// All indices below some lengths, in row-major order.
 pub(crate) fn members(lengths: &[usize]) -> Vec<Vec<usize>> {
     let mut members = vec![Vec::new()];
     for length in lengths {

@@ -1,6 +1,6 @@
 //! External functions: `function(name(argument, …) = value, derivative(argument) = expression, …)`.
 //!
-//! The value is any expression of Rust; what the derivatives are made of is of the declaration language.
+//! The value is any expression of Rust; the derivatives are expressions of the declaration language.
 
 use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
@@ -12,7 +12,7 @@ use crate::syntax::grammar::{expression, position, separated, word};
 pub(crate) struct FunctionDeclaration {
     pub(crate) name: Ident,
     pub(crate) arguments: Vec<Ident>,
-    /// The value, for the compiler to understand.
+    /// The value: an expression of Rust.
     pub(crate) value: Expr,
     pub(crate) derivatives: Vec<DerivativeDeclaration>,
 }
@@ -24,7 +24,7 @@ pub(crate) struct DerivativeDeclaration {
 }
 
 impl FunctionDeclaration {
-    /// Reads what stands behind the keyword, and keeps what could be read even where there is an error.
+    /// Parses what follows the keyword, with recovery: what can be parsed is kept.
     pub(crate) fn read(
         keyword: &Ident,
         input: ParseStream<'_>,
@@ -44,7 +44,7 @@ impl FunctionDeclaration {
             if function.is_some() {
                 derivatives.push(DerivativeDeclaration::read(input)?);
             } else {
-                // What comes after a head that cannot be read is not looked at.
+                // After a head that cannot be parsed nothing is.
                 function = Some(None);
                 function = Some(Some(Self::head(input)?));
             }
@@ -102,7 +102,7 @@ impl DerivativeDeclaration {
     }
 }
 
-/// `(name, …)` behind a word, and where that stands.
+/// `(name, …)` after a word, and its span.
 fn names(before: &Ident, input: ParseStream<'_>, message: &str) -> syn::Result<(Vec<Ident>, Span)> {
     if !input.peek(token::Paren) {
         let message = format!("write `{before}(x) = …`");

@@ -1,4 +1,4 @@
-//! What the grammar of clauses is made of: words, lists, expressions behind an equals sign.
+//! Parsers that clauses share: words, lists, expressions after an equals sign.
 
 use proc_macro2::{Ident, Span, TokenTree};
 use syn::ext::IdentExt;
@@ -57,8 +57,8 @@ pub(crate) fn list(
     separated(&content, separator, read)
 }
 
-/// Reads what commas separate, up to the end. Where an item cannot be read, reading goes on behind the
-/// next comma, so that one look shows all errors; they are returned together.
+/// Parses items that commas separate, up to the end. Where an item cannot be parsed, parsing resumes after the
+/// next comma, so that all errors are reported together.
 pub(crate) fn separated(
     input: ParseStream<'_>,
     separator: &str,
@@ -88,7 +88,7 @@ pub(crate) fn separated(
     errors.map_or(Ok(()), Err)
 }
 
-/// Where an error about what follows `word` is shown: there, or at the word if nothing follows.
+/// The span of an error about what follows `word`: there, or at the word if nothing follows.
 pub(crate) fn position(word: &Ident, input: ParseStream<'_>) -> Span {
     if input.is_empty() || input.peek(Token![,]) {
         word.span()
@@ -97,7 +97,7 @@ pub(crate) fn position(word: &Ident, input: ParseStream<'_>) -> Span {
     }
 }
 
-/// The attributes that are ours.
+/// The attributes of this derive.
 pub(crate) fn own(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
     attributes
         .iter()

@@ -27,7 +27,7 @@ impl fmt::Display for Label {
     }
 }
 
-/// What stands in one pair of brackets.
+/// One index.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Index {
     /// `[i]`.
@@ -42,7 +42,7 @@ impl Index {
     /// The names of the components of vectors.
     pub(crate) const AXES: [&'static str; 4] = ["x", "y", "z", "w"];
 
-    /// What stands in the name of a variable for the index.
+    /// The index as a part of the name of a variable.
     pub(crate) fn word(self) -> String {
         match self {
             Self::One(i) => i.to_string(),

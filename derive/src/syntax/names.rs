@@ -1,8 +1,8 @@
-//! Names as the declaration writes them, and as the emitted code does.
+//! Identifiers, in the declaration and in the emitted code.
 
 use proc_macro2::{Ident, Span};
 
-/// Names with a meaning in the declaration language, which nothing else can have.
+/// The reserved names of the declaration language.
 pub(crate) const RESERVED: [&str; 3] = ["t", "PI", "dot"];
 
 /// The constant that holds a coordinate's index: its name in capitals. Names outside of ASCII stay as
@@ -16,13 +16,12 @@ pub(crate) fn constant_name(coordinate: &Ident) -> String {
     }
 }
 
-/// A name where `at` stands, with the hygiene of the macro: what the user's lints would say of it does
-/// not concern the user.
+/// An identifier at the place of `at`, with the hygiene of the macro: the user's lints do not apply to it.
 pub(crate) fn hygienic_ident(name: &str, at: &Ident) -> Ident {
     Ident::new(name, hygienic_span(at))
 }
 
-/// The place of a name, with the hygiene of the macro.
+/// The span of a name, with the hygiene of the macro.
 pub(crate) fn hygienic_span(at: &Ident) -> Span {
     Span::mixed_site().located_at(at.span())
 }
@@ -33,7 +32,7 @@ pub(crate) fn unraw(name: &Ident) -> String {
     written.strip_prefix("r#").unwrap_or(&written).to_owned()
 }
 
-/// The name as the declaration has to write it: with `r#` if it is a keyword.
+/// The name in source code: with `r#` if it is a keyword.
 pub(crate) fn to_source(name: &str) -> String {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => name.to_owned(),

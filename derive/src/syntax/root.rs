@@ -1,6 +1,6 @@
 //! Where the emitted code finds the crate `lagrangian`.
 //!
-//! That is `::lagrangian`, unless the declaration says `crate = "path"`: a crate that hands on the derive
+//! That is `::lagrangian`, unless the declaration says `crate = "path"`: a crate that re-exports the derive
 //! may have renamed `lagrangian`, and its users may not depend on it. Every path that is emitted begins
 //! with the root, so that no other one is absolute but `::core`.
 
@@ -28,7 +28,7 @@ impl ToTokens for Root {
 }
 
 impl Root {
-    /// Reads `crate = "path"` or `crate = path`; returns the word `crate`, too.
+    /// Parses `crate = "path"` or `crate = path`; returns the keyword `crate`, too.
     pub(crate) fn read(input: ParseStream<'_>) -> syn::Result<(Ident, Self)> {
         let keyword = input.call(Ident::parse_any)?;
         if !input.peek(Token![=]) {

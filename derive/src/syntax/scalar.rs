@@ -1,7 +1,7 @@
 //! The scalar on which the emitted impls compute.
 //!
 //! It is decided here and nowhere else. A struct of plain numbers is a model on every scalar, which is then
-//! a parameter of each impl. A struct with fields of a type parameter, `struct Top<T: Scalar>`, is a model
+//! a type parameter of each impl. A struct with fields of a type parameter, `struct Top<T: Scalar>`, is a model
 //! on that one: its parameters may carry derivatives, or differ from lane to lane. And `scalar = f64` makes a
 //! model on that scalar alone, which may use functions that are not of every scalar.
 
@@ -29,8 +29,7 @@ enum Owner {
     Struct,
     /// Of the struct, which bounds it by other traits, too; they may have functions of the same names.
     StructAmongBounds,
-    /// Of nothing: it is the type that `scalar = …` names. Methods of its own may be called as those of the
-    /// trait.
+    /// Of nothing: it is the type of `scalar = …`. It may have methods of its own with the names of the trait's.
     NamedType,
     /// Of the struct, which does not bound it by `Scalar`. That is an error; impls beside it do.
     StructUnbounded,
@@ -135,7 +134,7 @@ impl<'a> Scalar<'a> {
     }
 }
 
-/// What is a parameter of each impl.
+/// The type parameter of each impl.
 fn parameter_of_impls() -> Ident {
     Ident::new("__S", Span::mixed_site())
 }

@@ -1,7 +1,7 @@
 //! The statements of a method, while they are written.
 //!
-//! In a short method each variable is a `let`. Each `let` opens a scope in the one before, and rustc descends
-//! scope by scope where it writes what debuggers read: deep down its stack overflows. So the variables of a
+//! In a short method each variable is a `let`. Each `let` opens a scope in the one before, and rustc recurses
+//! scope by scope where it writes debug information: its stack overflows. So the variables of a
 //! long method are declared many at once, by one pattern, and then assigned.
 
 use proc_macro2::{Ident, TokenStream};

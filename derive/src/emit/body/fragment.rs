@@ -1,9 +1,9 @@
-//! The text of a value, with the parentheses that it wants where it stands.
+//! The tokens of a value, and their precedence, which decides on parentheses.
 
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-/// How tightly an expression holds together.
+/// The precedence of an expression, from the loosest to the tightest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Precedence {
     Sum,
@@ -12,7 +12,7 @@ pub(super) enum Precedence {
     Atom,
 }
 
-/// The text of a value.
+/// The tokens of a value.
 #[derive(Clone)]
 pub(super) struct Fragment {
     pub(super) tokens: TokenStream,
@@ -45,7 +45,7 @@ impl Fragment {
         quote!(-#x)
     }
 
-    /// The tokens, in parentheses unless they hold together at `precedence`.
+    /// The tokens, in parentheses where they bind less tightly than `precedence`.
     pub(super) fn in_parentheses_below(self, precedence: Precedence) -> TokenStream {
         if self.precedence >= precedence {
             self.tokens
@@ -55,7 +55,7 @@ impl Fragment {
     }
 }
 
-/// `left operator right`, which holds together at `precedence`.
+/// `left operator right`, of this precedence.
 pub(super) fn infix(
     left: Fragment,
     operator: char,

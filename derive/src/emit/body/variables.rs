@@ -5,7 +5,7 @@ use lagrangian_symbolic::{Expression, Instruction, Operand, Operation, Program};
 use crate::limits::DEEPEST_NESTING;
 
 /// The values that are variables: those that are used more than once, that have a name, or that would be
-/// nested too deeply. The others stand where they are used.
+/// nested too deeply. The others are inlined.
 pub(super) struct Variables(Vec<bool>);
 
 impl Variables {
@@ -41,7 +41,7 @@ impl Variables {
 }
 
 /// How often each value is used; where a group uses a value of another one, that counts twice, so that it is
-/// not written twice.
+/// not inlined.
 fn count_uses(program: &Program) -> Vec<usize> {
     let end = |last: &Instruction| last.value + last.operation.results();
     let mut uses = vec![0; program.instructions().last().map_or(0, end)];

@@ -1,4 +1,4 @@
-//! External functions: their derivatives, and calls of them.
+//! External functions: the declaration of their derivatives, and their application.
 
 use lagrangian_symbolic::{Function, Symbol};
 use proc_macro2::Ident;
@@ -58,7 +58,7 @@ impl Translator<'_> {
         }
     }
 
-    /// What stands for nothing in the derivative of a function.
+    /// Rejects names that the derivative of a function cannot refer to.
     pub(super) fn check_within_derivative(&mut self, name: &Ident) -> Option<()> {
         if !self.within_derivative {
             return Some(());

@@ -1,4 +1,4 @@
-//! Vectors and matrices: how they are written, and what is computed with them.
+//! Vectors and matrices: literals, and the functions of them.
 
 use lagrangian_symbolic::{LARGEST_DETERMINANT, Matrix, Rational};
 use proc_macro2::Ident;
@@ -63,7 +63,7 @@ impl Translator<'_> {
         }
     }
 
-    /// A function of vectors and matrices, of `arguments` as they are written and their `values`.
+    /// A function of vectors and matrices; `arguments` are the expressions, and `values` their values.
     pub(super) fn array_function(
         &mut self,
         name: &Ident,

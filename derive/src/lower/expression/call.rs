@@ -76,7 +76,7 @@ impl Translator<'_> {
         self.apply(&call.method, &arguments, call, context)
     }
 
-    /// The name of a module in which other languages keep their functions.
+    /// The name of a module, as functions have it in other languages.
     fn module(&mut self, receiver: &Expr) -> Option<Ident> {
         let Expr::Path(path) = receiver else {
             return None;
@@ -157,7 +157,7 @@ impl Translator<'_> {
         }
     }
 
-    /// How many members a family has that is spoken of as a whole.
+    /// The number of members of a family.
     fn length_of_family(&mut self, receiver: &Expr) -> Option<i64> {
         let Expr::Path(path) = without_parentheses(receiver) else {
             return None;
@@ -168,7 +168,7 @@ impl Translator<'_> {
         }
     }
 
-    /// A function of the table, `sqrt`, `powi`, `powf` or `recip`, or one of vectors and matrices.
+    /// An elementary function, `sqrt`, `powi`, `powf` or `recip`, or one of vectors and matrices.
     fn apply(
         &mut self,
         name: &Ident,
@@ -229,7 +229,7 @@ impl Translator<'_> {
         .map(Value::Scalar)
     }
 
-    /// A name that is called and is no function.
+    /// A call of what is no function.
     fn no_function(&mut self, name: &Ident) -> Option<Value> {
         if self.scope.resolve(name).is_none() {
             return self.unknown_function(name);
@@ -238,7 +238,7 @@ impl Translator<'_> {
         self.reject(name, message)
     }
 
-    /// A function that there is not, unless it may stand where something could not be read.
+    /// An unknown function: an error, unless it may have been declared where the parser failed.
     fn unknown_function(&mut self, name: &Ident) -> Option<Value> {
         if !self.scope.functions_complete {
             return None;

@@ -1,4 +1,4 @@
-//! Chains of `+ - * /`, from the left.
+//! Chains of `+ - * /`, left-associative: loops, not recursion.
 
 use lagrangian_symbolic::{Graph, Rational};
 use syn::{BinOp, Expr, ExprBinary};
@@ -8,7 +8,7 @@ use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
 use crate::syntax::shape::Shape;
 
-/// A chain of operations of one origin, kept until it ends.
+/// A run of operators of one precedence, collected until it ends.
 #[derive(Clone)]
 enum OperatorChain {
     Sum(Sum),
@@ -23,8 +23,7 @@ impl OperatorChain {
         }
     }
 
-    /// The chain with one more operation; the shape of what stands before the operator, if it does not
-    /// fit.
+    /// The chain with one more operand; the shape of what stands before the operator, if the two do not fit.
     fn extend(self, graph: &mut Graph, operator: &BinOp, value: Value) -> Result<Self, Shape> {
         let sign = match operator {
             BinOp::Sub(_) | BinOp::Div(_) => Rational::MINUS_ONE,
@@ -86,7 +85,7 @@ impl Translator<'_> {
         chain.map(|chain| chain.value(&mut self.graph))
     }
 
-    /// The operand on the right of an operator that is understood.
+    /// The right operand, where the operator is supported.
     fn operand(
         &mut self,
         operator: &BinOp,
@@ -131,7 +130,7 @@ impl Translator<'_> {
         }
     }
 
-    /// Numbers are exact: of integers in an index `5 / 4` would be five quarters, and 1 in Rust.
+    /// Division is exact: in an index `5 / 4` would be five quarters, and 1 in Rust.
     fn integer_quotient(
         &mut self,
         chain: OperatorChain,

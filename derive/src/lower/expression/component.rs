@@ -1,4 +1,4 @@
-//! One of several: members of families, components of vectors and matrices.
+//! Indexing: members of families, components of vectors and matrices.
 
 use lagrangian_symbolic::Matrix;
 use proc_macro2::Ident;
@@ -76,7 +76,7 @@ impl Translator<'_> {
         self.components(value, inner)
     }
 
-    /// The component of a value at indices that stand behind it.
+    /// The component of a value at the indices that follow it.
     pub(crate) fn components(&mut self, value: Value, indices: &[&Expr]) -> Option<Value> {
         let Some((first, rest)) = indices.split_first() else {
             return Some(value);
@@ -173,7 +173,7 @@ impl Translator<'_> {
     }
 }
 
-/// For a member of a family that there is not.
+/// The message for a member that a family does not have.
 fn absent(name: &Ident, origin: Origin, member: &[i64], family: &Family) -> String {
     let written = hints::member(name, member);
     match (origin, bounds(family)) {
@@ -190,7 +190,7 @@ fn absent(name: &Ident, origin: Origin, member: &[i64], family: &Family) -> Stri
     }
 }
 
-/// The least and the greatest index of a family that is told apart by one.
+/// The least and the greatest index of a family that is distinguished by one.
 fn bounds(family: &Family) -> Option<(usize, usize)> {
     let first = family.members.keys().next()?.first()?;
     let last = family.members.keys().next_back()?.first()?;

@@ -53,7 +53,7 @@ impl Translator<'_> {
         Some(derivative)
     }
 
-    /// What contains inputs or accelerations has no time derivative here.
+    /// Rejects the time derivative of inputs and accelerations.
     pub(super) fn check_differentiable(&mut self, call: &ExprCall, value: &Value) -> Option<()> {
         if self.within_derivative {
             return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
@@ -76,7 +76,7 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// A time derivative with accelerations is for observers.
+    /// A time derivative with accelerations is for outputs only.
     pub(super) fn check_derivative(
         &mut self,
         call: &ExprCall,
@@ -93,7 +93,8 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// Whether this speaks of a definition or a variable: one that happens to be constant is no mistake.
+    /// Whether this refers to a definition or a variable: the derivative of one that happens to be constant is no
+    /// mistake.
     fn is_named(&mut self, tokens: TokenStream) -> bool {
         tokens.into_iter().any(|token| match token {
             TokenTree::Group(group) => self.is_named(group.stream()),

@@ -1,4 +1,4 @@
-//! What is written once and meant for every index of a range: sums, products, families.
+//! Iteration over ranges and arrays, unrolled: sums, products, families.
 
 use lagrangian_symbolic::{Matrix, Rational};
 use proc_macro2::Ident;
@@ -12,7 +12,7 @@ use crate::syntax::named::Iteration;
 use crate::syntax::names::RESERVED;
 use crate::syntax::shape::Shape;
 
-/// Whether a method call ends a repetition, as `.sum()` does in `(0..5).map(|i| …).sum()`.
+/// Whether a method call ends an iteration, as `.sum()` does in `(0..5).map(|i| …).sum()`.
 pub(super) fn repeated(call: &ExprMethodCall) -> Option<&ExprMethodCall> {
     if !["sum", "product", "collect"]
         .iter()
@@ -80,7 +80,7 @@ impl Translator<'_> {
         })
     }
 
-    /// The values that a closure gives: for each index of a range, or each component of a vector.
+    /// The values of a closure: for each index of a range, or each component of a vector.
     pub(super) fn mapped(
         &mut self,
         map: &ExprMethodCall,
@@ -112,7 +112,7 @@ impl Translator<'_> {
         self.applied(map, arguments, context)
     }
 
-    /// What the closure of `.map(|i| …)` gives for each of some values.
+    /// The values of the closure of `.map(|i| …)` for each of some arguments.
     pub(super) fn applied(
         &mut self,
         map: &ExprMethodCall,
@@ -198,8 +198,8 @@ impl Translator<'_> {
         Some(start..end)
     }
 
-    /// Does something for all values of the variables of `for … in …`, of which later ones may depend on
-    /// those before; stops at the first error.
+    /// Runs an action for all values of the variables of `for … in …`, of which later ones may depend on those
+    /// before; stops at the first error.
     pub(crate) fn for_each(
         &mut self,
         iterations: &[Iteration],
@@ -219,7 +219,7 @@ impl Translator<'_> {
         Some(())
     }
 
-    /// The vector or matrix that values make together.
+    /// The vector or matrix with these values as components or rows.
     fn collected(&mut self, call: &ExprMethodCall, values: &[Value]) -> Option<Value> {
         if values.is_empty() {
             return self.reject(
@@ -239,7 +239,7 @@ impl Translator<'_> {
 }
 
 impl Translator<'_> {
-    /// The same values with zeros of the others' shape in context of sums without terms.
+    /// The same values with empty sums replaced by zeros of the others' shape.
     pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
         let zero = self.graph.zero();
         let like = values.iter().find(|value| **value != Value::EmptySum);

@@ -1,4 +1,4 @@
-//! Rotations by angles about the axes of a body, and their angular velocities.
+//! Rotations by angles about body axes (intrinsic), and their angular velocities.
 
 use lagrangian_symbolic::{Axis, Expression, Matrix, NoRotation};
 use proc_macro2::Ident;
@@ -9,7 +9,7 @@ use super::{ExpressionContext, Translator};
 use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
-/// What a function of angles about axes gives.
+/// The result of a function of angles about axes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Wanted {
     Rotation,
@@ -17,7 +17,7 @@ enum Wanted {
     AngularVelocityInertial,
 }
 
-/// The sequences of three angles: Euler's, then Tait and Bryan's.
+/// The sequences of three axes: of proper Euler angles, then of Tait–Bryan angles.
 const SEQUENCES: &str = "zxz, xyx, yzy, zyz, xzx, yxy, xyz, yzx, zxy, xzy, zyx, yxz";
 
 impl Translator<'_> {
@@ -158,7 +158,7 @@ impl Translator<'_> {
     }
 }
 
-/// What a function of angles gives, and the letters of its axes.
+/// The result of a function of angles, and the letters of its axes.
 fn parts(name: &str) -> Option<(Wanted, &str)> {
     if let Some(letters) = name.strip_prefix("rotation_") {
         return Some((Wanted::Rotation, letters));
