@@ -110,7 +110,7 @@ impl Translator<'_> {
         }
     }
 
-    /// The value of an expression that is an integer known before any number is: an index, or an end of
+    /// The value of an expression that is an integer known at compile time: an index, or an end of
     /// a range.
     pub(crate) fn integer(&mut self, expression: &Expr) -> Option<i64> {
         let outside = core::mem::replace(&mut self.within_index, true);
