@@ -1,40 +1,56 @@
 //! The limits of this crate, each with the model that set it and what would move it.
+//!
+//! Times are those of an expansion in a development build, without optimization, on one core.
 
 use lagrangian_symbolic::Rational;
 
-/// How many scopes may be nested with a `let` for each variable. rustc 1.95 without optimization overflows at
-/// 2500; the derivatives of an arm of six joints in space have as many variables.
+/// How many scopes may be nested with a `let` for each variable. The derivatives of an arm of six joints in space
+/// have 2500 variables, at which rustc 1.95 without optimization overflows its stack where it writes debug
+/// information. A compiler that does not recurse over scopes would lift it.
 pub(crate) const MOST_SCOPES: usize = 1000;
 
-/// How many variables are declared at once in a long method.
+/// How many variables are declared at once in a method with more scopes than [`MOST_SCOPES`]: 200 variables in
+/// one scope keep the arm of six joints at thirteen scopes. A larger number makes longer array patterns and
+/// nothing faster.
 pub(crate) const DECLARED_AT_ONCE: usize = 200;
 
-/// How deep expressions are nested in one statement.
+/// How deep expressions are nested in one statement. The golden expansions set it: their statements stay within a
+/// few lines. More would make longer statements of the same operations.
 pub(crate) const DEEPEST_NESTING: usize = 6;
 
-/// The most numbers that a field may hold. Each is a symbol of the equations and has a name, used or not,
-/// which takes a macro 45 microseconds and two kilobytes: at most half a second for a field.
+/// The most numbers that a field may hold. Each is a symbol of the equations and has a name, used or not, which
+/// takes 45 microseconds and two kilobytes: at most half a second for a table of data. Symbols that are made on
+/// demand would lift it.
 pub(crate) const MOST_COMPONENTS: usize = 10_000;
 
-/// How many coordinates may have one name.
+/// How many coordinates may have one name. A chain of springs between 200 masses takes four seconds, and the time
+/// grows with the square of their number, as the emitted mass matrix does: a thousand are beyond what is practical,
+/// so that the limit stops slips of the pen alone. A mass matrix that is emitted by its pattern of zeros would
+/// move it.
 pub(crate) const LARGEST_FAMILY: usize = 1000;
 
-/// The most components that a vector or matrix may have.
-pub(crate) const LARGEST_ARRAY: usize = 10_000;
+/// The most components that a vector or matrix may have: as many as a field may hold, so that no expression is
+/// larger than the largest parameter.
+pub(crate) const LARGEST_ARRAY: usize = MOST_COMPONENTS;
 
-/// The most rows of an identity matrix, and of the diagonal matrix of a vector.
-pub(crate) const MOST_DIAGONAL_ROWS: usize = 100;
+/// The most rows of an identity matrix, and of the diagonal matrix of a vector: those of the largest square array.
+/// The product of two of them takes two seconds. Sparse matrices would move it.
+pub(crate) const MOST_DIAGONAL_ROWS: usize = LARGEST_ARRAY.isqrt();
 
-/// How often expressions may be repeated in one declaration, all together.
+/// How many iterations are unrolled in one declaration, all together. A sum of as many terms `i * x` takes a
+/// second. Sums that stay loops would lift it.
 pub(crate) const MOST_REPETITIONS: usize = 100_000;
 
-/// For more coordinates the relative pivots are those of a numerical factorization.
+/// For more coordinates the relative pivots are those of a numerical factorization: symbolic elimination keeps the
+/// entries of larger systems opaque, and the magnitude of a pivot is summed over its terms. Magnitudes that are
+/// computed along with the elimination would move it.
 pub(crate) const MOST_PIVOTS: usize = 4;
 
-/// Formulas longer than this are broken off; their text serves nobody.
+/// Longer formulas are cut off in the documentation of a model, in characters: some six lines of a page, which no
+/// formula of the golden models exceeds. A layout over several lines would move it.
 pub(crate) const LONGEST_FORMULA: usize = 600;
 
-/// How many names an error lists.
+/// How many names an error lists: one line of a terminal.
 pub(crate) const MOST_NAMES: usize = 10;
 
 /// Whether a number is neither beyond the largest nor lost below the smallest `f64`.
