@@ -22,7 +22,7 @@ use crate::lower::scope::{Meaning, Origin, Scope};
 use crate::lower::value::Value;
 use crate::syntax::clauses::Clause;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::named::{Iteration, Named};
+use crate::syntax::named::{ForClause, NamedExpression};
 use crate::syntax::shape::Shape;
 
 /// A declaration with its names resolved, as far as it is free of errors.
@@ -161,7 +161,7 @@ impl Translator<'_> {
     }
 
     /// Gives a name its meaning, or the members of a family theirs.
-    fn define(&mut self, definition: &Named) {
+    fn define(&mut self, definition: &NamedExpression) {
         if definition.indices.is_empty() {
             if let Some(iteration) = definition.iterations.first() {
                 let name = &definition.name;
@@ -189,7 +189,7 @@ impl Translator<'_> {
     }
 
     /// Defines one member of a family.
-    fn define_member(&mut self, definition: &Named) -> Option<()> {
+    fn define_member(&mut self, definition: &NamedExpression) -> Option<()> {
         let name = &definition.name;
         self.check_not_bound(name, &definition.iterations)?;
         let indices = self.member(&definition.indices)?;
@@ -216,7 +216,7 @@ impl Translator<'_> {
     }
 
     /// Rejects a variable that shadows the name whose members it enumerates.
-    fn check_not_bound(&mut self, name: &Ident, iterations: &[Iteration]) -> Option<()> {
+    fn check_not_bound(&mut self, name: &Ident, iterations: &[ForClause]) -> Option<()> {
         let hiding = iterations.iter().find(|iteration| iteration.index == *name);
         match hiding {
             None => Some(()),

@@ -4,7 +4,7 @@ pub(crate) mod declaration;
 pub(crate) mod clauses;
 pub(crate) mod coordinate;
 pub(crate) mod named;
-pub(crate) mod function;
+pub(crate) mod external_function;
 pub(crate) mod field;
 pub(crate) mod field_type;
 pub(crate) mod scalar;

@@ -6,8 +6,8 @@ use super::names::refuse_reserved;
 use crate::diagnostics::{Diagnostics, similar};
 use crate::lower::builtins;
 use crate::syntax::declaration::Declaration;
+use crate::syntax::external_function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::field::Role;
-use crate::syntax::function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::names::{RESERVED, unraw};
 
 /// Checks the names of functions and of their arguments, and by which arguments they are differentiated.

@@ -10,7 +10,7 @@ use crate::plan::constants::{
 };
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
-use crate::syntax::named::Named;
+use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{RESERVED, constant_name, unraw};
 
 /// Names are unique, and none is reserved.
@@ -42,9 +42,10 @@ pub(super) fn check_names(declaration: &Declaration, diagnostics: &mut Diagnosti
 }
 
 /// The names of definitions; that of a family once, though its members may be defined one by one.
-fn first_of_families(definitions: &[Named]) -> Vec<&Ident> {
+fn first_of_families(definitions: &[NamedExpression]) -> Vec<&Ident> {
     let mut families = BTreeSet::new();
-    let first = |named: &&Named| named.indices.is_empty() || families.insert(unraw(&named.name));
+    let first =
+        |named: &&NamedExpression| named.indices.is_empty() || families.insert(unraw(&named.name));
     definitions
         .iter()
         .filter(first)

@@ -118,7 +118,7 @@ impl<'a> Body<'a> {
         let Some(angles) = Angles::of(group, |value| self.fragments.contains_key(&value)) else {
             return BTreeSet::new();
         };
-        for index in &angles.made_of {
+        for index in &angles.operands_of_angles {
             self.instruction(&group.instructions[*index]);
         }
         let (mut arguments, mut sines, mut cosines) = (Vec::new(), Vec::new(), Vec::new());
@@ -135,7 +135,11 @@ impl<'a> Body<'a> {
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
         let names: Vec<Ident> = sines.into_iter().chain(cosines).collect();
         self.block.define(&names, &pattern, &value, self.scalar);
-        angles.made_of.into_iter().chain(angles.pairs).collect()
+        angles
+            .operands_of_angles
+            .into_iter()
+            .chain(angles.pairs)
+            .collect()
     }
 
     /// Names the two values of an instruction that computes a sine and a cosine.

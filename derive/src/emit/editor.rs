@@ -12,8 +12,8 @@ use quote::{ToTokens, quote};
 
 use crate::syntax::clauses::Clauses;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::function::FunctionDeclaration;
-use crate::syntax::named::Named;
+use crate::syntax::external_function::FunctionDeclaration;
+use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
 /// The method with all mentions.
@@ -59,7 +59,7 @@ fn expressions(clauses: &Clauses) -> impl Iterator<Item = TokenStream> {
     let energies = energies.map(|clause| clause.expression.to_token_stream());
     let lists = [&clauses.definitions, &clauses.outputs];
     let lists = lists.into_iter().chain(&clauses.forces);
-    let lists = lists.flatten().flat_map(|named: &Named| {
+    let lists = lists.flatten().flat_map(|named: &NamedExpression| {
         let indices = named.indices.iter().map(ToTokens::to_token_stream);
         let ranges = named.iterations.iter();
         let ranges = ranges.map(|iteration| iteration.range.to_token_stream());

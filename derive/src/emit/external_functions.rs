@@ -11,7 +11,7 @@ use super::item_names::{derivative_name, value_name};
 use super::parameters::marked_if_unused;
 use super::signatures::InputsFrom;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::function::FunctionDeclaration;
+use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::names::unraw;
 use crate::syntax::scalar::Scalar;
 

@@ -23,7 +23,7 @@ impl Emitter<'_> {
         let vector = self.signatures().inputs();
         let components = &self.lowered.quantities.inputs;
         let values = components.iter().map(|input| self.read(input));
-        let driven = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
+        let taking_inputs = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
         let items = quote! {
             const INPUTS: [&'static str; #u] = Self::INPUTS;
 
@@ -33,7 +33,7 @@ impl Emitter<'_> {
                 ])
             }
 
-            #driven
+            #taking_inputs
         };
         let inputs = self.implement(&quote!(#root::Inputs<#n, #u, #scalar>), &items);
         let plant = self.plant();

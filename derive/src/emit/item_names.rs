@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use crate::syntax::declaration::Declaration;
-use crate::syntax::function::FunctionDeclaration;
+use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::names::{hygienic_ident, hygienic_span, unraw};
 
 /// The name of the struct that holds a model's outputs.

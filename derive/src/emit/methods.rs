@@ -17,18 +17,18 @@ impl Emitter<'_> {
         let prepare = self.methods_where(InputsFrom::Fields, |row| {
             of_trait(row) && !row.takes_state()
         });
-        let driven = if self.has_inputs() {
+        let taking_inputs = if self.has_inputs() {
             self.delegations(Interface::Lagrangian)
         } else {
-            let driven = |row: MethodRow| of_trait(row) && row.takes_inputs;
-            self.methods_where(InputsFrom::Fields, driven)
+            let taking_inputs = |row: MethodRow| of_trait(row) && row.takes_inputs;
+            self.methods_where(InputsFrom::Fields, taking_inputs)
         };
         let others = self.methods_where(InputsFrom::Fields, |row| {
             of_trait(row) && row.takes_state() && !row.takes_inputs
         });
         self.implement(
             &quote!(#root::Lagrangian<#n, #scalar>),
-            &quote!(#prepare #driven #others),
+            &quote!(#prepare #taking_inputs #others),
         )
     }
 

@@ -63,14 +63,14 @@ impl Translator<'_> {
             Expr::Group(inner) => self.translate(&inner.expr, context),
             Expr::Block(block) => match (block.block.stmts.as_slice(), &block.label) {
                 ([Stmt::Expr(only, None)], None) => self.translate(only, context),
-                _ => self.reject(block, hints::syntax(expression)),
+                _ => self.reject(block, hints::unsupported_syntax(expression)),
             },
             Expr::Lit(literal) => self.literal(literal).map(Value::Scalar),
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) if path.qself.is_none() && !leads_a_path(name) => {
                     self.name(name, context)
                 }
-                _ => self.reject(path, hints::path(path)),
+                _ => self.reject(path, hints::unsupported_path(path)),
             },
             Expr::Unary(unary) => self.negation(unary, context),
             Expr::Binary(binary) => self.chain(binary, context),
@@ -80,7 +80,7 @@ impl Translator<'_> {
             Expr::Repeat(repeat) => self.repeat(repeat, context),
             Expr::Index(index) => self.indexed(index, context),
             Expr::Field(field) => self.field(field, context),
-            other => self.reject(other, hints::syntax(other)),
+            other => self.reject(other, hints::unsupported_syntax(other)),
         }
     }
 
@@ -205,7 +205,7 @@ impl Translator<'_> {
     /// An unresolved name that can be used here.
     fn refuse<T>(&mut self, name: &Ident, meaning: &Meaning) -> Option<T> {
         let message = match meaning {
-            Meaning::Later => {
+            Meaning::DefinedLater => {
                 format!("`{name}` is not defined yet: a definition may use only those before it")
             }
             Meaning::Output => format!(
@@ -228,7 +228,7 @@ impl Translator<'_> {
         let written = unraw(name);
         if self.within_index {
             self.scope.silence(name);
-            return self.reject(name, hints::no_integer(name));
+            return self.reject(name, hints::not_an_integer(name));
         }
         if let Some(coordinate) = self.differentiated(&written) {
             let message =
@@ -246,7 +246,7 @@ impl Translator<'_> {
             return self.reject(name, format!("`{name}` is a function: write `{name}(x)`"));
         }
         if self.scope.note_unknown(name) {
-            let message = hints::unknown(name, &self.scope.quantities());
+            let message = hints::unknown_name(name, &self.scope.quantities());
             return self.reject(name, message);
         }
         None

@@ -13,7 +13,7 @@ use crate::lower::hints;
 use crate::lower::scope::{Family, Meaning, Origin};
 use crate::lower::value::Value;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::named::Named;
+use crate::syntax::named::NamedExpression;
 use crate::syntax::shape::Shape;
 
 /// What a force acts on.
@@ -66,7 +66,7 @@ impl Translator<'_> {
     /// Adds one force to the totals.
     fn force(
         &mut self,
-        force: &Named,
+        force: &NamedExpression,
         taken: &mut [bool],
         totals: &mut GeneralizedForces<'_>,
     ) -> Option<()> {
@@ -105,7 +105,7 @@ impl Translator<'_> {
     /// The components of a force on a scalar or vector of coordinates.
     fn force_on_coordinates(
         &mut self,
-        force: &Named,
+        force: &NamedExpression,
         value: Value,
         shape: Shape,
     ) -> Option<Vec<Expression>> {
@@ -122,7 +122,7 @@ impl Translator<'_> {
     }
 
     /// A force has the shape of what it acts on.
-    fn check_shape(&mut self, force: &Named, value: &Value, shape: Shape) -> Option<()> {
+    fn check_shape(&mut self, force: &NamedExpression, value: &Value, shape: Shape) -> Option<()> {
         if value.shape() == shape {
             return Some(());
         }
@@ -137,7 +137,7 @@ impl Translator<'_> {
     /// F·∂p/∂qᵢ for each coordinate, or F·∂w/∂q̇ᵢ.
     fn generalized_force(
         &mut self,
-        force: &Named,
+        force: &NamedExpression,
         value: &Value,
         target: &DefinedTarget,
         totals: &mut GeneralizedForces<'_>,
@@ -178,7 +178,7 @@ impl Translator<'_> {
     /// be the sum of a position and a velocity.
     fn check_velocity(
         &mut self,
-        force: &Named,
+        force: &NamedExpression,
         target: &DefinedTarget,
         component: usize,
         velocity: Expression,
@@ -204,7 +204,7 @@ impl Translator<'_> {
     }
 
     /// Resolves what a force acts on; that there is a coordinate or a definition of this name has been checked.
-    fn target(&mut self, force: &Named) -> Option<Target> {
+    fn target(&mut self, force: &NamedExpression) -> Option<Target> {
         let name = &force.name;
         match (self.scope.resolve(name)?, force.indices.as_slice()) {
             (Meaning::Quantity(Origin::Coordinate, value), indices) => {
@@ -227,7 +227,7 @@ impl Translator<'_> {
                 let member = self.member(outer)?;
                 let Some(value) = family.members.get(&member).cloned() else {
                     let message = match origin {
-                        Origin::Coordinate => hints::beyond(name, &member, &family),
+                        Origin::Coordinate => hints::out_of_range(name, &member, &family),
                         _ => format!("`{}` is not defined", hints::member(name, &member)),
                     };
                     return self.reject(&indices[0], message);
@@ -247,7 +247,7 @@ impl Translator<'_> {
         }
     }
 
-    fn reject_family<T>(&mut self, force: &Named, family: &Family) -> Option<T> {
+    fn reject_family<T>(&mut self, force: &NamedExpression, family: &Family) -> Option<T> {
         let name = &force.name;
         let message = format!(
             "`{name}` is a family: write `{}`",
@@ -279,7 +279,7 @@ impl Translator<'_> {
     /// A position or a velocity, where a force can act on it.
     fn defined_target(
         &mut self,
-        force: &Named,
+        force: &NamedExpression,
         origin: Origin,
         value: Value,
         member: Vec<usize>,

@@ -13,7 +13,7 @@ use crate::lower::scope::Family;
 use crate::syntax::shape::Shape;
 
 /// For expressions that are not part of the declaration language.
-pub(crate) fn syntax(expression: &Expr) -> &'static str {
+pub(crate) fn unsupported_syntax(expression: &Expr) -> &'static str {
     match expression {
         Expr::If(_) | Expr::Match(_) => {
             "there are no cases here: write one formula, with `abs`, `signum`, `min` and `max` where it \
@@ -44,7 +44,7 @@ pub(crate) fn syntax(expression: &Expr) -> &'static str {
 }
 
 /// For operators other than `+`, `-`, `*` and `/`.
-pub(crate) fn operator(operator: &BinOp) -> Option<&'static str> {
+pub(crate) fn unsupported_operator(operator: &BinOp) -> Option<&'static str> {
     match operator {
         BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) => None,
         BinOp::BitXor(_) => Some(
@@ -63,7 +63,7 @@ pub(crate) fn operator(operator: &BinOp) -> Option<&'static str> {
 }
 
 /// For operands of incompatible shapes.
-pub(crate) fn shapes(operator: &BinOp, left: Shape, right: Shape) -> String {
+pub(crate) fn incompatible_shapes(operator: &BinOp, left: Shape, right: Shape) -> String {
     let is_vector = |shape| matches!(shape, Shape::Array { columns: 1, .. });
     let (sign, hint) = match operator {
         BinOp::Add(_) => ("+", "both sides have to have the same shape"),
@@ -84,7 +84,7 @@ pub(crate) fn shapes(operator: &BinOp, left: Shape, right: Shape) -> String {
 }
 
 /// For what does not fit as a row of a matrix, or a component of a vector.
-pub(crate) fn rows(first: Shape, odd: Shape) -> String {
+pub(crate) fn incompatible_rows(first: Shape, odd: Shape) -> String {
     if first == odd {
         return format!(
             "a vector is made of scalars, and a matrix of vectors as rows: this is {odd}"
@@ -97,7 +97,7 @@ pub(crate) fn rows(first: Shape, odd: Shape) -> String {
 }
 
 /// For an unresolved name where an integer is expected.
-pub(crate) fn no_integer(name: &Ident) -> String {
+pub(crate) fn not_an_integer(name: &Ident) -> String {
     if is_constant(name) {
         return format!(
             "what the constant `{name}` is, the compiler knows later than these equations are derived: write the \
@@ -118,7 +118,7 @@ fn is_constant(name: &Ident) -> bool {
 }
 
 /// For an unresolved name, beside those of quantities.
-pub(crate) fn unknown(name: &Ident, known: &[&str]) -> String {
+pub(crate) fn unknown_name(name: &Ident, known: &[&str]) -> String {
     if is_constant(name) {
         return format!(
             "`{name}` is no field, coordinate or definition, and what a constant of Rust is, the compiler knows \
@@ -164,7 +164,7 @@ pub(crate) fn every_member(name: &Ident, family: &Family) -> String {
 }
 
 /// For a coordinate beyond the last one of its name.
-pub(crate) fn beyond(name: &Ident, indices: &[impl Display], family: &Family) -> String {
+pub(crate) fn out_of_range(name: &Ident, indices: &[impl Display], family: &Family) -> String {
     let written = member(name, indices);
     match family.members.keys().next_back() {
         Some(last) if family.rank > 1 => format!(
@@ -188,10 +188,10 @@ pub(crate) fn position_and_velocity(name: &Ident) -> String {
 }
 
 /// For a call of what is not a name.
-pub(crate) fn callee(function: &Expr) -> &'static str {
+pub(crate) fn not_callable(function: &Expr) -> &'static str {
     match function {
-        Expr::Paren(inner) => callee(&inner.expr),
-        Expr::Closure(_) => syntax(function),
+        Expr::Paren(inner) => not_callable(&inner.expr),
+        Expr::Closure(_) => unsupported_syntax(function),
         Expr::Path(path) if makes_an_array(path) => {
             "write the components alone: `[x, y, z]` for a vector, `[[a, b], [c, d]]` for a matrix"
         }
@@ -214,7 +214,7 @@ fn makes_an_array(path: &ExprPath) -> bool {
     })
 }
 
-pub(crate) fn path(path: &ExprPath) -> &'static str {
+pub(crate) fn unsupported_path(path: &ExprPath) -> &'static str {
     match path.path.segments.last() {
         Some(last) if last.ident == "PI" => "write `PI`",
         Some(_) if path.path.is_ident("self") => "write the names of fields, without `self`",
@@ -224,7 +224,7 @@ pub(crate) fn path(path: &ExprPath) -> &'static str {
     }
 }
 
-pub(crate) fn field(field: &ExprField) -> String {
+pub(crate) fn unsupported_field(field: &ExprField) -> String {
     match (&*field.base, &field.member) {
         (Expr::Path(base), Member::Named(member)) if base.path.is_ident("self") => {
             format!("fields are written without `self`: write `{member}`")
@@ -251,7 +251,7 @@ pub(crate) fn example(name: &str, arguments: usize) -> String {
 }
 
 /// For an unknown function.
-pub(crate) fn function(name: &str) -> String {
+pub(crate) fn unknown_function(name: &str) -> String {
     let hint = match name {
         "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
         "log" => "the natural logarithm is `ln(x)`",

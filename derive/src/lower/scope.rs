@@ -24,7 +24,7 @@ pub(crate) enum Meaning {
     /// Several quantities, distinguished by indices.
     Family(Origin, Rc<Family>),
     /// A quantity from `define` further down.
-    Later,
+    DefinedLater,
     /// Poisoned: an error in its declaration has been reported.
     Poisoned,
     /// A field that is marked `skip`.
@@ -111,7 +111,7 @@ impl Scope {
 
     /// Gives the name of a definition its meaning, unless the name is taken.
     pub(crate) fn define(&mut self, name: &Ident, meaning: Meaning) {
-        if let Some(later @ Meaning::Later) = self.meanings.get_mut(&unraw(name)) {
+        if let Some(later @ Meaning::DefinedLater) = self.meanings.get_mut(&unraw(name)) {
             *later = meaning;
         }
     }
@@ -122,7 +122,7 @@ impl Scope {
         let Some(meaning) = self.meanings.get_mut(&unraw(name)) else {
             return true;
         };
-        if let Meaning::Later = meaning {
+        if let Meaning::DefinedLater = meaning {
             let rank = indices.len();
             let members = BTreeMap::new();
             *meaning = Meaning::Family(Origin::Defined, Rc::new(Family { rank, members }));
@@ -146,7 +146,7 @@ impl Scope {
 
     /// Poisons a family of definitions with an error in one of them.
     pub(crate) fn silence_definition(&mut self, name: &Ident) {
-        if let Some(meaning @ (Meaning::Later | Meaning::Family(Origin::Defined, _))) =
+        if let Some(meaning @ (Meaning::DefinedLater | Meaning::Family(Origin::Defined, _))) =
             self.meanings.get_mut(&unraw(name))
         {
             *meaning = Meaning::Poisoned;
@@ -321,7 +321,7 @@ fn add_names_without_values(meanings: &mut Meanings, declaration: &Declaration) 
     let skipped = skipped.map(|field| &field.name);
     let outputs = clauses.outputs.iter().map(|named| &named.name);
     let others = definitions
-        .map(|name| (name, Meaning::Later))
+        .map(|name| (name, Meaning::DefinedLater))
         .chain(skipped.map(|name| (name, Meaning::Skipped)))
         .chain(outputs.map(|name| (name, Meaning::Output)));
     for (name, meaning) in others {

@@ -6,9 +6,9 @@ use syn::{Attribute, Expr, MacroDelimiter, Meta, Token, Type, token};
 
 use crate::diagnostics::{Diagnostics, similar};
 use crate::syntax::coordinate::{Coordinate, coordinates};
-use crate::syntax::function::FunctionDeclaration;
+use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::grammar::{equated, position, separated, word};
-use crate::syntax::named::{Named, named};
+use crate::syntax::named::{NamedExpression, named_expressions};
 use crate::syntax::root::Root;
 
 /// All clauses of the struct's `#[lagrangian(…)]` attributes.
@@ -16,14 +16,14 @@ use crate::syntax::root::Root;
 pub(crate) struct Clauses {
     pub(crate) coordinates: Vec<Coordinate>,
     pub(crate) functions: Vec<FunctionDeclaration>,
-    pub(crate) definitions: Vec<Named>,
+    pub(crate) definitions: Vec<NamedExpression>,
     pub(crate) kinetic: Vec<Clause>,
     pub(crate) potential: Vec<Clause>,
     pub(crate) lagrangian: Vec<Clause>,
     pub(crate) dissipation: Vec<Clause>,
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
-    pub(crate) forces: Vec<Vec<Named>>,
-    pub(crate) outputs: Vec<Named>,
+    pub(crate) forces: Vec<Vec<NamedExpression>>,
+    pub(crate) outputs: Vec<NamedExpression>,
     /// The type of `scalar = …`.
     pub(crate) scalar: Option<Type>,
     /// The path of `crate = …`.
@@ -125,17 +125,17 @@ impl Clauses {
                 read?;
             }
             "define" => {
-                let read = named(&keyword, input, &mut self.definitions);
+                let read = named_expressions(&keyword, input, &mut self.definitions);
                 self.names_unreadable |= read.is_err();
                 read?;
             }
             "force" => {
                 self.forces.push(Vec::new());
                 if let Some(forces) = self.forces.last_mut() {
-                    named(&keyword, input, forces)?;
+                    named_expressions(&keyword, input, forces)?;
                 }
             }
-            "output" => named(&keyword, input, &mut self.outputs)?,
+            "output" => named_expressions(&keyword, input, &mut self.outputs)?,
             "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),
             "potential" => self.potential.push(Clause::read(keyword, input)?),
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),

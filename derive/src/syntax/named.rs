@@ -1,4 +1,4 @@
-//! Named expressions, in lists: `name = expression`, or `name[i] = expression for i in 0..5`.
+//! NamedExpression expressions, in lists: `name = expression`, or `name[i] = expression for i in 0..5`.
 
 use proc_macro2::{Ident, Literal, Span};
 use syn::parse::ParseStream;
@@ -8,32 +8,32 @@ use crate::syntax::grammar::{equated, list, word};
 use crate::syntax::label::Index;
 
 /// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
-pub(crate) struct Named {
+pub(crate) struct NamedExpression {
     pub(crate) name: Ident,
     pub(crate) indices: Vec<Expr>,
     pub(crate) expression: Expr,
-    pub(crate) iterations: Vec<Iteration>,
+    pub(crate) iterations: Vec<ForClause>,
 }
 
 /// `for index in range`.
-pub(crate) struct Iteration {
+pub(crate) struct ForClause {
     pub(crate) index: Ident,
     pub(crate) range: Expr,
 }
 
 /// `(name = expression, …)` after a keyword.
-pub(crate) fn named(
+pub(crate) fn named_expressions(
     keyword: &Ident,
     input: ParseStream<'_>,
-    items: &mut Vec<Named>,
+    items: &mut Vec<NamedExpression>,
 ) -> syn::Result<()> {
     list(keyword, input, "a comma, or an operator,", |input| {
-        items.push(Named::read(keyword, input)?);
+        items.push(NamedExpression::read(keyword, input)?);
         Ok(())
     })
 }
 
-impl Named {
+impl NamedExpression {
     fn read(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<Self> {
         let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
         let mut indices = Vec::new();
@@ -60,7 +60,7 @@ impl Named {
         let expression = equated(&name, input)?;
         let mut iterations = Vec::new();
         while let Some(word) = input.parse::<Option<Token![for]>>()? {
-            iterations.push(Iteration::read(word, input)?);
+            iterations.push(ForClause::read(word, input)?);
         }
         Ok(Self {
             name,
@@ -93,7 +93,7 @@ fn axis(name: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
     Ok(syn::parse_quote!(#index))
 }
 
-impl Iteration {
+impl ForClause {
     /// `i in 0..5` behind `for`.
     fn read(keyword: Token![for], input: ParseStream<'_>) -> syn::Result<Self> {
         let message = "write `for i in 0..5`";

@@ -10,7 +10,7 @@ use lagrangian_symbolic::{Operand, Operation, Phase};
 /// What is computed at once, by the indices of the instructions.
 pub(super) struct Angles {
     /// What the angles are made of.
-    pub(super) made_of: BTreeSet<usize>,
+    pub(super) operands_of_angles: BTreeSet<usize>,
     /// The sines and cosines.
     pub(super) pairs: Vec<usize>,
 }
@@ -19,30 +19,30 @@ impl Angles {
     /// The angles known at the beginning of a group, if they are two or more; `earlier` tells which
     /// values are those of groups before.
     pub(super) fn of(group: &Phase, earlier: impl Fn(usize) -> bool) -> Option<Self> {
-        let mut simple = BTreeMap::new();
+        let mut arithmetic = BTreeMap::new();
         let mut pairs = Vec::new();
         for (index, instruction) in group.instructions.iter().enumerate() {
             let is_known = |operand: &Operand| match operand {
-                Operand::Value(value) => simple.contains_key(value) || earlier(*value),
+                Operand::Value(value) => arithmetic.contains_key(value) || earlier(*value),
                 _ => true,
             };
             if !instruction.operation.operands().all(is_known) {
                 continue;
             }
-            if is_simple(&instruction.operation) {
-                simple.insert(instruction.value, index);
+            if is_arithmetic(&instruction.operation) {
+                arithmetic.insert(instruction.value, index);
             } else if matches!(instruction.operation, Operation::SineAndCosine(_)) {
                 pairs.push(index);
             }
         }
         (pairs.len() > 1).then(|| Self {
-            made_of: ancestors(group, &pairs, &simple),
+            operands_of_angles: ancestors(group, &pairs, &arithmetic),
             pairs,
         })
     }
 }
 
-const fn is_simple(operation: &Operation) -> bool {
+const fn is_arithmetic(operation: &Operation) -> bool {
     matches!(
         operation,
         Operation::Add(..)
@@ -54,13 +54,17 @@ const fn is_simple(operation: &Operation) -> bool {
 }
 
 /// The instructions whose values the pairs are made of.
-fn ancestors(group: &Phase, pairs: &[usize], simple: &BTreeMap<usize, usize>) -> BTreeSet<usize> {
+fn ancestors(
+    group: &Phase,
+    pairs: &[usize],
+    arithmetic: &BTreeMap<usize, usize>,
+) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     let mut waiting = pairs.to_vec();
     while let Some(index) = waiting.pop() {
         for operand in group.instructions[index].operation.operands() {
             if let Operand::Value(value) = operand
-                && let Some(index) = simple.get(value)
+                && let Some(index) = arithmetic.get(value)
                 && found.insert(*index)
             {
                 waiting.push(*index);

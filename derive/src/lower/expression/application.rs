@@ -8,7 +8,7 @@ use syn::Expr;
 use super::{ExpressionContext, Translator};
 use crate::lower::scope::{Meaning, Origin};
 use crate::lower::value::Value;
-use crate::syntax::function::{DerivativeDeclaration, FunctionDeclaration};
+use crate::syntax::external_function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::names::unraw;
 
 impl Translator<'_> {
@@ -64,9 +64,9 @@ impl Translator<'_> {
             return Some(());
         }
         let known = match self.scope.resolve(name) {
-            Some(Meaning::Quantity(Origin::Defined, _) | Meaning::Family(..) | Meaning::Later) => {
-                false
-            }
+            Some(
+                Meaning::Quantity(Origin::Defined, _) | Meaning::Family(..) | Meaning::DefinedLater,
+            ) => false,
             Some(Meaning::Quantity(_, value)) => {
                 let mut components = value.components().iter();
                 !components.any(|component| self.graph.contents(*component).varies_in_time())

@@ -28,7 +28,7 @@ impl Translator<'_> {
         match stacked(&values) {
             Ok(matrix) => Some(Value::Array(matrix)),
             Err(odd) => {
-                let message = hints::rows(values[0].shape(), values[odd].shape());
+                let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
                 self.reject(&array.elems[odd], message)
             }
         }
@@ -53,7 +53,7 @@ impl Translator<'_> {
                 if let Ok(matrix) = stacked(&vec![value.clone(); length]) {
                     return Some(Value::Array(matrix));
                 }
-                let message = hints::rows(value.shape(), value.shape());
+                let message = hints::incompatible_rows(value.shape(), value.shape());
                 self.reject(&repeat.expr, message)
             }
             _ => {
@@ -84,13 +84,13 @@ impl Translator<'_> {
             return self.reject(arguments[0], wants_array(&written, &values[0]));
         };
         match (written.as_str(), &values[1..]) {
-            ("row" | "column", _) => self.line(&written, first, arguments[1]),
-            (_, [Value::Array(second)]) => self.of_two(name, first, second),
+            ("row" | "column", _) => self.row_or_column(&written, first, arguments[1]),
+            (_, [Value::Array(second)]) => self.binary_array_function(name, first, second),
             (_, [other]) => {
                 let message = wants_array(&written, other);
                 self.reject(arguments[1], message)
             }
-            _ => self.of_one(&written, first, call),
+            _ => self.unary_array_function(&written, first, call),
         }
     }
 
@@ -106,7 +106,7 @@ impl Translator<'_> {
         }
     }
 
-    fn line(&mut self, name: &str, matrix: &Matrix, index: &Expr) -> Option<Value> {
+    fn row_or_column(&mut self, name: &str, matrix: &Matrix, index: &Expr) -> Option<Value> {
         let line = if name == "row" {
             let i = self.index_below(index, matrix.rows(), "rows", matrix)?;
             matrix.row(i)
@@ -117,7 +117,12 @@ impl Translator<'_> {
         line.map(Value::Array)
     }
 
-    fn of_two(&mut self, name: &Ident, first: &Matrix, second: &Matrix) -> Option<Value> {
+    fn binary_array_function(
+        &mut self,
+        name: &Ident,
+        first: &Matrix,
+        second: &Matrix,
+    ) -> Option<Value> {
         let written = name.to_string();
         if written == "outer"
             && first.elements().len() > LARGEST_ARRAY / second.elements().len().max(1)
@@ -160,7 +165,7 @@ impl Translator<'_> {
     }
 
     /// A function that every vector or matrix has.
-    fn of_any(&mut self, name: &str, array: &Matrix) -> Option<Value> {
+    fn total_array_function(&mut self, name: &str, array: &Matrix) -> Option<Value> {
         let graph = &mut self.graph;
         let elements = array.elements().iter();
         let terms = elements.map(|element| (*element, Rational::ONE));
@@ -178,8 +183,13 @@ impl Translator<'_> {
         })
     }
 
-    fn of_one(&mut self, name: &str, array: &Matrix, call: &dyn ToTokens) -> Option<Value> {
-        if let Some(value) = self.of_any(name, array) {
+    fn unary_array_function(
+        &mut self,
+        name: &str,
+        array: &Matrix,
+        call: &dyn ToTokens,
+    ) -> Option<Value> {
+        if let Some(value) = self.total_array_function(name, array) {
             return Some(value);
         }
         let graph = &mut self.graph;

@@ -20,14 +20,14 @@ impl Translator<'_> {
             _ => None,
         };
         let Some(name) = name else {
-            return self.reject(&call.func, hints::callee(&call.func));
+            return self.reject(&call.func, hints::not_callable(&call.func));
         };
         let arguments: Vec<&Expr> = call.args.iter().collect();
         if name == "dot" {
             return self.time_derivative(call, &arguments, context);
         }
         if name == "vector" {
-            return self.whole_family(call, &arguments, context);
+            return self.family_as_vector(call, &arguments, context);
         }
         if let Some(value) = self.rotation(name, call, &arguments, context) {
             return value;
@@ -110,7 +110,7 @@ impl Translator<'_> {
     }
 
     /// `vector(theta)`: the members of a family as a vector, or as the rows of a matrix.
-    fn whole_family(
+    fn family_as_vector(
         &mut self,
         call: &ExprCall,
         arguments: &[&Expr],
@@ -151,7 +151,7 @@ impl Translator<'_> {
         match stacked(&values) {
             Ok(matrix) => Some(Value::Array(matrix)),
             Err(odd) => {
-                let message = hints::rows(values[0].shape(), values[odd].shape());
+                let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
                 self.reject(argument, message)
             }
         }
@@ -193,7 +193,9 @@ impl Translator<'_> {
             "powi" => 2,
             _ if is_scalar => 1 + usize::from(unary.is_none()),
             // The time derivative is no method.
-            "dot" if arguments.len() == 1 => return self.reject(name, hints::function("dot")),
+            "dot" if arguments.len() == 1 => {
+                return self.reject(name, hints::unknown_function("dot"));
+            }
             _ => match of_arrays {
                 Some(arity) => arity,
                 None => return self.no_function(name),
@@ -245,7 +247,7 @@ impl Translator<'_> {
         }
         let message = match self.scope.suggest_function(name) {
             Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
-            None => hints::function(&name.to_string()),
+            None => hints::unknown_function(&name.to_string()),
         };
         self.reject(name, message)
     }

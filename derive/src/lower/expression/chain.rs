@@ -92,7 +92,7 @@ impl Translator<'_> {
         operand: &Expr,
         context: ExpressionContext,
     ) -> Option<Value> {
-        if let Some(hint) = hints::operator(operator) {
+        if let Some(hint) = hints::unsupported_operator(operator) {
             return self.reject(operator, hint);
         }
         let value = self.translate(operand, context)?;
@@ -126,7 +126,7 @@ impl Translator<'_> {
                 self.integer_quotient(chain, operator)
             }
             Ok(chain) => Some(chain),
-            Err(left) => self.reject(operator, hints::shapes(operator, left, right)),
+            Err(left) => self.reject(operator, hints::incompatible_shapes(operator, left, right)),
         }
     }
 

@@ -33,7 +33,7 @@ impl Translator<'_> {
         let family = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
         let (name, origin, family) = match family {
             Some((name, Meaning::Family(origin, family))) => (name, origin, family),
-            Some((name, Meaning::Later)) => {
+            Some((name, Meaning::DefinedLater)) => {
                 let message = format!(
                     "no member of `{name}` is defined before this one: define the first of them first, as in \
                      `{name}[0] = …, {name}[i] = … for i in 1..5`"
@@ -156,7 +156,7 @@ impl Translator<'_> {
         };
         let is_self = matches!(&*field.base, Expr::Path(base) if base.path.is_ident("self"));
         let Some(position) = position.filter(|_| !is_self) else {
-            return self.reject(field, hints::field(field));
+            return self.reject(field, hints::unsupported_field(field));
         };
         let value = self.translate(&field.base, context)?;
         match &value {
@@ -177,7 +177,7 @@ impl Translator<'_> {
 fn absent(name: &Ident, origin: Origin, member: &[i64], family: &Family) -> String {
     let written = hints::member(name, member);
     match (origin, bounds(family)) {
-        (Origin::Coordinate, _) => hints::beyond(name, member, family),
+        (Origin::Coordinate, _) => hints::out_of_range(name, member, family),
         (Origin::Field, _) => format!(
             "`{written}` is out of range: the array has {} members",
             family.members.len()

@@ -8,7 +8,7 @@ use super::{ExpressionContext, Translator};
 use crate::limits::MOST_REPETITIONS;
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
-use crate::syntax::named::Iteration;
+use crate::syntax::named::ForClause;
 use crate::syntax::names::RESERVED;
 use crate::syntax::shape::Shape;
 
@@ -202,7 +202,7 @@ impl Translator<'_> {
     /// before; stops at the first error.
     pub(crate) fn for_each(
         &mut self,
-        iterations: &[Iteration],
+        iterations: &[ForClause],
         action: &mut dyn FnMut(&mut Self) -> Option<()>,
     ) -> Option<()> {
         let Some((iteration, inner)) = iterations.split_first() else {
@@ -231,7 +231,7 @@ impl Translator<'_> {
         match stacked(&values) {
             Ok(matrix) => Some(Value::Array(matrix)),
             Err(odd) => {
-                let message = hints::rows(values[0].shape(), values[odd].shape());
+                let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
                 self.reject(&call.method, message)
             }
         }
