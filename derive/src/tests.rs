@@ -7,5 +7,6 @@ mod robustness;
 mod roots;
 mod scalars;
 mod scopes;
+mod table;
 mod timing;
 mod validation;

@@ -1,4 +1,4 @@
-//! NamedExpression expressions, in lists: `name = expression`, or `name[i] = expression for i in 0..5`.
+//! Named expressions, in lists: `name = expression`, or `name[i] = expression for i in 0..5`.
 
 use proc_macro2::{Ident, Literal, Span};
 use syn::parse::ParseStream;
