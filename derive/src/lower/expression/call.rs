@@ -180,12 +180,8 @@ impl Translator<'_> {
             return self.application(function, arguments, call, context);
         }
         let written = name.to_string();
-        let unary = Unary::ALL
-            .into_iter()
-            .find(|function| function.name() == written);
-        let binary = Binary::ALL
-            .into_iter()
-            .find(|function| function.name() == written);
+        let unary = Unary::ALL.into_iter().find(|one| one.name() == written);
+        let binary = Binary::ALL.into_iter().find(|one| one.name() == written);
         let of_arrays = builtins::arity_of_arrays(&written);
         let is_scalar = unary.is_some() || binary.is_some();
         let expected = match written.as_str() {

@@ -54,19 +54,17 @@ impl Translator<'_> {
             return self.reject(index, message);
         }
         let (outer, inner) = indices.split_at(family.rank);
-        if let Some(Expr::Tuple(pair)) = outer.iter().map(|index| without_parentheses(index)).next()
-        {
+        let first = outer.first().map(|index| without_parentheses(index));
+        if let Some(Expr::Tuple(pair)) = first {
             let message = format!(
                 "the members of `{name}` are told apart by one index in each pair of brackets: write `{name}[i][j]`"
             );
             return self.reject(pair, message);
         }
-        let member: Vec<i64> = outer
-            .iter()
-            .map(|index| self.integer(index))
-            .collect::<Option<_>>()?;
-        let positions = member.iter().map(|i| usize::try_from(*i).ok()).collect();
-        let positions: Option<Vec<usize>> = positions;
+        let member = outer.iter().map(|index| self.integer(index));
+        let member: Vec<i64> = member.collect::<Option<_>>()?;
+        let positions = member.iter().map(|i| usize::try_from(*i).ok());
+        let positions: Option<Vec<usize>> = positions.collect();
         let value = positions.and_then(|positions| family.members.get(&positions).cloned());
         let Some(value) = value else {
             let message = absent(name, origin, &member, &family);
