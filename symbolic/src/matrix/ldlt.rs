@@ -22,7 +22,7 @@ pub struct Ldlt {
 }
 
 impl Ldlt {
-    /// Factors M, unless there is no pivot to begin with, or a pivot would meet more than `limit` others.
+    /// Factors M, unless there is no nonzero pivot, or a pivot row has more than `limit` other entries.
     pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>], limit: usize) -> Option<Self> {
         let mut partial = PartialFactorization {
             graph,

@@ -71,7 +71,7 @@ impl Kinetics {
                 ArticulatedBodies::factor(graph, scaled, MOST_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
-        solvers.extend(through_quasi_velocities(model, equations, declared));
+        solvers.extend(boltzmann_hamel_solvers(model, equations, declared));
         Self {
             solution: Solution::cheapest(&mut model.graph, &cheaper.forcing, solvers),
             forcing: cheaper.forcing,
@@ -111,7 +111,7 @@ impl LinearSystem {
 }
 
 /// The solvers by as many quasi-velocities as there are coordinates.
-fn through_quasi_velocities(
+fn boltzmann_hamel_solvers(
     model: &mut Model,
     equations: &Equations,
     declared: Option<QuasiVelocities>,
@@ -125,7 +125,7 @@ fn through_quasi_velocities(
         .and_then(|declared| declared.combined(&mut model.graph));
     let mut choices: Vec<_> = declared.into_iter().chain(combined).collect();
     if model.coordinates <= MOST_EXPANDED_COORDINATES && passes.has(Pass::Inertias) {
-        choices.extend(QuasiVelocities::by_inertia(&mut model.graph, equations));
+        choices.extend(QuasiVelocities::recovered(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);
     let mut solvers = Vec::new();

@@ -67,11 +67,11 @@ impl Program {
     fn run<A: Arithmetic>(&self, arithmetic: &mut A) -> Option<Vec<Vec<A::Number>>> {
         let mut values = Vec::new();
         let mut groups = Vec::new();
-        for phase in &self.groups {
-            for instruction in &phase.instructions {
+        for group in &self.groups {
+            for instruction in &group.instructions {
                 execute(arithmetic, &instruction.operation, &mut values)?;
             }
-            let outputs: Option<Vec<_>> = phase
+            let outputs: Option<Vec<_>> = group
                 .outputs
                 .iter()
                 .map(|operand| fetch(arithmetic, operand, &values))

@@ -36,12 +36,12 @@ impl Program {
     #[must_use]
     pub fn hoist_invariants(&self) -> Staged {
         let mut hoisting = Hoisting::default();
-        for phase in &self.groups {
+        for group in &self.groups {
             let mut rest = OutputGroup::default();
-            for instruction in &phase.instructions {
+            for instruction in &group.instructions {
                 hoisting.instruction(instruction, &mut rest.instructions);
             }
-            rest.outputs = phase
+            rest.outputs = group
                 .outputs
                 .iter()
                 .map(|operand| hoisting.in_kernel(operand))

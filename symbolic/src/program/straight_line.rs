@@ -123,13 +123,13 @@ pub struct Program {
 impl Program {
     /// All instructions, in the order in which they run.
     pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
-        self.groups.iter().flat_map(|phase| &phase.instructions)
+        self.groups.iter().flat_map(|group| &group.instructions)
     }
 
     /// The symbols that the program reads, in order.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
-        let outputs = self.groups.iter().flat_map(|phase| &phase.outputs);
+        let outputs = self.groups.iter().flat_map(|group| &group.outputs);
         let operands = self
             .instructions()
             .flat_map(|instruction| instruction.operation.operands());
@@ -147,7 +147,7 @@ impl Program {
 
     /// The exact numbers that the program contains.
     pub fn constants(&self) -> impl Iterator<Item = &Rational> {
-        let outputs = self.groups.iter().flat_map(|phase| &phase.outputs);
+        let outputs = self.groups.iter().flat_map(|group| &group.outputs);
         let operands = self
             .instructions()
             .flat_map(|instruction| instruction.operation.operands());

@@ -55,8 +55,8 @@ impl Program {
             Operand::Value(number) if *number >= computed => Err(Fault::Undefined(*number)),
             _ => Ok(()),
         };
-        for phase in &self.groups {
-            for instruction in &phase.instructions {
+        for group in &self.groups {
+            for instruction in &group.instructions {
                 for operand in instruction.operation.operands() {
                     defined(operand, computed)?;
                 }
@@ -65,7 +65,7 @@ impl Program {
                 }
                 computed += instruction.operation.results();
             }
-            for operand in &phase.outputs {
+            for operand in &group.outputs {
                 defined(operand, computed)?;
             }
         }

@@ -13,7 +13,7 @@ type Rows = Vec<Vec<Expression>>;
 
 impl QuasiVelocities {
     /// The quasi-velocities of a mass matrix, if each inertia belongs to a sum of squares.
-    pub(crate) fn by_inertia(graph: &mut Graph, equations: &Equations) -> Option<Self> {
+    pub(crate) fn recovered(graph: &mut Graph, equations: &Equations) -> Option<Self> {
         let mass = &equations.mass;
         // An L that is not quadratic in the velocities is no sum of squares of linear forms, whatever the pivots are.
         if !is_quadratic(graph, equations.lagrangian) {
@@ -144,7 +144,7 @@ mod tests {
 
     fn found(model: &mut Model) -> QuasiVelocities {
         let equations = Equations::derive(model).unwrap();
-        QuasiVelocities::by_inertia(&mut model.graph, &equations).unwrap()
+        QuasiVelocities::recovered(&mut model.graph, &equations).unwrap()
     }
 
     /// Whether each of the forms is one of these rates, up to its sign, with these inertias.
@@ -215,7 +215,7 @@ mod tests {
         let (kinetic, zero) = (draft.graph.scale(fourth, &part), draft.graph.zero());
         let mut model = draft.natural(kinetic, zero);
         let equations = Equations::derive(&mut model).unwrap();
-        let found = QuasiVelocities::by_inertia(&mut model.graph, &equations);
+        let found = QuasiVelocities::recovered(&mut model.graph, &equations);
         assert!(found.is_none());
     }
 
@@ -234,7 +234,7 @@ mod tests {
             let (kinetic, zero) = (draft.half(twice), draft.graph.zero());
             let mut model = draft.natural(kinetic, zero);
             let equations = Equations::derive(&mut model).unwrap();
-            let found = QuasiVelocities::by_inertia(&mut model.graph, &equations);
+            let found = QuasiVelocities::recovered(&mut model.graph, &equations);
             assert!(found.is_none());
         }
     }

@@ -51,8 +51,8 @@ pub(crate) struct ArticulatedBodies {
 }
 
 impl ArticulatedBodies {
-    /// Factors the equations Eᵀ W ẇ = r of `tree`, unless a pivot vanishes or more than `limit` unknowns
-    /// meet.
+    /// Factors the equations Eᵀ W ẇ = r of `tree`, unless a pivot vanishes or its row has more than `limit`
+    /// other entries.
     pub(crate) fn factor(graph: &mut Graph, tree: KinematicTree, limit: usize) -> Option<Self> {
         let mut quadratic = Quadratic::new(graph, &tree);
         let mut waiting: Vec<usize> = (0..tree.right.len()).collect();

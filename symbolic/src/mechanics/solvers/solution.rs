@@ -39,7 +39,7 @@ impl Solution {
     ) -> Option<Self> {
         let mut solutions = Vec::with_capacity(solvers.len());
         for solver in solvers.into_iter().rev() {
-            solutions.push(Self::by(graph, forcing, solver));
+            solutions.push(Self::solved_by(graph, forcing, solver));
         }
         let unscheduled =
             |solution: &Self| graph.cost(&[&*solution.pivots, &solution.accelerations].concat());
@@ -57,7 +57,7 @@ impl Solution {
         })
     }
 
-    fn by(graph: &mut Graph, forcing: &[Expression], solver: Solver) -> Self {
+    fn solved_by(graph: &mut Graph, forcing: &[Expression], solver: Solver) -> Self {
         let (pivots, accelerations) = match &solver {
             Solver::BoltzmannHamel(solver) => (solver.pivots(), solver.accelerations(graph)),
             Solver::ArticulatedBodies(solver) => {

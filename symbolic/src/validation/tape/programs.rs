@@ -23,8 +23,8 @@ impl Tape {
     fn append(&mut self, program: &Program) {
         let mut values: Vec<Slot> = Vec::new();
         let mut loaded: Table<Operand, Slot> = Table::default();
-        for phase in &program.groups {
-            for instruction in &phase.instructions {
+        for group in &program.groups {
+            for instruction in &group.instructions {
                 let operation = &instruction.operation;
                 let operands: Vec<Slot> = operation
                     .operands()
@@ -32,7 +32,7 @@ impl Tape {
                     .collect();
                 self.translate(operation, &operands, &mut values);
             }
-            for operand in &phase.outputs {
+            for operand in &group.outputs {
                 let slot = self.load(operand, &values, &mut loaded);
                 self.outputs.push(slot);
             }
