@@ -4,6 +4,14 @@
 use crate::identity::modular_point::{HomomorphicImage, Point};
 use crate::{Expression, Graph, Symbol};
 
+impl Point {
+    /// The values of the roots modulo p, or `None` where one has no value at this point.
+    #[must_use]
+    pub fn evaluate(self, graph: &Graph, roots: &[Expression]) -> Option<Vec<u64>> {
+        Some(Evaluation::new(graph, roots, self)?.values())
+    }
+}
+
 /// The images of some roots and of all their subexpressions at one point.
 pub(crate) struct Evaluation<'a> {
     graph: &'a Graph,

@@ -9,10 +9,9 @@
 //! sign only. Every other function, external ones included, is uninterpreted. What follows from values at such
 //! points is said in `identity_test.rs`.
 
-use crate::identity::evaluation::Evaluation;
 use crate::identity::residue::{self, Field};
 use crate::limits::MODULAR_ATTEMPTS;
-use crate::{Binary, Expression, ExternalFunction, Graph, Node, Rational, Symbol, Unary};
+use crate::{Binary, Expression, ExternalFunction, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.
 #[derive(Clone, Copy, Debug)]
@@ -97,12 +96,6 @@ impl Point {
 
     fn q(self) -> u64 {
         self.field().q
-    }
-
-    /// The values of the roots modulo p, or `None` where one has no value at this point.
-    #[must_use]
-    pub fn evaluate(self, graph: &Graph, roots: &[Expression]) -> Option<Vec<u64>> {
-        Some(Evaluation::new(graph, roots, self)?.values())
     }
 
     /// The homomorphic image of a node, from those of its operands.
