@@ -31,8 +31,7 @@
 //! - [`Dynamics`] is a system ẋ = f(t, x), which an [`Integrator`] steps; that of a model is
 //!   [`Lagrangian::dynamics`](trait@Lagrangian). A [`Driver`] adds stop conditions and observers.
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
-//! [`DoubleDouble`], and dual
-//!   numbers with the feature `num-dual`.
+//!   [`DoubleDouble`], and dual numbers with the feature `num-dual`.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]

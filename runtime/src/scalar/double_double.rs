@@ -55,7 +55,7 @@ pub struct DoubleDouble {
     low: f64,
 }
 
-/// a + b and its rounding error (TwoSum).
+/// a + b and its rounding error (`TwoSum`).
 #[inline]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -64,7 +64,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - a_rounded) + (b - b_rounded))
 }
 
-/// a · b and its rounding error (TwoProd, by a fused multiply-add).
+/// a · b and its rounding error (`TwoProd`, by a fused multiply-add).
 #[inline]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -105,7 +105,7 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// The sum of two numbers, of which the first has the greater magnitude (Fast2Sum).
+    /// The sum of two numbers, of which the first has the greater magnitude (`Fast2Sum`).
     #[inline]
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
