@@ -1,4 +1,4 @@
-"""The constants of `src/sine_cosine.rs`: `python3 runtime/scripts/sine_cosine_constants.py` (needs mpmath).
+"""The constants of `src/scalar/sine_cosine.rs`: `python3 runtime/scripts/sine_cosine_constants.py` (needs mpmath).
 
 Prints π/2 in three parts and the minimax polynomials in z = r², |r| ≤ π/4, of
 

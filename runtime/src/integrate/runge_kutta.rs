@@ -231,7 +231,7 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
         if !remaining.is_finite() {
             return Err(IntegrationError::NonFiniteTime { time: target });
         }
-        // A quotient that is a whole number but for rounding must not add a step.
+        // A quotient that is an integer up to rounding must not add a step.
         let steps =
             libm::ceil(remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING)).max(1.0);
         let h = remaining / steps;

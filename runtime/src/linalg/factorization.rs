@@ -97,7 +97,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         }
     }
 
-    /// For each coordinate, the reciprocal of a condition number: for a positive definite matrix the pivot over the
+    /// For each coordinate, a measure of the conditioning of M: for a positive definite matrix the pivot over the
     /// diagonal entry, for another one the reciprocal of (|M⁻¹| |M|)ᵢᵢ (Bauer, 1963). NaN
     /// or 0 if M is singular. Neither depends on the units of the coordinates.
     #[inline]

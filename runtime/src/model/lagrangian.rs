@@ -66,7 +66,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// Near a singularity of M their accuracy is then what [`Factorization::relative_pivots`] says.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
-    /// For each coordinate, the reciprocal of the condition of M q̈ = f: near 1 if M is well-conditioned,
+    /// For each coordinate, a measure of the conditioning of M q̈ = f: near 1 if M is well-conditioned,
     /// 0 or NaN if M is singular. Its inverse estimates the factor by which the
     /// rounding errors of M are amplified in [`accelerations`](Self::accelerations); those of the forcing are not
     /// part of it.

@@ -78,7 +78,7 @@ impl fmt::LowerExp for DoubleDouble {
         if !self.is_finite() || self.is_zero() {
             return write!(f, "{:.precision$e}", self.high);
         }
-        #[allow(clippy::cast_possible_truncation)] // A whole number between −324 and 308.
+        #[allow(clippy::cast_possible_truncation)] // An integer between −324 and 308.
         let mut exponent = libm::floor(libm::log10(self.high.abs())) as i32;
         let ten = Self::from(10.0);
         let mut rest = self.abs().times_power_of_ten(-exponent);
