@@ -58,11 +58,11 @@ pub(crate) fn turn(
     tolerance: f64,
 ) -> Option<State<f64, 3>> {
     let driver = method(tolerance).driver();
-    let ending = driver
+    let outcome = driver
         .stop_at_zero(|_, phase: &Phase<f64, 3>| phase.v[HeavyTop::THETA])
-        .integrate_to(&top.dynamics(), from, end)
+        .run_until(&top.dynamics(), from, end)
         .ok()?;
-    (ending.reason == Reason::Condition).then(|| ending.last.state())
+    (outcome.reason == StopReason::Condition).then(|| outcome.last.state())
 }
 
 /// The method of integration.

@@ -99,8 +99,8 @@ fn state_at<const N: usize>(
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
     let driver = method.driver();
-    match driver.integrate_to(&model.dynamics(), initial, t) {
-        Ok(ending) => ending.last.state(),
+    match driver.run_until(&model.dynamics(), initial, t) {
+        Ok(outcome) => outcome.last.state(),
         Err(error) => panic!("{error}"),
     }
 }

@@ -56,8 +56,8 @@ mod user {
     use super::facade::mechanics::prelude::*;
     #[allow(unused_imports)]
     use super::facade::mechanics::{
-        Energies, Factorization, Inputs, Linearization, OperationCount, Operations, Outputs,
-        OutputsWith, Scalar, State, System,
+        Energies, Factorization, GeneralizedCoordinates, Inputs, Linearization, OperationCount,
+        Operations, Outputs, OutputsWith, Scalar, State,
     };
 
     /// A double pendulum with a motor, by whose declaration everything is emitted that there is.

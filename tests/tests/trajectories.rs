@@ -151,7 +151,7 @@ fn integrate<const N: usize>(
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13)
         .driver()
-        .maximal_steps(1_000_000);
+        .max_steps(1_000_000);
     let (trajectory, error) = match method.sample(dynamics, initial, &times) {
         Ok(trajectory) => (trajectory, None),
         Err(interrupted) => (interrupted.trajectory().clone(), Some(interrupted.error())),

@@ -164,7 +164,10 @@ fn what_is_known_of_the_model_is_known_for_every_scalar() {
     assert_eq!(Driven::<f32>::OPERATIONS, Plain::OPERATIONS);
     assert_eq!(<Driven>::COORDINATES, ["theta1", "theta2"]);
     assert_eq!(<Driven>::THETA2, 1);
-    assert_eq!(<Driven as System<2>>::ANGLES, <Plain as System<2>>::ANGLES);
+    assert_eq!(
+        <Driven as GeneralizedCoordinates<2>>::ANGLES,
+        <Plain as GeneralizedCoordinates<2>>::ANGLES
+    );
     assert_eq!(
         <Driven<f32> as Inputs<2, 1, f32>>::INPUTS,
         <Plain as Inputs<2, 1>>::INPUTS

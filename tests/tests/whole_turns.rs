@@ -35,7 +35,7 @@ fn steps<M: Lagrangian<2>>(model: &M, q: [f64; 2], v: [f64; 2]) -> u64 {
 
 #[test]
 fn whole_turns_end_no_motion() {
-    assert_eq!(<Linked as System<2>>::ANGLES, [true, true]);
+    assert_eq!(<Linked as GeneralizedCoordinates<2>>::ANGLES, [true, true]);
     let model = Linked { m: 1.0, k: 0.3 };
     let turns = 5000.0 * 2.0 * std::f64::consts::PI;
     let near = steps(&model, [0.4, 1.0], [0.5, -0.2]);
@@ -45,8 +45,14 @@ fn whole_turns_end_no_motion() {
 
 #[test]
 fn where_and_how_fast_a_free_particle_is_costs_nothing() {
-    assert_eq!(<Particle as System<2>>::ANGLES, [false, true]);
-    assert_eq!(<Particle as System<2>>::IGNORABLE, [true, false]);
+    assert_eq!(
+        <Particle as GeneralizedCoordinates<2>>::ANGLES,
+        [false, true]
+    );
+    assert_eq!(
+        <Particle as GeneralizedCoordinates<2>>::IGNORABLE,
+        [true, false]
+    );
     let model = Particle { m: 2.0 };
     let at_rest = steps(&model, [0.0, 1.0], [0.0, 0.0]);
     for (x, v) in [(1e6, 0.0), (0.0, 1e6), (-1e8, 7e3)] {
@@ -82,7 +88,7 @@ fn sizes_do_not_depend_on_where_an_ignorable_coordinate_is() {
     };
     for psi in [0.0, 1e6] {
         let state = State::new(0.0, [0.0, 7.5, psi], [0.3, 0.0, -20.0]);
-        let sizes = top.dynamics().magnitude(&Phase::from(state));
+        let sizes = top.dynamics().error_scale(&Phase::from(state));
         assert_eq!(sizes.q, SVector::from([1.0, 1.0, 20.0]));
         assert_eq!(sizes.v, SVector::from([0.3, 0.0, 20.0]));
     }

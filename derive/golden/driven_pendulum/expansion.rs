@@ -148,7 +148,7 @@ impl DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::System<1usize> for DrivenPendulum {
+impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
     const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
     const ANGLES: [bool; 1usize] = [true];
     const IGNORABLE: [bool; 1usize] = [false];

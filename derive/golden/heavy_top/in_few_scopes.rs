@@ -164,7 +164,7 @@ impl HeavyTop {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::System<3usize> for HeavyTop {
+impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
     const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
     const ANGLES: [bool; 3usize] = [false, true, true];
     const IGNORABLE: [bool; 3usize] = [true, false, false];

@@ -140,7 +140,7 @@ impl Slider {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::System<1usize> for Slider {
+impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
     const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
     const ANGLES: [bool; 1usize] = [false];
     const IGNORABLE: [bool; 1usize] = [false];
@@ -372,14 +372,14 @@ impl Slider {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::Functions for Slider {
+impl ::lagrangian::ExternalFunctions for Slider {
     type Scalar = ::core::primitive::f64;
-    const FUNCTIONS: &'static [::lagrangian::Signature] = &[
-        ::lagrangian::Signature {
+    const FUNCTIONS: &'static [::lagrangian::FunctionSignature] = &[
+        ::lagrangian::FunctionSignature {
             name: "friction",
             arguments: &["v", "load"],
         },
-        ::lagrangian::Signature {
+        ::lagrangian::FunctionSignature {
             name: "side",
             arguments: &["x"],
         },

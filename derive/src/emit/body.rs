@@ -12,7 +12,7 @@ mod constant;
 use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{
-    Function, Instruction, Operand, Operation, Pass, Passes, Phase, Program, Symbol,
+    ExternalFunction, Instruction, Operand, Operation, OutputGroup, Pass, Passes, Program, Symbol,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -71,7 +71,7 @@ impl<'a> Body<'a> {
     }
 
     /// The statements of a group, and the expressions of its outputs.
-    pub(crate) fn group(&mut self, group: &Phase) -> (TokenStream, Vec<TokenStream>) {
+    pub(crate) fn group(&mut self, group: &OutputGroup) -> (TokenStream, Vec<TokenStream>) {
         self.load_symbols(group);
         let done = self.angles(group);
         for (index, instruction) in group.instructions.iter().enumerate() {
@@ -88,7 +88,7 @@ impl<'a> Body<'a> {
     }
 
     /// Reads the symbols that no group before has read.
-    fn load_symbols(&mut self, group: &Phase) {
+    fn load_symbols(&mut self, group: &OutputGroup) {
         let operands = group
             .instructions
             .iter()
@@ -111,7 +111,7 @@ impl<'a> Body<'a> {
     }
 
     /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
-    fn angles(&mut self, group: &Phase) -> BTreeSet<usize> {
+    fn angles(&mut self, group: &OutputGroup) -> BTreeSet<usize> {
         if !self.passes.has(Pass::Vectors) {
             return BTreeSet::new();
         }
@@ -272,7 +272,7 @@ impl<'a> Body<'a> {
     }
 
     /// An external function, on the scalar.
-    fn application(&self, function: Function, arguments: &[TokenStream]) -> TokenStream {
+    fn application(&self, function: ExternalFunction, arguments: &[TokenStream]) -> TokenStream {
         let name = self.functions.get(function.index());
         let scalar = self.scalar;
         let parameters = scalar.is_generic().then(|| quote!(::<#scalar>));

@@ -68,7 +68,7 @@ impl Emitter<'_> {
         let name = &self.declaration.name;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.coordinates();
-        let structure = &self.equations.structure;
+        let structure = &self.equations.coordinate_properties;
         let (angles, ignorable) = (&structure.angles, &structure.ignorable);
         let singularities = structure.singularities.iter().map(|coordinates| {
             let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
@@ -76,7 +76,7 @@ impl Emitter<'_> {
         });
         quote! {
             #[automatically_derived]
-            impl #generics #root::System<#n> for #name #arguments #conditions {
+            impl #generics #root::GeneralizedCoordinates<#n> for #name #arguments #conditions {
                 const COORDINATES: [&'static str; #n] = Self::COORDINATES;
                 const ANGLES: [bool; #n] = [#(#angles),*];
                 const IGNORABLE: [bool; #n] = [#(#ignorable),*];

@@ -75,7 +75,7 @@ impl<'a> Emitter<'a> {
     /// What the types in signatures are made of.
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
-        let prepared = &self.methods.prepare.program.phases;
+        let prepared = &self.methods.prepare.program.groups;
         let kept = prepared.first().map_or(0, |phase| phase.outputs.len());
         Signatures {
             root: &self.declaration.root,

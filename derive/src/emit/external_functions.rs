@@ -1,4 +1,4 @@
-//! External functions: a method for the value and each derivative, and the impl of `Functions`.
+//! External functions: a method for the value and each derivative, and the impl of `ExternalFunctions`.
 
 use std::collections::BTreeSet;
 
@@ -104,7 +104,7 @@ impl Emitter<'_> {
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         quote! {
             #[automatically_derived]
-            impl #generics #root::Functions for #name #arguments #conditions {
+            impl #generics #root::ExternalFunctions for #name #arguments #conditions {
                 #items
             }
         }
@@ -185,9 +185,9 @@ pub(crate) fn signatures(declaration: &Declaration) -> TokenStream {
     let signatures = declaration.clauses.functions.iter().map(|function| {
         let name = unraw(&function.name);
         let arguments = function.arguments.iter().map(unraw);
-        quote!(#root::Signature { name: #name, arguments: &[#(#arguments),*] })
+        quote!(#root::FunctionSignature { name: #name, arguments: &[#(#arguments),*] })
     });
-    quote!(const FUNCTIONS: &'static [#root::Signature] = &[#(#signatures),*];)
+    quote!(const FUNCTIONS: &'static [#root::FunctionSignature] = &[#(#signatures),*];)
 }
 
 /// Variables for the arguments of a function, hygienic.

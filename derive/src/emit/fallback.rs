@@ -161,7 +161,7 @@ impl<'a> Fallback<'a> {
         let root = &self.declaration.root;
         let n = &self.dimension;
         let names = quote!(const COORDINATES: [&'static str; #n] = [""; #n];);
-        self.implement(&quote!(#root::System<#n>), None, &names)
+        self.implement(&quote!(#root::GeneralizedCoordinates<#n>), None, &names)
     }
 
     fn lagrangian(&self) -> TokenStream {
@@ -309,7 +309,7 @@ impl<'a> Fallback<'a> {
             impl #generics #name #arguments #conditions { #values }
 
             #[automatically_derived]
-            impl #generics #root::Functions for #name #arguments #conditions {
+            impl #generics #root::ExternalFunctions for #name #arguments #conditions {
                 type Scalar = #scalar;
                 #signatures
                 fn function(&self, _: usize, _: &[#scalar]) -> #scalar { ::core::unreachable!() }

@@ -27,7 +27,7 @@ impl SymbolReader for Reader<'_> {
             Symbol::Parameter(i) => field(&quantities.parameters, i),
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&quantities.inputs, i),
-            Symbol::Prepared(i) => element(&quote!(prepared), i),
+            Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
         }
     }

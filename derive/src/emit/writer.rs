@@ -98,7 +98,7 @@ impl Writer<'_> {
     /// The statements that compute some outputs, as far as they are not written yet, and the outputs.
     fn compute(&mut self, slice: &OutputSlice) -> (TokenStream, Vec<TokenStream>) {
         let mut statements = TokenStream::new();
-        let groups = self.method.program.phases.iter();
+        let groups = self.method.program.groups.iter();
         for group in groups.take(slice.group() + 1).skip(self.computed.len()) {
             let (more, outputs) = self.body.group(group);
             statements.extend(more);

@@ -109,7 +109,7 @@ impl Quantities {
             Symbol::Acceleration(i) => coordinate(i, "_ddot"),
             Symbol::Parameter(i) => component(&self.parameters, i),
             Symbol::Input(i) => component(&self.inputs, i),
-            Symbol::Prepared(i) => format!("c{i}"),
+            Symbol::Invariant(i) => format!("c{i}"),
             Symbol::Argument(i) => format!("x{i}"),
         }
     }

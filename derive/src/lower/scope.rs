@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use lagrangian_symbolic::{Expression, Function, Graph, Symbol};
+use lagrangian_symbolic::{Expression, ExternalFunction, Graph, Symbol};
 use proc_macro2::Ident;
 
 use crate::diagnostics::similar;
@@ -60,7 +60,7 @@ pub(crate) struct Family {
 pub(crate) struct Scope {
     meanings: BTreeMap<String, Meaning>,
     /// The external functions.
-    functions: BTreeMap<String, Function>,
+    functions: BTreeMap<String, ExternalFunction>,
     /// Where a field is first mentioned: the emitted code accesses it with that span.
     uses: BTreeMap<String, Ident>,
     /// Unresolved names, wherever they were written.
@@ -154,12 +154,12 @@ impl Scope {
     }
 
     /// Gives the name of a function its meaning, unless there is one already.
-    pub(crate) fn declare_function(&mut self, name: &Ident, function: Function) {
+    pub(crate) fn declare_function(&mut self, name: &Ident, function: ExternalFunction) {
         self.functions.entry(unraw(name)).or_insert(function);
     }
 
     /// The external function that is called `name`.
-    pub(crate) fn function(&self, name: &Ident) -> Option<Function> {
+    pub(crate) fn function(&self, name: &Ident) -> Option<ExternalFunction> {
         self.functions.get(&unraw(name)).copied()
     }
 

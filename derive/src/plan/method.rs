@@ -1,6 +1,6 @@
 //! One method, whose body is one program.
 
-use lagrangian_symbolic::{Expression, Kinetics, Model, OperationCount, Prepared, Program};
+use lagrangian_symbolic::{Expression, Kinetics, Model, OperationCount, Program, Staged};
 
 use super::outputs::{AccelerationOutputs, MethodOutputs, OutputSlice, ProgramLayout};
 
@@ -48,8 +48,11 @@ impl Method {
             };
             (outputs, true)
         };
-        let whole = Program::schedule_for_preparation(&model.graph, &layout.groups());
-        let Prepared { before, after } = whole.parted(model.graph.passes);
+        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
+        let Staged {
+            setup: before,
+            kernel: after,
+        } = whole.staged(model.graph.passes);
         let prepare = Self {
             count: before.count(),
             outputs: MethodOutputs::Invariants(OutputSlice::of_only_phase(&before)),

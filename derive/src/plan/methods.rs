@@ -151,8 +151,8 @@ impl PivotExpressions {
         if equations.mass.len() > MOST_PIVOTS {
             return None;
         }
-        let elimination = kinetics.elimination.as_ref()?;
-        let angles = &equations.structure.angles;
+        let elimination = kinetics.ldlt.as_ref()?;
+        let angles = &equations.coordinate_properties.angles;
         let rows = equations.mass.iter().enumerate();
         Some(Self {
             magnitudes: elimination.magnitudes(&mut model.graph, angles),

@@ -19,7 +19,7 @@ pub(crate) struct OutputSlice {
 impl OutputSlice {
     /// All outputs of a program with one group.
     pub(crate) fn of_only_phase(program: &Program) -> Self {
-        let outputs = program.phases.first().map(|group| group.outputs.len());
+        let outputs = program.groups.first().map(|group| group.outputs.len());
         Self {
             group: 0,
             range: 0..outputs.unwrap_or(0),
@@ -44,7 +44,7 @@ impl OutputSlice {
 
     /// What a program returns for them.
     pub(crate) fn operands<'a>(&self, program: &'a Program) -> &'a [Operand] {
-        let group = program.phases.get(self.group);
+        let group = program.groups.get(self.group);
         let slice = group.and_then(|group| group.outputs.get(self.range.clone()));
         slice.unwrap_or_default()
     }

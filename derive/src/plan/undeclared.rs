@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use lagrangian_symbolic::{Function, Graph};
+use lagrangian_symbolic::{ExternalFunction, Graph};
 
 use super::methods::Methods;
 use super::table::EmittedMethod;
@@ -36,7 +36,7 @@ const fn needs(method: EmittedMethod) -> &'static str {
 
 /// The declared function, and its argument, whose derivative `function` is or is made of, if that was not
 /// declared.
-fn first_undeclared(graph: &Graph, mut function: Function) -> Option<(usize, usize)> {
+fn first_undeclared(graph: &Graph, mut function: ExternalFunction) -> Option<(usize, usize)> {
     let mut found = None;
     while let Some((of, argument)) = graph.undeclared(function) {
         found = Some((of.index(), argument));

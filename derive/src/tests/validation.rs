@@ -112,7 +112,7 @@ fn what_is_derived_agrees() {
 fn altered(program: &Program, position: usize) -> Option<Program> {
     let mut program = program.clone();
     let instructions = program
-        .phases
+        .groups
         .iter_mut()
         .flat_map(|phase| &mut phase.instructions);
     let instruction = instructions.into_iter().nth(position)?;
@@ -178,7 +178,7 @@ fn values(methods: &Methods, method: symbolic::Method, program: &Program, seed: 
             let prepared = methods.prepare.program.evaluate(value).concat();
             let program = &methods.accelerations.program;
             let accelerations = program.evaluate(|symbol| match symbol {
-                symbolic::Symbol::Prepared(index) => prepared[index as usize],
+                symbolic::Symbol::Invariant(index) => prepared[index as usize],
                 _ => value(symbol),
             });
             accelerations.concat().split_off(pivots)

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lagrangian_symbolic::{Operand, Operation, Phase};
+use lagrangian_symbolic::{Operand, Operation, OutputGroup};
 
 /// What is computed at once, by the indices of the instructions.
 pub(super) struct Angles {
@@ -18,7 +18,7 @@ pub(super) struct Angles {
 impl Angles {
     /// The angles known at the beginning of a group, if they are two or more; `earlier` tells which
     /// values are those of groups before.
-    pub(super) fn of(group: &Phase, earlier: impl Fn(usize) -> bool) -> Option<Self> {
+    pub(super) fn of(group: &OutputGroup, earlier: impl Fn(usize) -> bool) -> Option<Self> {
         let mut arithmetic = BTreeMap::new();
         let mut pairs = Vec::new();
         for (index, instruction) in group.instructions.iter().enumerate() {
@@ -55,7 +55,7 @@ const fn is_arithmetic(operation: &Operation) -> bool {
 
 /// The instructions whose values the pairs are made of.
 fn ancestors(
-    group: &Phase,
+    group: &OutputGroup,
     pairs: &[usize],
     arithmetic: &BTreeMap<usize, usize>,
 ) -> BTreeSet<usize> {

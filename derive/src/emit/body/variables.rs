@@ -46,7 +46,7 @@ fn count_uses(program: &Program) -> Vec<usize> {
     let end = |last: &Instruction| last.value + last.operation.results();
     let mut uses = vec![0; program.instructions().last().map_or(0, end)];
     let mut start = 0;
-    for group in &program.phases {
+    for group in &program.groups {
         let mut note = |operand: &Operand| {
             if let Some(value) = value_of(operand) {
                 uses[value] += if value < start { 2 } else { 1 };

@@ -1,6 +1,6 @@
 //! External functions: the declaration of their derivatives, and their application.
 
-use lagrangian_symbolic::{Function, Symbol};
+use lagrangian_symbolic::{ExternalFunction, Symbol};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
@@ -33,7 +33,7 @@ impl Translator<'_> {
 
     fn declare_derivative(
         &mut self,
-        function: Function,
+        function: ExternalFunction,
         arguments: &[Ident],
         derivative: &DerivativeDeclaration,
     ) {
@@ -85,7 +85,7 @@ impl Translator<'_> {
     /// An external function, applied to scalars.
     pub(super) fn application(
         &mut self,
-        function: Function,
+        function: ExternalFunction,
         arguments: &[&Expr],
         call: impl ToTokens,
         context: ExpressionContext,
