@@ -39,14 +39,7 @@ pub use program::straight_line::{Instruction, Operand, Operation, OperationCount
 pub use program::verify::Fault;
 pub use validation::{AccelerationProgram, LinearizationProgram, Method, Programs, Validator};
 
-// Unit tests are about the same systems as the tests from outside.
-#[cfg(test)]
-extern crate self as lagrangian_symbolic;
-#[cfg(test)]
-#[allow(dead_code)]
-#[path = "../tests/support/draft.rs"]
-mod draft;
-#[cfg(test)]
-#[allow(dead_code)]
-#[path = "../tests/support/systems.rs"]
-mod systems;
+/// No part of the interface.
+#[doc(hidden)]
+#[cfg(any(test, feature = "testing"))]
+pub mod testing;

@@ -3,13 +3,13 @@
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
 
 /// Rows in numbers.
-pub(crate) type Rows = Vec<Vec<f64>>;
+pub type Rows = Vec<Vec<f64>>;
 
 /// How many points each identity is looked at.
-pub(crate) const POINTS: u64 = 5;
+pub const POINTS: u64 = 5;
 
 /// The value of a symbol at one of several points: anything between −1 and 1, the same on every run.
-pub(crate) fn value(point: u64, symbol: Symbol) -> f64 {
+pub fn value(point: u64, symbol: Symbol) -> f64 {
     let (kind, index) = match symbol {
         Symbol::Coordinate(i) => (1, i),
         Symbol::Velocity(i) => (2, i),
@@ -24,21 +24,21 @@ pub(crate) fn value(point: u64, symbol: Symbol) -> f64 {
 }
 
 /// A matrix of as many parameters, from the one of this number on.
-pub(crate) fn parameters(graph: &mut Graph, rows: usize, columns: usize, first: u32) -> Matrix {
+pub fn parameters(graph: &mut Graph, rows: usize, columns: usize, first: u32) -> Matrix {
     let symbols = (first..).map(Symbol::Parameter).take(rows * columns);
     let elements = symbols.map(|symbol| graph.symbol(symbol)).collect();
     Matrix::new(rows, columns, elements).unwrap()
 }
 
 /// The values of a matrix of the parameters from this number on.
-pub(crate) fn numbers(rows: usize, columns: usize, first: u32, point: u64) -> Rows {
+pub fn numbers(rows: usize, columns: usize, first: u32, point: u64) -> Rows {
     let position = |i: usize, j: usize| first + u32::try_from(j * rows + i).unwrap();
     let entry = |i, j| value(point, Symbol::Parameter(position(i, j)));
     let row = |i| (0..columns).map(|j| entry(i, j)).collect();
     (0..rows).map(row).collect()
 }
 
-pub(crate) fn evaluate(graph: &Graph, matrix: &Matrix, point: u64) -> Rows {
+pub fn evaluate(graph: &Graph, matrix: &Matrix, point: u64) -> Rows {
     let values = graph.evaluate(matrix.elements(), |symbol| value(point, symbol));
     let row = |i| {
         let entries = (0..matrix.columns()).map(|j| values[j * matrix.rows() + i]);
@@ -48,7 +48,7 @@ pub(crate) fn evaluate(graph: &Graph, matrix: &Matrix, point: u64) -> Rows {
 }
 
 #[track_caller]
-pub(crate) fn assert_close(found: &Rows, expected: &Rows) {
+pub fn assert_close(found: &Rows, expected: &Rows) {
     let lengths = |rows: &Rows| rows.iter().map(Vec::len).collect::<Vec<_>>();
     assert_eq!(lengths(found), lengths(expected));
     for (x, y) in found.concat().into_iter().zip(expected.concat()) {
@@ -59,7 +59,7 @@ pub(crate) fn assert_close(found: &Rows, expected: &Rows) {
 
 /// Compares a matrix with its rows in numbers at several points.
 #[track_caller]
-pub(crate) fn assert_values(graph: &Graph, matrix: &Matrix, expected: impl Fn(u64) -> Rows) {
+pub fn assert_values(graph: &Graph, matrix: &Matrix, expected: impl Fn(u64) -> Rows) {
     for point in 0..POINTS {
         assert_close(&evaluate(graph, matrix, point), &expected(point));
     }
@@ -67,12 +67,12 @@ pub(crate) fn assert_values(graph: &Graph, matrix: &Matrix, expected: impl Fn(u6
 
 /// Compares an expression with a number at several points.
 #[track_caller]
-pub(crate) fn assert_value(graph: &Graph, found: Expression, expected: impl Fn(u64) -> f64) {
+pub fn assert_value(graph: &Graph, found: Expression, expected: impl Fn(u64) -> f64) {
     let matrix = Matrix::vector(vec![found]);
     assert_values(graph, &matrix, |point| vec![vec![expected(point)]]);
 }
 
-pub(crate) fn product(a: &Rows, b: &Rows) -> Rows {
+pub fn product(a: &Rows, b: &Rows) -> Rows {
     let mut product = vec![vec![0.0; b[0].len()]; a.len()];
     for (i, row) in a.iter().enumerate() {
         for (j, x) in row.iter().enumerate() {

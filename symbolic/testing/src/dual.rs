@@ -2,14 +2,14 @@
 
 use lagrangian_symbolic::{Binary, Rational, Unary};
 
-use super::Number;
-use super::bounded::Bounded;
+use crate::Number;
+use crate::bounded::Bounded;
 
 /// A value and its derivative.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Dual<N> {
-    pub(crate) value: N,
-    pub(crate) slope: N,
+pub struct Dual<N> {
+    pub value: N,
+    pub slope: N,
 }
 
 fn constant<N: Number>(value: i64) -> N {
@@ -137,7 +137,7 @@ impl<N: Number> Number for Dual<N> {
 
 impl Dual<Bounded> {
     /// The variable itself, or a constant.
-    pub(crate) fn variable(value: f64, varies: bool) -> Self {
+    pub fn variable(value: f64, varies: bool) -> Self {
         Self {
             value: Bounded::exact(value),
             slope: Bounded::exact(f64::from(u8::from(varies))),

@@ -2,17 +2,17 @@
 
 use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol};
 
-use super::draft::value;
+use crate::value;
 
 /// Rows of a matrix in numbers.
-pub(crate) type Rows = [[f64; 3]; 3];
+pub type Rows = [[f64; 3]; 3];
 
 /// The twelve sequences of three axes of which neighbours differ.
-pub(crate) const SEQUENCES: [&str; 12] = [
+pub const SEQUENCES: [&str; 12] = [
     "zxz", "xyx", "yzy", "zyz", "xzx", "yxy", "xyz", "yzx", "zxy", "xzy", "zyx", "yxz",
 ];
 
-pub(crate) fn axis(letter: char) -> Axis {
+pub fn axis(letter: char) -> Axis {
     match letter {
         'x' => Axis::X,
         'y' => Axis::Y,
@@ -21,7 +21,7 @@ pub(crate) fn axis(letter: char) -> Axis {
 }
 
 /// The rotation about an axis by an angle.
-pub(crate) fn elementary(letter: char, angle: f64) -> Rows {
+pub fn elementary(letter: char, angle: f64) -> Rows {
     let (s, c) = angle.sin_cos();
     match letter {
         'x' => [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
@@ -30,7 +30,7 @@ pub(crate) fn elementary(letter: char, angle: f64) -> Rows {
     }
 }
 
-pub(crate) fn times(a: &Rows, b: &Rows) -> Rows {
+pub fn times(a: &Rows, b: &Rows) -> Rows {
     let mut product = [[0.0; 3]; 3];
     for i in 0..3 {
         for j in 0..3 {
@@ -42,7 +42,7 @@ pub(crate) fn times(a: &Rows, b: &Rows) -> Rows {
     product
 }
 
-pub(crate) fn transposed(a: &Rows) -> Rows {
+pub fn transposed(a: &Rows) -> Rows {
     let mut transpose = [[0.0; 3]; 3];
     for i in 0..3 {
         for j in 0..3 {
@@ -53,7 +53,7 @@ pub(crate) fn transposed(a: &Rows) -> Rows {
 }
 
 /// The product of elementary rotations.
-pub(crate) fn rotation(sequence: &str, angles: &[f64]) -> Rows {
+pub fn rotation(sequence: &str, angles: &[f64]) -> Rows {
     let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let factors = sequence.chars().zip(angles);
     factors.fold(identity, |product, (letter, angle)| {
@@ -63,7 +63,7 @@ pub(crate) fn rotation(sequence: &str, angles: &[f64]) -> Rows {
 
 /// The angular velocity along the body's axes of a rotation that is given at all times, where the
 /// values of `draft` have time 0.3: from central differences.
-pub(crate) fn angular_velocity(at: impl Fn(f64) -> Rows) -> [f64; 3] {
+pub fn angular_velocity(at: impl Fn(f64) -> Rows) -> [f64; 3] {
     let (now, step) = (value(Symbol::Time), 1e-4);
     // Two differences, of which the error of fourth order is left.
     let difference = |step: f64, i: usize, j: usize| {
@@ -79,14 +79,14 @@ pub(crate) fn angular_velocity(at: impl Fn(f64) -> Rows) -> [f64; 3] {
     [spin[2][1], spin[0][2], spin[1][0]]
 }
 
-/// The coordinates at a time: those of `draft` at its time, and its velocities at all times.
-pub(crate) fn moving(coordinate: u32, time: f64) -> f64 {
+/// The coordinates at a time: those of [`value`] at its time, and its velocities at all times.
+pub fn moving(coordinate: u32, time: f64) -> f64 {
     value(Symbol::Coordinate(coordinate))
         + value(Symbol::Velocity(coordinate)) * (time - value(Symbol::Time))
 }
 
-/// The rows of a matrix of three columns, with the values of `draft`.
-pub(crate) fn rows(graph: &Graph, matrix: &Matrix) -> Vec<[f64; 3]> {
+/// The rows of a matrix of three columns, with the values of [`value`].
+pub fn rows(graph: &Graph, matrix: &Matrix) -> Vec<[f64; 3]> {
     let values = graph.evaluate(matrix.elements(), value);
     let height = matrix.rows();
     let row = |i: usize| core::array::from_fn(|j| values[j * height + i]);
@@ -94,7 +94,7 @@ pub(crate) fn rows(graph: &Graph, matrix: &Matrix) -> Vec<[f64; 3]> {
 }
 
 /// The rotation by a sequence of axes through the coordinates from the first on.
-pub(crate) fn by_coordinates(graph: &mut Graph, sequence: &str, first: u32) -> Matrix {
+pub fn by_coordinates(graph: &mut Graph, sequence: &str, first: u32) -> Matrix {
     let turns: Vec<(Axis, Expression)> = sequence
         .chars()
         .zip(first..)
@@ -104,7 +104,7 @@ pub(crate) fn by_coordinates(graph: &mut Graph, sequence: &str, first: u32) -> M
 }
 
 #[track_caller]
-pub(crate) fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
+pub fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
     assert_eq!(found.len(), expected.len());
     for (x, y) in found.iter().zip(expected) {
         assert!((x - y).abs() < tolerance, "{found:?} is not {expected:?}");

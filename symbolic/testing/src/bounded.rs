@@ -2,18 +2,18 @@
 
 use lagrangian_symbolic::{Binary, Rational, Unary};
 
-use super::Number;
+use crate::Number;
 
 /// A value, and how far it can be from that of exact arithmetic. The bound is infinite where a
 /// function has a jump, a pole or the end of its domain within reach.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounded {
-    pub(crate) value: f64,
-    pub(crate) error: f64,
+pub struct Bounded {
+    pub value: f64,
+    pub error: f64,
 }
 
 impl Bounded {
-    pub(crate) fn exact(value: f64) -> Self {
+    pub fn exact(value: f64) -> Self {
         Self { value, error: 0.0 }
     }
 
@@ -35,7 +35,7 @@ impl Bounded {
         Self::rounded(value, error, 4.0)
     }
 
-    pub(crate) fn includes_zero(self) -> bool {
+    pub fn includes_zero(self) -> bool {
         self.value.abs() <= self.error
     }
 
@@ -46,12 +46,12 @@ impl Bounded {
         }
     }
 
-    pub(crate) fn is_reliable(self) -> bool {
+    pub fn is_reliable(self) -> bool {
         self.value.is_finite() && self.error.is_finite()
     }
 
     /// Whether both can be the same number.
-    pub(crate) fn agrees(self, other: Self) -> bool {
+    pub fn agrees(self, other: Self) -> bool {
         let difference = (self.value - other.value).abs();
         difference <= self.error + other.error
     }

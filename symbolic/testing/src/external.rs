@@ -2,24 +2,24 @@
 
 use lagrangian_symbolic::{Function, Graph, Rational, Symbol, Unary};
 
-use super::Number;
+use crate::Number;
 
 /// w(x) = sin 2x, with w′ = 2 s(x).
-pub(crate) const WAVE: usize = 0;
+pub const WAVE: usize = 0;
 /// s(x) = cos 2x, with s′ = −2 w(x).
-pub(crate) const SLOPE: usize = 1;
+pub const SLOPE: usize = 1;
 /// p(x, y) = x² w(y), with ∂p/∂x = 2 x w(y) and ∂p/∂y = 2 x² s(y).
-pub(crate) const PRODUCT: usize = 2;
+pub const PRODUCT: usize = 2;
 /// How many there are.
-pub(crate) const COUNT: usize = 3;
+pub const COUNT: usize = 3;
 
 /// How many arguments a function has.
-pub(crate) fn arity(function: usize) -> usize {
+pub fn arity(function: usize) -> usize {
     if function == PRODUCT { 2 } else { 1 }
 }
 
 /// The functions, declared with their derivatives in a graph that has no other.
-pub(crate) fn functions(graph: &mut Graph) -> [Function; COUNT] {
+pub fn functions(graph: &mut Graph) -> [Function; COUNT] {
     if let Some(known) = graph.functions().collect::<Vec<_>>().first_chunk() {
         return *known;
     }
@@ -45,12 +45,12 @@ pub(crate) fn functions(graph: &mut Graph) -> [Function; COUNT] {
 }
 
 /// The value of a function of [`functions`].
-pub(crate) fn value<N: Number>(function: Function, arguments: &[N]) -> N {
+pub fn value<N: Number>(function: Function, arguments: &[N]) -> N {
     value_of(function.index(), arguments)
 }
 
 /// The value of the function of this number.
-pub(crate) fn value_of<N: Number>(function: usize, arguments: &[N]) -> N {
+pub fn value_of<N: Number>(function: usize, arguments: &[N]) -> N {
     let wave = |x: N, of: Unary| x.multiply(N::rational(&Rational::integer(2))).unary(of);
     match (function, arguments) {
         (WAVE, [x]) => wave(*x, Unary::Sin),

@@ -3,11 +3,11 @@
 use lagrangian_symbolic::{Binary, Expression, Graph, Rational, Symbol, Unary};
 use proptest::prelude::*;
 
-use super::{Number, outside};
+use crate::{Number, external};
 
 /// A tree of operations.
 #[derive(Clone, Debug)]
-pub(crate) enum Tree {
+pub enum Tree {
     Number(i64, i64),
     Pi,
     Symbol(Symbol),
@@ -17,15 +17,15 @@ pub(crate) enum Tree {
     Multiply(Box<Tree>, Box<Tree>),
     Divide(Box<Tree>, Box<Tree>),
     Power(Box<Tree>, i64, i64),
-    Whole(Box<Tree>),
+    Opaque(Box<Tree>),
     Unary(Unary, Box<Tree>),
     Binary(Binary, Box<Tree>, Box<Tree>),
-    /// A function from outside, by its number.
+    /// An external function, by its number.
     Application(usize, Vec<Tree>),
 }
 
 /// The symbols in random trees.
-pub(crate) const SYMBOLS: [Symbol; 6] = [
+pub const SYMBOLS: [Symbol; 6] = [
     Symbol::Coordinate(0),
     Symbol::Coordinate(1),
     Symbol::Velocity(0),
@@ -35,7 +35,7 @@ pub(crate) const SYMBOLS: [Symbol; 6] = [
 ];
 
 /// Trees of a few dozen operations at most, rich in coincidences: few symbols and small numbers.
-pub(crate) fn trees() -> impl Strategy<Value = Tree> {
+pub fn trees() -> impl Strategy<Value = Tree> {
     let number = prop_oneof![
         4 => (-4_i64..=4).prop_map(|n| Tree::Number(n, 1)),
         1 => (-9_i64..=9, 1_i64..=9).prop_map(|(n, d)| Tree::Number(n, d)),
@@ -71,7 +71,7 @@ pub(crate) fn trees() -> impl Strategy<Value = Tree> {
 
 /// Trees such as mechanics writes: sums and products of a few coordinates and parameters, and of sines and
 /// cosines of one angle, in which most rules find something to do.
-pub(crate) fn formulas() -> impl Strategy<Value = Tree> {
+pub fn formulas() -> impl Strategy<Value = Tree> {
     let symbol = |name| Tree::Symbol(name);
     let angle = symbol(SYMBOLS[0]);
     let of_angle = |function| Tree::Unary(function, Box::new(angle.clone()));
@@ -94,13 +94,13 @@ pub(crate) fn formulas() -> impl Strategy<Value = Tree> {
             6 => pair().prop_map(|(x, y)| Tree::Multiply(x, y)),
             1 => pair().prop_map(|(x, y)| Tree::Divide(x, y)),
             2 => one().prop_map(|x| Tree::Power(x, 2, 1)),
-            2 => one().prop_map(Tree::Whole),
+            2 => one().prop_map(Tree::Opaque),
         ]
     })
 }
 
 /// Three sums Σⱼ cᵢⱼ xⱼ, multiplied, and Σᵢⱼ rᵢ cᵢⱼ fᵢ xⱼ written term by term: the same sums, to be found again.
-pub(crate) fn distributed() -> impl Strategy<Value = [Tree; 2]> {
+pub fn distributed() -> impl Strategy<Value = [Tree; 2]> {
     let numbers = prop::array::uniform3(prop::array::uniform3(-2_i64..=2));
     let ratios = prop::array::uniform3(-2_i64..=3);
     let orders = Just([0, 1, 2]).prop_shuffle();
@@ -112,7 +112,7 @@ pub(crate) fn distributed() -> impl Strategy<Value = [Tree; 2]> {
             let terms = [0, 1, 2].map(|j| times(numbers[i][j], Tree::Symbol(SYMBOLS[j])));
             let sum = terms.into_iter().reduce(add).unwrap();
             if whole[i] {
-                Tree::Whole(Box::new(sum))
+                Tree::Opaque(Box::new(sum))
             } else {
                 sum
             }
@@ -130,26 +130,26 @@ pub(crate) fn distributed() -> impl Strategy<Value = [Tree; 2]> {
     })
 }
 
-/// Trees in which functions from outside are applied to trees, and to what they are applied to.
-pub(crate) fn applications() -> impl Strategy<Value = Tree> {
-    (trees(), trees(), trees(), 0..outside::COUNT).prop_map(|(x, y, z, last)| {
+/// Trees in which external functions are applied to trees, and to what they are applied to.
+pub fn applications() -> impl Strategy<Value = Tree> {
+    (trees(), trees(), trees(), 0..external::COUNT).prop_map(|(x, y, z, last)| {
         let boxed = Box::new;
-        let inner = Tree::Application(outside::WAVE, vec![x]);
+        let inner = Tree::Application(external::WAVE, vec![x]);
         let product = Tree::Multiply(boxed(inner.clone()), boxed(z));
-        let arguments = [inner, product].into_iter().take(outside::arity(last));
+        let arguments = [inner, product].into_iter().take(external::arity(last));
         let outer = Tree::Application(last, arguments.collect());
         Tree::Add(boxed(outer), boxed(y))
     })
 }
 
 /// A value for each of the symbols.
-pub(crate) fn points() -> impl Strategy<Value = [f64; SYMBOLS.len()]> {
+pub fn points() -> impl Strategy<Value = [f64; SYMBOLS.len()]> {
     let coordinate = prop_oneof![4 => -2.0..2.0_f64, 1 => 0.1..0.9_f64];
     prop::array::uniform6(coordinate)
 }
 
 /// The value of `symbol` at a point.
-pub(crate) fn at(point: &[f64; SYMBOLS.len()], symbol: Symbol) -> f64 {
+pub fn at(point: &[f64; SYMBOLS.len()], symbol: Symbol) -> f64 {
     let index = SYMBOLS.iter().position(|known| *known == symbol).unwrap();
     point[index]
 }
@@ -160,7 +160,7 @@ fn fraction(numerator: i64, denominator: i64) -> Rational {
 
 impl Tree {
     /// The tree in normal form.
-    pub(crate) fn build(&self, graph: &mut Graph) -> Expression {
+    pub fn build(&self, graph: &mut Graph) -> Expression {
         let mut pair = |x: &Self, y: &Self| (x.build(graph), y.build(graph));
         match self {
             Self::Number(n, d) => graph.constant(&fraction(*n, *d)),
@@ -190,7 +190,7 @@ impl Tree {
                 let x = x.build(graph);
                 graph.power(x, &fraction(*n, *d))
             }
-            Self::Whole(x) => {
+            Self::Opaque(x) => {
                 let x = x.build(graph);
                 graph.whole(x)
             }
@@ -204,14 +204,14 @@ impl Tree {
             }
             Self::Application(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|x| x.build(graph)).collect();
-                let function = outside::functions(graph)[*function];
+                let function = external::functions(graph)[*function];
                 graph.apply(function, &arguments)
             }
         }
     }
 
     /// The value of the tree as it stands.
-    pub(crate) fn evaluate<N: Number>(&self, symbol: &impl Fn(Symbol) -> N) -> N {
+    pub fn evaluate<N: Number>(&self, symbol: &impl Fn(Symbol) -> N) -> N {
         let of = |x: &Self| x.evaluate(symbol);
         let minus = N::rational(&Rational::MINUS_ONE);
         match self {
@@ -224,12 +224,12 @@ impl Tree {
             Self::Multiply(x, y) => of(x).multiply(of(y)),
             Self::Divide(x, y) => of(x).multiply(of(y).power(&Rational::MINUS_ONE)),
             Self::Power(x, n, d) => of(x).power(&fraction(*n, *d)),
-            Self::Whole(x) => of(x),
+            Self::Opaque(x) => of(x),
             Self::Unary(function, x) => of(x).unary(*function),
             Self::Binary(function, x, y) => of(x).binary(*function, of(y)),
             Self::Application(function, arguments) => {
                 let arguments: Vec<N> = arguments.iter().map(of).collect();
-                outside::value_of(*function, &arguments)
+                external::value_of(*function, &arguments)
             }
         }
     }

@@ -2,10 +2,10 @@
 
 use lagrangian_symbolic::{Operand, Operation, Program, Rational, Symbol, Unary};
 
-use super::{Number, outside};
+use crate::{Number, external};
 
 /// The outputs of a program, group by group.
-pub(crate) fn run<N: Number>(program: &Program, symbol: impl Fn(Symbol) -> N) -> Vec<Vec<N>> {
+pub fn run<N: Number>(program: &Program, symbol: impl Fn(Symbol) -> N) -> Vec<Vec<N>> {
     let mut values: Vec<N> = Vec::new();
     let mut groups = Vec::new();
     for phase in &program.phases {
@@ -49,7 +49,7 @@ fn execute<N: Number>(operation: &Operation, values: &mut Vec<N>, symbol: &impl 
         Operation::Binary(function, x, y) => of(x).binary(*function, of(y)),
         Operation::Application(function, arguments) => {
             let arguments: Vec<N> = arguments.iter().map(of).collect();
-            outside::value(*function, &arguments)
+            external::value(*function, &arguments)
         }
     };
     values.push(value);
