@@ -1,4 +1,4 @@
-//! Angular velocities, against differences of rotation matrices in numbers.
+//! Angular velocities, against numerical differences of rotation matrices.
 
 use lagrangian_symbolic::{
     Axis, Expression, Graph, Matrix, NoRotation, OperationCount, Program, Rational, Symbol,
@@ -17,7 +17,7 @@ fn apply(matrix: &Rows, vector: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|i| (0..3).map(|j| matrix[i][j] * vector[j]).sum())
 }
 
-/// Compares both angular velocities of a matrix with those of the same in numbers.
+/// Compares both angular velocities of a matrix with those of the same matrix of numbers.
 #[track_caller]
 fn assert_velocities(graph: &mut Graph, matrix: &Matrix, at: impl Fn(f64) -> Rows) {
     let now = at(value(Symbol::Time));

@@ -1,4 +1,4 @@
-//! Traces, determinants and inverses, against elimination in numbers.
+//! Traces, determinants and inverses, against numerical elimination.
 
 use lagrangian_symbolic::{Graph, Matrix, NoInverse, Rational};
 use lagrangian_symbolic_testing::rows::{

@@ -81,7 +81,7 @@ fn accelerations_solve_the_equations_of_motion() {
         let dynamics = Kinetics::cheapest(&mut model, &equations);
         let graph = &mut model.graph;
         let Some(solution) = dynamics.solution else {
-            // No pivot to begin with: M is left to a factorization in numbers.
+            // No pivot to begin with: M is left to a numerical factorization.
             assert_eq!(what, "L = ẋẏ");
             continue;
         };

@@ -1,6 +1,7 @@
 //! Formulas in print, as a physicist would write them.
 
 use lagrangian_symbolic::{Binary, Expression, Graph, Names, Rational, Symbol, Unary};
+use lagrangian_symbolic_testing::{Draft, Quantity};
 
 /// A graph and the names of its symbols.
 #[derive(Default)]
@@ -225,90 +226,86 @@ fn effective_potential_of_a_heavy_top() {
     );
 }
 
-/// Each line: an expression, its Unicode and its LaTeX.
+/// Compares quantities of coordinates x and y and parameters a, mass and length with their Unicode and LaTeX.
+fn assert_printed<const N: usize>(draft: &Draft, table: [(Quantity<'_>, &str, &str); N]) {
+    let names = Book::new(&["x", "y"], &["a", "mass", "length"]).names;
+    let graph = draft.graph();
+    for (quantity, unicode, latex) in table {
+        let expression = quantity.expression();
+        assert_eq!(graph.display(expression, &names).to_string(), unicode);
+        assert_eq!(graph.latex(expression, &names).to_string(), latex);
+    }
+}
+
 #[test]
-fn small_formulas() {
-    let mut book = Book::new(&["x", "y"], &["a", "mass", "length"]);
-    let (x, y, a, mass, length) = (book.q(0), book.q(1), book.p(0), book.p(1), book.p(2));
-    let third = Rational::new(1, 3).unwrap();
-    let one = book.graph.one();
-    let [sum, difference] = [book.graph.add(x, y), book.graph.subtract(x, y)];
-    let graph = &mut book.graph;
-    let minus_x = graph.negate(x);
-    let from_one = graph.subtract(one, x);
-    let reciprocal = graph.divide(one, sum);
-    let quotient = graph.divide(difference, sum);
-    let over_seven = graph.scale(x, &Rational::new(-5, 7).unwrap());
-    let heavy = graph.product([mass, length, x].map(|x| (x, Rational::ONE)));
-    let energy = graph.multiply(mass, sum);
-    let root = graph.square_root(x);
-    let root_of_sum = graph.square_root(sum);
-    let over_root = graph.divide(a, root_of_sum);
-    let cube_root = graph.power(x, &third);
-    let power = graph.binary(Binary::Power, sum, y);
-    let doubled = graph.scale(x, &Rational::integer(2));
-    let sin_double = graph.unary(Unary::Sin, doubled);
-    let sin_double_squared = graph.square(sin_double);
-    let size = graph.unary(Unary::Abs, difference);
-    let nested = graph.subtract(size, y);
-    let nested = graph.unary(Unary::Abs, nested);
-    let decay = graph.unary(Unary::Exp, minus_x);
-    let least = graph.binary(Binary::Min, x, sum);
-    let two = graph.integer(2);
-    let root_two = graph.square_root(two);
-    let scaled_root = graph.multiply(x, root_two);
-    let pi = graph.pi();
-    let cylinder = graph.product([(pi, Rational::ONE), (x, Rational::integer(2))]);
-    let log = graph.unary(Unary::Ln, mass);
-    let gravity = book.number("9.81");
-    let fall = book.product([gravity, a, x]);
-    let planck = book.number("6.62607015e-34");
-    let quantum = book.graph.divide(planck, x);
-    for (expression, unicode, latex) in [
-        (minus_x, "−x", "-x"),
-        (from_one, "1 − x", "1 - x"),
-        (difference, "x − y", "x - y"),
-        (reciprocal, "1/(x + y)", "\\frac{1}{x + y}"),
-        (quotient, "(x − y)/(x + y)", "\\frac{x - y}{x + y}"),
-        (over_seven, "−5 x/7", "-\\frac{5}{7} x"),
+fn sums_products_and_quotients() {
+    let draft = Draft::new(2);
+    let ([x, y], [_, mass, length]) = (draft.qs(), draft.ps());
+    let table = [
+        (-x, "−x", "-x"),
+        (1 - x, "1 − x", "1 - x"),
+        (x - y, "x − y", "x - y"),
+        (draft.one() / (x + y), "1/(x + y)", "\\frac{1}{x + y}"),
+        ((x - y) / (x + y), "(x − y)/(x + y)", "\\frac{x - y}{x + y}"),
+        (-5 * x / 7, "−5 x/7", "-\\frac{5}{7} x"),
         (
-            heavy,
+            draft.product([mass, length, x]),
             "mass·length·x",
             "\\mathrm{mass}\\,\\mathrm{length}\\,x",
         ),
         (
-            energy,
+            mass * (x + y),
             "mass·(x + y)",
             "\\mathrm{mass}\\,\\left(x + y\\right)",
         ),
-        (root, "√x", "\\sqrt{x}"),
-        (over_root, "a/√(x + y)", "\\frac{a}{\\sqrt{x + y}}"),
-        (cube_root, "x^(1/3)", "x^{1/3}"),
-        (power, "(x + y)^y", "\\left(x + y\\right)^{y}"),
+    ];
+    assert_printed(&draft, table);
+}
+
+#[test]
+fn powers_and_roots() {
+    let draft = Draft::new(2);
+    let ([x, y], a) = (draft.qs(), draft.p(0));
+    let table = [
+        (x.sqrt(), "√x", "\\sqrt{x}"),
+        (a / (x + y).sqrt(), "a/√(x + y)", "\\frac{a}{\\sqrt{x + y}}"),
+        (x.powr(1, 3), "x^(1/3)", "x^{1/3}"),
+        ((x + y).pow(y), "(x + y)^y", "\\left(x + y\\right)^{y}"),
         (
-            sin_double_squared,
+            (2 * x).sin().squared(),
             "sin²(2 x)",
             "\\sin^{2}\\left(2 x\\right)",
         ),
-        (size, "|x − y|", "\\left|x - y\\right|"),
+        (x * draft.number(2).sqrt(), "√2 x", "\\sqrt{2} x"),
+        (draft.pi() * x.squared(), "π x²", "\\pi x^{2}"),
+    ];
+    assert_printed(&draft, table);
+}
+
+#[test]
+fn functions_and_decimals() {
+    let draft = Draft::new(2);
+    let ([x, y], [a, mass]) = (draft.qs(), draft.ps());
+    let table = [
+        ((x - y).abs(), "|x − y|", "\\left|x - y\\right|"),
         (
-            nested,
+            ((x - y).abs() - y).abs(),
             "abs(y − |x − y|)",
             "\\left|y - \\left|x - y\\right|\\right|",
         ),
-        (decay, "exp(−x)", "\\exp\\left(-x\\right)"),
-        (least, "min(x, x + y)", "\\min\\left(x, x + y\\right)"),
-        (scaled_root, "√2 x", "\\sqrt{2} x"),
-        (cylinder, "π x²", "\\pi x^{2}"),
-        (log, "ln(mass)", "\\ln\\left(\\mathrm{mass}\\right)"),
-        (fall, "9.81 a x", "9.81 a x"),
+        ((-x).exp(), "exp(−x)", "\\exp\\left(-x\\right)"),
         (
-            quantum,
+            x.min(x + y),
+            "min(x, x + y)",
+            "\\min\\left(x, x + y\\right)",
+        ),
+        (mass.ln(), "ln(mass)", "\\ln\\left(\\mathrm{mass}\\right)"),
+        (draft.decimal("9.81") * a * x, "9.81 a x", "9.81 a x"),
+        (
+            draft.decimal("6.62607015e-34") / x,
             "6.62607015×10⁻³⁴/x",
             "\\frac{6.62607015 \\times 10^{-34}}{x}",
         ),
-    ] {
-        assert_eq!(book.unicode(expression), unicode);
-        assert_eq!(book.latex(expression), latex);
-    }
+    ];
+    assert_printed(&draft, table);
 }

@@ -136,7 +136,7 @@ const VANISHING: [(&str, Write); 17] = [
     ("|z|² = z² through factors", |g, x, y| {
         let sum = g.add(x, y);
         let [size, minus] = [call(g, Unary::Abs, sum), g.negate(sum)];
-        // (|z| − z)(|z| + z), multiplied out by the values only.
+        // (|z| − z)(|z| + z), expanded by the values only.
         let (below, above) = (g.add(size, minus), g.add(size, sum));
         g.multiply(below, above)
     }),

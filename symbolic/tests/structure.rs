@@ -1,4 +1,4 @@
-//! What is known of a system before any number is, and what has no equations of motion.
+//! What is known of a system symbolically, and what has no equations of motion.
 
 use lagrangian_symbolic::{Defect, Equations, Model};
 use lagrangian_symbolic_testing::systems::rigid_body;

@@ -338,7 +338,12 @@ fn what_may_be_no_rotation_changes_lengths() {
     let elements = graph.evaluate(velocity.elements(), value);
     let expected: f64 = elements.iter().map(|x| x * x).sum();
     assert!((found[0] - expected).abs() < ROUNDING * expected);
-    // A projection and a reflection are no rotations.
+}
+
+#[test]
+fn a_projection_and_a_reflection_are_no_rotations() {
+    let mut graph = Graph::new();
+    let r = by_coordinates(&mut graph, "zyx", 0);
     let (zero, one) = (graph.zero(), graph.one());
     let minus = graph.negate(one);
     for last in [zero, minus] {

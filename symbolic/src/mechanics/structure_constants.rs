@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn those_of_velocities_are_zero() {
         let zero = vec![vec![vec![Rational::ZERO; 3]; 3]; 3];
-        assert_eq!(constants(|draft| draft.vs()), Some(zero.clone()));
+        assert_eq!(constants(Draft::vs), Some(zero.clone()));
         // Of a point in cylindrical coordinates: ẋ, ẏ, ż.
         let of_a_point = constants(|draft| {
             let [r, phi, z] = draft.qs();

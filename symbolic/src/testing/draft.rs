@@ -96,6 +96,16 @@ impl Draft {
         self.make(|graph| graph.integer(value))
     }
 
+    /// The number of these digits.
+    pub fn decimal(&self, digits: &str) -> Quantity<'_> {
+        let value = Rational::from_decimal(digits).expect("a number");
+        self.make(|graph| graph.constant(&value))
+    }
+
+    pub fn pi(&self) -> Quantity<'_> {
+        self.make(Graph::pi)
+    }
+
     pub fn zero(&self) -> Quantity<'_> {
         self.number(0)
     }

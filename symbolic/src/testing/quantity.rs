@@ -8,12 +8,13 @@ use crate::{Binary, Expression, Function, Graph, Matrix, Rational, Unary};
 
 /// An expression in the graph of a [`Draft`].
 #[derive(Clone, Copy)]
+#[must_use]
 pub struct Quantity<'d> {
     pub(super) draft: &'d Draft,
     pub(super) expression: Expression,
 }
 
-impl<'d> Quantity<'d> {
+impl Quantity<'_> {
     /// The handle in the graph.
     pub fn expression(self) -> Expression {
         self.expression
@@ -36,7 +37,7 @@ impl<'d> Quantity<'d> {
     }
 
     pub fn sqrt(self) -> Self {
-        self.make(|graph, x| graph.square_root(x))
+        self.make(Graph::square_root)
     }
 
     pub fn squared(self) -> Self {
@@ -45,6 +46,25 @@ impl<'d> Quantity<'d> {
 
     pub fn powi(self, exponent: i64) -> Self {
         self.make(|graph, x| graph.power(x, &Rational::integer(exponent)))
+    }
+
+    /// The power of an exact exponent, as numerator and denominator.
+    pub fn powr(self, numerator: i64, denominator: i64) -> Self {
+        let exponent = Rational::new(numerator, denominator).expect("a denominator but zero");
+        self.make(|graph, x| graph.power(x, &exponent))
+    }
+
+    /// The power of any exponent.
+    pub fn pow(self, exponent: Self) -> Self {
+        self.with(exponent, |graph, x, y| graph.binary(Binary::Power, x, y))
+    }
+
+    pub fn exp(self) -> Self {
+        self.unary(Unary::Exp)
+    }
+
+    pub fn ln(self) -> Self {
+        self.unary(Unary::Ln)
     }
 
     pub fn recip(self) -> Self {
@@ -169,7 +189,7 @@ impl Div<i64> for Quantity<'_> {
     type Output = Self;
 
     fn div(self, divisor: i64) -> Self {
-        self.scaled(&Rational::new(1, divisor).expect("a divisor other than zero"))
+        self.scaled(&Rational::new(1, divisor).expect("a divisor but zero"))
     }
 }
 

@@ -1,10 +1,10 @@
-//! Rotations in numbers, by plain loops that know nothing of the library's.
+//! Rotation matrices of numbers, by plain loops that know nothing of the library's.
 
 use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol};
 
 use crate::value;
 
-/// Rows of a matrix in numbers.
+/// The rows of a matrix of numbers.
 pub type Rows = [[f64; 3]; 3];
 
 /// The twelve sequences of three axes of which neighbours differ.

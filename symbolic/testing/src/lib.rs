@@ -3,7 +3,12 @@
 //!
 //! Models are written with operators on [`Draft`], which the unit tests of the library need as well: they and the
 //! systems are a module of it, behind its feature `testing`.
-#![allow(missing_docs, clippy::must_use_candidate, clippy::missing_panics_doc)]
+#![allow(
+    missing_docs,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use,
+    clippy::missing_panics_doc
+)]
 #![allow(clippy::float_cmp)] // Exact comparisons are meant.
 
 pub mod bounded;

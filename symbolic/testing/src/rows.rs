@@ -1,8 +1,8 @@
-//! Matrices in numbers, by plain loops that know nothing of the library's.
+//! Matrices of numbers, by plain loops that know nothing of the library's.
 
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
 
-/// Rows in numbers.
+/// The rows of a matrix of numbers.
 pub type Rows = Vec<Vec<f64>>;
 
 /// How many points each identity is looked at.
@@ -57,7 +57,7 @@ pub fn assert_close(found: &Rows, expected: &Rows) {
     }
 }
 
-/// Compares a matrix with its rows in numbers at several points.
+/// Compares a matrix with rows of numbers at several points.
 #[track_caller]
 pub fn assert_values(graph: &Graph, matrix: &Matrix, expected: impl Fn(u64) -> Rows) {
     for point in 0..POINTS {

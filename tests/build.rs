@@ -1,24 +1,18 @@
-//! Writes the models that the tests evaluate: in goes the reference data, out comes Rust.
-
-mod expression;
-mod declaration;
-mod case;
-mod trajectory;
+//! Writes the models of the reference data into the folder of the build.
 
 use std::{env, fs, path::Path};
 
 use serde_json::Value;
 
 fn main() {
-    println!("cargo::rerun-if-changed=build");
     println!("cargo::rerun-if-changed=data");
     write(
         "public_case.rs",
-        &case::source(&document("data/public_cases.json")),
+        &lagrangian_reference_models::random_lagrangians(&document("data/public_cases.json")),
     );
     write(
         "trajectory.rs",
-        &trajectory::source(&document("data/references_public.json")),
+        &lagrangian_reference_models::trajectories(&document("data/references_public.json")),
     );
 }
 

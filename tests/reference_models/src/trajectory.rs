@@ -13,7 +13,12 @@ use crate::{
 ///
 /// A system whose inputs are functions of time is declared twice: with inputs that a law sets, and
 /// with the law written into its forces.
-pub(crate) fn source(document: &Value) -> String {
+///
+/// # Panics
+///
+/// If the document is of another form.
+#[must_use]
+pub fn source(document: &Value) -> String {
     let references = document["references"]
         .as_array()
         .expect("a list of references");

@@ -1,5 +1,5 @@
-//! Mechanisms in space whose points are turned by products of rotations, against the same mechanisms with
-//! every point as its three components along inertial axes. The accelerations agree, and turned vectors
+//! Mechanisms in space whose points are vectors rotated by products of rotations, against the same mechanisms
+//! with every point as its three components in the inertial frame. The accelerations agree, and rotated vectors
 //! cost no more, but clearly less where rotations follow each other.
 
 use lagrangian::nalgebra::{Matrix3, Vector3};
@@ -9,11 +9,11 @@ use lagrangian_tests::{Figures, Random, relative_error};
 /// Where M is ill-conditioned, rounding is amplified.
 const TOLERANCE: f64 = 1e-11;
 
-/// A mechanism of point masses, whose points are turned vectors or lists of components; the most operations
-/// that the accelerations may take where they are turned vectors.
+/// A mechanism of point masses, whose points are rotated vectors or lists of components; the most operations
+/// that the accelerations may take where they are rotated vectors.
 macro_rules! mechanism {
     (
-        $test:ident, $turned:ident, $plain:ident: $most:literal,
+        $test:ident, $rotated:ident, $plain:ident: $most:literal,
         coordinates($($coordinate:ident),*),
         define($($definition:tt)*),
         masses($($mass:ident at $point:ident),*),
@@ -28,7 +28,7 @@ macro_rules! mechanism {
                             $(kinetic = $kinetic,)?
                             $(potential = g * $mass * $point.z,)*
                         )]
-        struct $turned { $($field: $type),* }
+        struct $rotated { $($field: $type),* }
 
         #[derive(Lagrangian)]
         #[lagrangian(
@@ -43,25 +43,25 @@ macro_rules! mechanism {
 
         #[test]
         fn $test() {
-            let turned = $turned { $($field: $value),* };
+            let rotated = $rotated { $($field: $value),* };
             let plain = $plain { $($field: $value),* };
             let mut figures = Figures::new();
             let mut random = Random::default();
             for _ in 0..200 {
                 let state = random.state();
                 let pivot = plain.relative_pivots(&state).min();
-                let (found, expected) = (turned.accelerations(&state), plain.accelerations(&state));
+                let (found, expected) = (rotated.accelerations(&state), plain.accelerations(&state));
                 let error = relative_error(found.as_slice(), expected.as_slice(), 1.0);
                 figures.record("accelerations", &format!("{state:?}"), error, TOLERANCE / pivot);
             }
             figures.finish();
-            let [found, before] = [$turned::OPERATIONS, $plain::OPERATIONS]
+            let [found, before] = [$rotated::OPERATIONS, $plain::OPERATIONS]
                 .map(|operations| operations.accelerations.total());
-            println!("{found:>4} operations, {before:>4} along inertial axes");
+            println!("{found:>4} operations, {before:>4} in the inertial frame");
             assert!(found <= $most, "{found} operations, not {}", $most);
             // Ways are chosen by cost and part by part, so that one operation more is no loss.
             let limit = before + before / 100;
-            assert!(found <= limit, "{found} operations, {before} along inertial axes");
+            assert!(found <= limit, "{found} operations, {before} in the inertial frame");
         }
     };
 }

@@ -7,7 +7,12 @@ use serde_json::Value;
 use crate::{declaration::Declaration, expression::Spelling};
 
 /// A struct for every case, and the macro `public_cases!` that lists them.
-pub(crate) fn source(document: &Value) -> String {
+///
+/// # Panics
+///
+/// If the document is of another form.
+#[must_use]
+pub fn source(document: &Value) -> String {
     let cases = document["cases"].as_array().expect("a list of cases");
     let mut structs = String::new();
     let mut rows = String::new();
