@@ -1,6 +1,6 @@
 //! Formulas in print, as a physicist would write them.
 
-use lagrangian_symbolic::{Binary, Expression, Graph, Names, Rational, Symbol, Unary};
+use lagrangian_symbolic::{Expression, Graph, Names, Rational, Symbol, Unary};
 use lagrangian_symbolic_testing::{Draft, Quantity};
 
 /// A graph and the names of its symbols.
@@ -46,11 +46,6 @@ impl Book {
 
     fn cos(&mut self, x: Expression) -> Expression {
         self.graph.unary(Unary::Cos, x)
-    }
-
-    fn number(&mut self, literal: &str) -> Expression {
-        let value = Rational::from_decimal(literal).unwrap();
-        self.graph.constant(&value)
     }
 
     fn product<const N: usize>(&mut self, factors: [Expression; N]) -> Expression {
