@@ -1,6 +1,6 @@
 //! External functions: the same motion as with their formulas, and derivatives that are checked.
 
-mod friction;
+mod slider;
 mod tables;
 mod several_arguments;
 

@@ -2,7 +2,7 @@
 #![deny(warnings, clippy::pedantic, missing_docs, unsafe_code)]
 
 mod collisions;
-mod functions;
+mod external_functions;
 mod macros;
 
 #[test]

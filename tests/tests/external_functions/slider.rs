@@ -1,4 +1,4 @@
-//! A friction curve on every scalar.
+//! A slider under friction, a curve that is computed on every scalar.
 
 use lagrangian::prelude::*;
 use lagrangian_tests::{Dual, assert_close};
