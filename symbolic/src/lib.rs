@@ -44,14 +44,7 @@ pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, P
 pub use program::verify::Fault;
 pub use validation::{AccelerationProgram, LinearizationProgram, Method, Programs, Validator};
 
-// Unit tests use the same systems as the integration tests.
-#[cfg(test)]
-extern crate self as lagrangian_symbolic;
-#[cfg(test)]
-#[allow(dead_code)]
-#[path = "../tests/support/draft.rs"]
-mod draft;
-#[cfg(test)]
-#[allow(dead_code)]
-#[path = "../tests/support/systems.rs"]
-mod systems;
+/// No part of the interface.
+#[doc(hidden)]
+#[cfg(any(test, feature = "testing"))]
+pub mod testing;

@@ -1,10 +1,8 @@
 //! What a pass changes is the cost of a result and never the result: with each of them switched off, and
 //! with all, the accelerations solve the equations of motion and the programs compute them.
 
-mod support;
-
 use lagrangian_symbolic::{Equations, Kinetics, Model, Pass, Passes, Program};
-use support::systems::{Chain, Spelling, cart_pole, general_top, polar};
+use lagrangian_symbolic_testing::systems::{Chain, Spelling, cart_pole, general_top, polar};
 
 /// Every pass off by itself, and all together.
 fn choices() -> impl Iterator<Item = Passes> {
@@ -34,7 +32,7 @@ fn check(model: &Model) {
 
 #[test]
 fn tops_move_the_same_without_any_pass() {
-    for spelling in [Spelling::Squares, Spelling::MultipliedOut] {
+    for spelling in [Spelling::Squares, Spelling::Expanded] {
         check(&general_top(spelling));
     }
 }

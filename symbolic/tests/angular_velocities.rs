@@ -1,16 +1,14 @@
 //! Angular velocities, against numerical differences of rotation matrices.
 
-mod support;
-
 use lagrangian_symbolic::{
     Axis, Expression, Graph, Matrix, NoRotation, OperationCount, Program, Rational, Symbol,
 };
-use support::draft::{Draft, value};
-use support::frames::{
+use lagrangian_symbolic_testing::frames::{
     Rows, SEQUENCES, angular_velocity, assert_near, by_coordinates, elementary, moving, rotation,
     rows, times, transposed,
 };
-use support::systems::{cardan_rates, euler_rates};
+use lagrangian_symbolic_testing::systems::{cardan_rates, euler_rates};
+use lagrangian_symbolic_testing::{Draft, Quantity, value, vector};
 
 /// What a difference may be wrong by: roundings of 1e-16 over a step of 1e-4, and room for some of them.
 const DIFFERENCE: f64 = 1e-10;
@@ -19,7 +17,7 @@ fn apply(matrix: &Rows, vector: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|i| (0..3).map(|j| matrix[i][j] * vector[j]).sum())
 }
 
-/// Compares both angular velocities of a matrix with the numerical ones.
+/// Compares both angular velocities of a matrix with those of the same matrix of numbers.
 #[track_caller]
 fn assert_velocities(graph: &mut Graph, matrix: &Matrix, at: impl Fn(f64) -> Rows) {
     let now = at(value(Symbol::Time));
@@ -72,30 +70,25 @@ fn of_all_sequences() {
 #[test]
 fn in_the_angles_of_the_book() {
     // (4.4), and the same for Cardan's angles, expression by expression.
-    let mut draft = Draft::new(3);
-    for (sequence, rates) in [
-        ("zxz", euler_rates(&mut draft)),
-        ("xyz", cardan_rates(&mut draft)),
-    ] {
-        let matrix = by_coordinates(&mut draft.graph, sequence, 0);
-        let velocity = draft.graph.angular_velocity(&matrix, 3).unwrap();
-        assert_eq!(velocity, Matrix::vector(rates.to_vec()), "{sequence}");
+    let draft = Draft::new(3);
+    for (sequence, rates) in [("zxz", euler_rates(&draft)), ("xyz", cardan_rates(&draft))] {
+        let expected = vector(rates);
+        let graph = &mut draft.graph();
+        let matrix = by_coordinates(graph, sequence, 0);
+        let velocity = graph.angular_velocity(&matrix, 3).unwrap();
+        assert_eq!(velocity, expected, "{sequence}");
         // Also if the matrix is written element by element.
-        let velocity = draft.graph.angular_velocity(&written(&matrix), 3).unwrap();
-        assert_eq!(
-            velocity,
-            Matrix::vector(rates.to_vec()),
-            "{sequence} by hand"
-        );
+        let velocity = graph.angular_velocity(&written(&matrix), 3).unwrap();
+        assert_eq!(velocity, expected, "{sequence} by hand");
     }
 }
 
 #[test]
 fn cost_what_the_closed_form_costs() {
     // Of (4.4) six multiplications, three additions, and two angles.
-    let mut draft = Draft::new(3);
-    let book = euler_rates(&mut draft);
-    let book = count(&draft.graph, &book);
+    let draft = Draft::new(3);
+    let book = euler_rates(&draft).map(Quantity::expression);
+    let book = count(&draft.graph(), &book);
     for sequence in SEQUENCES {
         let mut graph = Graph::new();
         let matrix = by_coordinates(&mut graph, sequence, 0);
@@ -118,28 +111,26 @@ fn cost_what_the_closed_form_costs() {
 #[test]
 fn angles_are_any_expressions() {
     // The second angle is q₁ + w t², the third q₀ q₁, the first goes by a parameter's share.
-    let mut draft = Draft::new(3);
-    let [a, b] = [0, 1].map(|i| draft.q(i));
-    let (share, w) = (draft.parameter(0), draft.parameter(1));
-    let time = draft.graph.symbol(Symbol::Time);
-    let square = draft.square(time);
-    let (first, third) = (draft.times(&[share, a]), draft.times(&[a, b]));
-    let drive = draft.times(&[w, square]);
-    let second = draft.plus(&[b, drive]);
-    let turns = [(Axis::Z, first), (Axis::X, second), (Axis::Y, third)];
-    let matrix = draft.graph.rotation(&turns);
+    let draft = Draft::new(3);
+    let ([a, b], [share, w, fixed], t) = (draft.qs(), draft.ps(), draft.time());
+    let turns = [
+        (Axis::Z, share * a),
+        (Axis::X, b + w * t.squared()),
+        (Axis::Y, a * b),
+    ];
+    let matrix = draft.rotation(turns);
+    let fixed = draft.rotation([(Axis::Y, fixed)]);
+    let graph = &mut draft.graph();
     let [share, w] = [0, 1].map(|i| value(Symbol::Parameter(i)));
     let at = |t: f64| {
         let [a, b, _] = angles(t);
         rotation("zxy", &[share * a, b + w * t * t, a * b])
     };
-    assert_velocities(&mut draft.graph, &matrix, at);
-    assert_velocities(&mut draft.graph, &written(&matrix), at);
+    assert_velocities(graph, &matrix, at);
+    assert_velocities(graph, &written(&matrix), at);
     // Where they are constant, nothing turns.
-    let fixed = draft.parameter(2);
-    let fixed = draft.graph.rotation(&[(Axis::Y, fixed)]);
-    let zero = Matrix::vector(vec![draft.graph.zero(); 3]);
-    assert_eq!(draft.graph.angular_velocity(&fixed, 3), Ok(zero));
+    let zero = Matrix::vector(vec![graph.zero(); 3]);
+    assert_eq!(graph.angular_velocity(&fixed, 3), Ok(zero));
 }
 
 #[test]
@@ -166,19 +157,19 @@ fn factors_are_of_any_kind() {
 
 #[test]
 fn a_rotation_by_hand_is_as_good_as_one_by_name() {
-    let mut draft = Draft::new(1);
-    let angle = draft.q(0);
-    let (sin, cos, v) = (draft.sin(angle), draft.cos(angle), draft.v(0));
-    let (minus, zero, one) = (
-        draft.graph.negate(sin),
-        draft.graph.zero(),
-        draft.graph.one(),
-    );
-    let elements = vec![cos, sin, zero, minus, cos, zero, zero, zero, one];
-    let matrix = Matrix::new(3, 3, elements).unwrap();
-    let expected = Ok(Matrix::vector(vec![zero, zero, v]));
-    assert_eq!(draft.graph.angular_velocity(&matrix, 1), expected);
-    assert_eq!(draft.graph.angular_velocity_inertial(&matrix, 1), expected);
+    let draft = Draft::new(1);
+    let (q, zero, one) = (draft.q(0), draft.zero(), draft.one());
+    let columns = [
+        [q.cos(), q.sin(), zero],
+        [-q.sin(), q.cos(), zero],
+        [zero, zero, one],
+    ];
+    let elements = columns.as_flattened().iter().map(|x| x.expression());
+    let matrix = Matrix::new(3, 3, elements.collect()).unwrap();
+    let expected = Ok(vector([zero, zero, q.dot()]));
+    let graph = &mut draft.graph();
+    assert_eq!(graph.angular_velocity(&matrix, 1), expected);
+    assert_eq!(graph.angular_velocity_inertial(&matrix, 1), expected);
 }
 
 /// The rotation matrix of Euler's parameters w, x, y, z.
@@ -196,18 +187,21 @@ fn of_euler_parameters(graph: &mut Graph, [w, x, y, z]: [Expression; 4]) -> Matr
 #[test]
 fn of_a_matrix_of_half_angles() {
     // Euler's parameters of the rotation zxz, in sines and cosines of half angles.
-    let mut draft = Draft::new(3);
-    let [phi, theta, psi] = [0, 1, 2].map(|i| draft.q(i));
-    let (sum, difference) = (draft.plus(&[phi, psi]), draft.graph.subtract(phi, psi));
-    let [theta, sum, difference] = [theta, sum, difference].map(|x| draft.half(x));
-    let [[st, ct], [ss, cs], [sd, cd]] =
-        [theta, sum, difference].map(|x| [draft.sin(x), draft.cos(x)]);
-    let parameters = [[ct, cs], [st, cd], [st, sd], [ct, ss]].map(|x| draft.times(&x));
-    let matrix = of_euler_parameters(&mut draft.graph, parameters);
-    assert_velocities(&mut draft.graph, &matrix, |t| rotation("zxz", &angles(t)));
+    let draft = Draft::new(3);
+    let [phi, theta, psi] = draft.qs();
+    let (tilt, sum, difference) = (theta / 2, (phi + psi) / 2, (phi - psi) / 2);
+    let parameters = [
+        tilt.cos() * sum.cos(),
+        tilt.sin() * difference.cos(),
+        tilt.sin() * difference.sin(),
+        tilt.cos() * sum.sin(),
+    ];
+    let graph = &mut draft.graph();
+    let matrix = of_euler_parameters(graph, parameters.map(Quantity::expression));
+    assert_velocities(graph, &matrix, |t| rotation("zxz", &angles(t)));
     // What the rules of sums alone make of it has 18 additions and 39 multiplications.
-    let velocity = draft.graph.angular_velocity(&matrix, 3).unwrap();
-    let found = count(&draft.graph, velocity.elements());
+    let velocity = graph.angular_velocity(&matrix, 3).unwrap();
+    let found = count(graph, velocity.elements());
     assert!(
         found.additions <= 8 && found.multiplications <= 18,
         "{found:?}"

@@ -1,15 +1,13 @@
 //! Deep expressions: no pass recurses, and none grows faster than its input.
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::thread;
 
 use lagrangian_symbolic::{
     Binary, Expression, Graph, Names, Point, Rational, Symbol, Symmetry, Unary,
 };
-use support::bounded::Bounded;
-use support::evaluate;
+use lagrangian_symbolic_testing::bounded::Bounded;
+use lagrangian_symbolic_testing::evaluate;
 
 /// Deep enough: a frame of a hundred bytes a link would overflow the stack four times over.
 const DEPTH: usize = 10_000;

@@ -1,9 +1,8 @@
 //! What the accelerations cost, however a system is spelt.
 
-mod support;
-
 use lagrangian_symbolic::{Equations, Kinetics, Model, Program};
-use support::systems::{
+use lagrangian_symbolic_testing::Draft;
+use lagrangian_symbolic_testing::systems::{
     Chain, Rates, Spelling, cardan_rates, cart_pole, euler_rates, general_top, node_rates, top,
 };
 
@@ -21,8 +20,8 @@ fn cost(mut model: Model) -> usize {
 fn a_top_costs_the_same_however_its_energy_is_written() {
     let spellings = [
         Spelling::Squares,
-        Spelling::SecondMultipliedOut,
-        Spelling::MultipliedOut,
+        Spelling::SecondExpanded,
+        Spelling::Expanded,
         Spelling::Tensor,
     ];
     let costs = spellings.map(|spelling| cost(general_top(spelling)));
@@ -46,7 +45,7 @@ fn equal_inertias_make_a_symmetric_top() {
 
 #[test]
 fn angles_about_other_axes_cost_no_more() {
-    let rates: [fn(&mut _) -> Rates; 2] = [euler_rates, cardan_rates];
+    let rates: [fn(&Draft) -> Rates<'_>; 2] = [euler_rates, cardan_rates];
     let [euler, cardan] = rates.map(|rates| cost(top(rates, [0, 1, 2])));
     assert!(10 * cardan <= 11 * euler, "{cardan} and {euler}");
 }

@@ -1,13 +1,11 @@
 //! Derivatives against dual numbers and against differences of values.
 
-mod support;
-
 use lagrangian_symbolic::{Binary, Direction, Expression, Graph, Rational, Symbol, Unary};
+use lagrangian_symbolic_testing::bounded::Bounded;
+use lagrangian_symbolic_testing::dual::Dual;
+use lagrangian_symbolic_testing::evaluate;
+use lagrangian_symbolic_testing::tree::{SYMBOLS, at, points, trees};
 use proptest::prelude::*;
-use support::bounded::Bounded;
-use support::dual::Dual;
-use support::evaluate;
-use support::tree::{SYMBOLS, at, points, trees};
 
 const X: Symbol = Symbol::Coordinate(0);
 const Y: Symbol = Symbol::Coordinate(1);

@@ -1,12 +1,10 @@
 //! Traces, determinants and inverses, against numerical elimination.
 
-mod support;
-
 use lagrangian_symbolic::{Graph, Matrix, NoInverse, Rational};
-use support::draft::Draft;
-use support::rows::{
+use lagrangian_symbolic_testing::rows::{
     POINTS, Rows, assert_close, assert_value, evaluate, numbers, parameters, product,
 };
+use lagrangian_symbolic_testing::{Draft, Quantity};
 
 /// By elimination with exchange of rows.
 fn determinant(mut rows: Rows) -> f64 {
@@ -74,14 +72,11 @@ fn a_determinant_that_vanishes_is_found_however_it_is_written() {
     let outer = graph.outer_product(&v, &v).unwrap();
     assert_eq!(graph.inverse(&outer), Err(NoInverse::Singular));
     // sin 2x = 2 sin x cos x is no rule of the graph.
-    let mut draft = Draft::new(1);
+    let draft = Draft::new(1);
     let x = draft.q(0);
-    let twice = draft.plus(&[x, x]);
-    let (sin, cos, sin_twice) = (draft.sin(x), draft.cos(x), draft.sin(twice));
-    let two = draft.graph.integer(2);
-    let product = draft.times(&[two, sin]);
-    let matrix = Matrix::new(2, 2, vec![product, sin_twice, draft.graph.one(), cos]).unwrap();
-    assert_eq!(draft.graph.inverse(&matrix), Err(NoInverse::Singular));
+    let elements = [2 * x.sin(), (2 * x).sin(), draft.one(), x.cos()];
+    let matrix = Matrix::new(2, 2, elements.map(Quantity::expression).into()).unwrap();
+    assert_eq!(draft.graph().inverse(&matrix), Err(NoInverse::Singular));
 }
 
 #[test]

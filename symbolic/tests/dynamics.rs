@@ -1,17 +1,15 @@
 //! The accelerations, and their derivatives, against M q̈ = f.
 
-mod support;
-
 use std::collections::BTreeMap;
 
 use lagrangian_symbolic::{
     Equations, Expression, Graph, Kinetics, Model, Point, Rational, Solution, Symbol,
 };
-use support::draft::value;
-use support::systems::{
+use lagrangian_symbolic_testing::systems::{
     Chain, Spelling, cardan_rates, cart_pole, charged, driven_pendulum, euler_rates, general_top,
     indefinite, node_rates, polar, stiffening, top,
 };
+use lagrangian_symbolic_testing::value;
 
 /// All systems, by what they are.
 fn systems() -> Vec<(String, Model)> {
@@ -27,7 +25,7 @@ fn systems() -> Vec<(String, Model)> {
         ("L = ẋẏ".into(), indefinite()),
         ("ẋ⁴".into(), stiffening()),
     ];
-    for spelling in [Spelling::SecondMultipliedOut, Spelling::MultipliedOut] {
+    for spelling in [Spelling::SecondExpanded, Spelling::Expanded] {
         systems.push((format!("{spelling:?}"), general_top(spelling)));
     }
     for links in 1..=8 {

@@ -1,10 +1,8 @@
 //! Lagrange's equations against closed forms.
 
-mod support;
-
-use lagrangian_symbolic::{Binary, Energies, Equations, Rational, Symbol};
-use support::draft::{Draft, assert_close, value};
-use support::systems::{driven_pendulum, rigid_body};
+use lagrangian_symbolic::{Energies, Equations, Symbol};
+use lagrangian_symbolic_testing::systems::{driven_pendulum, euler_rates, indefinite, rigid_body};
+use lagrangian_symbolic_testing::{Draft, Quantity, assert_close, value};
 
 #[test]
 fn explicit_time_enters_the_forcing() {
@@ -28,12 +26,13 @@ fn explicit_time_enters_the_forcing() {
 
 #[test]
 fn lagranges_equations_of_a_rigid_body_are_eulers() {
-    let (mut model, w) = rigid_body();
+    let mut model = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
-    let rates = model.graph.time_derivatives(&w, 3);
     let found = model.graph.evaluate(&equations.inverse_dynamics, value);
-    let w = model.graph.evaluate(&w, value);
-    let rate = model.graph.evaluate(&rates, value);
+    let draft = Draft::of(model.graph, 3);
+    let w = euler_rates(&draft);
+    let values = |w: [Quantity<'_>; 3]| draft.graph().evaluate(&w.map(Quantity::expression), value);
+    let (w, rate) = (values(w), values(w.map(Quantity::dot)));
     let i = [1.3, 1.8, 2.3];
     // Q = Eᵀ N with N of (3.5)-(3.7), for any accelerations.
     let n: Vec<f64> = (0..3)
@@ -52,7 +51,7 @@ fn lagranges_equations_of_a_rigid_body_are_eulers() {
 
 #[test]
 fn natural_systems_conserve_kinetic_plus_potential() {
-    let (mut model, _) = rigid_body();
+    let mut model = rigid_body();
     let Energies::Natural { kinetic, .. } = model.energies else {
         unreachable!()
     };
@@ -62,15 +61,9 @@ fn natural_systems_conserve_kinetic_plus_potential() {
 #[test]
 fn a_general_lagrangian_need_not_be_quadratic() {
     // A relativistic particle, L = −√(1 − v²) − x: p = γ v, M = γ³, f = −1.
-    let mut draft = Draft::new(1);
+    let draft = Draft::new(1);
     let (x, v) = (draft.q(0), draft.v(0));
-    let square = draft.square(v);
-    let one = draft.graph.one();
-    let inner = draft.graph.subtract(one, square);
-    let root = draft.graph.square_root(inner);
-    let sum = draft.plus(&[root, x]);
-    let lagrangian = draft.graph.negate(sum);
-    let mut model = draft.model(Energies::General(lagrangian));
+    let mut model = draft.general(-((1 - v.squared()).sqrt() + x));
     let equations = Equations::derive(&mut model).unwrap();
     let slow = |symbol: Symbol| {
         if symbol == Symbol::Velocity(0) {
@@ -94,11 +87,7 @@ fn a_general_lagrangian_need_not_be_quadratic() {
 
 #[test]
 fn indefinite_mass_matrices_are_regular() {
-    // L = ẋẏ − xy.
-    let mut draft = Draft::new(2);
-    let (x, y, vx, vy) = (draft.q(0), draft.q(1), draft.v(0), draft.v(1));
-    let (kinetic, potential) = (draft.times(&[vx, vy]), draft.times(&[x, y]));
-    let mut model = draft.natural(kinetic, potential);
+    let mut model = indefinite();
     let equations = Equations::derive(&mut model).unwrap();
     assert_eq!(equations.mass[0][0], model.graph.zero());
     assert_eq!(equations.mass[0][1], model.graph.one());
@@ -106,7 +95,7 @@ fn indefinite_mass_matrices_are_regular() {
 
 #[test]
 fn derivatives_of_the_residual_are_those_of_finite_differences() {
-    let (mut model, _) = rigid_body();
+    let mut model = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
     let symbols = [
         Symbol::Coordinate(1),
@@ -136,15 +125,9 @@ fn derivatives_of_the_residual_are_those_of_finite_differences() {
 #[test]
 fn the_energy_function_sees_corners() {
     // T = ½ v² − min(v, 0)³: the energy function is not T.
-    let mut draft = Draft::new(1);
-    let v = draft.v(0);
-    let zero = draft.graph.zero();
-    let negative = draft.graph.binary(Binary::Min, v, zero);
-    let cube = draft.graph.power(negative, &Rational::integer(3));
-    let square = draft.square(v);
-    let half = draft.half(square);
-    let kinetic = draft.graph.subtract(half, cube);
-    let mut model = draft.natural(kinetic, zero);
+    let draft = Draft::new(1);
+    let (v, zero) = (draft.v(0), draft.zero());
+    let mut model = draft.natural(v.squared() / 2 - v.min(zero).powi(3), zero);
     let equations = Equations::derive(&mut model).unwrap();
     let back = |symbol: Symbol| {
         if symbol == Symbol::Velocity(0) {

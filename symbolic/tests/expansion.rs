@@ -40,7 +40,7 @@ fn what_cancels_in_expanded_form_cancels() {
 }
 
 #[test]
-fn powers_up_to_the_fourth_are_multiplied_out() {
+fn powers_up_to_the_fourth_are_expanded() {
     let (mut graph, [a, b]) = start();
     let binomials: [&[i64]; 4] = [&[2], &[3, 3], &[4, 6, 4], &[5, 10, 10, 5]];
     for (exponent, coefficients) in (2..).zip(binomials) {
@@ -112,7 +112,7 @@ fn what_is_cheaper_as_it_stands_stays() {
 }
 
 #[test]
-fn nothing_is_multiplied_out_beyond_a_count_of_terms() {
+fn nothing_is_expanded_beyond_a_count_of_terms() {
     // Π (xᵢ + 1)² over four letters has 81 terms, and over five 243.
     let mut graph = Graph::new();
     let letters: Vec<_> = (0..5).map(Symbol::Parameter).collect();

@@ -1,6 +1,7 @@
 //! Formulas in print, as a physicist would write them.
 
-use lagrangian_symbolic::{Binary, Expression, Graph, Names, Rational, Symbol, Unary};
+use lagrangian_symbolic::{Expression, Graph, Names, Rational, Symbol, Unary};
+use lagrangian_symbolic_testing::{Draft, Quantity};
 
 /// A graph and the names of its symbols.
 #[derive(Default)]
@@ -45,11 +46,6 @@ impl Book {
 
     fn cos(&mut self, x: Expression) -> Expression {
         self.graph.unary(Unary::Cos, x)
-    }
-
-    fn number(&mut self, literal: &str) -> Expression {
-        let value = Rational::from_decimal(literal).unwrap();
-        self.graph.constant(&value)
     }
 
     fn product<const N: usize>(&mut self, factors: [Expression; N]) -> Expression {
@@ -225,120 +221,88 @@ fn effective_potential_of_a_heavy_top() {
     );
 }
 
-/// Compares what is printed with lines of an expression, its Unicode and its LaTeX.
-fn assert_printed<const N: usize>(book: &Book, lines: [(Expression, &str, &str); N]) {
-    for (expression, unicode, latex) in lines {
-        assert_eq!(book.unicode(expression), unicode);
-        assert_eq!(book.latex(expression), latex);
+/// Compares quantities of coordinates x and y and parameters a, mass and length with their Unicode and LaTeX.
+fn assert_printed<const N: usize>(draft: &Draft, table: [(Quantity<'_>, &str, &str); N]) {
+    let names = Book::new(&["x", "y"], &["a", "mass", "length"]).names;
+    let graph = draft.graph();
+    for (quantity, unicode, latex) in table {
+        let expression = quantity.expression();
+        assert_eq!(graph.display(expression, &names).to_string(), unicode);
+        assert_eq!(graph.latex(expression, &names).to_string(), latex);
     }
 }
 
 #[test]
-fn small_sums_products_and_quotients() {
-    let mut book = Book::new(&["x", "y"], &["mass", "length"]);
-    let (x, y, mass, length) = (book.q(0), book.q(1), book.p(0), book.p(1));
-    let one = book.graph.one();
-    let [sum, difference] = [book.graph.add(x, y), book.graph.subtract(x, y)];
-    let graph = &mut book.graph;
-    let minus_x = graph.negate(x);
-    let from_one = graph.subtract(one, x);
-    let reciprocal = graph.divide(one, sum);
-    let quotient = graph.divide(difference, sum);
-    let over_seven = graph.scale(x, &Rational::new(-5, 7).unwrap());
-    let heavy = graph.product([mass, length, x].map(|x| (x, Rational::ONE)));
-    let energy = graph.multiply(mass, sum);
-    let lines = [
-        (minus_x, "−x", "-x"),
-        (from_one, "1 − x", "1 - x"),
-        (difference, "x − y", "x - y"),
-        (reciprocal, "1/(x + y)", "\\frac{1}{x + y}"),
-        (quotient, "(x − y)/(x + y)", "\\frac{x - y}{x + y}"),
-        (over_seven, "−5 x/7", "-\\frac{5}{7} x"),
+fn sums_products_and_quotients() {
+    let draft = Draft::new(2);
+    let ([x, y], [_, mass, length]) = (draft.qs(), draft.ps());
+    let table = [
+        (-x, "−x", "-x"),
+        (1 - x, "1 − x", "1 - x"),
+        (x - y, "x − y", "x - y"),
+        (draft.one() / (x + y), "1/(x + y)", "\\frac{1}{x + y}"),
+        ((x - y) / (x + y), "(x − y)/(x + y)", "\\frac{x - y}{x + y}"),
+        (-5 * x / 7, "−5 x/7", "-\\frac{5}{7} x"),
         (
-            heavy,
+            draft.product([mass, length, x]),
             "mass·length·x",
             "\\mathrm{mass}\\,\\mathrm{length}\\,x",
         ),
         (
-            energy,
+            mass * (x + y),
             "mass·(x + y)",
             "\\mathrm{mass}\\,\\left(x + y\\right)",
         ),
     ];
-    assert_printed(&book, lines);
+    assert_printed(&draft, table);
 }
 
 #[test]
-fn small_roots_powers_and_numbers() {
-    let mut book = Book::new(&["x", "y"], &["a"]);
-    let (x, y, a) = (book.q(0), book.q(1), book.p(0));
-    let third = Rational::new(1, 3).unwrap();
-    let graph = &mut book.graph;
-    let sum = graph.add(x, y);
-    let root = graph.square_root(x);
-    let root_of_sum = graph.square_root(sum);
-    let over_root = graph.divide(a, root_of_sum);
-    let cube_root = graph.power(x, &third);
-    let power = graph.binary(Binary::Power, sum, y);
-    let two = graph.integer(2);
-    let root_two = graph.square_root(two);
-    let scaled_root = graph.multiply(x, root_two);
-    let pi = graph.pi();
-    let cylinder = graph.product([(pi, Rational::ONE), (x, Rational::integer(2))]);
-    let gravity = book.number("9.81");
-    let fall = book.product([gravity, a, x]);
-    let planck = book.number("6.62607015e-34");
-    let quantum = book.graph.divide(planck, x);
-    let lines = [
-        (root, "√x", "\\sqrt{x}"),
-        (over_root, "a/√(x + y)", "\\frac{a}{\\sqrt{x + y}}"),
-        (cube_root, "x^(1/3)", "x^{1/3}"),
-        (power, "(x + y)^y", "\\left(x + y\\right)^{y}"),
-        (scaled_root, "√2 x", "\\sqrt{2} x"),
-        (cylinder, "π x²", "\\pi x^{2}"),
-        (fall, "9.81 a x", "9.81 a x"),
+fn powers_and_roots() {
+    let draft = Draft::new(2);
+    let ([x, y], a) = (draft.qs(), draft.p(0));
+    let table = [
+        (x.sqrt(), "√x", "\\sqrt{x}"),
+        (a / (x + y).sqrt(), "a/√(x + y)", "\\frac{a}{\\sqrt{x + y}}"),
+        (x.powr(1, 3), "x^(1/3)", "x^{1/3}"),
+        ((x + y).pow(y), "(x + y)^y", "\\left(x + y\\right)^{y}"),
         (
-            quantum,
+            (2 * x).sin().squared(),
+            "sin²(2 x)",
+            "\\sin^{2}\\left(2 x\\right)",
+        ),
+        (x * draft.number(2).sqrt(), "√2 x", "\\sqrt{2} x"),
+        (draft.pi() * x.squared(), "π x²", "\\pi x^{2}"),
+    ];
+    assert_printed(&draft, table);
+}
+
+#[test]
+fn functions_and_decimals() {
+    let draft = Draft::new(2);
+    let ([x, y], [a, mass]) = (draft.qs(), draft.ps());
+    let table = [
+        ((x - y).abs(), "|x − y|", "\\left|x - y\\right|"),
+        (
+            ((x - y).abs() - y).abs(),
+            "abs(y − |x − y|)",
+            "\\left|y - \\left|x - y\\right|\\right|",
+        ),
+        ((-x).exp(), "exp(−x)", "\\exp\\left(-x\\right)"),
+        (
+            x.min(x + y),
+            "min(x, x + y)",
+            "\\min\\left(x, x + y\\right)",
+        ),
+        (mass.ln(), "ln(mass)", "\\ln\\left(\\mathrm{mass}\\right)"),
+        (draft.decimal("9.81") * a * x, "9.81 a x", "9.81 a x"),
+        (
+            draft.decimal("6.62607015e-34") / x,
             "6.62607015×10⁻³⁴/x",
             "\\frac{6.62607015 \\times 10^{-34}}{x}",
         ),
     ];
-    assert_printed(&book, lines);
-}
-
-#[test]
-fn small_functions() {
-    let mut book = Book::new(&["x", "y"], &["mass"]);
-    let (x, y, mass) = (book.q(0), book.q(1), book.p(0));
-    let [sum, difference] = [book.graph.add(x, y), book.graph.subtract(x, y)];
-    let graph = &mut book.graph;
-    let minus_x = graph.negate(x);
-    let doubled = graph.scale(x, &Rational::integer(2));
-    let sin_double = graph.unary(Unary::Sin, doubled);
-    let sin_double_squared = graph.square(sin_double);
-    let size = graph.unary(Unary::Abs, difference);
-    let nested = graph.subtract(size, y);
-    let nested = graph.unary(Unary::Abs, nested);
-    let decay = graph.unary(Unary::Exp, minus_x);
-    let least = graph.binary(Binary::Min, x, sum);
-    let log = graph.unary(Unary::Ln, mass);
-    let lines = [
-        (
-            sin_double_squared,
-            "sin²(2 x)",
-            "\\sin^{2}\\left(2 x\\right)",
-        ),
-        (size, "|x − y|", "\\left|x - y\\right|"),
-        (
-            nested,
-            "abs(y − |x − y|)",
-            "\\left|y - \\left|x - y\\right|\\right|",
-        ),
-        (decay, "exp(−x)", "\\exp\\left(-x\\right)"),
-        (least, "min(x, x + y)", "\\min\\left(x, x + y\\right)"),
-        (log, "ln(mass)", "\\ln\\left(\\mathrm{mass}\\right)"),
-    ];
-    assert_printed(&book, lines);
+    assert_printed(&draft, table);
 }
 
 #[test]

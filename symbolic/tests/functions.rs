@@ -1,18 +1,16 @@
 //! External functions, known by their names and derivatives alone.
 
-mod support;
-
 use lagrangian_symbolic::{
     Equations, Expression, ExternalFunction, Graph, Kinetics, Model, Node, Operation, Point,
     Program, Rational, Symbol, Unary,
 };
+use lagrangian_symbolic_testing::bounded::Bounded;
+use lagrangian_symbolic_testing::dual::Dual;
+use lagrangian_symbolic_testing::machine::run;
+use lagrangian_symbolic_testing::tree::{SYMBOLS, applications, at, points};
+use lagrangian_symbolic_testing::{Draft, Quantity, assert_close, value};
+use lagrangian_symbolic_testing::{evaluate, external};
 use proptest::prelude::*;
-use support::bounded::Bounded;
-use support::draft::{Draft, assert_close, value};
-use support::dual::Dual;
-use support::machine::run;
-use support::tree::{SYMBOLS, applications, at, points};
-use support::{evaluate, external};
 
 const X: Symbol = Symbol::Coordinate(0);
 const Y: Symbol = Symbol::Coordinate(1);
@@ -261,15 +259,11 @@ fn contents_are_those_of_the_arguments() {
 #[test]
 fn an_angle_within_an_external_function_is_none() {
     let angles = |of_sine: bool| {
-        let mut draft = Draft::new(1);
-        let [wave, ..] = external::functions(&mut draft.graph);
-        let (q, v) = (draft.q(0), draft.v(0));
-        let sine = draft.sin(q);
-        let argument = if of_sine { sine } else { q };
-        let potential = draft.graph.apply(wave, &[argument]);
-        let square = draft.square(v);
-        let kinetic = draft.half(square);
-        let mut model = draft.natural(kinetic, potential);
+        let draft = Draft::new(1);
+        let [wave, ..] = external::functions(&mut draft.graph());
+        let q = draft.q(0);
+        let argument = if of_sine { q.sin() } else { q };
+        let mut model = draft.natural(q.dot().squared() / 2, argument.through(wave));
         Equations::derive(&mut model)
             .unwrap()
             .coordinate_properties
@@ -279,37 +273,29 @@ fn an_angle_within_an_external_function_is_none() {
     assert_eq!(angles(false), [false]);
 }
 
+/// w(x), and sin 2x if w is not external.
+fn wave_of(x: Quantity<'_>, wave: Option<ExternalFunction>) -> Quantity<'_> {
+    wave.map_or_else(|| (2 * x).sin(), |wave| x.through(wave))
+}
+
 /// A particle on the curve (r, w(r)) beside one coupled to it, under a potential and a force, where w is
-/// an external function or sin 2x.
+/// external or is sin 2x.
 fn on_a_curve(is_external: bool) -> Model {
-    let mut draft = Draft::new(2);
-    let [wave, _, product] = external::functions(&mut draft.graph);
-    let wave = |draft: &mut Draft, x| {
-        if is_external {
-            return draft.graph.apply(wave, &[x]);
-        }
-        let double = draft.graph.scale(x, &Rational::integer(2));
-        draft.sin(double)
-    };
-    let (x, y, vx, vy) = (draft.q(0), draft.q(1), draft.v(0), draft.v(1));
-    let (m, k) = (draft.parameter(0), draft.parameter(1));
-    let height = wave(&mut draft, x);
-    let rise = draft.dot(height);
-    let speeds = [vx, rise, vy].map(|speed| draft.square(speed));
-    let kinetic = draft.plus(&speeds);
-    let kinetic = draft.times(&[m, kinetic]);
-    let kinetic = draft.half(kinetic);
-    let between = draft.graph.subtract(x, y);
+    let draft = Draft::new(2);
+    let [wave, _, product] = external::functions(&mut draft.graph());
+    let wave = is_external.then_some(wave);
+    let ([x, y], [m, k]) = (draft.qs(), draft.ps());
+    let height = wave_of(x, wave);
+    let speeds = [x, height, y].map(|x| x.dot().squared());
     let potential = if is_external {
-        draft.graph.apply(product, &[between, height])
+        let arguments = [x - y, height].map(Quantity::expression);
+        draft.make(|graph| graph.apply(product, &arguments))
     } else {
-        let (square, outer) = (draft.square(between), wave(&mut draft, height));
-        draft.times(&[square, outer])
+        (x - y).squared() * wave_of(height, wave)
     };
-    let potential = draft.times(&[k, potential]);
-    let drag = wave(&mut draft, vy);
-    let mut model = draft.natural(kinetic, potential);
-    model.forces[1] = model.graph.negate(drag);
+    let drag = (-wave_of(y.dot(), wave)).expression();
+    let mut model = draft.natural(m * draft.sum(speeds) / 2, k * potential);
+    model.forces[1] = drag;
     model
 }
 
@@ -348,14 +334,10 @@ fn equations_with_functions_are_those_with_their_formulas() {
 #[test]
 fn a_function_of_a_velocity_is_no_polynomial() {
     // T = ½ (ẋ² + ẏ²) + w(ẏ): what is added to the squares is not linear.
-    let mut draft = Draft::new(2);
-    let [wave, ..] = external::functions(&mut draft.graph);
-    let (y, vx, vy) = (draft.q(1), draft.v(0), draft.v(1));
-    let squares = [vx, vy].map(|speed| draft.square(speed));
-    let squares = draft.plus(&squares);
-    let squares = draft.half(squares);
-    let wave = draft.graph.apply(wave, &[vy]);
-    let kinetic = draft.plus(&[squares, wave]);
+    let draft = Draft::new(2);
+    let [wave, ..] = external::functions(&mut draft.graph());
+    let (y, [vx, vy]) = (draft.q(1), draft.vs());
+    let kinetic = (vx.squared() + vy.squared()) / 2 + vy.through(wave);
     let mut model = draft.natural(kinetic, y);
     let equations = Equations::derive(&mut model).unwrap();
     let kinetics = Kinetics::cheapest(&mut model, &equations);
@@ -367,9 +349,8 @@ fn a_function_of_a_velocity_is_no_polynomial() {
 fn mixed_derivatives_that_are_declared_twice_are_no_contradiction() {
     // The height h(x, y) of a surface, whose mixed derivatives have different names: no way to q̈ takes
     // them for the same.
-    let mut draft = Draft::new(2);
+    let mut graph = Graph::new();
     let names = ["x", "y"];
-    let graph = &mut draft.graph;
     let height = graph.declare_function("h", &names);
     let slopes = ["hx", "hy"].map(|name| graph.declare_function(name, &names));
     let arguments = [0, 1].map(|i| graph.symbol(Symbol::Argument(i)));
@@ -377,12 +358,11 @@ fn mixed_derivatives_that_are_declared_twice_are_no_contradiction() {
         let slope = graph.apply(slope, &arguments);
         graph.declare_derivative(height, position, slope);
     }
-    let (x, y, vx, vy) = (draft.q(0), draft.q(1), draft.v(0), draft.v(1));
-    let z = draft.graph.apply(height, &[x, y]);
-    let vz = draft.dot(z);
-    let squares = [vx, vy, vz].map(|speed| draft.square(speed));
-    let kinetic = draft.plus(&squares);
-    let kinetic = draft.half(kinetic);
+    let draft = Draft::of(graph, 2);
+    let [x, y] = draft.qs();
+    let arguments = [x, y].map(Quantity::expression);
+    let z = draft.make(|graph| graph.apply(height, &arguments));
+    let kinetic = draft.sum([x, y, z].map(|x| x.dot().squared())) / 2;
     let mut model = draft.natural(kinetic, z);
     let equations = Equations::derive(&mut model).unwrap();
     let kinetics = Kinetics::cheapest(&mut model, &equations);

@@ -1,11 +1,11 @@
 //! What is derived grows as what is declared, counted in expressions and operations.
 
-mod support;
+use std::ops::Mul;
 
 use lagrangian_symbolic::{
     Equations, Expression, Graph, Kinetics, Model, Program, Rational, Symbol,
 };
-use support::draft::Draft;
+use lagrangian_symbolic_testing::{Draft, Quantity};
 
 const X: Symbol = Symbol::Coordinate(0);
 
@@ -36,32 +36,23 @@ fn assert_linear(model: impl Fn(u32) -> Model, size: u32) {
 }
 
 /// x + k y + i for i < n.
-fn factors(draft: &mut Draft, n: u32) -> Vec<Expression> {
-    let (x, y, k) = (draft.q(0), draft.q(1), draft.parameter(0));
-    let shift = draft.times(&[k, y]);
-    let sum = draft.plus(&[x, shift]);
-    let factor = |i: u32| draft.graph.add_constant(sum, &Rational::integer(i.into()));
-    (0..n).map(factor).collect()
+fn factors(draft: &Draft, n: u32) -> impl Iterator<Item = Quantity<'_>> {
+    let (x, y, k) = (draft.q(0), draft.q(1), draft.p(0));
+    let sum = x + k * y;
+    (0..n).map(move |i| sum + i64::from(i))
 }
 
 /// ½ (ẋ² + ẏ²).
-fn plane(draft: &mut Draft) -> Expression {
-    let squares = [0, 1].map(|i| {
-        let velocity = draft.v(i);
-        draft.square(velocity)
-    });
-    let sum = draft.plus(&squares);
-    draft.half(sum)
+fn plane(draft: &Draft) -> Quantity<'_> {
+    let [x, y] = draft.vs();
+    (x.squared() + y.squared()) / 2
 }
 
 #[test]
 fn a_potential_of_many_factors_is_linear_in_their_number() {
     let model = |n: u32| {
-        let mut draft = Draft::new(2);
-        let factors = factors(&mut draft, n);
-        let potential = draft.times(&factors);
-        let kinetic = plane(&mut draft);
-        draft.natural(kinetic, potential)
+        let draft = Draft::new(2);
+        draft.natural(plane(&draft), draft.product(factors(&draft, n)))
     };
     assert_linear(model, 8);
 }
@@ -70,18 +61,14 @@ fn a_potential_of_many_factors_is_linear_in_their_number() {
 fn so_is_a_mass_of_many_factors_however_they_are_multiplied() {
     for one_by_one in [false, true] {
         let model = |n: u32| {
-            let mut draft = Draft::new(2);
-            let factors = factors(&mut draft, n);
-            let kinetic = plane(&mut draft);
+            let draft = Draft::new(2);
+            let factors = factors(&draft, n);
             let kinetic = if one_by_one {
-                let product = factors.iter().copied();
-                product.fold(kinetic, |product, factor| draft.times(&[product, factor]))
+                factors.fold(plane(&draft), Mul::mul)
             } else {
-                let product = draft.times(&factors);
-                draft.times(&[kinetic, product])
+                plane(&draft) * draft.product(factors)
             };
-            let potential = draft.graph.zero();
-            draft.natural(kinetic, potential)
+            draft.natural(kinetic, draft.zero())
         };
         assert_linear(model, 80);
     }
@@ -90,12 +77,11 @@ fn so_is_a_mass_of_many_factors_however_they_are_multiplied() {
 #[test]
 fn so_is_what_divides_by_many_factors() {
     let model = |n: u32| {
-        let mut draft = Draft::new(2);
-        let below = factors(&mut draft, n);
-        let powers = below.into_iter().map(|x| (x, Rational::MINUS_ONE));
-        let potential = draft.graph.product(powers);
-        let kinetic = plane(&mut draft);
-        draft.natural(kinetic, potential)
+        let draft = Draft::new(2);
+        let below = factors(&draft, n).map(|x| (x.expression(), Rational::MINUS_ONE));
+        let below: Vec<_> = below.collect();
+        let potential = draft.make(|graph| graph.product(below));
+        draft.natural(plane(&draft), potential)
     };
     assert_linear(model, 8);
 }
@@ -104,17 +90,10 @@ fn so_is_what_divides_by_many_factors() {
 fn so_are_functions_of_functions() {
     // uᵢ = sin uᵢ₋₁ + k uᵢ₋₁, whose derivative is a product that grows with i.
     let model = |n: u32| {
-        let mut draft = Draft::new(1);
-        let k = draft.parameter(0);
-        let mut u = draft.q(0);
-        for _ in 0..n {
-            let (sine, scaled) = (draft.sin(u), draft.times(&[k, u]));
-            u = draft.plus(&[sine, scaled]);
-        }
-        let velocity = draft.v(0);
-        let square = draft.square(velocity);
-        let kinetic = draft.half(square);
-        draft.natural(kinetic, u)
+        let draft = Draft::new(1);
+        let (q, k) = (draft.q(0), draft.p(0));
+        let u = (0..n).fold(q, |u, _| u.sin() + k * u);
+        draft.natural(q.dot().squared() / 2, u)
     };
     assert_linear(model, 40);
 }

@@ -1,10 +1,10 @@
 //! Matrices and vectors of expressions, against plain loops over numbers.
 
-mod support;
-
-use lagrangian_symbolic::{Graph, Matrix, Rational, Symbol};
-use support::draft::Draft;
-use support::rows::{Rows, assert_value, assert_values, numbers, parameters, product};
+use lagrangian_symbolic::{Graph, Matrix, Rational};
+use lagrangian_symbolic_testing::rows::{
+    Rows, assert_value, assert_values, numbers, parameters, product,
+};
+use lagrangian_symbolic_testing::{Draft, Quantity};
 
 #[test]
 fn elements_are_counted_column_by_column() {
@@ -198,16 +198,13 @@ fn what_is_no_vector_has_no_such_products() {
 
 #[test]
 fn time_goes_on_in_each_element() {
-    let mut draft = Draft::new(1);
-    let (q, a) = (draft.q(0), draft.parameter(0));
-    let t = draft.graph.symbol(Symbol::Time);
-    let elements = vec![draft.sin(q), a, draft.times(&[a, t]), draft.square(q)];
-    let matrix = Matrix::new(2, 2, elements).unwrap();
-    let rate = draft.graph.matrix_time_derivative(&matrix, 1);
-    let (v, cos) = (draft.v(0), draft.cos(q));
-    let swing = draft.times(&[cos, v]);
-    let twice = draft.times(&[q, v]);
-    let twice = draft.plus(&[twice, twice]);
-    let expected = Matrix::new(2, 2, vec![swing, draft.graph.zero(), a, twice]).unwrap();
+    let draft = Draft::new(1);
+    let (q, v, a, t) = (draft.q(0), draft.v(0), draft.p(0), draft.time());
+    let matrix = |elements: [Quantity<'_>; 4]| {
+        Matrix::new(2, 2, elements.map(Quantity::expression).into()).unwrap()
+    };
+    let moving = matrix([q.sin(), a, a * t, q.squared()]);
+    let expected = matrix([q.cos() * v, draft.zero(), a, 2 * (q * v)]);
+    let rate = draft.graph().matrix_time_derivative(&moving, 1);
     assert_eq!(rate, expected);
 }

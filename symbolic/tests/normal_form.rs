@@ -1,12 +1,10 @@
 //! The constructors: laws that hold as equality of handles, and values that they keep.
 
-mod support;
-
 use lagrangian_symbolic::{Binary, Expression, Graph, Node, Rational, Symbol, Symmetry, Unary};
+use lagrangian_symbolic_testing::bounded::Bounded;
+use lagrangian_symbolic_testing::evaluate;
+use lagrangian_symbolic_testing::tree::{at, points, trees};
 use proptest::prelude::*;
-use support::bounded::Bounded;
-use support::evaluate;
-use support::tree::{at, points, trees};
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2_000) })]

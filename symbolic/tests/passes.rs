@@ -4,14 +4,12 @@
 //! after each pass. Nothing is compared where the tree itself has no value, or none that rounding leaves
 //! any digit of.
 
-mod support;
-
 use lagrangian_symbolic::{Expression, Fault, Graph, Program, Symbol};
+use lagrangian_symbolic_testing::bounded::Bounded;
+use lagrangian_symbolic_testing::machine::run;
+use lagrangian_symbolic_testing::tree::{Tree, at, distributed, formulas, points, trees};
+use lagrangian_symbolic_testing::{Number, evaluate};
 use proptest::prelude::*;
-use support::bounded::Bounded;
-use support::machine::run;
-use support::tree::{Tree, at, distributed, formulas, points, trees};
-use support::{Number, evaluate};
 
 /// Two trees, of all functions or of those that mechanics is made of.
 fn pairs() -> impl Strategy<Value = [Tree; 2]> {

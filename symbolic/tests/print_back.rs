@@ -1,12 +1,10 @@
 //! Printed formulas, read back by a parser that knows nothing of the printer.
 
-mod support;
-
 use lagrangian_symbolic::{Binary, Graph, Names, Rational, Symbol, Unary};
+use lagrangian_symbolic_testing::bounded::Bounded;
+use lagrangian_symbolic_testing::tree::{at, points, trees};
+use lagrangian_symbolic_testing::{Number, evaluate};
 use proptest::prelude::*;
-use support::bounded::Bounded;
-use support::tree::{at, points, trees};
-use support::{Number, evaluate};
 
 /// Reads a line of Unicode or LaTeX and evaluates it on the way.
 struct Reader<'a> {

@@ -4,11 +4,9 @@
 //! four hundred digits (`tests/data/elementary_functions.py`): finite wherever those are, right to rounding, and 0
 //! only where those are below the square root of the smallest number.
 
-mod support;
-
 use lagrangian_symbolic::{Binary, Expression, Graph, Program, Rational, Symbol, Unary};
-use support::Number;
-use support::machine::run;
+use lagrangian_symbolic_testing::Number;
+use lagrangian_symbolic_testing::machine::run;
 
 const X: Symbol = Symbol::Coordinate(0);
 const Y: Symbol = Symbol::Coordinate(1);

@@ -1,12 +1,10 @@
 //! Rotation matrices: what they are, what they make of vectors, and what that costs.
 
-mod support;
-
 use lagrangian_symbolic::{
     Axis, Expression, Graph, Matrix, OperationCount, Program, Rational, Symbol,
 };
-use support::draft::{Draft, value};
-use support::frames::{SEQUENCES, assert_near, by_coordinates, rotation, rows};
+use lagrangian_symbolic_testing::frames::{SEQUENCES, assert_near, by_coordinates, rotation, rows};
+use lagrangian_symbolic_testing::{Draft, value, vector};
 
 const ROUNDING: f64 = 1e-14;
 
@@ -24,7 +22,7 @@ fn arithmetic(graph: &Graph, matrix: &Matrix) -> (usize, usize) {
     (count.additions, count.multiplications)
 }
 
-fn vector(graph: &mut Graph) -> Matrix {
+fn parameters(graph: &mut Graph) -> Matrix {
     Matrix::vector([0, 1, 2].map(|i| graph.symbol(Symbol::Parameter(i))).into())
 }
 
@@ -58,59 +56,43 @@ fn all_sequences_are_products_of_elementary_rotations() {
 
 #[test]
 fn neighbours_about_one_axis_are_one_rotation() {
-    let mut draft = Draft::new(3);
-    let [a, b, c] = [0, 1, 2].map(|i| draft.q(i));
-    let (both, zero) = (draft.plus(&[a, b]), draft.graph.zero());
-    let sequence = [(Axis::Z, a), (Axis::X, zero), (Axis::Z, b), (Axis::X, c)];
-    let merged = draft.graph.rotation(&sequence);
-    let expected = draft.graph.rotation(&[(Axis::Z, both), (Axis::X, c)]);
-    assert_eq!(merged, expected);
+    let draft = Draft::new(3);
+    let ([a, b, c], zero) = (draft.qs(), draft.zero());
+    let about_z = |angle| draft.rotation([(Axis::Z, angle)]);
+    let product = |a: &Matrix, b: &Matrix| draft.graph().matrix_product(a, b).unwrap();
+    let merged = draft.rotation([(Axis::Z, a), (Axis::X, zero), (Axis::Z, b), (Axis::X, c)]);
+    assert_eq!(merged, draft.rotation([(Axis::Z, a + b), (Axis::X, c)]));
     // Also where the first goes back: Rz(a)ᵀ Rz(b) = Rz(b − a), Rz(a)ᵀ Rz(b)ᵀ = Rz(a + b)ᵀ.
-    let [first, second] = [a, b].map(|x| draft.graph.rotation(&[(Axis::Z, x)]));
-    let product = draft.graph.matrix_product(&first.transpose(), &second);
-    let difference = draft.graph.subtract(b, a);
-    assert_eq!(
-        product,
-        Some(draft.graph.rotation(&[(Axis::Z, difference)]))
-    );
-    let product = draft
-        .graph
-        .matrix_product(&first.transpose(), &second.transpose());
-    let expected = draft.graph.rotation(&[(Axis::Z, both)]).transpose();
-    assert_eq!(product, Some(expected));
+    let (back, there) = (about_z(a).transpose(), about_z(b));
+    assert_eq!(product(&back, &there), about_z(b - a));
+    let found = product(&back, &there.transpose());
+    assert_eq!(found, about_z(a + b).transpose());
     // What meets when a pair is gone merges in turn.
-    let there = [(Axis::Z, a), (Axis::X, b), (Axis::Y, c)];
-    let there = draft.graph.rotation(&there);
-    let turn = draft.graph.rotation(&[(Axis::Z, b)]);
-    let back = draft
-        .graph
-        .matrix_product(&turn, &there.transpose())
-        .unwrap();
-    let product = draft.graph.matrix_product(&back, &there);
-    assert_eq!(product, Some(turn));
-    assert_eq!(draft.graph.rotation(&[]), draft.graph.identity_matrix(3));
+    let there = draft.rotation([(Axis::Z, a), (Axis::X, b), (Axis::Y, c)]);
+    let turn = about_z(b);
+    let back = product(&turn, &there.transpose());
+    assert_eq!(product(&back, &there), turn);
+    let identity = draft.graph().identity_matrix(3);
+    assert_eq!(draft.rotation([]), identity);
 }
 
 #[test]
 fn a_vector_along_an_axis_has_no_dead_terms() {
     // The weight of a top at l along its axis: l (sin φ sin θ, −cos φ sin θ, cos θ).
-    let mut draft = Draft::new(3);
-    let top = by_coordinates(&mut draft.graph, "zxz", 0);
-    let (l, zero) = (draft.parameter(0), draft.graph.zero());
-    let along = Matrix::vector(vec![zero, zero, l]);
-    let found = draft.graph.matrix_product(&top, &along).unwrap();
-    let (phi, theta) = (draft.q(0), draft.q(1));
-    let (sf, cf) = (draft.sin(phi), draft.cos(phi));
-    let (st, ct) = (draft.sin(theta), draft.cos(theta));
-    let (x, y, z) = (
-        draft.times(&[l, sf, st]),
-        draft.times(&[l, cf, st]),
-        draft.times(&[l, ct]),
-    );
-    let expected = Matrix::vector(vec![x, draft.graph.negate(y), z]);
+    let draft = Draft::new(3);
+    let top = by_coordinates(&mut draft.graph(), "zxz", 0);
+    let (l, zero) = (draft.p(0), draft.zero());
+    let along = vector([zero, zero, l]);
+    let found = draft.graph().matrix_product(&top, &along).unwrap();
+    let [phi, theta] = draft.qs();
+    let expected = vector([
+        l * phi.sin() * theta.sin(),
+        -(l * phi.cos() * theta.sin()),
+        l * theta.cos(),
+    ]);
     assert_eq!(found, expected);
-    let square = draft.graph.norm_squared(&found);
-    assert_eq!(square, draft.square(l));
+    let square = draft.graph().norm_squared(&found);
+    assert_eq!(square, l.squared());
 }
 
 #[test]
@@ -118,7 +100,7 @@ fn a_general_vector_is_rotated_by_one_factor_after_the_other() {
     let mut graph = Graph::new();
     let turn = by_coordinates(&mut graph, "zyx", 0);
     let forgetful = Matrix::new(3, 3, turn.elements().to_vec()).unwrap();
-    let v = vector(&mut graph);
+    let v = parameters(&mut graph);
     let by_factors = graph.matrix_product(&turn, &v).unwrap();
     let by_elements = graph.matrix_product(&forgetful, &v).unwrap();
     let same = |graph: &Graph, x: &Matrix, y: &Matrix| {
@@ -145,7 +127,7 @@ fn elements_are_taken_where_they_are_cheaper() {
     let forgetful = Matrix::new(3, 3, turn.elements().to_vec()).unwrap();
     let product = graph.matrix_product(&forgetful.transpose(), &forgetful);
     let product = product.unwrap();
-    let v = vector(&mut graph);
+    let v = parameters(&mut graph);
     assert_eq!(graph.matrix_product(&product, &v), Some(v.clone()));
     let row = v.transpose();
     assert_eq!(graph.matrix_product(&row, &product), Some(row));
@@ -155,7 +137,7 @@ fn elements_are_taken_where_they_are_cheaper() {
 /// two angles.
 fn chain(links: u32) -> usize {
     let mut graph = Graph::new();
-    let v = vector(&mut graph);
+    let v = parameters(&mut graph);
     let mut frame = graph.identity_matrix(3);
     let mut position = Matrix::vector(vec![graph.zero(); 3]);
     let mut positions: Vec<Expression> = Vec::new();

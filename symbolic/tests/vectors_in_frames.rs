@@ -1,13 +1,11 @@
 //! Vectors that remember their frames: what is computed before they are rotated, where that would
 //! be wrong, and all values against plain loops over numbers.
 
-mod support;
-
 use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Program, Rational, Symbol};
-use support::draft::value;
-use support::frames::{
+use lagrangian_symbolic_testing::frames::{
     Rows, angular_velocity, assert_near, axis, by_coordinates, moving, rotation, times, transposed,
 };
+use lagrangian_symbolic_testing::value;
 
 const ROUNDING: f64 = 1e-13;
 /// What a difference may be wrong by.
@@ -250,7 +248,7 @@ fn a_tensor_in_space_is_one_in_the_body() {
     // ω · (R I Rᵀ ω) along inertial axes, in several orders.
     let mut graph = Graph::new();
     let r = by_coordinates(&mut graph, "zxz", 0);
-    let inertia = support::rows::parameters(&mut graph, 3, 3, 0);
+    let inertia = lagrangian_symbolic_testing::rows::parameters(&mut graph, 3, 3, 0);
     let body = graph.angular_velocity(&r, 3).unwrap();
     let space = graph.angular_velocity_inertial(&r, 3).unwrap();
     let momentum = product(&mut graph, &[&inertia, &body]);
@@ -314,7 +312,7 @@ fn what_may_be_no_rotation_changes_lengths() {
     let v = vector(&mut graph, 0);
     let r = by_coordinates(&mut graph, "zyx", 0);
     // A matrix of parameters has an angular velocity on trust, and is multiplied as it is.
-    let trusted = support::rows::parameters(&mut graph, 3, 3, 10);
+    let trusted = lagrangian_symbolic_testing::rows::parameters(&mut graph, 3, 3, 10);
     let plain: Rows =
         [0, 1, 2].map(|i: u32| [0, 1, 2].map(|j: u32| value(Symbol::Parameter(10 + 3 * j + i))));
     let rotated = product(&mut graph, &[&trusted, &v]);
@@ -343,7 +341,7 @@ fn what_may_be_no_rotation_changes_lengths() {
 }
 
 #[test]
-fn projections_and_reflections_are_no_rotations() {
+fn a_projection_and_a_reflection_are_no_rotations() {
     let mut graph = Graph::new();
     let r = by_coordinates(&mut graph, "zyx", 0);
     let (zero, one) = (graph.zero(), graph.one());

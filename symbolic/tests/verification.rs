@@ -1,14 +1,12 @@
 //! Programs against the expressions that they were made from.
 
-mod support;
-
 use lagrangian_symbolic::{Equations, Expression, Fault, Graph, Point, Program, Rational, Symbol};
-use support::draft::{assert_close, value};
-use support::systems::rigid_body;
+use lagrangian_symbolic_testing::systems::rigid_body;
+use lagrangian_symbolic_testing::{assert_close, value};
 
 #[test]
 fn programs_compute_what_they_were_made_from() {
-    let (mut model, _) = rigid_body();
+    let mut model = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
     let mass: Vec<_> = equations.mass.concat();
     let groups: [&[Expression]; 2] = [&mass, &equations.inverse_dynamics];
@@ -24,7 +22,7 @@ fn programs_compute_what_they_were_made_from() {
 
 #[test]
 fn programs_expand_to_the_expressions_that_they_were_made_from() {
-    let (mut model, _) = rigid_body();
+    let mut model = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
     let groups: [&[Expression]; 2] = [&equations.mass.concat(), &equations.forcing];
     let program = Program::schedule(&model.graph, &groups);
@@ -42,7 +40,7 @@ fn programs_expand_to_the_expressions_that_they_were_made_from() {
 
 #[test]
 fn a_wrong_program_is_found_out() {
-    let (mut model, _) = rigid_body();
+    let mut model = rigid_body();
     let equations = Equations::derive(&mut model).unwrap();
     let groups: [&[Expression]; 1] = [&equations.forcing];
     let program = Program::schedule(&model.graph, &groups);

@@ -50,6 +50,37 @@ fn source(model: &Value) -> String {
         .filter(|f| f["input"] == true)
         .map(|f| text_of(&f["name"]))
         .collect();
+    let calls = calls(model, &inputs);
+    let outputs = model["outputs"].as_object().expect("outputs by name");
+    let outputs = if outputs.is_empty() {
+        String::new()
+    } else {
+        let n = &model["n"];
+        format!("let outputs = Outputs::<{n}>::outputs(&model, &at.state());\n    ")
+    };
+    format!(
+        "use lagrangian::prelude::*;
+use crate::{{At, Found, Values, outside}};
+
+{}
+impl Model {{
+    fn new(values: &mut Values) -> Self {{
+        Self {{ {inits} }}
+    }}
+}}
+
+pub(crate) fn evaluate(at: &At) -> Vec<Found> {{
+    let model = Model::new(&mut Values::of(at));
+    {outputs}{calls}
+        .collect()
+}}
+",
+        text_of(&model["declaration"])
+    )
+}
+
+/// The call that evaluates the motion, and those chained to it for what else the model has.
+fn calls(model: &Value, inputs: &[&str]) -> String {
     let mut calls = format!(
         "crate::motion::<Model, {}>(&model, at)\n        .into_iter()",
         model["n"]
@@ -84,31 +115,7 @@ fn source(model: &Value) -> String {
         write!(calls, "\n        .chain([(\"output {name}\", {value})])")
             .expect("strings accept everything");
     }
-    let outputs = if outputs.is_empty() {
-        String::new()
-    } else {
-        let n = &model["n"];
-        format!("let outputs = Outputs::<{n}>::outputs(&model, &at.state());\n    ")
-    };
-    format!(
-        "use lagrangian::prelude::*;
-use crate::{{At, Found, Values, outside}};
-
-{}
-impl Model {{
-    fn new(values: &mut Values) -> Self {{
-        Self {{ {inits} }}
-    }}
-}}
-
-pub(crate) fn evaluate(at: &At) -> Vec<Found> {{
-    let model = Model::new(&mut Values::of(at));
-    {outputs}{calls}
-        .collect()
-}}
-",
-        text_of(&model["declaration"])
-    )
+    calls
 }
 
 /// How a field is read from the values in order.

@@ -137,7 +137,7 @@ struct Quartic;
 )]
 struct Barely;
 
-/// A slider under friction from outside, on every scalar.
+/// A slider under external friction, on every scalar.
 #[derive(Lagrangian, Clone, Copy, Debug)]
 #[lagrangian(
     coordinates(x),

@@ -159,33 +159,37 @@ fn has_one_sign(polynomial: &Polynomial) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draft::Draft;
+    use crate::testing::{Draft, Quantity};
 
     /// Sine and cosine of the coordinates.
-    fn circular(draft: &mut Draft, coordinate: u32) -> [Expression; 2] {
+    fn circular(draft: &Draft, coordinate: u32) -> [Quantity<'_>; 2] {
         let angle = draft.q(coordinate);
-        [draft.sin(angle), draft.cos(angle)]
+        [angle.sin(), angle.cos()]
+    }
+
+    /// What the reduction and what the rules of sums make of it.
+    fn both_ways(draft: &Draft, x: Quantity<'_>) -> [Expression; 2] {
+        let graph = &mut draft.graph();
+        [graph.reduced(x.into()), graph.simplest(x.into())]
     }
 
     #[test]
     fn powers_are_replaced_up_to_the_eighth() {
         for k in [2, 3, 4, 5] {
             // Σ binom(k, j) sin²ʲ cos²⁽ᵏ⁻ʲ⁾ = 1.
-            let mut draft = Draft::new(1);
-            let [sine, cosine] = circular(&mut draft, 0);
+            let draft = Draft::new(1);
+            let [sine, cosine] = circular(&draft, 0);
             let mut terms = Vec::new();
             let mut binomial = 1;
             for j in 0..=k {
-                let powers = [(sine, 2 * j), (cosine, 2 * (k - j))];
-                let powers = powers.map(|(x, n)| (x, Rational::integer(n)));
-                terms.push((draft.graph.product(powers), Rational::integer(binomial)));
+                terms.push(binomial * (sine.powi(2 * j) * cosine.powi(2 * (k - j))));
                 binomial = binomial * (k - j) / (j + 1);
             }
-            let total = draft.graph.sum(terms);
-            let is_one = draft.graph.reduced(total) == draft.graph.one();
-            assert_eq!(is_one, 2 * k <= HIGHEST_REDUCED_POWER, "{k}");
+            let [reduced, simplest] = both_ways(&draft, draft.sum(terms));
+            let one = draft.one();
+            assert_eq!(reduced == one, 2 * k <= HIGHEST_REDUCED_POWER, "{k}");
             // The rules of sums see two terms at a time, of which none can go alone.
-            assert_ne!(draft.graph.simplest(total), draft.graph.one());
+            assert_ne!(simplest, one);
         }
     }
 
@@ -193,45 +197,32 @@ mod tests {
     fn sines_and_cosines_are_replaced_and_odd_powers_keep_one() {
         // f (1 − f²)³ expanded is f g⁶, for f the sine and for f the cosine.
         for [f, g] in [[0, 1], [1, 0]] {
-            let mut draft = Draft::new(1);
-            let both = circular(&mut draft, 0);
+            let draft = Draft::new(1);
+            let both = circular(&draft, 0);
             let (f, g) = (both[f], both[g]);
-            let binomials = [1, -3, 3, -1];
-            let mut terms = Vec::new();
-            for (j, binomial) in (0..).zip(binomials) {
-                let power = draft.graph.power(f, &Rational::integer(2 * j + 1));
-                terms.push((power, Rational::integer(binomial)));
-            }
-            let alternating = draft.graph.sum(terms);
-            let sixth = draft.graph.power(g, &Rational::integer(6));
-            let expected = draft.times(&[f, sixth]);
-            assert_eq!(draft.graph.reduced(alternating), expected);
-            assert_ne!(draft.graph.simplest(alternating), expected);
+            let binomials = [(0, 1), (1, -3), (2, 3), (3, -1)];
+            let alternating = draft.sum(binomials.map(|(j, n)| n * f.powi(2 * j + 1)));
+            let [reduced, simplest] = both_ways(&draft, alternating);
+            let expected = f * g.powi(6);
+            assert_eq!(reduced, expected);
+            assert_ne!(simplest, expected);
         }
     }
 
     #[test]
     fn no_sum_becomes_a_difference() {
         // sin²a + cos²a sin²b costs more than 1 − cos²a cos²b, which cancels.
-        let mut draft = Draft::new(2);
-        let [[sa, ca], [sb, cb]] = [0, 1].map(|i| circular(&mut draft, i));
-        let [sa, ca, sb, cb] = [sa, ca, sb, cb].map(|x| draft.square(x));
-        let second = draft.times(&[ca, sb]);
-        let sum = draft.plus(&[sa, second]);
-        let (one, product) = (draft.graph.one(), draft.times(&[ca, cb]));
-        let difference = draft.graph.subtract(one, product);
-        assert!(draft.graph.cost(&[difference]) < draft.graph.cost(&[sum]));
-        let reduced = draft.graph.reduced(sum);
-        assert_eq!(reduced, draft.graph.simplest(sum));
+        let draft = Draft::new(2);
+        let [[sa, ca], [sb, cb]] = [0, 1].map(|i| circular(&draft, i));
+        let [sa, ca, sb, cb] = [sa, ca, sb, cb].map(Quantity::squared);
+        let (sum, product) = (sa + ca * sb, ca * cb);
+        let cost = |x: Quantity<'_>| draft.graph().cost(&[x.into()]);
+        assert!(cost(1 - product) < cost(sum));
+        let [reduced, simplest] = both_ways(&draft, sum);
+        assert_eq!(reduced, simplest);
         // What has both signs already may become any of them.
-        let x = draft.parameter(0);
-        let [scaled, shifted] = [sum, product].map(|y| draft.times(&[x, y]));
-        let mixed = draft.graph.sum([
-            (scaled, Rational::integer(3)),
-            (shifted, Rational::integer(3)),
-            (x, Rational::MINUS_ONE),
-        ]);
-        let twice = draft.graph.scale(x, &Rational::integer(2));
-        assert_eq!(draft.graph.reduced(mixed), twice);
+        let x = draft.p(0);
+        let mixed = draft.sum([3 * (x * sum), 3 * (x * product), -x]);
+        assert_eq!(both_ways(&draft, mixed)[0], 2 * x);
     }
 }

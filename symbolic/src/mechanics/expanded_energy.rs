@@ -122,38 +122,26 @@ pub(crate) fn linear_part(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draft::Draft;
-    use crate::{Equations, Unary};
+    use crate::Equations;
+    use crate::testing::{Draft, Quantity};
 
     /// ½ (d/dt (sin θ cos φ))² + ½ (d/dt (sin θ sin φ))² + ½ (d/dt cos θ)² + ½ φ̇² with (φ, θ, x).
-    fn arm_with_a_ball(draft: &mut Draft) -> Expression {
-        let [phi, theta] = [draft.q(0), draft.q(1)];
-        let [sin_phi, cos_phi] = [Unary::Sin, Unary::Cos].map(|f| draft.graph.unary(f, phi));
-        let [sin, cos] = [Unary::Sin, Unary::Cos].map(|f| draft.graph.unary(f, theta));
+    fn arm_with_a_ball(draft: &Draft) -> Quantity<'_> {
+        let [phi, theta] = draft.qs();
         let place = [
-            draft.times(&[sin, cos_phi]),
-            draft.times(&[sin, sin_phi]),
-            cos,
+            theta.sin() * phi.cos(),
+            theta.sin() * phi.sin(),
+            theta.cos(),
         ];
-        let mut rates = draft.graph.time_derivatives(&place, 2);
-        rates.push(draft.v(0));
-        let squares: Vec<_> = rates
-            .iter()
-            .map(|rate| (draft.times(&[*rate, *rate]), Rational::HALF))
-            .collect();
-        draft.graph.sum(squares)
+        let rates = place.into_iter().chain([phi]).map(Quantity::dot);
+        draft.sum(rates.map(|rate| rate * rate / 2))
     }
 
     /// The arm, and a body at x that adds ẋᵏ / (k (k − 1)) to L, so that its mass is ẋᵏ⁻².
     fn with_a_body(power: i64) -> (Model, Equations) {
-        let mut draft = Draft::new(3);
-        let arm = arm_with_a_ball(&mut draft);
-        let x_dot = draft.v(2);
-        let body = draft.graph.power(x_dot, &Rational::integer(power));
-        let part = Rational::integer(power * (power - 1)).reciprocal().unwrap();
-        let body = draft.graph.scale(body, &part);
-        let (kinetic, zero) = (draft.graph.add(arm, body), draft.graph.zero());
-        let mut model = draft.natural(kinetic, zero);
+        let draft = Draft::new(3);
+        let body = draft.v(2).powi(power) / (power * (power - 1));
+        let mut model = draft.natural(arm_with_a_ball(&draft) + body, draft.zero());
         let equations = Equations::derive(&mut model).unwrap();
         (model, equations)
     }
@@ -171,17 +159,13 @@ mod tests {
     #[test]
     fn the_size_of_a_velocity_is_part_of_the_momentum() {
         // L = ½ ẋ² + c |ẋ|: p = ẋ + c signum ẋ, though M = 1.
-        let mut draft = Draft::new(1);
-        let (v, c) = (draft.v(0), draft.parameter(0));
-        let size = draft.graph.unary(Unary::Abs, v);
-        let square = draft.times(&[v, v]);
-        let (half, size) = (draft.half(square), draft.times(&[c, size]));
-        let lagrangian = draft.plus(&[half, size]);
-        let mut model = draft.model(crate::Energies::General(lagrangian));
+        let draft = Draft::new(1);
+        let (v, c) = (draft.v(0), draft.p(0));
+        let mut model = draft.general(v * v / 2 + c * v.abs());
         let equations = Equations::derive(&mut model).unwrap();
-        let sign = model.graph.unary(Unary::Signum, v);
-        let part = model.graph.multiply(c, sign);
-        assert_eq!(equations.momenta, [model.graph.add(v, part)]);
+        let draft = Draft::of(model.graph, 1);
+        let (v, c) = (draft.v(0), draft.p(0));
+        assert_eq!(equations.momenta, [v + c * v.signum()]);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What accelerations cost in vectors, beside the scalars of the references, which are multiplied out by
+//! What accelerations cost in vectors, beside the scalars of the references, which are expanded by
 //! hand.
 
 use lagrangian::OperationCount;

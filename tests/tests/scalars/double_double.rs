@@ -81,7 +81,7 @@ fn agree_with_themselves<M, const N: usize, const P: usize>(
         let model = M::with(thirds(parameters(index)));
         let state = on(&state::<N>(index));
         let accelerations = model.accelerations(&state);
-        // Euler's equations, or an elimination before any number was known, against one in numbers.
+        // Euler's equations, or a symbolic elimination, against a numerical one.
         let factors = Factorization::new(model.mass_matrix(&state));
         let solved = factors.solve(&model.forcing(&state));
         let at = format!("{name}, state {index}");

@@ -89,7 +89,7 @@ pub(crate) struct DampedCart<T: Scalar> {
     pub(crate) motor: T,
 }
 
-/// Rotors each of which is geared to all others: its mass matrix is factored in numbers.
+/// Rotors each of which is geared to all others: its mass matrix is factored numerically.
 #[derive(Lagrangian, Clone, Copy, Debug)]
 #[lagrangian(
     coordinates(a, b, c, d, e, f),

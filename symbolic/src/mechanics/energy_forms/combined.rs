@@ -108,50 +108,41 @@ fn coefficients(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draft::Draft;
-    use crate::systems::{euler_rates, kinetic};
+    use crate::testing::Draft;
+    use crate::testing::systems::{euler_rates, kinetic};
 
     #[test]
     fn a_mass_beside_the_point_of_rest_adds_to_the_inertia() {
         // ½ I₁ w₁² + ½ I₂ w₂² + ½ I₃ w₃² + ½ m (x w₂ − y w₁)².
-        let mut draft = Draft::new(3);
-        let w = euler_rates(&mut draft);
-        let squares = kinetic(&mut draft, &w, &[0, 1, 2]);
-        let [m, x, y] = [3, 4, 5].map(|i| draft.parameter(i));
-        let (ahead, behind) = (draft.times(&[x, w[1]]), draft.times(&[y, w[0]]));
-        let speed = draft.graph.subtract(ahead, behind);
-        let square = draft.square(speed);
-        let square = draft.times(&[m, square]);
-        let square = draft.half(square);
-        let lagrangian = draft.plus(&[squares, square]);
+        let draft = Draft::new(3);
+        let w = euler_rates(&draft);
+        let [_, i2, i3, m, x, y] = draft.ps();
+        let point = m * (x * w[1] - y * w[0]).squared() / 2;
+        let lagrangian = kinetic(&draft, &w, &[0, 1, 2]) + point;
 
-        let declared = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+        let declared = QuasiVelocities::declared(&mut draft.graph(), lagrangian.into()).unwrap();
         assert_eq!(declared.forms.len(), 4);
-        let found = declared.combined(&mut draft.graph).unwrap();
+        let found = declared.combined(&mut draft.graph()).unwrap();
         let place = |form| found.forms.iter().position(|known| *known == form).unwrap();
         let [i, j, k] = w.map(place);
         assert_eq!(found.forms.len(), 3);
-        let inertia = draft.parameter(1);
-        let added = draft.times(&[m, x, x]);
-        assert_eq!(found.inertia[j][j], draft.plus(&[inertia, added]));
-        let product = draft.times(&[m, x, y]);
-        assert_eq!(found.inertia[i][j], draft.graph.negate(product));
+        assert_eq!(found.inertia[j][j], i2 + m * x * x);
+        assert_eq!(found.inertia[i][j], -(m * x * y));
         assert_eq!(found.inertia[j][i], found.inertia[i][j]);
-        assert_eq!(found.inertia[k][k], draft.parameter(2));
-        assert!(draft.graph.is_zero(found.inertia[i][k]));
-        assert!(found.combined(&mut draft.graph).is_none());
+        assert_eq!(found.inertia[k][k], i3);
+        assert_eq!(found.inertia[i][k], draft.zero());
+        assert!(found.combined(&mut draft.graph()).is_none());
     }
 
     #[test]
     fn forms_of_their_own_stay() {
         // ½ m (x w₂ − y w₁)² + ½ I₁ w₁²: nothing else says what w₂ is.
-        let mut draft = Draft::new(3);
-        let w = euler_rates(&mut draft);
-        let [x, y] = [4, 5].map(|i| draft.parameter(i));
-        let (ahead, behind) = (draft.times(&[x, w[1]]), draft.times(&[y, w[0]]));
-        let speed = draft.graph.subtract(ahead, behind);
-        let lagrangian = kinetic(&mut draft, &[speed, w[0]], &[3, 0]);
-        let declared = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
-        assert!(declared.combined(&mut draft.graph).is_none());
+        let draft = Draft::new(3);
+        let w = euler_rates(&draft);
+        let [x, y] = [4, 5].map(|i| draft.p(i));
+        let speed = x * w[1] - y * w[0];
+        let lagrangian = kinetic(&draft, &[speed, w[0]], &[3, 0]).expression();
+        let declared = QuasiVelocities::declared(&mut draft.graph(), lagrangian).unwrap();
+        assert!(declared.combined(&mut draft.graph()).is_none());
     }
 }

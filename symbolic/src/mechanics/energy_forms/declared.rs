@@ -228,66 +228,54 @@ fn absorb_squares(graph: &mut Graph, term: &Term) -> Option<(Expression, [Expres
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draft::Draft;
-    use crate::systems::{Chain, euler_rates, kinetic};
+    use crate::testing::systems::{Chain, euler_rates, kinetic};
+    use crate::testing::{Draft, Quantity};
     use crate::{Energies, Model};
 
+    fn declared(draft: &Draft, lagrangian: Quantity<'_>) -> Option<QuasiVelocities> {
+        QuasiVelocities::declared(&mut draft.graph(), lagrangian.into())
+    }
+
     /// The forms of ½ Σ Iₖ wₖ² + rest, whose inertias are the parameters in order.
-    fn assert_diagonal(draft: &mut Draft, found: &QuasiVelocities, inertias: &[u32]) {
-        assert!(found.is_diagonal(&draft.graph));
+    fn assert_diagonal(draft: &Draft, found: &QuasiVelocities, inertias: &[u32]) {
+        assert!(found.is_diagonal(&draft.graph()));
         for (k, inertia) in inertias.iter().enumerate() {
-            assert_eq!(found.inertia[k][k], draft.parameter(*inertia));
+            assert_eq!(found.inertia[k][k], draft.p(*inertia));
         }
     }
 
     #[test]
     fn the_squares_of_a_top_are_its_angular_velocities() {
-        let mut draft = Draft::new(3);
-        let w = euler_rates(&mut draft);
-        let energy = kinetic(&mut draft, &w, &[0, 1, 2]);
-        let theta = draft.q(1);
-        let potential = draft.cos(theta);
-        let lagrangian = draft.graph.subtract(energy, potential);
-        let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+        let draft = Draft::new(3);
+        let w = euler_rates(&draft);
+        let potential = draft.q(1).cos();
+        let found = declared(&draft, kinetic(&draft, &w, &[0, 1, 2]) - potential).unwrap();
         assert_eq!(found.forms, w);
-        assert_diagonal(&mut draft, &found, &[0, 1, 2]);
-        assert_eq!(found.rest, draft.graph.negate(potential));
+        assert_diagonal(&draft, &found, &[0, 1, 2]);
+        assert_eq!(found.rest, -potential);
     }
 
     #[test]
     fn products_of_inertia_stand_beside_the_diagonal() {
         // ½ wᵀ W w with W₁₂ in scalars, whether as P₃ w₁ w₂ or as w₁ (I₁ w₁ + P₃ w₂) + ….
-        let mut draft = Draft::new(3);
-        let w = euler_rates(&mut draft);
-        let squares = kinetic(&mut draft, &w, &[0, 1, 2]);
-        let product = draft.parameter(3);
-        let mixed = draft.times(&[product, w[0], w[1]]);
-        let in_scalars = draft.plus(&[squares, mixed]);
-        let mut terms = Vec::new();
-        for row in [[0, 3, 9], [3, 1, 9], [9, 9, 2]].iter().zip(w) {
-            let entries = row.0.iter().zip(w).filter(|(i, _)| **i < 9);
-            let parts: Vec<_> = entries
-                .map(|(i, w)| {
-                    let entry = draft.parameter(*i);
-                    draft.times(&[entry, w])
-                })
-                .collect();
-            let momentum = draft.plus(&parts);
-            terms.push(draft.times(&[row.1, momentum]));
-        }
-        let twice = draft.plus(&terms);
-        for lagrangian in [in_scalars, draft.half(twice)] {
-            let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
+        let draft = Draft::new(3);
+        let w @ [w1, w2, w3] = euler_rates(&draft);
+        let [i1, i2, i3, product] = draft.ps();
+        let in_scalars = kinetic(&draft, &w, &[0, 1, 2]) + product * w1 * w2;
+        let momenta = [i1 * w1 + product * w2, product * w1 + i2 * w2, i3 * w3];
+        let in_momenta = draft.sum(w.into_iter().zip(momenta).map(|(w, p)| w * p)) / 2;
+        for lagrangian in [in_scalars, in_momenta] {
+            let found = declared(&draft, lagrangian).unwrap();
             assert_eq!(found.forms.len(), 3);
             let place = |form| found.forms.iter().position(|known| *known == form).unwrap();
             let [i, j, k] = w.map(place);
             assert_eq!(found.inertia[i][j], product);
             assert_eq!(found.inertia[j][i], product);
-            assert_eq!(found.inertia[i][i], draft.parameter(0));
-            assert_eq!(found.inertia[j][j], draft.parameter(1));
-            assert_eq!(found.inertia[k][k], draft.parameter(2));
-            assert!(draft.graph.is_zero(found.inertia[i][k]));
-            assert!(!found.is_diagonal(&draft.graph));
+            assert_eq!(found.inertia[i][i], i1);
+            assert_eq!(found.inertia[j][j], i2);
+            assert_eq!(found.inertia[k][k], i3);
+            assert_eq!(found.inertia[i][k], draft.zero());
+            assert!(!found.is_diagonal(&draft.graph()));
         }
     }
 
@@ -312,49 +300,35 @@ mod tests {
     #[test]
     fn even_powers_of_coordinates_belong_to_the_form() {
         // ½ m r² φ̇² is the square of r φ̇; r φ̇² and sin θ φ̇² are no squares.
-        let mut draft = Draft::new(2);
-        let (m, r, v) = (draft.parameter(0), draft.q(0), draft.v(1));
-        let r2 = draft.square(r);
-        let v2 = draft.square(v);
-        let twice = draft.times(&[m, r2, v2]);
-        let lagrangian = draft.half(twice);
-        let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
-        assert_eq!(found.forms, [draft.times(&[r, v])]);
-        assert_diagonal(&mut draft, &found, &[0]);
-        let sine = draft.sin(r);
-        for factor in [r, sine] {
-            let odd = draft.times(&[m, factor, v2]);
-            assert!(QuasiVelocities::declared(&mut draft.graph, odd).is_none());
+        let draft = Draft::new(2);
+        let (m, r, v) = (draft.p(0), draft.q(0), draft.v(1));
+        let found = declared(&draft, m * r.squared() * v.squared() / 2).unwrap();
+        assert_eq!(found.forms, [r * v]);
+        assert_diagonal(&draft, &found, &[0]);
+        for factor in [r, r.sin()] {
+            assert!(declared(&draft, m * factor * v.squared()).is_none());
         }
     }
 
     #[test]
     fn what_is_no_sum_of_squares_has_no_forms() {
-        let mut draft = Draft::new(1);
-        let (v, one) = (draft.v(0), draft.graph.one());
-        let square = draft.square(v);
+        let draft = Draft::new(1);
+        let v = draft.v(0);
         // Relativistic, of the third and fourth degree, and with a velocity under a function.
-        let inner = draft.graph.subtract(one, square);
-        let relativistic = draft.graph.square_root(inner);
-        let cube = draft.times(&[square, v]);
-        let fourth = draft.square(square);
-        let sine = draft.sin(v);
-        for other in [relativistic, cube, fourth, sine] {
-            let lagrangian = draft.plus(&[square, other]);
-            assert!(QuasiVelocities::declared(&mut draft.graph, lagrangian).is_none());
+        let relativistic = (1 - v.squared()).sqrt();
+        for other in [relativistic, v.powi(3), v.powi(4), v.sin()] {
+            assert!(declared(&draft, v.squared() + other).is_none());
         }
     }
 
     #[test]
     fn what_is_linear_in_the_velocities_is_left() {
-        let mut draft = Draft::new(2);
-        let (x, vx, vy) = (draft.q(0), draft.v(0), draft.v(1));
-        let [a, b] = [vx, vy].map(|v| draft.square(v));
-        let linear = draft.times(&[x, vy]);
-        let lagrangian = draft.plus(&[a, b, linear]);
-        let found = QuasiVelocities::declared(&mut draft.graph, lagrangian).unwrap();
-        assert_eq!((found.forms, found.rest), (vec![vx, vy], linear));
+        let draft = Draft::new(2);
+        let (x, [vx, vy]) = (draft.q(0), draft.vs());
+        let found = declared(&draft, vx.squared() + vy.squared() + x * vy).unwrap();
+        assert_eq!(found.forms, [vx, vy]);
+        assert_eq!(found.rest, x * vy);
         // W is twice the coefficient: L = ½ wᵀ W w.
-        assert_eq!(found.inertia[0][0], draft.graph.integer(2));
+        assert_eq!(found.inertia[0][0], draft.number(2));
     }
 }

@@ -139,8 +139,10 @@ impl Graph {
 mod tests {
     use super::*;
     use crate::Model;
-    use crate::draft::Draft;
-    use crate::systems::{Rates, Spelling, euler_rates, general_top, node_rates, polar, top};
+    use crate::testing::Draft;
+    use crate::testing::systems::{
+        Rates, Spelling, euler_rates, general_top, node_rates, polar, top,
+    };
 
     fn found(model: &mut Model) -> QuasiVelocities {
         let equations = Equations::derive(model).unwrap();
@@ -148,28 +150,21 @@ mod tests {
     }
 
     /// Whether each of the forms is one of these rates, up to its sign, with these inertias.
-    fn assert_forms(model: &mut Model, rates: fn(&mut Draft) -> Rates, inertias: &[u32]) {
-        let found = found(model);
-        let graph = core::mem::take(&mut model.graph);
-        let mut draft = Draft {
-            graph,
-            coordinates: 3,
-        };
-        let expected = rates(&mut draft);
+    fn assert_forms(mut model: Model, rates: fn(&Draft) -> Rates<'_>, inertias: [u32; 3]) {
+        let found = found(&mut model);
+        let draft = Draft::of(model.graph, 3);
+        let expected = rates(&draft);
         assert_eq!(found.forms.len(), expected.len());
-        assert!(found.is_diagonal(&draft.graph));
+        assert!(found.is_diagonal(&draft.graph()));
         for (rate, inertia) in expected.into_iter().zip(inertias) {
-            let inertia = draft.parameter(*inertia);
-            let matches = |(k, form): (usize, &Expression), draft: &mut Draft| {
-                let signs = [
-                    draft.graph.add(*form, rate),
-                    draft.graph.subtract(*form, rate),
-                ];
-                let equal = signs.iter().any(|x| draft.graph.vanishes(&[*x]));
+            let inertia = draft.p(inertia);
+            let matches = |(k, form): (usize, &Expression)| {
+                let form = draft.quantity(*form);
+                let mut signs = [form + rate, form - rate].into_iter();
+                let equal = signs.any(|x| draft.graph().vanishes(&[x.into()]));
                 equal && found.inertia[k][k] == inertia
             };
-            let mut forms = found.forms.iter().enumerate();
-            assert!(forms.any(|form| matches(form, &mut draft)));
+            assert!(found.forms.iter().enumerate().any(matches));
         }
     }
 
@@ -177,18 +172,17 @@ mod tests {
     fn an_expanded_top_gives_its_angular_velocities_back() {
         for spelling in [
             Spelling::Squares,
-            Spelling::SecondMultipliedOut,
-            Spelling::MultipliedOut,
+            Spelling::SecondExpanded,
+            Spelling::Expanded,
         ] {
-            assert_forms(&mut general_top(spelling), euler_rates, &[0, 1, 2]);
+            assert_forms(general_top(spelling), euler_rates, [0, 1, 2]);
         }
     }
 
     #[test]
     fn equal_inertias_leave_the_line_of_nodes() {
         // (4.5) with I₁ = I₂ is (4.7): the squares of sin θ φ̇, θ̇ and ψ̇ + cos θ φ̇, and no ψ.
-        let mut model = top(euler_rates, [0, 0, 2]);
-        assert_forms(&mut model, node_rates, &[0, 0, 2]);
+        assert_forms(top(euler_rates, [0, 0, 2]), node_rates, [0, 0, 2]);
         let mut model = top(euler_rates, [0, 0, 2]);
         let forms = found(&mut model).forms;
         let psi = Symbol::Coordinate(2);
@@ -208,12 +202,8 @@ mod tests {
     #[test]
     fn mass_that_depends_on_the_velocity_gives_none() {
         // L = ẋ⁴/48, of which M = (ẋ/2)² is a square all the same.
-        let mut draft = Draft::new(1);
-        let v = draft.v(0);
-        let fourth = draft.times(&[v, v, v, v]);
-        let part = Rational::integer(48).reciprocal().unwrap();
-        let (kinetic, zero) = (draft.graph.scale(fourth, &part), draft.graph.zero());
-        let mut model = draft.natural(kinetic, zero);
+        let draft = Draft::new(1);
+        let mut model = draft.natural(draft.v(0).powi(4) / 48, draft.zero());
         let equations = Equations::derive(&mut model).unwrap();
         let found = QuasiVelocities::recovered(&mut model.graph, &equations);
         assert!(found.is_none());
@@ -223,16 +213,10 @@ mod tests {
     fn pivots_that_are_no_squares_give_none() {
         // T = ½ (1 + x) ẋ², and ½ x³ ẋ², which is a square for positive x alone.
         for is_power in [false, true] {
-            let mut draft = Draft::new(1);
-            let (x, v) = (draft.q(0), draft.v(0));
-            let mass = if is_power {
-                draft.times(&[x, x, x])
-            } else {
-                draft.graph.add_constant(x, &Rational::ONE)
-            };
-            let twice = draft.times(&[mass, v, v]);
-            let (kinetic, zero) = (draft.half(twice), draft.graph.zero());
-            let mut model = draft.natural(kinetic, zero);
+            let draft = Draft::new(1);
+            let x = draft.q(0);
+            let mass = if is_power { x.powi(3) } else { x + 1 };
+            let mut model = draft.natural(mass * x.dot().squared() / 2, draft.zero());
             let equations = Equations::derive(&mut model).unwrap();
             let found = QuasiVelocities::recovered(&mut model.graph, &equations);
             assert!(found.is_none());

@@ -99,19 +99,19 @@ fn small_rational(value: u64, p: u64) -> Option<Rational> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draft::Draft;
-    use crate::systems::{Rates, cardan_rates, euler_rates, node_rates};
+    use crate::testing::systems::{Rates, cardan_rates, euler_rates, node_rates};
+    use crate::testing::{Draft, Quantity};
 
     /// γ of three forms in three velocities.
-    fn constants(rates: impl Fn(&mut Draft) -> Rates) -> Option<StructureConstants> {
-        let mut draft = Draft::new(3);
-        let forms = rates(&mut draft);
+    fn constants(rates: fn(&Draft) -> Rates<'_>) -> Option<StructureConstants> {
+        let draft = Draft::new(3);
+        let forms = rates(&draft).map(Quantity::expression);
         let velocities = [0, 1, 2].map(Symbol::Velocity);
-        let columns = draft.graph.jacobian(&forms, &velocities);
+        let columns = draft.graph().jacobian(&forms, &velocities);
         let rows: Vec<Vec<_>> = (0..3)
             .map(|k| columns.iter().map(|column| column[k]).collect())
             .collect();
-        structure_constants(&mut draft.graph, &rows)
+        structure_constants(&mut draft.graph(), &rows)
     }
 
     #[test]
@@ -136,26 +136,23 @@ mod tests {
     #[test]
     fn those_of_velocities_are_zero() {
         let zero = vec![vec![vec![Rational::ZERO; 3]; 3]; 3];
-        let generalized = |draft: &mut Draft| [0, 1, 2].map(|i| draft.v(i));
-        assert_eq!(constants(generalized), Some(zero.clone()));
+        assert_eq!(constants(Draft::vs), Some(zero.clone()));
         // Of a point in cylindrical coordinates: ẋ, ẏ, ż.
-        let of_a_point = |draft: &mut Draft| {
-            let (r, phi, z) = (draft.q(0), draft.q(1), draft.q(2));
-            let (cos, sin) = (draft.cos(phi), draft.sin(phi));
-            let (x, y) = (draft.times(&[r, cos]), draft.times(&[r, sin]));
-            [x, y, z].map(|x| draft.dot(x))
-        };
-        assert_eq!(constants(of_a_point), Some(zero));
+        let of_a_point = constants(|draft| {
+            let [r, phi, z] = draft.qs();
+            [r * phi.cos(), r * phi.sin(), z].map(Quantity::dot)
+        });
+        assert_eq!(of_a_point, Some(zero));
     }
 
     #[test]
     fn a_multiple_of_a_form_scales_them() {
         // 2 w₁: γ¹ doubles, and what w₁ enters is halved.
-        let doubled = |draft: &mut Draft| {
+        let doubled = constants(|draft| {
             let [w1, w2, w3] = euler_rates(draft);
-            [draft.plus(&[w1, w1]), w2, w3]
-        };
-        let found = constants(doubled).unwrap();
+            [2 * w1, w2, w3]
+        });
+        let found = doubled.unwrap();
         assert_eq!(found[0][1][2].abs(), Rational::integer(2));
         assert_eq!(found[1][0][2].abs(), Rational::HALF);
         assert_eq!(found[2][0][1].abs(), Rational::HALF);

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::Equations;
-use crate::draft::Draft;
-use crate::systems::{Chain, charged, euler_rates, kinetic, node_rates, top};
+use crate::testing::systems::{Chain, charged, euler_rates, kinetic, node_rates, top};
+use crate::testing::{Draft, Quantity};
 
 /// The tree of a model, and the equations that it was found from.
 fn tree(model: &mut Model) -> (KinematicTree, Equations) {
@@ -52,18 +52,14 @@ fn the_velocity_of_a_body_builds_on_that_of_the_body_before_it() {
 fn sums_of_relative_angular_velocities_build_on_each_other() {
     // Wheels on one axle, ½ Σ Jₖ (θ̇₁ + … + θ̇ₖ)², in either order.
     for reversed in [false, true] {
-        let mut draft = Draft::new(4);
-        let mut rates = vec![draft.v(0)];
-        for k in 1..4 {
-            let (before, own) = (rates[rates.len() - 1], draft.v(k));
-            rates.push(draft.plus(&[before, own]));
-        }
+        let draft = Draft::new(4);
+        let [v1, v2, v3, v4] = draft.vs();
+        let mut rates = [v1, v1 + v2, v1 + v2 + v3, v1 + v2 + v3 + v4];
         if reversed {
             rates.reverse();
         }
-        let energy = kinetic(&mut draft, &rates, &[0, 1, 2, 3]);
-        let zero = draft.graph.zero();
-        let (tree, _) = tree(&mut draft.natural(energy, zero));
+        let energy = kinetic(&draft, &rates, &[0, 1, 2, 3]);
+        let (tree, _) = tree(&mut draft.natural(energy, draft.zero()));
         let parents: Vec<_> = tree.forms.iter().map(|form| form.parent).collect();
         assert_eq!(parents, [None, Some(0), Some(1), Some(2)]);
         assert!(tree.forms.iter().all(|form| form.local.len() == 1));
@@ -73,20 +69,13 @@ fn sums_of_relative_angular_velocities_build_on_each_other() {
 #[test]
 fn forms_of_either_sign_build_on_each_other() {
     // Depths yₖ = −(cos q₁ + … + cos qₖ), of which those with many terms are opposites of sums.
-    let mut draft = Draft::new(12);
-    let mut rates = Vec::new();
-    let mut cosines = Vec::new();
-    for k in 0..12 {
-        let angle = draft.q(k);
-        cosines.push(draft.cos(angle));
-        let sum = draft.plus(&cosines);
-        let depth = draft.graph.negate(sum);
-        rates.push(draft.dot(depth));
-    }
+    let draft = Draft::new(12);
+    let cosines = draft.qs::<12>().map(Quantity::cos);
+    let depths = (1..=12).map(|k| -draft.sum(cosines[..k].iter().copied()));
+    let rates: Vec<_> = depths.map(Quantity::dot).collect();
     let indices: Vec<u32> = (0..12).collect();
-    let energy = kinetic(&mut draft, &rates, &indices);
-    let zero = draft.graph.zero();
-    let (tree, _) = tree(&mut draft.natural(energy, zero));
+    let energy = kinetic(&draft, &rates, &indices);
+    let (tree, _) = tree(&mut draft.natural(energy, draft.zero()));
     let parents: Vec<_> = tree.forms.iter().map(|form| form.parent).collect();
     let expected: Vec<_> = (0..12_usize).map(|k| k.checked_sub(1)).collect();
     assert_eq!(parents, expected);
