@@ -60,7 +60,7 @@ fn source(model: &Value) -> String {
     };
     format!(
         "use lagrangian::prelude::*;
-use crate::{{At, Found, Values, outside}};
+use crate::{{At, Found, Values, external}};
 
 {}
 impl Model {{

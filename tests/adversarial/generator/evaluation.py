@@ -130,9 +130,9 @@ class Evaluator:
 
     def of_call(self, e, order, env):
         args = self.args(e, order, env)
-        for outside in self.model.functions:
-            if outside.name == e.data:
-                return self(outside.value, order, {"outside": e.data, **dict(zip(outside.arguments, args))})
+        for function in self.model.functions:
+            if function.name == e.data:
+                return self(function.value, order, {"external": e.data, **dict(zip(function.arguments, args))})
         if e.data == "atan2":
             return angle(*args)
         if e.data in ("min", "max"):

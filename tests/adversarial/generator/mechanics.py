@@ -1,4 +1,4 @@
-"""Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q of a model, in numbers, at one point."""
+"""Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q of a model, numerically, at one point."""
 
 from arrays import added, depth, entrywise, flat, solve
 from derivatives import Jet, level

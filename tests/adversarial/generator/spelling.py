@@ -81,7 +81,7 @@ class Printer:
         return f"{self.receiver(e.args[0])}.powf({self.text(e.args[1])})", ATOM
 
     def spell_call(self, e):
-        if self.rng.random() < 0.4 and not e.data.startswith("outside"):
+        if self.rng.random() < 0.4 and not e.data.startswith("external"):
             return self.spell_method(e)
         return f"{e.data}({', '.join(self.text(a) for a in e.args)})", ATOM
 
@@ -149,7 +149,7 @@ def declaration(model, rng):
         slopes = "".join(
             f", derivative({a}) = {printer.text(d)}" for a, d in zip(f.arguments, f.derivatives)
         )
-        lines.append(f"    function({f.name}({arguments}) = crate::outside::{f.name}({arguments}){slopes}),")
+        lines.append(f"    function({f.name}({arguments}) = crate::external::{f.name}({arguments}){slopes}),")
     lines += table(printer, "define", model.definitions)
     for clause in ("kinetic", "potential", "dissipation"):
         lines += [f"    {clause} = {printer.text(e)}," for e in getattr(model, clause)]

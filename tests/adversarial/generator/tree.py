@@ -151,8 +151,8 @@ class Field:
 
 
 @dataclass
-class Outside:
-    """A function from outside with its derivatives by each argument, as nodes in the arguments."""
+class External:
+    """An external function with its derivatives by each argument, as nodes in the arguments."""
 
     name: str
     arguments: tuple

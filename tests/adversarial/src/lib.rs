@@ -5,7 +5,7 @@
 mod at;
 mod comparison;
 mod evaluation;
-pub mod outside;
+pub mod external;
 
 pub use at::{At, Values};
 pub use comparison::{Comparison, compare};

@@ -1,4 +1,4 @@
-"""Forces on coordinates, positions, angles, velocities and families; dissipation; inputs; functions from outside."""
+"""Forces on coordinates, positions, angles, velocities and families; dissipation; inputs; external functions."""
 
 from kinds import kind
 from kinds.pieces import any_function, chance, coordinates, decorated, diagonal, pair, smooth, sum_of
@@ -107,15 +107,15 @@ def outputs(m, rng):
 
 @kind
 def outside(m, rng):
-    """Functions from outside, with their derivatives."""
+    """External functions, with their derivatives."""
     qs = coordinates(m, rng, 1, 3)
     s, u = tree.name("s"), tree.name("u")
-    bump, slope = tree.call("outside_bump", s), tree.call("outside_plane", s, u)
-    m.functions.append(tree.Outside("outside_bump", ("s",), exp(-(s**2)), (-2 * s * bump,)))
-    m.functions.append(tree.Outside("outside_plane", ("s", "u"), sin(s) * u**2, (cos(s) * u**2, 2 * sin(s) * u)))
+    bump, slope = tree.call("external_bump", s), tree.call("external_plane", s, u)
+    m.functions.append(tree.External("external_bump", ("s",), exp(-(s**2)), (-2 * s * bump,)))
+    m.functions.append(tree.External("external_plane", ("s", "u"), sin(s) * u**2, (cos(s) * u**2, 2 * sin(s) * u)))
     m.kinetic.append(diagonal(m, rng, qs))
     x, y = pair(rng, qs)
-    m.kinetic.append(0.5 * (dot(x) + tree.call("outside_bump", smooth(rng, qs, 1)) * dot(y)) ** 2)
-    m.potential.append(m.parameter("k") * tree.call("outside_plane", smooth(rng, qs, 1), y))
-    m.force(qs[0].data, tree.call("outside_plane", dot(x), t) - tree.call("outside_bump", dot(y)) * m.input("push"))
-    m.output("value", dot(tree.call("outside_plane", x, y)))
+    m.kinetic.append(0.5 * (dot(x) + tree.call("external_bump", smooth(rng, qs, 1)) * dot(y)) ** 2)
+    m.potential.append(m.parameter("k") * tree.call("external_plane", smooth(rng, qs, 1), y))
+    m.force(qs[0].data, tree.call("external_plane", dot(x), t) - tree.call("external_bump", dot(y)) * m.input("push"))
+    m.output("value", dot(tree.call("external_plane", x, y)))

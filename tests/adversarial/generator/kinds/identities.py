@@ -42,7 +42,7 @@ def cancels(m, rng):
 
 @kind
 def expanded_squares(m, rng):
-    """Sums of squares multiplied out, so that the squares have to be found again, or cannot be."""
+    """Expanded sums of squares, so that the squares have to be found again, or cannot be."""
     qs = coordinates(m, rng, 2, 3)
     terms = []
     for i, x in enumerate(qs):

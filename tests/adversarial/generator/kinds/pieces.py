@@ -51,7 +51,7 @@ def jump(rng, x, y):
     """An expression with a branch: absolute values, roots of squares, extrema, in plain sight or not."""
     c = constant(rng)
     c2 = (c.data) ** 2
-    square = x**2 - 2 * c.data * x + c2  # (x − c)², multiplied out
+    square = x**2 - 2 * c.data * x + c2  # (x − c)², expanded
     return rng.choice((
         lambda: absolute(x - c), lambda: tree.maximum(x, c), lambda: tree.minimum(x, y), lambda: tree.sqrt(square),
         lambda: tree.sqrt(x**2), lambda: (x**2) ** Fraction(1, 2), lambda: (x**2) ** Fraction(3, 2),

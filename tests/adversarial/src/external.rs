@@ -1,15 +1,15 @@
-//! The functions from outside that models are declared with.
+//! The external functions that models are declared with.
 
 use lagrangian::Scalar;
 
 /// exp(−s²), without a unit.
 #[must_use]
-pub fn outside_bump<S: Scalar>(s: S) -> S {
+pub fn external_bump<S: Scalar>(s: S) -> S {
     (-s * s).exp()
 }
 
 /// sin(s) u², without a unit.
 #[must_use]
-pub fn outside_plane<S: Scalar>(s: S, u: S) -> S {
+pub fn external_plane<S: Scalar>(s: S, u: S) -> S {
     s.sin() * u * u
 }
