@@ -8,7 +8,7 @@ use crate::model::Model;
 #[derive(Parser, Debug)]
 pub(crate) struct Arguments {
     /// The models: A1 and A2 are the symmetric and the general top, P5 is a pendulum of five links; A2m and
-    /// P2m are declared with their kinetic energies multiplied out.
+    /// P2m are declared with their kinetic energies expanded.
     #[arg(
         long,
         value_delimiter = ',',

@@ -111,7 +111,7 @@ fn general_top() -> Declaration {
 /// The same system as the general top, entry by entry of its mass matrix.
 fn general_top_multiplied_out() -> Declaration {
     Declaration {
-        title: "The general heavy top (4.5), its kinetic energy multiplied out.",
+        title: "The general heavy top (4.5), its kinetic energy expanded.",
         clauses: "    \
     coordinates(phi, theta, psi),
     kinetic = 0.5 * i1 * sin(theta).powi(2) * sin(psi).powi(2) * dot(phi).powi(2)
@@ -134,7 +134,7 @@ fn general_top_multiplied_out() -> Declaration {
 /// The same system as two links, with the angle between them.
 fn double_pendulum_multiplied_out() -> Declaration {
     Declaration {
-        title: "Two point masses on massless rods, the kinetic energy multiplied out.",
+        title: "Two point masses on massless rods, the kinetic energy expanded.",
         clauses: "    \
     coordinates(q1, q2),
     kinetic = m * l.powi(2)

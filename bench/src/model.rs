@@ -12,9 +12,9 @@ pub(crate) enum Model {
     GeneralTop,
     /// A plane chain of so many point masses.
     Pendulum(usize),
-    /// The general heavy top, its kinetic energy multiplied out.
+    /// The general heavy top, its kinetic energy expanded.
     GeneralTopMultipliedOut,
-    /// Two links, the kinetic energy multiplied out.
+    /// Two links, the kinetic energy expanded.
     DoublePendulumMultipliedOut,
 }
 
