@@ -55,7 +55,7 @@ pub(crate) fn report(
     diagnostics: &mut Diagnostics,
 ) {
     match defect {
-        Defect::NoVelocity(coordinates) => {
+        Defect::NoInertia(coordinates) => {
             for (coordinate, range) in indices(&declaration.clauses.coordinates) {
                 let missing = |i: &usize| coordinates.iter().any(|still| *still as usize == *i);
                 let missing: Vec<usize> = range.clone().filter(missing).collect();

@@ -56,7 +56,7 @@ fn what_has_no_equations_of_motion_is_refused() {
     let mut model = draft.natural(x.dot().squared() / 2, y);
     assert_eq!(
         Equations::derive(&mut model).unwrap_err(),
-        Defect::NoVelocity(vec![1])
+        Defect::NoInertia(vec![1])
     );
 
     // T = ½ẋ² + u ẋ: the momentum contains an input.

@@ -76,7 +76,7 @@ impl<'a> Emitter<'a> {
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
         let prepared = &self.methods.prepare.program.groups;
-        let kept = prepared.first().map_or(0, |phase| phase.outputs.len());
+        let kept = prepared.first().map_or(0, |group| group.outputs.len());
         Signatures {
             root: &self.declaration.root,
             scalar,

@@ -55,7 +55,7 @@ impl Method {
         } = whole.staged(model.graph.passes);
         let prepare = Self {
             count: before.count(),
-            outputs: MethodOutputs::Invariants(OutputSlice::of_only_phase(&before)),
+            outputs: MethodOutputs::Invariants(OutputSlice::of_only_group(&before)),
             program: before,
         };
         let accelerations = Self {

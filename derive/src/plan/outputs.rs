@@ -18,7 +18,7 @@ pub(crate) struct OutputSlice {
 
 impl OutputSlice {
     /// All outputs of a program with one group.
-    pub(crate) fn of_only_phase(program: &Program) -> Self {
+    pub(crate) fn of_only_group(program: &Program) -> Self {
         let outputs = program.groups.first().map(|group| group.outputs.len());
         Self {
             group: 0,

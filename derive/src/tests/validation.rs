@@ -114,7 +114,7 @@ fn altered(program: &Program, position: usize) -> Option<Program> {
     let instructions = program
         .groups
         .iter_mut()
-        .flat_map(|phase| &mut phase.instructions);
+        .flat_map(|group| &mut group.instructions);
     let instruction = instructions.into_iter().nth(position)?;
     instruction.operation = match instruction.operation.clone() {
         Operation::Add(x, y) => Operation::Subtract(x, y),

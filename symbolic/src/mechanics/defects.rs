@@ -5,8 +5,8 @@ use crate::{Expression, Model, Symbol};
 /// Why a declaration has no equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Defect {
-    /// The Lagrangian does not contain the velocities of these coordinates.
-    NoVelocity(Vec<u32>),
+    /// The rows of M of these coordinates are zero: no energy is quadratic in their velocities.
+    NoInertia(Vec<u32>),
     /// det M vanishes identically; the velocities of these coordinates occur only in combinations.
     SingularMass(Vec<u32>),
     /// The momenta depend on these inputs, so that the inputs' unknown rates would act.
@@ -20,13 +20,13 @@ pub(crate) fn check_momenta(
     mass: &[Vec<Expression>],
 ) -> Result<(), Defect> {
     let graph = &model.graph;
-    let still: Vec<u32> = (0..model.coordinates)
+    let massless: Vec<u32> = (0..model.coordinates)
         .zip(mass)
         .filter(|(_, row)| row.iter().all(|entry| graph.is_zero(*entry)))
         .map(|(i, _)| i)
         .collect();
-    if !still.is_empty() {
-        return Err(Defect::NoVelocity(still));
+    if !massless.is_empty() {
+        return Err(Defect::NoInertia(massless));
     }
     // In few models an input occurs in the momenta, and some have many inputs.
     let occurring = graph.symbols(momenta);

@@ -8,12 +8,12 @@ use crate::{Number, external};
 pub fn run<N: Number>(program: &Program, symbol: impl Fn(Symbol) -> N) -> Vec<Vec<N>> {
     let mut values: Vec<N> = Vec::new();
     let mut groups = Vec::new();
-    for phase in &program.groups {
-        for instruction in &phase.instructions {
+    for group in &program.groups {
+        for instruction in &group.instructions {
             assert_eq!(instruction.value, values.len());
             execute(&instruction.operation, &mut values, &symbol);
         }
-        let outputs = phase.outputs.iter();
+        let outputs = group.outputs.iter();
         groups.push(outputs.map(|x| fetch(x, &values, &symbol)).collect());
     }
     groups
