@@ -1,4 +1,4 @@
-//! The solvers for q̈; LDLᵀ itself is in `matrix/ldlt.rs`. [Kinetics](crate::Kinetics) chooses among them.
+//! The solvers for q̈, except the symbolic factorization (`matrix/ldlt.rs`). [Kinetics](crate::Kinetics) chooses among them.
 
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
