@@ -1,4 +1,4 @@
-//! Checks of a declaration before its expressions are translated.
+//! Checks of a declaration before its expressions are lowered.
 //!
 //! The reason for each check is the message that it reports.
 

@@ -10,19 +10,19 @@ mod item_names;
 mod signatures;
 mod parameters;
 mod writer;
-mod reader;
+mod model_symbols;
 mod body;
 mod locals;
 mod documentation;
 mod editor;
-mod defect_warning;
+mod validation_warning;
 mod fallback;
 
 use proc_macro2::TokenStream;
 
-pub(crate) use defect_warning::warning;
 pub(crate) use emitter::Emitter;
 pub(crate) use fallback::items as items_without_equations;
+pub(crate) use validation_warning::warning;
 
 /// All items, in the order in which a reader wants them.
 pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {

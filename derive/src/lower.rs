@@ -16,9 +16,9 @@ use syn::Expr;
 
 use crate::diagnostics::Diagnostics;
 use crate::lower::ablation::passes;
-use crate::lower::expression::{ExpressionContext, Translator};
+use crate::lower::expression::{ExpressionContext, Lowerer};
 use crate::lower::quantities::Quantities;
-use crate::lower::scope::{Meaning, Origin, Scope};
+use crate::lower::scope::{Binding, Origin, Scope};
 use crate::lower::value::Value;
 use crate::syntax::clauses::Clause;
 use crate::syntax::declaration::Declaration;
@@ -40,7 +40,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let mut graph = Graph::new();
     graph.passes = passes(diagnostics);
     let quantities = Quantities::new(declaration);
-    let mut translator = Translator {
+    let mut lowerer = Lowerer {
         scope: Scope::new(declaration, &mut graph),
         graph,
         coordinates: count(quantities.coordinates.len()),
@@ -50,12 +50,12 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         within_derivative: false,
         at_rest: false,
     };
-    let parts = translator.parts(declaration);
-    let complete = translator.diagnostics.is_empty() && translator.scope.unknown().next().is_none();
+    let parts = lowerer.parts(declaration);
+    let complete = lowerer.diagnostics.is_empty() && lowerer.scope.unknown().next().is_none();
     let shape = |output: &Option<Value>| output.as_ref().map_or(Shape::Scalar, Value::shape);
     let outputs = parts.outputs.iter().map(shape).collect();
-    let coordinates = translator.coordinates;
-    let mut graph = translator.graph;
+    let coordinates = lowerer.coordinates;
+    let mut graph = lowerer.graph;
     let model = parts.complete().filter(|_| complete).map(|parts| Model {
         coordinates,
         inputs: count(quantities.inputs.len()),
@@ -67,7 +67,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     });
     Lowered {
         model,
-        scope: translator.scope,
+        scope: lowerer.scope,
         quantities,
         outputs,
     }
@@ -109,7 +109,7 @@ impl Parts {
     }
 }
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     fn parts(&mut self, declaration: &Declaration) -> Parts {
         let clauses = &declaration.clauses;
         self.declare_functions(&clauses.functions);
@@ -128,7 +128,7 @@ impl Translator<'_> {
                 // An output with indices has been refused.
                 let whole = output.indices.is_empty() && output.iterations.is_empty();
                 let expression = whole.then_some(&output.expression)?;
-                self.translate(expression, ExpressionContext::Observation)
+                self.lower(expression, ExpressionContext::Observation)
             })
             .collect();
         let energies = if clauses.lagrangian.is_empty() {
@@ -160,7 +160,7 @@ impl Translator<'_> {
         })
     }
 
-    /// Gives a name its meaning, or the members of a family theirs.
+    /// Gives a name its binding, or the members of a family theirs.
     fn define(&mut self, definition: &NamedExpression) {
         if definition.indices.is_empty() {
             if let Some(iteration) = definition.iterations.first() {
@@ -171,17 +171,16 @@ impl Translator<'_> {
                     iteration.index
                 );
                 self.diagnostics.error(name, message);
-                return self.scope.define(name, Meaning::Poisoned);
+                return self.scope.define(name, Binding::Poisoned);
             }
-            let meaning =
-                match self.translate(&definition.expression, ExpressionContext::Observation) {
-                    Some(value) => Meaning::Quantity(Origin::Defined, value),
-                    None => Meaning::Poisoned,
-                };
-            return self.scope.define(&definition.name, meaning);
+            let binding = match self.lower(&definition.expression, ExpressionContext::Observation) {
+                Some(value) => Binding::Quantity(Origin::Defined, value),
+                None => Binding::Poisoned,
+            };
+            return self.scope.define(&definition.name, binding);
         }
-        let defined = self.for_each(&definition.iterations, &mut |translator| {
-            translator.define_member(definition)
+        let defined = self.for_each(&definition.iterations, &mut |lowerer| {
+            lowerer.define_member(definition)
         });
         if defined.is_none() {
             self.scope.silence_definition(&definition.name);
@@ -206,7 +205,7 @@ impl Translator<'_> {
             );
             return self.reject(name, message);
         }
-        let value = self.translate(&definition.expression, ExpressionContext::Observation)?;
+        let value = self.lower(&definition.expression, ExpressionContext::Observation)?;
         if self.scope.define_member(name, &indices, value) {
             return Some(());
         }

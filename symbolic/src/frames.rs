@@ -1,6 +1,6 @@
 //! Vector algebra: products, rotations, angular velocities, and vectors in frames.
 
-pub(crate) mod combination;
+pub(crate) mod elementwise;
 pub(crate) mod matrix_product;
 pub(crate) mod vector_product;
 pub(crate) mod resolution;

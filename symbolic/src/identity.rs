@@ -3,7 +3,7 @@
 pub(crate) mod residue;
 pub(crate) mod modular_matrix;
 pub(crate) mod modular_point;
-pub(crate) mod evaluation;
-pub(crate) mod identity_test;
+pub(crate) mod incremental_evaluation;
+pub(crate) mod identity_testing;
 pub(crate) mod real_point;
 pub(crate) mod claims;

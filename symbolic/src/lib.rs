@@ -24,7 +24,7 @@ pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
 pub use frames::inverse::NoInverse;
 pub use frames::rotation::NoRotation;
-pub use identity::modular_point::Point;
+pub use identity::modular_point::ModularPoint;
 pub use limits::LARGEST_DETERMINANT;
 pub use matrix::axis::Axis;
 pub use matrix::dense::Matrix;

@@ -73,7 +73,7 @@ pub(crate) const MOST_BRANCHES: u32 = 5;
 /// Real points at which a matrix with roots must be a rotation.
 pub(crate) const REAL_POINTS: u64 = 64;
 
-/// The largest defect of an orthonormal matrix of rounded numbers: constants are written with six digits or more.
+/// The largest residual of the orthonormality of a matrix of rounded numbers: constants are written with six digits or more.
 pub(crate) const ROUNDED_CONSTANT: f64 = 1e-6;
 
 /// The largest numerator and denominator of a reconstructed structure constant. Made by multiples of body-fixed

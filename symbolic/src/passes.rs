@@ -41,15 +41,15 @@ passes! {
     /// Opaque nodes for intermediate results.
     Opaque = "opaque",
     /// The accelerations by articulated-body elimination along the tree of quasi-velocities.
-    Tree = "tree",
-    /// Dividing a tree's equations by the inertia of which all others are multiples.
-    Unit = "unit",
-    /// The accelerations by symbolic elimination of the mass matrix.
-    Elimination = "elimination",
+    ArticulatedBodies = "articulated-bodies",
+    /// Equations along a tree divided by the inertia of which all others are multiples.
+    InertiaScaling = "inertia-scaling",
+    /// The accelerations by the symbolic factorization of the mass matrix.
+    Ldlt = "ldlt",
     /// The accelerations through as many quasi-velocities as there are coordinates.
     QuasiVelocities = "quasi-velocities",
     /// Quasi-velocities recovered from the mass matrix, besides the declared ones.
-    Inertias = "inertias",
+    RecoveredForms = "recovered-forms",
     /// Gyroscopic terms by structure constants, as in ω × Iω.
     StructureConstants = "structure-constants",
     /// One reciprocal for all quotients with the same divisor.

@@ -7,7 +7,7 @@
 //! without a symbolic derivative, a solver or a pass; the normal form of the energies is trusted. Elementary
 //! functions are those of the crate `libm`, so that the answer is the same on every host.
 
-mod agreement;
+mod validator;
 mod changes;
 mod comparison;
 mod hyper_dual;
@@ -19,5 +19,5 @@ mod square_matrix;
 mod sum_with_size;
 mod tape;
 
-pub use agreement::Validator;
 pub use programs::{AccelerationProgram, LinearizationProgram, Method, Programs};
+pub use validator::Validator;

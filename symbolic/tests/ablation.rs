@@ -17,9 +17,9 @@ fn check(model: &Model) {
         let mut model = model.clone();
         model.graph.passes = passes;
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Kinetics::cheapest(&mut model, &equations);
-        let mut roots = dynamics.forcing.clone();
-        if let Some(solution) = dynamics.solution {
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
+        let mut roots = kinetics.forcing.clone();
+        if let Some(solution) = kinetics.solution {
             assert!(solution.holds(&model.graph, &equations), "{passes:?}");
             roots.extend(solution.accelerations);
         }

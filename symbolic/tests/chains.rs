@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::thread;
 
 use lagrangian_symbolic::{
-    Binary, Expression, Graph, Names, Point, Rational, Symbol, Symmetry, Unary,
+    Binary, Expression, Graph, ModularPoint, Names, Rational, Symbol, Symmetry, Unary,
 };
 use lagrangian_symbolic_testing::bounded::Bounded;
 use lagrangian_symbolic_testing::evaluate;
@@ -41,7 +41,7 @@ fn survives_links(
         graph.substitute(&[chain], &BTreeMap::from([(X, y)]));
         let _ = evaluate(&graph, derivative, |_| Bounded::exact(0.5));
         let _ = graph.evaluate(&[chain, derivative], |_| 0.5);
-        let _ = Point::new(1).evaluate(&graph, &[chain, derivative]);
+        let _ = ModularPoint::new(1).evaluate(&graph, &[chain, derivative]);
         let operands: usize = graph
             .nodes()
             .map(|(_, node)| {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use lagrangian_symbolic::{
-    Equations, Expression, Graph, Kinetics, Model, Point, Rational, Solution, Symbol,
+    Equations, Expression, Graph, Kinetics, Model, ModularPoint, Rational, Solution, Symbol,
 };
 use lagrangian_symbolic_testing::systems::{
     Chain, Spelling, cardan_rates, cart_pole, charged, driven_pendulum, euler_rates, general_top,
@@ -50,7 +50,7 @@ fn systems() -> Vec<(String, Model)> {
 
 /// Whether all expressions vanish at three random points.
 fn vanish(graph: &Graph, roots: &[Expression]) -> bool {
-    let values = (0..64).filter_map(|seed| Point::new(seed).evaluate(graph, roots));
+    let values = (0..64).filter_map(|seed| ModularPoint::new(seed).evaluate(graph, roots));
     let found: Vec<_> = values.take(3).collect();
     assert_eq!(found.len(), 3, "too few points");
     found.into_iter().flatten().all(|value| value == 0)
@@ -78,9 +78,9 @@ fn residuals(
 fn accelerations_solve_the_equations_of_motion() {
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Kinetics::cheapest(&mut model, &equations);
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
         let graph = &mut model.graph;
-        let Some(solution) = dynamics.solution else {
+        let Some(solution) = kinetics.solution else {
             // No pivot to begin with: M is left to a numerical factorization.
             assert_eq!(what, "L = ẋẏ");
             continue;
@@ -99,11 +99,11 @@ fn accelerations_solve_the_equations_of_motion() {
 fn forcing_and_inverse_dynamics_are_lagranges() {
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Kinetics::cheapest(&mut model, &equations);
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
         let graph = &mut model.graph;
         let pairs = [
-            (&dynamics.forcing, &equations.forcing),
-            (&dynamics.inverse_dynamics, &equations.inverse_dynamics),
+            (&kinetics.forcing, &equations.forcing),
+            (&kinetics.inverse_dynamics, &equations.inverse_dynamics),
         ];
         for (found, expected) in pairs {
             let pairs = found.iter().zip(expected);
@@ -117,12 +117,12 @@ fn forcing_and_inverse_dynamics_are_lagranges() {
 fn derivative_residuals(
     model: &mut Model,
     equations: &Equations,
-    dynamics: &Kinetics,
+    kinetics: &Kinetics,
     solution: &Solution,
     symbols: &[Symbol],
 ) -> Option<Vec<Expression>> {
     let graph = &mut model.graph;
-    let columns = solution.derivatives(graph, &dynamics.inverse_dynamics, symbols)?;
+    let columns = solution.derivatives(graph, &kinetics.inverse_dynamics, symbols)?;
     let mut found = Vec::new();
     for (symbol, column) in symbols.iter().zip(columns.chunks(equations.mass.len())) {
         let slopes = graph.derivatives(&equations.inverse_dynamics, *symbol);
@@ -141,14 +141,14 @@ fn derivatives_solve_the_differentiated_equations() {
     let mut through_none = Vec::new();
     for (what, mut model) in systems() {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Kinetics::cheapest(&mut model, &equations);
-        let Some(solution) = &dynamics.solution else {
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
+        let Some(solution) = &kinetics.solution else {
             continue;
         };
         let coordinates = model.coordinate_symbols().into_iter();
         let mut symbols: Vec<_> = coordinates.chain(model.velocity_symbols()).collect();
         symbols.extend([Symbol::Time, Symbol::Input(0), Symbol::Parameter(1)]);
-        match derivative_residuals(&mut model, &equations, &dynamics, solution, &symbols) {
+        match derivative_residuals(&mut model, &equations, &kinetics, solution, &symbols) {
             Some(rest) => assert!(vanish(&model.graph, &rest), "{what}"),
             None => through_none.push(what),
         }
@@ -168,15 +168,15 @@ fn derivatives_are_those_of_finite_differences() {
     let systems = systems().into_iter();
     for (what, mut model) in systems.filter(|(what, _)| chosen.contains(&what.as_str())) {
         let equations = Equations::derive(&mut model).unwrap();
-        let dynamics = Kinetics::cheapest(&mut model, &equations);
-        let solution = dynamics.solution.unwrap();
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
+        let solution = kinetics.solution.unwrap();
         let graph = &mut model.graph;
         let symbols = [
             Symbol::Coordinate(1),
             Symbol::Velocity(0),
             Symbol::Parameter(0),
         ];
-        let columns = solution.derivatives(graph, &dynamics.inverse_dynamics, &symbols);
+        let columns = solution.derivatives(graph, &kinetics.inverse_dynamics, &symbols);
         let at = |shifted: Option<(Symbol, f64)>| {
             let value = |symbol| match shifted {
                 Some((moved, step)) if moved == symbol => value(symbol) + step,

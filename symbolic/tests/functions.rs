@@ -1,7 +1,7 @@
 //! External functions, known by their names and derivatives alone.
 
 use lagrangian_symbolic::{
-    Equations, Expression, ExternalFunction, Graph, Kinetics, Model, Node, Operation, Point,
+    Equations, Expression, ExternalFunction, Graph, Kinetics, Model, ModularPoint, Node, Operation,
     Program, Rational, Symbol, Unary,
 };
 use lagrangian_symbolic_testing::bounded::Bounded;
@@ -161,7 +161,7 @@ fn equal_arguments_have_equal_values_and_nothing_else_is_known() {
     ];
     assert_ne!(same[0], same[1]);
     let values = |graph: &Graph, roots: [Expression; 2]| {
-        [0, 1, 2].map(|seed| Point::new(seed).evaluate(graph, &roots).unwrap())
+        [0, 1, 2].map(|seed| ModularPoint::new(seed).evaluate(graph, &roots).unwrap())
     };
     assert!(
         values(&graph, same)

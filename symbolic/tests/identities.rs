@@ -1,6 +1,6 @@
 //! Decisions at random points: what vanishes identically, and what does not.
 
-use lagrangian_symbolic::{Binary, Expression, Graph, Point, Rational, Symbol, Unary};
+use lagrangian_symbolic::{Binary, Expression, Graph, ModularPoint, Rational, Symbol, Unary};
 
 /// Writes one expression of x and y.
 type Write = fn(&mut Graph, Expression, Expression) -> Expression;
@@ -17,7 +17,7 @@ fn values(write: Write) -> Vec<u64> {
     let (mut graph, x, y) = start();
     let root = write(&mut graph, x, y);
     (0..20)
-        .filter_map(|seed| Point::new(seed).evaluate(&graph, &[root]))
+        .filter_map(|seed| ModularPoint::new(seed).evaluate(&graph, &[root]))
         .map(|values| values[0])
         .collect()
 }
@@ -250,7 +250,7 @@ fn what_cannot_vanish_by_itself_is_not_decided_by_the_constructors() {
 fn a_moved_symbol_moves_only_what_contains_it() {
     let (mut graph, x, y) = start();
     let sin = graph.unary(Unary::Sin, x);
-    let point = Point::new(7);
+    let point = ModularPoint::new(7);
     let moved = point.moving(Symbol::Coordinate(0));
     let (before, after) = (
         point.evaluate(&graph, &[sin, y]),

@@ -1,6 +1,8 @@
 //! Programs against the expressions that they were made from.
 
-use lagrangian_symbolic::{Equations, Expression, Fault, Graph, Point, Program, Rational, Symbol};
+use lagrangian_symbolic::{
+    Equations, Expression, Fault, Graph, ModularPoint, Program, Rational, Symbol,
+};
 use lagrangian_symbolic_testing::systems::rigid_body;
 use lagrangian_symbolic_testing::{assert_close, value};
 
@@ -31,7 +33,7 @@ fn programs_expand_to_the_expressions_that_they_were_made_from() {
         let difference = model.graph.subtract(root, again);
         for seed in 0..3 {
             assert_eq!(
-                Point::new(seed).evaluate(&model.graph, &[difference]),
+                ModularPoint::new(seed).evaluate(&model.graph, &[difference]),
                 Some(vec![0])
             );
         }

@@ -55,12 +55,12 @@ fn first_of_families(definitions: &[NamedExpression]) -> Vec<&Ident> {
 
 pub(super) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     if RESERVED.iter().any(|reserved| name == reserved) {
-        let meaning = match name.to_string().as_str() {
+        let binding = match name.to_string().as_str() {
             "t" => "the time",
             "PI" => "the number π",
             _ => "the time derivative",
         };
-        diagnostics.error(name, format!("`{name}` is {meaning}: choose another name"));
+        diagnostics.error(name, format!("`{name}` is {binding}: choose another name"));
     }
 }
 

@@ -76,13 +76,13 @@ impl<'a> Emitter<'a> {
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
         let prepared = &self.methods.prepare.program.groups;
-        let kept = prepared.first().map_or(0, |group| group.outputs.len());
+        let invariants = prepared.first().map_or(0, |group| group.outputs.len());
         Signatures {
             root: &self.declaration.root,
             scalar,
             dimension: self.coordinates().to_token_stream(),
             inputs: self.model.inputs as usize,
-            prepared: quote!([#scalar; #kept]),
+            prepared: quote!([#scalar; #invariants]),
         }
     }
 

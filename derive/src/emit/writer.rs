@@ -8,7 +8,7 @@ use super::body::Body;
 use super::emitter::Emitter;
 use super::item_names::{outputs_name, value_name};
 use super::locals::Locals;
-use super::reader::Reader;
+use super::model_symbols::ModelSymbols;
 use super::signatures::InputsFrom;
 use crate::plan::{
     AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, Method,
@@ -36,7 +36,7 @@ impl Emitter<'_> {
         inputs: InputsFrom,
         arguments: &[Ident],
     ) -> TokenStream {
-        let reader = Reader {
+        let symbols = ModelSymbols {
             emitter: self,
             inputs,
         };
@@ -54,7 +54,7 @@ impl Emitter<'_> {
                 graph.passes,
                 locals,
                 &self.scalar,
-                &reader,
+                &symbols,
                 functions,
                 self.most_scopes,
             ),

@@ -41,9 +41,9 @@ mod tests {
     #[test]
     fn passes_are_switched_off_by_name() {
         let mut diagnostics = Diagnostics::default();
-        let passes = without("tree,factoring", &mut diagnostics);
+        let passes = without("articulated-bodies,factoring", &mut diagnostics);
         assert!(diagnostics.is_empty());
-        let expected = Passes::default().without(Pass::Tree);
+        let expected = Passes::default().without(Pass::ArticulatedBodies);
         assert_eq!(passes, expected.without(Pass::Factoring));
     }
 

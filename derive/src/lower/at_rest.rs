@@ -2,7 +2,7 @@
 //!
 //! At rest a velocity does not depend on the coordinates: the velocity of a moving frame is a time derivative,
 //! too, or a product ω × r as in (1.4), which vanishes with them. The sum of a position and a velocity leaves the
-//! position. As expressions of q and q̇ the two do not differ: hence the definitions are translated once more, in
+//! position. As expressions of q and q̇ the two do not differ: hence the definitions are lowered once more, in
 //! a graph of their own.
 
 use core::mem;
@@ -10,8 +10,8 @@ use core::mem;
 use lagrangian_symbolic::{Graph, Symbol};
 use proc_macro2::Ident;
 
-use crate::lower::expression::Translator;
-use crate::lower::scope::{Meaning, Scope};
+use crate::lower::expression::Lowerer;
+use crate::lower::scope::{Binding, Scope};
 use crate::syntax::declaration::Declaration;
 
 /// The definitions of a declaration at rest.
@@ -22,29 +22,29 @@ pub(super) struct AtRest {
 
 impl AtRest {
     /// Translates the definitions, all of which are free of errors.
-    pub(super) fn new(translator: &mut Translator<'_>, declaration: &Declaration) -> Self {
+    pub(super) fn new(lowerer: &mut Lowerer<'_>, declaration: &Declaration) -> Self {
         let mut graph = Graph::new();
         let scope = Scope::new(declaration, &mut graph);
         let mut at_rest = Self { graph, scope };
         // What has a value only in motion has no power at rest; that is no error of the user's.
-        let before = mem::take(translator.diagnostics);
-        let repetitions = mem::take(&mut translator.repetitions);
-        at_rest.exchange(translator);
-        translator.at_rest = true;
-        translator.declare_functions(&declaration.clauses.functions);
+        let before = mem::take(lowerer.diagnostics);
+        let repetitions = mem::take(&mut lowerer.repetitions);
+        at_rest.exchange(lowerer);
+        lowerer.at_rest = true;
+        lowerer.declare_functions(&declaration.clauses.functions);
         for definition in &declaration.clauses.definitions {
-            translator.define(definition);
+            lowerer.define(definition);
         }
-        translator.at_rest = false;
-        at_rest.exchange(translator);
-        translator.repetitions = repetitions;
-        *translator.diagnostics = before;
+        lowerer.at_rest = false;
+        at_rest.exchange(lowerer);
+        lowerer.repetitions = repetitions;
+        *lowerer.diagnostics = before;
         at_rest
     }
 
-    fn exchange(&mut self, translator: &mut Translator<'_>) {
-        mem::swap(&mut self.graph, &mut translator.graph);
-        mem::swap(&mut self.scope, &mut translator.scope);
+    fn exchange(&mut self, lowerer: &mut Lowerer<'_>) {
+        mem::swap(&mut self.graph, &mut lowerer.graph);
+        mem::swap(&mut self.scope, &mut lowerer.scope);
     }
 
     /// Whether a component of what is defined depends on coordinates at rest, as far as is known.
@@ -55,8 +55,8 @@ impl AtRest {
         component: usize,
     ) -> bool {
         let value = match self.scope.resolve(name) {
-            Some(Meaning::Quantity(_, value)) => Some(value),
-            Some(Meaning::Family(_, family)) => family.members.get(member).cloned(),
+            Some(Binding::Quantity(_, value)) => Some(value),
+            Some(Binding::Family(_, family)) => family.members.get(member).cloned(),
             _ => None,
         };
         let Some(component) = value.and_then(|value| value.components().get(component).copied())

@@ -4,7 +4,7 @@
 //! errors at the tokens that are not supported. Long sums and products are loops; only nesting
 //! recurses, and the compiler's own parser bounds its depth.
 
-mod application;
+mod external_function;
 mod array;
 mod call;
 mod chain;
@@ -22,7 +22,7 @@ use crate::diagnostics::Diagnostics;
 use crate::limits::in_range;
 use crate::lower::builtins;
 use crate::lower::hints;
-use crate::lower::scope::{Meaning, Origin, Scope};
+use crate::lower::scope::{Binding, Origin, Scope};
 use crate::lower::value::Value;
 use crate::syntax::names::{to_source, unraw};
 
@@ -35,34 +35,30 @@ pub(crate) enum ExpressionContext {
     Observation,
 }
 
-/// The translation of one declaration.
-pub(crate) struct Translator<'a> {
+/// The lowering of one declaration.
+pub(crate) struct Lowerer<'a> {
     pub(crate) graph: Graph,
     pub(crate) scope: Scope,
     pub(crate) coordinates: u32,
     pub(crate) diagnostics: &'a mut Diagnostics,
     /// The number of unrolled iterations so far, over all ranges.
     pub(crate) repetitions: usize,
-    /// Whether an index is translated: there an unknown name is an unbound variable.
+    /// Whether an index is lowered: there an unknown name is an unbound variable.
     pub(crate) within_index: bool,
-    /// Whether the derivative of a function is translated, which contains neither coordinates nor the time.
+    /// Whether the derivative of a function is lowered, which contains neither coordinates nor the time.
     pub(crate) within_derivative: bool,
     /// Whether the system is at rest, so that all time derivatives are zero.
     pub(crate) at_rest: bool,
 }
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// The value of `expression`; `None` if errors were reported.
-    pub(crate) fn translate(
-        &mut self,
-        expression: &Expr,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    pub(crate) fn lower(&mut self, expression: &Expr, context: ExpressionContext) -> Option<Value> {
         match expression {
-            Expr::Paren(inner) => self.translate(&inner.expr, context),
-            Expr::Group(inner) => self.translate(&inner.expr, context),
+            Expr::Paren(inner) => self.lower(&inner.expr, context),
+            Expr::Group(inner) => self.lower(&inner.expr, context),
             Expr::Block(block) => match (block.block.stmts.as_slice(), &block.label) {
-                ([Stmt::Expr(only, None)], None) => self.translate(only, context),
+                ([Stmt::Expr(only, None)], None) => self.lower(only, context),
                 _ => self.reject(block, hints::unsupported_syntax(expression)),
             },
             Expr::Lit(literal) => self.literal(literal).map(Value::Scalar),
@@ -90,7 +86,7 @@ impl Translator<'_> {
         expression: &Expr,
         context: ExpressionContext,
     ) -> Option<Expression> {
-        let value = self.translate(expression, context)?;
+        let value = self.lower(expression, context)?;
         self.as_scalar(&value, expression)
     }
 
@@ -163,11 +159,11 @@ impl Translator<'_> {
     fn name(&mut self, name: &Ident, context: ExpressionContext) -> Option<Value> {
         self.check_within_derivative(name)?;
         match self.scope.resolve(name) {
-            Some(Meaning::Quantity(origin, value)) => {
+            Some(Binding::Quantity(origin, value)) => {
                 self.check_accelerations(name, origin, &value, context)?;
                 Some(value)
             }
-            Some(Meaning::Family(_, family)) => {
+            Some(Binding::Family(_, family)) => {
                 let brackets = "[i]".repeat(family.rank);
                 let message = format!(
                     "`{name}` is a family of {} quantities: write one of them, as in `{name}{brackets}`, or all \
@@ -203,19 +199,19 @@ impl Translator<'_> {
     }
 
     /// An unresolved name that can be used here.
-    fn refuse<T>(&mut self, name: &Ident, meaning: &Meaning) -> Option<T> {
-        let message = match meaning {
-            Meaning::DefinedLater => {
+    fn refuse<T>(&mut self, name: &Ident, binding: &Binding) -> Option<T> {
+        let message = match binding {
+            Binding::DefinedLater => {
                 format!("`{name}` is not defined yet: a definition may use only those before it")
             }
-            Meaning::Output => format!(
+            Binding::Output => format!(
                 "`{name}` is an output: write it under `define` to use it in other expressions"
             ),
-            Meaning::Skipped => {
+            Binding::Skipped => {
                 self.scope.silence(name);
                 format!("the field `{name}` is marked `skip`: remove the mark to use it here")
             }
-            Meaning::Quantity(..) | Meaning::Family(..) | Meaning::Poisoned => return None,
+            Binding::Quantity(..) | Binding::Family(..) | Binding::Poisoned => return None,
         };
         self.reject(name, message)
     }
@@ -266,7 +262,7 @@ impl Translator<'_> {
 
     fn negation(&mut self, unary: &ExprUnary, context: ExpressionContext) -> Option<Value> {
         match unary.op {
-            UnOp::Neg(_) => Some(match self.translate(&unary.expr, context)? {
+            UnOp::Neg(_) => Some(match self.lower(&unary.expr, context)? {
                 Value::Scalar(operand) => Value::Scalar(self.graph.negate(operand)),
                 Value::Array(operand) => {
                     let opposite = self.graph.constant(&Rational::MINUS_ONE);

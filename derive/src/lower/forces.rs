@@ -8,9 +8,9 @@
 use lagrangian_symbolic::{Expression, Node, Symbol};
 
 use super::at_rest::AtRest;
-use crate::lower::expression::{ExpressionContext, Translator};
+use crate::lower::expression::{ExpressionContext, Lowerer};
 use crate::lower::hints;
-use crate::lower::scope::{Family, Meaning, Origin};
+use crate::lower::scope::{Binding, Family, Origin};
 use crate::lower::value::Value;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::named::NamedExpression;
@@ -36,11 +36,11 @@ struct DefinedTarget {
 struct GeneralizedForces<'a> {
     declaration: &'a Declaration,
     forces: Vec<Expression>,
-    /// The definitions at rest, translated on demand.
+    /// The definitions at rest, lowered on demand.
     at_rest: Option<AtRest>,
 }
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// The generalized force of each coordinate: the sum of what the clauses say.
     pub(super) fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
         let zero = self.graph.zero();
@@ -54,8 +54,8 @@ impl Translator<'_> {
             // Which coordinates have a force in this clause.
             let mut taken = vec![false; totals.forces.len()];
             for force in clause {
-                let done = self.for_each(&force.iterations, &mut |translator| {
-                    translator.force(force, &mut taken, &mut totals)
+                let done = self.for_each(&force.iterations, &mut |lowerer| {
+                    lowerer.force(force, &mut taken, &mut totals)
                 });
                 understood &= done.is_some();
             }
@@ -77,7 +77,7 @@ impl Translator<'_> {
             // What is wrong with an index is wrong with the expression, too.
             Some(self.target(force)?)
         };
-        let value = self.translate(&force.expression, ExpressionContext::Energy);
+        let value = self.lower(&force.expression, ExpressionContext::Energy);
         match target? {
             Target::Coordinates(indices, shape) => {
                 let components = self.force_on_coordinates(force, value?, shape)?;
@@ -207,22 +207,22 @@ impl Translator<'_> {
     fn target(&mut self, force: &NamedExpression) -> Option<Target> {
         let name = &force.name;
         match (self.scope.resolve(name)?, force.indices.as_slice()) {
-            (Meaning::Quantity(Origin::Coordinate, value), indices) => {
+            (Binding::Quantity(Origin::Coordinate, value), indices) => {
                 if let (Value::Scalar(_), [index, ..]) = (&value, indices) {
                     let message = format!("`{name}` is one coordinate: leave out the index");
                     return self.reject(index, message);
                 }
                 self.on_coordinates(value, indices)
             }
-            (Meaning::Quantity(..), [index, ..]) => {
+            (Binding::Quantity(..), [index, ..]) => {
                 let message = format!("`{name}` has no index: write the force on the whole of it");
                 self.reject(index, message)
             }
-            (Meaning::Quantity(origin, value), []) => {
+            (Binding::Quantity(origin, value), []) => {
                 let is_velocity = self.has_velocity(&value);
                 self.defined_target(force, origin, value, Vec::new(), is_velocity)
             }
-            (Meaning::Family(origin, family), indices) if indices.len() >= family.rank => {
+            (Binding::Family(origin, family), indices) if indices.len() >= family.rank => {
                 let (outer, inner) = indices.split_at(family.rank);
                 let member = self.member(outer)?;
                 let Some(value) = family.members.get(&member).cloned() else {
@@ -242,7 +242,7 @@ impl Translator<'_> {
                     _ => self.reject_family(force, &family),
                 }
             }
-            (Meaning::Family(_, family), _) => self.reject_family(force, &family),
+            (Binding::Family(_, family), _) => self.reject_family(force, &family),
             _ => None,
         }
     }

@@ -18,7 +18,7 @@ use crate::syntax::shape::Shape;
 
 /// What a name refers to.
 #[derive(Clone)]
-pub(crate) enum Meaning {
+pub(crate) enum Binding {
     /// A quantity.
     Quantity(Origin, Value),
     /// Several quantities, distinguished by indices.
@@ -58,7 +58,7 @@ pub(crate) struct Family {
 
 /// The names of a declaration, with what they refer to.
 pub(crate) struct Scope {
-    meanings: BTreeMap<String, Meaning>,
+    bindings: BTreeMap<String, Binding>,
     /// The external functions.
     functions: BTreeMap<String, ExternalFunction>,
     /// Where a field is first mentioned: the emitted code accesses it with that span.
@@ -77,10 +77,10 @@ pub(crate) struct Scope {
 impl Scope {
     /// The scope of a checked declaration, before its definitions.
     pub(crate) fn new(declaration: &Declaration, graph: &mut Graph) -> Self {
-        let mut meanings = reserved(graph);
-        add_fields(&mut meanings, declaration, graph);
-        add_coordinates(&mut meanings, declaration, graph);
-        add_names_without_values(&mut meanings, declaration);
+        let mut bindings = reserved(graph);
+        add_fields(&mut bindings, declaration, graph);
+        add_coordinates(&mut bindings, declaration, graph);
+        add_names_without_values(&mut bindings, declaration);
         let clauses = &declaration.clauses;
         let names: BTreeSet<String> = clauses
             .coordinates
@@ -89,7 +89,7 @@ impl Scope {
             .collect();
         let repeated = names.len() < clauses.coordinates.len();
         Self {
-            meanings,
+            bindings,
             functions: BTreeMap::new(),
             uses: BTreeMap::new(),
             unknown: Vec::new(),
@@ -100,35 +100,35 @@ impl Scope {
     }
 
     /// What `name` refers to, if anything.
-    pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Meaning> {
+    pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Binding> {
         let written = unraw(name);
-        let meaning = self.meanings.get(&written)?.clone();
-        if let Meaning::Quantity(Origin::Field, _) | Meaning::Family(Origin::Field, _) = meaning {
+        let binding = self.bindings.get(&written)?.clone();
+        if let Binding::Quantity(Origin::Field, _) | Binding::Family(Origin::Field, _) = binding {
             self.uses.entry(written).or_insert_with(|| name.clone());
         }
-        Some(meaning)
+        Some(binding)
     }
 
-    /// Gives the name of a definition its meaning, unless the name is taken.
-    pub(crate) fn define(&mut self, name: &Ident, meaning: Meaning) {
-        if let Some(later @ Meaning::DefinedLater) = self.meanings.get_mut(&unraw(name)) {
-            *later = meaning;
+    /// Gives the name of a definition its binding, unless the name is taken.
+    pub(crate) fn define(&mut self, name: &Ident, binding: Binding) {
+        if let Some(later @ Binding::DefinedLater) = self.bindings.get_mut(&unraw(name)) {
+            *later = binding;
         }
     }
 
     /// Adds a member to a family of definitions, unless the name is taken. Says whether the member is
     /// new.
     pub(crate) fn define_member(&mut self, name: &Ident, indices: &[usize], value: Value) -> bool {
-        let Some(meaning) = self.meanings.get_mut(&unraw(name)) else {
+        let Some(binding) = self.bindings.get_mut(&unraw(name)) else {
             return true;
         };
-        if let Meaning::DefinedLater = meaning {
+        if let Binding::DefinedLater = binding {
             let rank = indices.len();
             let members = BTreeMap::new();
-            *meaning = Meaning::Family(Origin::Defined, Rc::new(Family { rank, members }));
+            *binding = Binding::Family(Origin::Defined, Rc::new(Family { rank, members }));
         }
-        match meaning {
-            Meaning::Family(Origin::Defined, family) => {
+        match binding {
+            Binding::Family(Origin::Defined, family) => {
                 let members = &mut Rc::make_mut(family).members;
                 members.insert(indices.to_vec(), value).is_none()
             }
@@ -138,22 +138,22 @@ impl Scope {
 
     /// How many indices distinguish the members of a family of definitions, if there are any yet.
     pub(crate) fn rank_of_definition(&self, name: &Ident) -> Option<usize> {
-        match self.meanings.get(&unraw(name))? {
-            Meaning::Family(Origin::Defined, family) => Some(family.rank),
+        match self.bindings.get(&unraw(name))? {
+            Binding::Family(Origin::Defined, family) => Some(family.rank),
             _ => None,
         }
     }
 
     /// Poisons a family of definitions with an error in one of them.
     pub(crate) fn silence_definition(&mut self, name: &Ident) {
-        if let Some(meaning @ (Meaning::DefinedLater | Meaning::Family(Origin::Defined, _))) =
-            self.meanings.get_mut(&unraw(name))
+        if let Some(binding @ (Binding::DefinedLater | Binding::Family(Origin::Defined, _))) =
+            self.bindings.get_mut(&unraw(name))
         {
-            *meaning = Meaning::Poisoned;
+            *binding = Binding::Poisoned;
         }
     }
 
-    /// Gives the name of a function its meaning, unless there is one already.
+    /// Gives the name of a function its binding, unless there is one already.
     pub(crate) fn declare_function(&mut self, name: &Ident, function: ExternalFunction) {
         self.functions.entry(unraw(name)).or_insert(function);
     }
@@ -169,36 +169,36 @@ impl Scope {
     }
 
     /// Binds a name, which shadows what it referred to until [`release`](Self::release).
-    pub(crate) fn bind(&mut self, name: &Ident, value: Value) -> Option<Meaning> {
-        let meaning = Meaning::Quantity(Origin::Variable, value);
-        self.meanings.insert(unraw(name), meaning)
+    pub(crate) fn bind(&mut self, name: &Ident, value: Value) -> Option<Binding> {
+        let binding = Binding::Quantity(Origin::Variable, value);
+        self.bindings.insert(unraw(name), binding)
     }
 
-    pub(crate) fn release(&mut self, name: &Ident, before: Option<Meaning>) {
+    pub(crate) fn release(&mut self, name: &Ident, before: Option<Binding>) {
         match before {
-            Some(meaning) => self.meanings.insert(unraw(name), meaning),
-            None => self.meanings.remove(&unraw(name)),
+            Some(binding) => self.bindings.insert(unraw(name), binding),
+            None => self.bindings.remove(&unraw(name)),
         };
     }
 
     /// Poisons a name: no more errors are reported for it.
     pub(crate) fn silence(&mut self, name: &Ident) {
-        self.meanings.insert(unraw(name), Meaning::Poisoned);
+        self.bindings.insert(unraw(name), Binding::Poisoned);
     }
 
     /// Whether there is a coordinate, or a family of them, called `name`.
     pub(crate) fn is_coordinate(&self, name: &str) -> bool {
         matches!(
-            self.meanings.get(name),
-            Some(Meaning::Quantity(Origin::Coordinate, _) | Meaning::Family(Origin::Coordinate, _))
+            self.bindings.get(name),
+            Some(Binding::Quantity(Origin::Coordinate, _) | Binding::Family(Origin::Coordinate, _))
         )
     }
 
     /// The quantity that was probably meant by an unknown name.
     pub(crate) fn suggest(&self, name: &Ident) -> Option<String> {
-        let meant = similar(&unraw(name), self.meanings.keys().map(String::as_str))?;
-        match self.meanings[meant] {
-            Meaning::Skipped | Meaning::Output => None,
+        let meant = similar(&unraw(name), self.bindings.keys().map(String::as_str))?;
+        match self.bindings[meant] {
+            Binding::Skipped | Binding::Output => None,
             _ => Some(to_source(meant)),
         }
     }
@@ -213,12 +213,12 @@ impl Scope {
 
     /// The names of fields, coordinates, definitions and variables.
     pub(crate) fn quantities(&self) -> Vec<&str> {
-        let is_quantity = |meaning: &Meaning| match meaning {
-            Meaning::Quantity(kind, _) | Meaning::Family(kind, _) => *kind != Origin::Reserved,
+        let is_quantity = |binding: &Binding| match binding {
+            Binding::Quantity(kind, _) | Binding::Family(kind, _) => *kind != Origin::Reserved,
             _ => false,
         };
-        let known = self.meanings.iter();
-        let known = known.filter(|(_, meaning)| is_quantity(meaning));
+        let known = self.bindings.iter();
+        let known = known.filter(|(_, binding)| is_quantity(binding));
         known.map(|(name, _)| name.as_str()).collect()
     }
 
@@ -247,9 +247,9 @@ impl Scope {
                 .map(|(inner, component)| (label(inner), component))
                 .collect()
         };
-        match self.meanings.get(name) {
-            Some(Meaning::Quantity(Origin::Defined, value)) => labelled(&[], value),
-            Some(Meaning::Family(Origin::Defined, family)) => {
+        match self.bindings.get(name) {
+            Some(Binding::Quantity(Origin::Defined, value)) => labelled(&[], value),
+            Some(Binding::Family(Origin::Defined, family)) => {
                 let members = family.members.iter();
                 members
                     .flat_map(|(indices, value)| labelled(indices, value))
@@ -264,17 +264,17 @@ impl Scope {
         &'a self,
         graph: &'a Graph,
     ) -> impl Iterator<Item = (Label, Expression)> + 'a {
-        let components = self.meanings.keys().flat_map(|name| self.defined(name));
+        let components = self.bindings.keys().flat_map(|name| self.defined(name));
         components.filter(|(_, expression)| graph.as_constant(*expression).is_none())
     }
 }
 
-type Meanings = BTreeMap<String, Meaning>;
+type Meanings = BTreeMap<String, Binding>;
 
 /// The names that every declaration has.
 fn reserved(graph: &mut Graph) -> Meanings {
     let [time, pi] = [graph.symbol(Symbol::Time), graph.pi()];
-    let reserved = |value| Meaning::Quantity(Origin::Reserved, Value::Scalar(value));
+    let reserved = |value| Binding::Quantity(Origin::Reserved, Value::Scalar(value));
     BTreeMap::from([
         ("t".to_owned(), reserved(time)),
         ("PI".to_owned(), reserved(pi)),
@@ -282,7 +282,7 @@ fn reserved(graph: &mut Graph) -> Meanings {
 }
 
 /// Adds parameters and inputs.
-fn add_fields(meanings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
+fn add_fields(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
     let kinds = [
         (Role::Parameter, Symbol::Parameter as fn(u32) -> Symbol),
         (Role::Input, Symbol::Input),
@@ -290,56 +290,56 @@ fn add_fields(meanings: &mut Meanings, declaration: &Declaration, graph: &mut Gr
     for (role, kind) in kinds {
         let mut symbols = Symbols::of(kind);
         for field in declaration.fields_with(role) {
-            let meaning = match field.field_type() {
+            let binding = match field.field_type() {
                 Ok(field_type) if is_number(declaration, field_type.element) => {
                     let indices = (field_type.rank() > 0).then(|| field_type.members());
-                    symbols.meaning(graph, Origin::Field, field_type.shape(), indices)
+                    symbols.binding(graph, Origin::Field, field_type.shape(), indices)
                 }
-                Ok(_) | Err(_) => Meaning::Poisoned,
+                Ok(_) | Err(_) => Binding::Poisoned,
             };
-            meanings.insert(unraw(&field.name), meaning);
+            bindings.insert(unraw(&field.name), binding);
         }
     }
 }
 
-fn add_coordinates(meanings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
+fn add_coordinates(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
     let mut symbols = Symbols::of(Symbol::Coordinate);
     for coordinate in &declaration.clauses.coordinates {
         let is_family = !coordinate.lengths.is_empty();
         let indices = is_family.then(|| coordinate.members());
-        let meaning = symbols.meaning(graph, Origin::Coordinate, coordinate.shape(), indices);
-        meanings.insert(unraw(&coordinate.name), meaning);
+        let binding = symbols.binding(graph, Origin::Coordinate, coordinate.shape(), indices);
+        bindings.insert(unraw(&coordinate.name), binding);
     }
 }
 
-/// Adds names without a value, or without one yet. A name that is taken keeps its meaning: an output may be
+/// Adds names without a value, or without one yet. A name that is taken keeps its binding: an output may be
 /// called like what it shows.
-fn add_names_without_values(meanings: &mut Meanings, declaration: &Declaration) {
+fn add_names_without_values(bindings: &mut Meanings, declaration: &Declaration) {
     let clauses = &declaration.clauses;
     let definitions = clauses.definitions.iter().map(|named| &named.name);
     let skipped = declaration.fields_with(Role::Skipped);
     let skipped = skipped.map(|field| &field.name);
     let outputs = clauses.outputs.iter().map(|named| &named.name);
     let others = definitions
-        .map(|name| (name, Meaning::DefinedLater))
-        .chain(skipped.map(|name| (name, Meaning::Skipped)))
-        .chain(outputs.map(|name| (name, Meaning::Output)));
-    for (name, meaning) in others {
-        meanings.entry(unraw(name)).or_insert(meaning);
+        .map(|name| (name, Binding::DefinedLater))
+        .chain(skipped.map(|name| (name, Binding::Skipped)))
+        .chain(outputs.map(|name| (name, Binding::Output)));
+    for (name, binding) in others {
+        bindings.entry(unraw(name)).or_insert(binding);
     }
 }
 
 impl Symbols {
     /// A quantity of which each component is a symbol, or a family of those with these indices.
-    fn meaning(
+    fn binding(
         &mut self,
         graph: &mut Graph,
         kind: Origin,
         shape: Shape,
         indices: Option<Vec<Vec<usize>>>,
-    ) -> Meaning {
+    ) -> Binding {
         let Some(indices) = indices else {
-            return Meaning::Quantity(kind, self.value(graph, shape));
+            return Binding::Quantity(kind, self.value(graph, shape));
         };
         let family = Family {
             rank: indices.first().map_or(0, Vec::len),
@@ -348,6 +348,6 @@ impl Symbols {
                 .map(|indices| (indices, self.value(graph, shape)))
                 .collect(),
         };
-        Meaning::Family(kind, Rc::new(family))
+        Binding::Family(kind, Rc::new(family))
     }
 }

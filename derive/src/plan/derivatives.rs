@@ -38,7 +38,7 @@ impl Derivatives {
             };
         }
         let system = &kinetics.system;
-        let residuals = columns(model, &system.residuals, &symbols);
+        let residuals = columns(model, &system.inverse_dynamics, &symbols);
         let mass = layout.add_mass(system);
         let forcing = layout.add(&system.forcing);
         layout.begin_group();
@@ -77,7 +77,7 @@ impl Derivatives {
                 right_hand_sides: None,
             };
         }
-        let residuals = columns(model, &kinetics.system.residuals, &symbols);
+        let residuals = columns(model, &kinetics.system.inverse_dynamics, &symbols);
         let residuals = without_accelerations(model, &residuals);
         let mass = layout.add_mass(&kinetics.system);
         layout.begin_group();

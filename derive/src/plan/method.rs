@@ -49,19 +49,16 @@ impl Method {
             (outputs, true)
         };
         let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
-        let Staged {
-            setup: before,
-            kernel: after,
-        } = whole.staged(model.graph.passes);
+        let Staged { setup, kernel } = whole.staged(model.graph.passes);
         let prepare = Self {
-            count: before.count(),
-            outputs: MethodOutputs::Invariants(OutputSlice::of_only_group(&before)),
-            program: before,
+            count: setup.count(),
+            outputs: MethodOutputs::Invariants(OutputSlice::of_only_group(&setup)),
+            program: setup,
         };
         let accelerations = Self {
-            count: after.count(),
+            count: kernel.count(),
             outputs: MethodOutputs::Accelerations(outputs),
-            program: after,
+            program: kernel,
         };
         let accelerations = if is_numerical {
             accelerations.with_solution(model.coordinates as usize, 1)

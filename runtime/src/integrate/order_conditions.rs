@@ -56,7 +56,7 @@ fn density(trees: &[Tree], tree: &Tree) -> f64 {
 
 /// The largest |Σ bᵢ Φᵢ(τ) − θ^|τ|/γ(τ)| over the trees of exactly `order` vertices. Within a step,
 /// at the fraction θ, the weights bᵢ are those of the dense output.
-pub(crate) fn defect(matrix: &[&[f64]], weights: &[f64], theta: f64, order: usize) -> f64 {
+pub(crate) fn residual(matrix: &[&[f64]], weights: &[f64], theta: f64, order: usize) -> f64 {
     let trees = trees(order);
     let mut elementary: Vec<Vec<f64>> = Vec::new();
     let mut worst: f64 = 0.0;
@@ -89,9 +89,9 @@ fn trees_are_counted_as_in_the_literature() {
 fn classical_runge_kutta_fulfils_the_conditions_of_order_four() {
     let method = CLASSICAL_FOURTH_ORDER;
     for order in 1..=4 {
-        assert!(defect(&method.matrix, &method.weights, 1.0, order) < 2.0 * f64::EPSILON);
+        assert!(residual(&method.matrix, &method.weights, 1.0, order) < 2.0 * f64::EPSILON);
     }
-    assert!(defect(&method.matrix, &method.weights, 1.0, 5) > 1e-3);
+    assert!(residual(&method.matrix, &method.weights, 1.0, 5) > 1e-3);
 }
 
 #[test]

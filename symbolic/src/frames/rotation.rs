@@ -1,6 +1,6 @@
 //! Rotation matrices, and whether a matrix is one.
 
-use crate::identity::identity_test::IdentityTest;
+use crate::identity::identity_testing::IdentityTest;
 use crate::identity::residue;
 use crate::limits::ROUNDED_CONSTANT;
 use crate::matrix::axis::Axis;
@@ -71,8 +71,8 @@ impl Graph {
         if !elements.iter().any(|x| self.contents(*x).varies()) {
             return self.verify_constant_rotation(elements);
         }
-        let (defects, volume) = self.rotation_defects(elements);
-        if !self.vanishes(&defects) && !self.vanishes_at_real_points(&defects) {
+        let (residuals, volume) = self.orthogonality_residuals(elements);
+        if !self.vanishes(&residuals) && !self.vanishes_at_real_points(&residuals) {
             return Err(NoRotation::Deformation);
         }
         if !self.vanishes(&[volume]) && !self.vanishes_at_real_points(&[volume]) {
@@ -85,27 +85,30 @@ impl Graph {
         if !self.symbols(elements).is_empty() {
             return Ok(());
         }
-        let (mut defects, volume) = self.rotation_defects(elements);
-        defects.push(volume);
-        let values = self.evaluate(&defects, |_: Symbol| f64::NAN);
+        let (mut residuals, volume) = self.orthogonality_residuals(elements);
+        residuals.push(volume);
+        let values = self.evaluate(&residuals, |_: Symbol| f64::NAN);
         let small = |value: &f64| value.abs() < ROUNDED_CONSTANT;
         match values.split_last() {
-            Some((_, defects)) if !defects.iter().all(small) => Err(NoRotation::Deformation),
+            Some((_, residuals)) if !residuals.iter().all(small) => Err(NoRotation::Deformation),
             Some((volume, _)) if !small(volume) => Err(NoRotation::Reflection),
             _ => Ok(()),
         }
     }
 
     /// The elements of Aᵀ A − 1, and det A − 1.
-    fn rotation_defects(&mut self, elements: &[Expression; 9]) -> (Vec<Expression>, Expression) {
+    fn orthogonality_residuals(
+        &mut self,
+        elements: &[Expression; 9],
+    ) -> (Vec<Expression>, Expression) {
         let matrix = Matrix::with_elements(3, 3, elements.to_vec());
-        let mut defects = Vec::new();
+        let mut residuals = Vec::new();
         for i in 0..3 {
             for j in i..3 {
                 let pairs = (0..3).map(|k| (matrix.at(k, i), matrix.at(k, j)));
                 let product = self.sum_of_products(pairs);
                 let expected = if i == j { self.one() } else { self.zero() };
-                defects.push(self.subtract(product, expected));
+                residuals.push(self.subtract(product, expected));
             }
         }
         let pairs = Axis::ALL.map(|axis| {
@@ -116,7 +119,7 @@ impl Graph {
         });
         let determinant = self.sum_of_products(pairs);
         let one = self.one();
-        (defects, self.subtract(determinant, one))
+        (residuals, self.subtract(determinant, one))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Claims about expressions that hold identically, or at random real points.
 
-use crate::identity::identity_test::IdentityTest;
+use crate::identity::identity_testing::IdentityTest;
 use crate::identity::real_point::RealPoint;
 use crate::limits::{REAL_POINTS, ROUNDED_CONSTANT};
 use crate::{Expression, Graph, Symbol};

@@ -7,7 +7,7 @@
 //! arguments. *By branches*, √u is either of the two roots, |u| is u or −u and signum u is 1 or −1, as drawn from
 //! the seed, the same for equal arguments: √u² = u and |u|·signum u = u hold, and nothing that is true for one
 //! sign only. Every other function, external ones included, is uninterpreted. What follows from values at such
-//! points is said in `identity_test.rs`.
+//! points is said in `identity_testing.rs`.
 
 use crate::identity::residue::{self, Field};
 use crate::limits::MODULAR_ATTEMPTS;
@@ -15,7 +15,7 @@ use crate::{Binary, Expression, ExternalFunction, Node, Rational, Symbol, Unary}
 
 /// A random point at which expressions are evaluated.
 #[derive(Clone, Copy, Debug)]
-pub struct Point {
+pub struct ModularPoint {
     /// The seed of all values.
     pub seed: u64,
     /// A symbol that has another value than the seed gives it.
@@ -42,7 +42,7 @@ impl HomomorphicImage {
     };
 }
 
-impl Point {
+impl ModularPoint {
     /// The point drawn from `seed`.
     #[must_use]
     pub const fn new(seed: u64) -> Self {

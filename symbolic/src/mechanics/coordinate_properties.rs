@@ -3,9 +3,9 @@
 //!
 //! All decisions are exact, by polynomial identity testing.
 
-use crate::identity::identity_test::IdentityTest;
+use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_matrix;
-use crate::identity::modular_point::Point;
+use crate::identity::modular_point::ModularPoint;
 use crate::mechanics::defects::Defect;
 use crate::{Expression, Graph, Model, Node, Symbol, Unary};
 
@@ -35,13 +35,13 @@ pub(crate) fn analyze(
             .iter()
             .flat_map(|i| block.iter().map(|j| mass[*i][*j]))
             .collect();
-        let determinant = |values: &[u64], point: Point| {
+        let determinant = |values: &[u64], point: ModularPoint| {
             let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
             modular_matrix::determinant(rows.collect(), point.p())
         };
         let test = IdentityTest::of(graph, &mass.concat());
         let vanishes =
-            |point: Point| Some(determinant(&point.evaluate(graph, &entries)?, point)? == 0);
+            |point: ModularPoint| Some(determinant(&point.evaluate(graph, &entries)?, point)? == 0);
         if test.holds(vanishes) {
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;

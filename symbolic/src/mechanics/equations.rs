@@ -6,7 +6,7 @@
 
 use crate::mechanics::coordinate_properties::{self, CoordinateProperties};
 use crate::mechanics::defects::{Defect, check_momenta};
-use crate::mechanics::expanded_energy::Derived;
+use crate::mechanics::expanded_energy::LagrangeTerms;
 use crate::mechanics::lagrange::{inverse_dynamics, mass_matrix};
 use crate::{Expression, Model, Symbol};
 
@@ -49,16 +49,16 @@ impl Equations {
         let energy = model.energy(lagrangian, &momenta);
         let coordinate_properties =
             coordinate_properties::analyze(model, lagrangian, &mass, &generalized_forces)?;
-        let derived = Derived {
+        let terms = LagrangeTerms {
             momenta,
             mass,
             forcing,
         };
-        let Derived {
+        let LagrangeTerms {
             momenta,
             mass,
             forcing,
-        } = derived.cheapest(model, lagrangian, &generalized_forces);
+        } = terms.cheapest(model, lagrangian, &generalized_forces);
         let inverse_dynamics = inverse_dynamics(&mut model.graph, &mass, &forcing);
         Ok(Self {
             lagrangian,

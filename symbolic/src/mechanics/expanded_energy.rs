@@ -10,7 +10,7 @@ use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// The quantities derived from a Lagrangian function: M, f, and the momenta.
 #[derive(Clone, Debug)]
-pub(crate) struct Derived {
+pub(crate) struct LagrangeTerms {
     /// p = ∂L/∂q̇.
     pub(crate) momenta: Vec<Expression>,
     /// M = ∂p/∂q̇, row by row.
@@ -19,7 +19,7 @@ pub(crate) struct Derived {
     pub(crate) forcing: Vec<Expression>,
 }
 
-impl Derived {
+impl LagrangeTerms {
     /// The same, derived from the expanded L where that costs less.
     pub(crate) fn cheapest(
         self,

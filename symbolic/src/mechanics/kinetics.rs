@@ -1,8 +1,8 @@
-//! The choice between solvers: f, M q̈ − f and q̈, each by the cheapest method that applies.
+//! The kinetics of a model: f, M q̈ − f and q̈, each by the cheapest method that applies.
 //!
 //! Lagrange's formula gives f and M q̈ − f for every model; where quasi-velocities form a tree, recursions along it
-//! take fewer operations. The [solution](crate::mechanics::solvers::solution) for q̈ is chosen among all solvers that
-//! apply, by the cost model.
+//! take fewer operations. Here the solvers for q̈ that apply are set up; [`Solution::cheapest`] chooses among them.
+//! Where none applies, the emitted code factors M numerically.
 
 use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS};
 use crate::matrix::ldlt::Ldlt;
@@ -23,7 +23,7 @@ pub struct Kinetics {
     pub system: LinearSystem,
     /// The symbolic factorization of M, where it takes few operations.
     pub ldlt: Option<Ldlt>,
-    /// The accelerations; none for many coupled coordinates.
+    /// The accelerations; none for many coupled coordinates, where M is factored numerically.
     pub solution: Option<Solution>,
 }
 
@@ -35,7 +35,7 @@ pub struct LinearSystem {
     /// f.
     pub forcing: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
-    pub residuals: Vec<Expression>,
+    pub inverse_dynamics: Vec<Expression>,
 }
 
 impl Kinetics {
@@ -46,20 +46,20 @@ impl Kinetics {
         let passes = model.graph.passes;
         let tree = declared
             .as_ref()
-            .filter(|_| passes.has(Pass::Tree))
+            .filter(|_| passes.has(Pass::ArticulatedBodies))
             .map(|declared| KinematicTree::new(model, declared, forces));
         let graph = &mut model.graph;
         let lagrange = LinearSystem {
             mass: equations.mass.clone(),
             forcing: equations.forcing.clone(),
-            residuals: equations.inverse_dynamics.clone(),
+            inverse_dynamics: equations.inverse_dynamics.clone(),
         };
         let cheaper = match &tree {
             Some(tree) => lagrange.cheaper(graph, tree),
             None => lagrange,
         };
         let ldlt = passes
-            .has(Pass::Elimination)
+            .has(Pass::Ldlt)
             .then(|| Ldlt::factor(graph, &equations.mass, MOST_PIVOT_NEIGHBOURS))
             .flatten();
         let mut solvers: Vec<_> = ldlt.iter().cloned().map(Solver::Ldlt).collect();
@@ -75,7 +75,7 @@ impl Kinetics {
         Self {
             solution: Solution::cheapest(&mut model.graph, &cheaper.forcing, solvers),
             forcing: cheaper.forcing,
-            inverse_dynamics: cheaper.residuals,
+            inverse_dynamics: cheaper.inverse_dynamics,
             system,
             ldlt,
         }
@@ -85,11 +85,11 @@ impl Kinetics {
 impl LinearSystem {
     /// The same system with f and M q̈ − f along a tree where they cost less so.
     fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
-        let (forcing, residuals) = (tree.forcing(graph), tree.inverse_dynamics(graph));
+        let (forcing, inverse_dynamics) = (tree.forcing(graph), tree.inverse_dynamics(graph));
         Self {
             mass: self.mass,
             forcing: cheaper(graph, self.forcing, forcing),
-            residuals: cheaper(graph, self.residuals, residuals),
+            inverse_dynamics: cheaper(graph, self.inverse_dynamics, inverse_dynamics),
         }
     }
 
@@ -105,7 +105,7 @@ impl LinearSystem {
         Self {
             mass,
             forcing: tree.forcing(graph),
-            residuals: tree.inverse_dynamics(graph),
+            inverse_dynamics: tree.inverse_dynamics(graph),
         }
     }
 }
@@ -124,7 +124,7 @@ fn boltzmann_hamel_solvers(
         .as_ref()
         .and_then(|declared| declared.combined(&mut model.graph));
     let mut choices: Vec<_> = declared.into_iter().chain(combined).collect();
-    if model.coordinates <= MOST_EXPANDED_COORDINATES && passes.has(Pass::Inertias) {
+    if model.coordinates <= MOST_EXPANDED_COORDINATES && passes.has(Pass::RecoveredForms) {
         choices.extend(QuasiVelocities::recovered(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);

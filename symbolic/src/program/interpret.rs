@@ -3,7 +3,7 @@
 //! The same instructions are interpreted in binary64, modulo a prime, or on expressions, so that an emitted program
 //! can be checked against the expressions that it was scheduled from.
 
-use crate::identity::modular_point::Point;
+use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Binary, Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
@@ -60,7 +60,7 @@ impl Program {
     }
 
     /// The values of all outputs modulo a prime; every function is an arbitrary one of its argument.
-    pub(crate) fn evaluate_at(&self, mut point: Point) -> Option<Vec<Vec<u64>>> {
+    pub(crate) fn evaluate_at(&self, mut point: ModularPoint) -> Option<Vec<Vec<u64>>> {
         self.run(&mut point)
     }
 
@@ -246,11 +246,11 @@ impl Arithmetic for Graph {
     }
 }
 
-impl Arithmetic for Point {
+impl Arithmetic for ModularPoint {
     type Number = u64;
 
     fn constant(&mut self, value: &Rational) -> Option<u64> {
-        Point::constant(*self, value)
+        ModularPoint::constant(*self, value)
     }
 
     fn pi(&mut self) -> Option<u64> {

@@ -2,7 +2,7 @@
 //! algorithms for verification of polynomial identities, 1980).
 
 use crate::algebra::hashing::Set;
-use crate::identity::modular_point::Point;
+use crate::identity::modular_point::ModularPoint;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{Expression, Graph};
 
@@ -36,7 +36,7 @@ impl Program {
     pub fn verify(&self, graph: &Graph, groups: &[&[Expression]]) -> Result<(), Fault> {
         self.verify_order()?;
         let roots = groups.concat();
-        let points = Point::attempts();
+        let points = ModularPoint::attempts();
         let points = points.map(|point| point.without_addition_theorems().uninterpreted());
         for point in points {
             let expected = point.evaluate(graph, &roots);

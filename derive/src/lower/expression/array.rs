@@ -6,19 +6,19 @@ use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
 
 use super::repetition::stacked;
-use super::{ExpressionContext, Translator};
+use super::{ExpressionContext, Lowerer};
 use crate::limits::{LARGEST_ARRAY, MOST_DIAGONAL_ROWS};
 use crate::lower::hints;
 use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// `[x, y, z]`, or `[[a, b], [c, d]]` row by row.
     pub(super) fn array(&mut self, array: &ExprArray, context: ExpressionContext) -> Option<Value> {
         let values: Vec<_> = array
             .elems
             .iter()
-            .map(|element| self.translate(element, context))
+            .map(|element| self.lower(element, context))
             .collect();
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
         if values.is_empty() {
@@ -40,7 +40,7 @@ impl Translator<'_> {
         repeat: &ExprRepeat,
         context: ExpressionContext,
     ) -> Option<Value> {
-        let value = self.translate(&repeat.expr, context);
+        let value = self.lower(&repeat.expr, context);
         let length = self.integer(&repeat.len);
         let (value, length) = (value?, length?);
         let value = match value {

@@ -6,14 +6,14 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprMethodCall};
 
 use super::repetition::{repeated, stacked, without_parentheses};
-use super::{ExpressionContext, Translator};
+use super::{ExpressionContext, Lowerer};
 use crate::lower::builtins;
 use crate::lower::hints;
-use crate::lower::scope::Meaning;
+use crate::lower::scope::Binding;
 use crate::lower::value::Value;
 use crate::syntax::names::unraw;
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     pub(super) fn call(&mut self, call: &ExprCall, context: ExpressionContext) -> Option<Value> {
         let name = match &*call.func {
             Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
@@ -94,7 +94,7 @@ impl Translator<'_> {
                            `.collect()` behind it";
             return self.reject(&call.method, message);
         }
-        let Value::Array(array) = self.translate(&call.receiver, context)? else {
+        let Value::Array(array) = self.lower(&call.receiver, context)? else {
             let message = "`map` goes through a range or an array: write `(0..5).map(|i| …)`";
             return self.reject(&call.receiver, message);
         };
@@ -125,10 +125,10 @@ impl Translator<'_> {
             Expr::Path(path) => path.path.get_ident(),
             _ => None,
         };
-        let meaning = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
-        let Some((name, Meaning::Family(origin, family))) = meaning else {
+        let binding = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
+        let Some((name, Binding::Family(origin, family))) = binding else {
             // What is a vector already stays one, and what is unknown is reported as such.
-            return match self.translate(argument, context)? {
+            return match self.lower(argument, context)? {
                 array @ Value::Array(_) => Some(array),
                 other => {
                     let message = format!("this is {}, and no family", other.shape());
@@ -163,7 +163,7 @@ impl Translator<'_> {
             return None;
         };
         match self.scope.resolve(path.path.get_ident()?)? {
-            Meaning::Family(_, family) => i64::try_from(family.members.len()).ok(),
+            Binding::Family(_, family) => i64::try_from(family.members.len()).ok(),
             _ => None,
         }
     }
@@ -207,7 +207,7 @@ impl Translator<'_> {
         }
         let values: Vec<_> = arguments
             .iter()
-            .map(|argument| self.translate(argument, context))
+            .map(|argument| self.lower(argument, context))
             .collect();
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
         if of_arrays.is_some() {

@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Graph, Rational};
 use syn::{BinOp, Expr, ExprBinary};
 
-use super::{ExpressionContext, Translator};
+use super::{ExpressionContext, Lowerer};
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
 use crate::syntax::shape::Shape;
@@ -56,7 +56,7 @@ impl OperatorChain {
     }
 }
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     pub(super) fn chain(
         &mut self,
         binary: &ExprBinary,
@@ -68,7 +68,7 @@ impl Translator<'_> {
             steps.push((&inner.op, &*inner.right));
             first = &*inner.left;
         }
-        let first = self.translate(first, context);
+        let first = self.lower(first, context);
         let mut chain = first.map(|first| {
             let mut sum = Sum::default();
             // The first term fits any sum.
@@ -95,7 +95,7 @@ impl Translator<'_> {
         if let Some(hint) = hints::unsupported_operator(operator) {
             return self.reject(operator, hint);
         }
-        let value = self.translate(operand, context)?;
+        let value = self.lower(operand, context)?;
         if matches!(operator, BinOp::Div(_)) && self.vanishes(&value) {
             return self.reject(
                 operand,

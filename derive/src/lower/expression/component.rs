@@ -5,14 +5,14 @@ use proc_macro2::Ident;
 use syn::{Expr, ExprField, ExprIndex, Member};
 
 use super::repetition::without_parentheses;
-use super::{ExpressionContext, Translator};
+use super::{ExpressionContext, Lowerer};
 use crate::lower::hints;
-use crate::lower::scope::{Family, Meaning, Origin};
+use crate::lower::scope::{Binding, Family, Origin};
 use crate::lower::value::Value;
 use crate::syntax::label::Index;
 use crate::syntax::shape::Shape;
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// `theta[i]`, `m[(i, j)]`, `rows[i][j]`.
     pub(super) fn indexed(
         &mut self,
@@ -32,8 +32,8 @@ impl Translator<'_> {
         };
         let family = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
         let (name, origin, family) = match family {
-            Some((name, Meaning::Family(origin, family))) => (name, origin, family),
-            Some((name, Meaning::DefinedLater)) => {
+            Some((name, Binding::Family(origin, family))) => (name, origin, family),
+            Some((name, Binding::DefinedLater)) => {
                 let message = format!(
                     "no member of `{name}` is defined before this one: define the first of them first, as in \
                      `{name}[0] = …, {name}[i] = … for i in 1..5`"
@@ -41,7 +41,7 @@ impl Translator<'_> {
                 return self.reject(name, message);
             }
             _ => {
-                let value = self.translate(base, context)?;
+                let value = self.lower(base, context)?;
                 return self.components(value, &indices);
             }
         };
@@ -156,7 +156,7 @@ impl Translator<'_> {
         let Some(position) = position.filter(|_| !is_self) else {
             return self.reject(field, hints::unsupported_field(field));
         };
-        let value = self.translate(&field.base, context)?;
+        let value = self.lower(&field.base, context)?;
         match &value {
             Value::EmptySum => return Some(Value::EmptySum),
             Value::Array(array) if array.columns() == 1 && array.rows() <= 4 => {

@@ -4,12 +4,12 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
-use super::application::MADE_OF;
-use super::{ExpressionContext, Translator};
-use crate::lower::scope::{Meaning, Origin};
+use super::external_function::MADE_OF;
+use super::{ExpressionContext, Lowerer};
+use crate::lower::scope::{Binding, Origin};
 use crate::lower::value::Value;
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     pub(super) fn time_derivative(
         &mut self,
         call: &ExprCall,
@@ -25,7 +25,7 @@ impl Translator<'_> {
             }
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
-        let value = self.translate(argument, ExpressionContext::Observation)?;
+        let value = self.lower(argument, ExpressionContext::Observation)?;
         if self.at_rest {
             let zero = self.graph.zero();
             return Some(value.shape().filled(zero));
@@ -101,8 +101,8 @@ impl Translator<'_> {
             TokenTree::Ident(name) => matches!(
                 self.scope.resolve(&name),
                 Some(
-                    Meaning::Quantity(Origin::Defined | Origin::Variable, _)
-                        | Meaning::Family(Origin::Defined, _)
+                    Binding::Quantity(Origin::Defined | Origin::Variable, _)
+                        | Binding::Family(Origin::Defined, _)
                 )
             ),
             _ => false,

@@ -4,7 +4,7 @@ use lagrangian_symbolic::{Matrix, Rational};
 use proc_macro2::Ident;
 use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
 
-use super::{ExpressionContext, Translator};
+use super::{ExpressionContext, Lowerer};
 use crate::limits::MOST_REPETITIONS;
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
@@ -26,7 +26,7 @@ pub(super) fn repeated(call: &ExprMethodCall) -> Option<&ExprMethodCall> {
     }
 }
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// `range.map(|i| …).sum()`, `.product()` or `.collect()`.
     pub(super) fn repetition(
         &mut self,
@@ -93,7 +93,7 @@ impl Translator<'_> {
                     .map(|i| Value::Scalar(self.graph.integer(i)))
                     .collect()
             }
-            receiver => match self.translate(receiver, context)? {
+            receiver => match self.lower(receiver, context)? {
                 Value::Array(array) => {
                     let components = array.elements().iter();
                     components
@@ -123,7 +123,7 @@ impl Translator<'_> {
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let before = variable.map(|name| (name, self.scope.bind(name, argument)));
-            let value = self.translate(&closure.body, context);
+            let value = self.lower(&closure.body, context);
             if let Some((name, before)) = before {
                 self.scope.release(name, before);
             }
@@ -238,7 +238,7 @@ impl Translator<'_> {
     }
 }
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// The same values with empty sums replaced by zeros of the others' shape.
     pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
         let zero = self.graph.zero();

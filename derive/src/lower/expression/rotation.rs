@@ -5,13 +5,13 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
-use super::{ExpressionContext, Translator};
+use super::{ExpressionContext, Lowerer};
 use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
 /// The result of a function of angles about axes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Wanted {
+enum RotationFunction {
     Rotation,
     AngularVelocity,
     AngularVelocityInertial,
@@ -20,7 +20,7 @@ enum Wanted {
 /// The sequences of three axes: of proper Euler angles, then of Tait–Bryan angles.
 const SEQUENCES: &str = "zxz, xyx, yzy, zyz, xzx, yxy, xyz, yzx, zxy, xzy, zyx, yxz";
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// `rotation_zxz(a, b, c)`, `angular_velocity_zxz(a, b, c)`, `angular_velocity(r)` and their kin;
     /// `None` if `name` is none of those.
     #[allow(clippy::option_option)] // Whether it is a rotation, and whether it has no errors.
@@ -39,8 +39,8 @@ impl Translator<'_> {
             }
             _ => {}
         }
-        let (wanted, letters) = parts(&written)?;
-        Some(self.sequence(name, call, arguments, wanted, letters, context))
+        let (function, letters) = parts(&written)?;
+        Some(self.sequence(name, call, arguments, function, letters, context))
     }
 
     fn sequence(
@@ -48,7 +48,7 @@ impl Translator<'_> {
         name: &Ident,
         call: &ExprCall,
         arguments: &[&Expr],
-        wanted: Wanted,
+        function: RotationFunction,
         letters: &str,
         context: ExpressionContext,
     ) -> Option<Value> {
@@ -68,8 +68,8 @@ impl Translator<'_> {
             return self.reject(call, message);
         }
         // The angles of an angular velocity are differentiated.
-        let context_of_angles = match wanted {
-            Wanted::Rotation => context,
+        let context_of_angles = match function {
+            RotationFunction::Rotation => context,
             _ => ExpressionContext::Observation,
         };
         let angles: Vec<_> = arguments
@@ -79,10 +79,14 @@ impl Translator<'_> {
         let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
         let rotation = self.graph.rotation(&factors);
-        match wanted {
-            Wanted::Rotation => Some(Value::Array(rotation)),
-            Wanted::AngularVelocity => self.velocity(call, call, &rotation, false, context),
-            Wanted::AngularVelocityInertial => self.velocity(call, call, &rotation, true, context),
+        match function {
+            RotationFunction::Rotation => Some(Value::Array(rotation)),
+            RotationFunction::AngularVelocity => {
+                self.velocity(call, call, &rotation, false, context)
+            }
+            RotationFunction::AngularVelocityInertial => {
+                self.velocity(call, call, &rotation, true, context)
+            }
         }
     }
 
@@ -100,7 +104,7 @@ impl Translator<'_> {
                 format!("`{name}` takes one argument, a rotation matrix: write `{name}(r)`");
             return self.reject(call, message);
         };
-        let value = self.translate(argument, ExpressionContext::Observation)?;
+        let value = self.lower(argument, ExpressionContext::Observation)?;
         match value {
             Value::Array(matrix) if matrix.rows() == 3 && matrix.columns() == 3 => {
                 self.velocity(call, argument, &matrix, inertial, context)
@@ -159,14 +163,14 @@ impl Translator<'_> {
 }
 
 /// The result of a function of angles, and the letters of its axes.
-fn parts(name: &str) -> Option<(Wanted, &str)> {
+fn parts(name: &str) -> Option<(RotationFunction, &str)> {
     if let Some(letters) = name.strip_prefix("rotation_") {
-        return Some((Wanted::Rotation, letters));
+        return Some((RotationFunction::Rotation, letters));
     }
     let letters = name.strip_prefix("angular_velocity_")?;
     Some(match letters.strip_suffix("_inertial") {
-        Some(letters) => (Wanted::AngularVelocityInertial, letters),
-        None => (Wanted::AngularVelocity, letters),
+        Some(letters) => (RotationFunction::AngularVelocityInertial, letters),
+        None => (RotationFunction::AngularVelocity, letters),
     })
 }
 

@@ -298,7 +298,7 @@ mod tests {
 
     use super::super::dense_output::DenseOutput;
     use super::{FIFTH_ORDER_ERROR, MATRIX, NODES, THIRD_ORDER, WEIGHTS};
-    use crate::integrate::order_conditions::defect;
+    use crate::integrate::order_conditions::residual;
 
     /// Rounding errors of the sums: the coefficients are up to 44, and products of a few rows of
     /// them enter a condition.
@@ -315,10 +315,10 @@ mod tests {
     #[test]
     fn the_method_is_of_order_eight() {
         for order in 1..=8 {
-            let defect = defect(&MATRIX, &WEIGHTS, 1.0, order);
-            assert!(defect < ROUNDING, "{defect:e} at order {order}");
+            let residual = residual(&MATRIX, &WEIGHTS, 1.0, order);
+            assert!(residual < ROUNDING, "{residual:e} at order {order}");
         }
-        assert!(defect(&MATRIX, &WEIGHTS, 1.0, 9) > 1e-7);
+        assert!(residual(&MATRIX, &WEIGHTS, 1.0, 9) > 1e-7);
     }
 
     #[test]
@@ -329,10 +329,10 @@ mod tests {
         }
         for (weights, embedded) in [(fifth, 5), (THIRD_ORDER, 3)] {
             for order in 1..=embedded {
-                let defect = defect(&MATRIX, &weights, 1.0, order);
-                assert!(defect < ROUNDING, "{defect:e} at order {order}");
+                let residual = residual(&MATRIX, &weights, 1.0, order);
+                assert!(residual < ROUNDING, "{residual:e} at order {order}");
             }
-            assert!(defect(&MATRIX, &weights, 1.0, embedded + 1) > 1e-5);
+            assert!(residual(&MATRIX, &weights, 1.0, embedded + 1) > 1e-5);
         }
     }
 
@@ -350,14 +350,14 @@ mod tests {
         for theta in [0.1, 0.37, 0.5, 0.9, 1.0] {
             let weights = dense_weights(theta);
             for order in 1..=7 {
-                let defect = defect(&MATRIX, weights.as_slice(), theta, order);
+                let residual = residual(&MATRIX, weights.as_slice(), theta, order);
                 assert!(
-                    defect < ROUNDING,
-                    "{defect:e} at order {order}, θ = {theta}"
+                    residual < ROUNDING,
+                    "{residual:e} at order {order}, θ = {theta}"
                 );
             }
         }
-        assert!(defect(&MATRIX, dense_weights(0.5).as_slice(), 0.5, 8) > 1e-7);
+        assert!(residual(&MATRIX, dense_weights(0.5).as_slice(), 0.5, 8) > 1e-7);
     }
 
     #[test]

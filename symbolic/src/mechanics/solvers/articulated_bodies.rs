@@ -6,7 +6,8 @@
 //! ẇₖ = ẇₚ + Σ eₖᵢ q̈ᵢ + Dwₖ. Leaves are substituted, then a coordinate that occurs in the quadratic form alone is
 //! eliminated: the remainder is the articulated-body inertia of the rest of the tree. A chain takes as many steps of
 //! a fixed size as it has links, where elimination of M takes the cube; for a tree without edges this is the
-//! elimination of M, with simplified Schur complements.
+//! elimination of M, with simplified Schur complements. Featherstone's bias force pᴬ is the linear term with the
+//! opposite sign.
 
 use std::collections::BTreeMap;
 

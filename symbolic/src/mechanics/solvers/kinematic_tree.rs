@@ -88,7 +88,7 @@ impl KinematicTree {
     /// The same equations divided by an inertia of which all others are numerical multiples, if there is one: a
     /// chain of equal bodies is then solved in ratios of inertias.
     pub(crate) fn divided_by_unit(&self, graph: &mut Graph) -> Self {
-        if !graph.passes.has(Pass::Unit) {
+        if !graph.passes.has(Pass::InertiaScaling) {
             return self.clone();
         }
         let unit = self.inertia.first().map_or(graph.one(), |row| row[0]);

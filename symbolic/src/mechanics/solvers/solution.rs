@@ -1,11 +1,11 @@
-//! The accelerations by the cheapest of several solvers.
+//! The choice of the solver: of the accelerations by each that applies, the cheapest by the
+//! [cost model](crate::algebra::cost).
 //!
 //! Three solvers find q̈: the Boltzmann–Hamel equations in as many quasi-velocities as there are coordinates,
-//! articulated-body elimination along the tree of quasi-velocities, and symbolic elimination of the mass matrix. All
-//! are carried out, and the cheapest by the [cost model](crate::algebra::cost) is taken. The derivatives of q̈ are
-//! solved for with the same factors.
+//! articulated-body elimination along the tree of quasi-velocities, and the symbolic factorization of the mass
+//! matrix. The derivatives of q̈ are solved for with the same factors.
 
-use crate::identity::modular_point::Point;
+use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::limits::{MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
@@ -116,8 +116,8 @@ impl Solution {
             return true;
         }
         let size = self.accelerations.len();
-        let mut found =
-            Point::attempts().filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
+        let mut found = ModularPoint::attempts()
+            .filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
         found.next().is_none_or(|(point, values)| {
             let (accelerations, rest) = values.split_at(size);
             let (forcing, mass) = rest.split_at(size);

@@ -7,7 +7,7 @@
 //! rational reconstruction (Wang, Guy and Davenport, p-adic reconstruction of rational numbers, 1982), or not a
 //! constant.
 
-use crate::identity::identity_test::IdentityTest;
+use crate::identity::identity_testing::IdentityTest;
 use crate::identity::{modular_matrix, residue};
 use crate::limits::LARGEST_STRUCTURE_CONSTANT;
 use crate::{Expression, Graph, Rational, Symbol};

@@ -1,4 +1,4 @@
-//! A warning about a defect of this crate.
+//! A warning where validation found a bug of this crate.
 
 use std::collections::BTreeSet;
 

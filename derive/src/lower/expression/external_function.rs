@@ -5,13 +5,13 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
 
-use super::{ExpressionContext, Translator};
-use crate::lower::scope::{Meaning, Origin};
+use super::{ExpressionContext, Lowerer};
+use crate::lower::scope::{Binding, Origin};
 use crate::lower::value::Value;
 use crate::syntax::external_function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::names::unraw;
 
-impl Translator<'_> {
+impl Lowerer<'_> {
     /// Declares all functions, then their derivatives, which may be made of any of them.
     pub(crate) fn declare_functions(&mut self, declared: &[FunctionDeclaration]) {
         let mut functions = Vec::with_capacity(declared.len());
@@ -65,9 +65,9 @@ impl Translator<'_> {
         }
         let known = match self.scope.resolve(name) {
             Some(
-                Meaning::Quantity(Origin::Defined, _) | Meaning::Family(..) | Meaning::DefinedLater,
+                Binding::Quantity(Origin::Defined, _) | Binding::Family(..) | Binding::DefinedLater,
             ) => false,
-            Some(Meaning::Quantity(_, value)) => {
+            Some(Binding::Quantity(_, value)) => {
                 let mut components = value.components().iter();
                 !components.any(|component| self.graph.contents(*component).varies_in_time())
             }

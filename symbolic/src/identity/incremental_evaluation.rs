@@ -1,28 +1,32 @@
 //! Incremental evaluation of expressions at a modular point: when one symbol changes, only the expressions that
 //! contain it are evaluated again.
 
-use crate::identity::modular_point::{HomomorphicImage, Point};
+use crate::identity::modular_point::{HomomorphicImage, ModularPoint};
 use crate::{Expression, Graph, Symbol};
 
-impl Point {
+impl ModularPoint {
     /// The values of the roots modulo p, or `None` where one has no value at this point.
     #[must_use]
     pub fn evaluate(self, graph: &Graph, roots: &[Expression]) -> Option<Vec<u64>> {
-        Some(Evaluation::new(graph, roots, self)?.values())
+        Some(IncrementalEvaluation::new(graph, roots, self)?.values())
     }
 }
 
 /// The images of some roots and of all their subexpressions at one point.
-pub(crate) struct Evaluation<'a> {
+pub(crate) struct IncrementalEvaluation<'a> {
     graph: &'a Graph,
     roots: &'a [Expression],
-    point: Point,
+    point: ModularPoint,
     images: Vec<HomomorphicImage>,
 }
 
-impl<'a> Evaluation<'a> {
+impl<'a> IncrementalEvaluation<'a> {
     /// The evaluation of `roots`, unless one of them has no value at this point.
-    pub(crate) fn new(graph: &'a Graph, roots: &'a [Expression], point: Point) -> Option<Self> {
+    pub(crate) fn new(
+        graph: &'a Graph,
+        roots: &'a [Expression],
+        point: ModularPoint,
+    ) -> Option<Self> {
         let descendants = graph.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         let mut evaluation = Self {
@@ -55,7 +59,7 @@ impl<'a> Evaluation<'a> {
         values
     }
 
-    fn evaluate(&mut self, point: Point, expressions: &[Expression]) -> Option<()> {
+    fn evaluate(&mut self, point: ModularPoint, expressions: &[Expression]) -> Option<()> {
         for expression in expressions {
             let image = point.image(self.graph.node(*expression), &self.images)?;
             self.images[expression.index()] = image;

@@ -10,12 +10,12 @@ use super::signatures::InputsFrom;
 use crate::lower::quantities::Component;
 
 /// Reads the symbols of a model.
-pub(super) struct Reader<'a> {
+pub(super) struct ModelSymbols<'a> {
     pub(super) emitter: &'a Emitter<'a>,
     pub(super) inputs: InputsFrom,
 }
 
-impl SymbolReader for Reader<'_> {
+impl SymbolReader for ModelSymbols<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
         let quantities = &self.emitter.lowered.quantities;
         let field = |components: &[Component], i: u32| self.emitter.read(&components[i as usize]);

@@ -15,8 +15,8 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::dependence::Dependence;
-use crate::identity::evaluation::Evaluation;
-use crate::identity::modular_point::Point;
+use crate::identity::incremental_evaluation::IncrementalEvaluation;
+use crate::identity::modular_point::ModularPoint;
 use crate::limits::{
     AGREEMENTS, AGREEMENTS_PER_CHOICE, ATTEMPTS_PER_AGREEMENT, MODULAR_ATTEMPTS, MOST_BRANCHES,
 };
@@ -37,10 +37,10 @@ struct Criterion {
 }
 
 impl Criterion {
-    fn points(self) -> impl Iterator<Item = Point> {
+    fn points(self) -> impl Iterator<Item = ModularPoint> {
         let attempts = (self.agreements * ATTEMPTS_PER_AGREEMENT) as u64;
         (0..attempts.max(MODULAR_ATTEMPTS)).map(move |seed| {
-            let point = Point::new(seed);
+            let point = ModularPoint::new(seed);
             if self.uninterpreted {
                 point.uninterpreted()
             } else {
@@ -91,8 +91,8 @@ impl IdentityTest {
 
     /// Whether a claim holds for every choice of branches, wherever it is defined. `claim` is `None` at a
     /// point that is outside of the domain.
-    pub(crate) fn holds(self, claim: impl Fn(Point) -> Option<bool>) -> bool {
-        let value = |point: Point| claim(point).map(|holds| holds.then_some(()));
+    pub(crate) fn holds(self, claim: impl Fn(ModularPoint) -> Option<bool>) -> bool {
+        let value = |point: ModularPoint| claim(point).map(|holds| holds.then_some(()));
         self.constant(value).is_some()
     }
 
@@ -100,7 +100,7 @@ impl IdentityTest {
     /// at a point that is outside of the domain, and `Some(None)` where there is none.
     pub(crate) fn constant<T: PartialEq>(
         self,
-        value: impl Fn(Point) -> Option<Option<T>>,
+        value: impl Fn(ModularPoint) -> Option<Option<T>>,
     ) -> Option<T> {
         self.criteria().find_map(|criterion| {
             let mut agreed = None;
@@ -123,7 +123,7 @@ impl IdentityTest {
         graph: &Graph,
         roots: &[Expression],
         symbols: &[Symbol],
-        value: impl Fn(&[u64], Point) -> Option<u64>,
+        value: impl Fn(&[u64], ModularPoint) -> Option<u64>,
     ) -> Vec<bool> {
         let mut tests = DependenceTest::new(graph, roots, symbols);
         for criterion in self.criteria() {
@@ -132,7 +132,7 @@ impl IdentityTest {
                 if tests.are_decided() {
                     break;
                 }
-                if let Some(mut evaluation) = Evaluation::new(graph, roots, point) {
+                if let Some(mut evaluation) = IncrementalEvaluation::new(graph, roots, point) {
                     let value = |values: &[u64]| value(values, point);
                     tests.test_at(&mut evaluation, value, criterion.agreements);
                 }
@@ -181,7 +181,7 @@ impl<'a> DependenceTest<'a> {
     /// Evaluates at one point, and records what that decides.
     fn test_at(
         &mut self,
-        evaluation: &mut Evaluation<'_>,
+        evaluation: &mut IncrementalEvaluation<'_>,
         value: impl Fn(&[u64]) -> Option<u64>,
         enough: usize,
     ) {
