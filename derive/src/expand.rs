@@ -13,6 +13,7 @@ use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
 use crate::plan::Methods;
 use crate::syntax::declaration::Declaration;
+use crate::syntax::size;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls without equations.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
@@ -21,6 +22,9 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
 
 /// The same, where a method may nest so many scopes.
 pub(crate) fn expand_within(input: TokenStream, most_scopes: usize) -> TokenStream {
+    if let Err(error) = size::check(input.clone()) {
+        return error.to_compile_error();
+    }
     let input = match syn::parse2::<DeriveInput>(input) {
         Ok(input) => input,
         Err(error) => return error.to_compile_error(),

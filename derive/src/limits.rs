@@ -50,6 +50,19 @@ pub(crate) const MOST_PIVOTS: usize = 4;
 /// formula of the golden models exceeds. A layout over several lines would move it.
 pub(crate) const LONGEST_FORMULA: usize = 600;
 
+/// The most tokens of an expression. Printing 10 000 terms in a row takes the stack that rustc has, 8 MiB; a parser that
+/// does not recurse would lift it, as it would the next three.
+pub(crate) const LONGEST_EXPRESSION: usize = 8192;
+
+/// The most dots of an expression: calls of methods, one on the result of the other, of which 1500 are within the stack.
+pub(crate) const MOST_METHOD_CALLS: usize = 1024;
+
+/// The most operators without an operand between them.
+pub(crate) const MOST_OPERATORS_IN_ROW: usize = 256;
+
+/// How deep parentheses, brackets and braces are nested; 600 are within the stack.
+pub(crate) const DEEPEST_GROUPS: usize = 256;
+
 /// How many names an error lists: one line of a terminal.
 pub(crate) const MOST_NAMES: usize = 10;
 

@@ -1,5 +1,6 @@
 //! The syntax of declarations: what they consist of, and how they are parsed.
 
+pub(crate) mod size;
 pub(crate) mod declaration;
 pub(crate) mod clauses;
 pub(crate) mod coordinate;

@@ -52,7 +52,7 @@ pub(crate) const MOST_REDUCED_TERMS: usize = 128;
 // identity
 
 /// Points at which a claim must hold where branches do not matter. Made by the bound of Schwartz and Zippel: a false
-/// claim of degree 10⁶ passes one point with probability 10⁻¹², three with 10⁻³⁶. Smaller primes move it.
+/// claim of degree 10⁶ passes one point with probability 4·10⁻¹⁰, three with 10⁻²⁸. Smaller primes move it.
 pub(crate) const AGREEMENTS: usize = 3;
 
 /// Points at which a claim must hold for each choice of branches, on average. A claim that fails for one of 2ᵏ

@@ -8,7 +8,7 @@
 //! functions are those of the crate `libm`, so that the answer is the same on every host.
 
 mod validator;
-mod changes;
+mod linearization_check;
 mod comparison;
 mod hyper_dual;
 mod lagrange;

@@ -1,13 +1,13 @@
 //! From Rust expressions to the expression graph.
 //!
-//! Comes in: `syn` expressions with their spans. Goes out: values made of handles of the graph, or
+//! Input: `syn` expressions with their spans. Output: values made of handles of the graph, or
 //! errors at the tokens that are not supported. Long sums and products are loops; only nesting
-//! recurses, and the compiler's own parser bounds its depth.
+//! recurses, and `syntax/size.rs` bounds its depth.
 
 mod external_function;
 mod array;
 mod call;
-mod chain;
+mod binary_operators;
 mod component;
 mod derivative;
 mod repetition;

@@ -124,3 +124,38 @@ fn altered_declarations_end_in_items() {
         "{derived} of {COUNT}"
     );
 }
+
+/// The expansion of a declaration with this potential, with the stack that the compiler has.
+fn expansion_with(potential: String) -> String {
+    let declaration = format!(
+        "#[lagrangian(coordinates(q), kinetic = 0.5 * m * dot(q).powi(2), potential = {potential})]
+         struct Model {{ m: f64 }}"
+    );
+    let expansion = move || {
+        let tokens = TokenStream::from_str(&declaration).expect("tokens");
+        expand(tokens).to_string()
+    };
+    let thread = std::thread::Builder::new().stack_size(8 << 20);
+    let thread = thread.spawn(expansion).expect("a thread");
+    thread.join().expect("no panic")
+}
+
+#[test]
+fn what_is_too_deep_for_the_stack_is_refused_and_no_more() {
+    let nested = |depth: usize| "(".repeat(depth) + "q" + &")".repeat(depth);
+    let repeated = |part: &str, times: usize| "q".to_owned() + &part.repeat(times);
+    let negated = |times: usize| "- ".repeat(times) + "q";
+    for (within, beyond) in [
+        (nested(200), nested(5000)),
+        (repeated(" + q", 4000), repeated(" + q", 50_000)),
+        (repeated(" * q", 4000), repeated(" * q", 50_000)),
+        (repeated(".sin()", 1000), repeated(".sin()", 10_000)),
+        (negated(200), negated(50_000)),
+    ] {
+        let expansion = expansion_with(within);
+        assert!(!expansion.contains("compile_error"), "{expansion:.300}");
+        let expansion = expansion_with(beyond);
+        assert!(expansion.contains("compile_error"));
+        assert!(expansion.contains("under `define`"), "{expansion:.300}");
+    }
+}

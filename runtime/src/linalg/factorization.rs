@@ -9,7 +9,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::lane_select::{LaneSelect, greater};
-use super::pivoting::{self, Pivoted};
+use super::pivoting::{self, PivotedLu};
 use crate::limits::RIGHT_HAND_SIDES_AT_ONCE;
 use crate::scalar::Scalar;
 
@@ -84,11 +84,11 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         let full = SMatrix::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
         let positive = self.reciprocals.iter();
         let definite = positive.fold(S::one(), |all, pivot| all * greater(*pivot, S::zero()));
-        let Pivoted {
+        let PivotedLu {
             factors,
             reciprocals,
             interchanges,
-        } = Pivoted::new(full);
+        } = PivotedLu::new(full);
         Self {
             factors,
             reciprocals,

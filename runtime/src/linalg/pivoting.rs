@@ -10,7 +10,7 @@ use super::lane_select::{from_index, greater, is_zero, one_if_zero, swap_rows};
 use crate::scalar::Scalar;
 
 /// P M = L U.
-pub(crate) struct Pivoted<S: Scalar, const N: usize> {
+pub(crate) struct PivotedLu<S: Scalar, const N: usize> {
     /// Below the diagonal the unit lower factor L, above it U.
     pub(crate) factors: SMatrix<S, N, N>,
     /// The reciprocals of the diagonal of U; infinite where the matrix is singular.
@@ -19,7 +19,7 @@ pub(crate) struct Pivoted<S: Scalar, const N: usize> {
     pub(crate) interchanges: SVector<S, N>,
 }
 
-impl<S: Scalar, const N: usize> Pivoted<S, N> {
+impl<S: Scalar, const N: usize> PivotedLu<S, N> {
     /// Factors `matrix`. Where the pivot column is zero, nothing is eliminated.
     pub(crate) fn new(matrix: SMatrix<S, N, N>) -> Self {
         let mut factors = matrix;

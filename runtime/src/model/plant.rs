@@ -1,4 +1,4 @@
-//! Plants: systems with inputs, under a control law.
+//! Plants: systems whose inputs a controller sets.
 
 use nalgebra::SVector;
 

@@ -45,11 +45,11 @@ impl Graph {
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         let mut derivatives = vec![zero; length];
-        let mut cofactors = Cofactors::default();
+        let mut product_rule_factors = ProductRuleFactors::default();
         for expression in descendants {
             derivatives[expression.index()] = match self.node(expression) {
                 Node::Symbol(symbol) => direction.get(symbol).copied().unwrap_or(zero),
-                _ => self.chain_rule(expression, &derivatives, &mut cofactors),
+                _ => self.chain_rule(expression, &derivatives, &mut product_rule_factors),
             };
         }
         roots.iter().map(|root| derivatives[root.index()]).collect()
@@ -60,7 +60,7 @@ impl Graph {
         &mut self,
         expression: Expression,
         derivatives: &[Expression],
-        cofactors: &mut Cofactors,
+        product_rule_factors: &mut ProductRuleFactors,
     ) -> Expression {
         let zero = self.zero();
         let of = |operand: Expression| derivatives[operand.index()];
@@ -73,7 +73,7 @@ impl Graph {
             Node::Product(ref factors)
                 if factors.len() > LONGEST_FLAT_PRODUCT_RULE && self.passes.has(Pass::Opaque) =>
             {
-                self.derivative_of_pairs(expression, derivatives, cofactors)
+                self.derivative_of_pairs(expression, derivatives, product_rule_factors)
             }
             Node::Product(ref factors) => {
                 let mut terms = Vec::new();
@@ -82,7 +82,7 @@ impl Graph {
                         terms.push((position, of(*x), exponent.clone()));
                     }
                 }
-                self.product_rule(expression, terms, cofactors)
+                self.product_rule(expression, terms, product_rule_factors)
             }
             Node::Unary(function, x) => {
                 if of(x) == zero {
@@ -131,10 +131,10 @@ impl Graph {
         &mut self,
         product: Expression,
         derivatives: &[Expression],
-        cofactors: &mut Cofactors,
+        product_rule_factors: &mut ProductRuleFactors,
     ) -> Expression {
         let mut changes: Table<Expression, Expression> = Table::default();
-        let tree = cofactors.tree(self, product);
+        let tree = product_rule_factors.tree(self, product);
         let mut change = self.zero();
         for pair in tree.iter() {
             let inner = match *self.node(*pair) {
@@ -151,7 +151,7 @@ impl Graph {
                     terms.push((position, *change, exponent.clone()));
                 }
             }
-            change = self.product_rule(inner, terms, cofactors);
+            change = self.product_rule(inner, terms, product_rule_factors);
             changes.insert(*pair, change);
         }
         change
@@ -163,11 +163,14 @@ impl Graph {
         &mut self,
         product: Expression,
         changes: Vec<(usize, Expression, Rational)>,
-        cofactors: &mut Cofactors,
+        product_rule_factors: &mut ProductRuleFactors,
     ) -> Expression {
         let mut terms = Vec::with_capacity(changes.len());
         for (position, change, exponent) in changes {
-            terms.push((cofactors.times(self, product, position, change), exponent));
+            terms.push((
+                product_rule_factors.times(self, product, position, change),
+                exponent,
+            ));
         }
         match terms.as_slice() {
             [(only, exponent)] if exponent.is_one() => *only,
@@ -197,12 +200,12 @@ fn changes_of_terms(
     changes
 }
 
-/// The cofactors of the product rule, multiplied by derivatives of the factor.
+/// The product_rule_factors of the product rule, multiplied by derivatives of the factor.
 ///
 /// In a chain, many products differ in one factor only, such as r·x₁, r·x₂ …, and those factors often
 /// change alike. Then one product r·dx is the derivative of them all, and is made once.
 #[derive(Default)]
-pub(crate) struct Cofactors {
+pub(crate) struct ProductRuleFactors {
     /// xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, written as products that are no part of the graph.
     lists: Interner,
     /// The index of the list, by product and position of the factor.
@@ -213,7 +216,7 @@ pub(crate) struct Cofactors {
     trees: Table<Expression, Rc<[Expression]>>,
 }
 
-impl Cofactors {
+impl ProductRuleFactors {
     /// dxⱼ xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ.
     fn times(
         &mut self,
@@ -277,7 +280,7 @@ pub(crate) struct Tangents {
     dependence: Dependence,
     /// By expression, with respect to the current symbol; between two columns all 0.
     derivatives: Vec<Expression>,
-    cofactors: Cofactors,
+    product_rule_factors: ProductRuleFactors,
 }
 
 impl Tangents {
@@ -288,7 +291,7 @@ impl Tangents {
             symbols: symbols.to_vec(),
             dependence: Dependence::of(graph, roots, symbols),
             derivatives: vec![graph.zero(); length],
-            cofactors: Cofactors::default(),
+            product_rule_factors: ProductRuleFactors::default(),
         }
     }
 
@@ -327,7 +330,7 @@ impl Tangents {
         for expression in dependents {
             derivatives[expression.index()] = match graph.node(*expression) {
                 Node::Symbol(found) if *found == symbol => graph.one(),
-                _ => graph.chain_rule(*expression, derivatives, &mut self.cofactors),
+                _ => graph.chain_rule(*expression, derivatives, &mut self.product_rule_factors),
             };
         }
         let results = roots.iter().map(|root| derivatives[root.index()]).collect();

@@ -3,12 +3,13 @@
 //! elementary functions by homomorphic images (Gonnet, Determining equivalence of expressions in random polynomial
 //! time, 1984).
 //!
-//! The answer is yes if the claim holds for every choice of branches of √u, |u|, signum, min and max, which is
+//! The answer is yes only if the claim holds for every choice of branches of √u, |u|, signum, min and max, which is
 //! stronger than on the real branch; where that is not known, the answer is no, and nothing may be rewritten.
 //! There are two criteria for yes:
 //!
-//! - the claim holds with those functions uninterpreted, as arbitrary functions. A false claim passes at a point
-//!   with a probability of about its degree over 10¹⁸, and three points must agree;
+//! - the claim holds with those functions uninterpreted, as arbitrary functions up to their symmetries. A false claim
+//!   passes at a point with a probability of about its degree over 2·10¹⁵, the order of the group in which exponentials
+//!   lie, and three points must agree;
 //! - at most [`MOST_BRANCHES`] of them occur, k, and the claim holds at 24·2ᵏ points with branches drawn at
 //!   random. A claim that fails for one choice of k signs passes with a probability below (1 − 2⁻ᵏ)^(24·2ᵏ) < e⁻²⁴.
 

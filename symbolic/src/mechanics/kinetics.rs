@@ -1,6 +1,6 @@
 //! The kinetics of a model: f, M q̈ − f and q̈, each by the cheapest method that applies.
 //!
-//! Lagrange's formula gives f and M q̈ − f for every model; where quasi-velocities form a tree, recursions along it
+//! Lagrange's equations give f and M q̈ − f for every model; where quasi-velocities form a tree, recursions along it
 //! take fewer operations. Here the solvers for q̈ that apply are set up; [`Solution::cheapest`] chooses among them.
 //! Where none applies, the emitted code factors M numerically.
 
@@ -27,7 +27,7 @@ pub struct Kinetics {
     pub solution: Option<Solution>,
 }
 
-/// The equations M q̈ = f, divided by an inertia where that replaces parameters by numbers.
+/// The equations M q̈ = f, divided by an inertia of which the others are multiples, if there is one.
 #[derive(Clone, Debug)]
 pub struct LinearSystem {
     /// M, row by row.

@@ -1,5 +1,5 @@
 //! Lagrange's formula: M, f, Q and the energy function from the energies, and the Lagrange derivatives
-//! 𝓛ᵢ = D ∂/∂q̇ᵢ − ∂/∂qᵢ (Lagrange, Mécanique analytique, 1788).
+//! 𝓛ᵢ = D ∂/∂q̇ᵢ − ∂/∂qᵢ (Lagrange, Mécanique analytique, 1788), where D is the time derivative at constant velocities.
 
 use crate::algebra::derivative::Tangents;
 use crate::matrix::rows::transposed;

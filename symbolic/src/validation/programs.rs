@@ -1,7 +1,7 @@
 //! The programs of a model that are validated.
 
 use crate::identity::real_point::RealPoint;
-use crate::validation::changes::LinearizationOutputs;
+use crate::validation::linearization_check::LinearizationOutputs;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;

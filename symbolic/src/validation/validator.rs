@@ -11,9 +11,9 @@ use crate::limits::{
     ENOUGH_NEARBY_POINTS, NEARBY_ATTEMPTS, PERTURBATION_MARGIN, PERTURBED_RUNS, VALIDATED_POINTS,
     VALIDATION_ATTEMPTS,
 };
-use crate::validation::changes::Changes;
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Lagrange, Values, Variation};
+use crate::validation::linearization_check::LinearizationCheck;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::square_matrix::SquareMatrix;
@@ -254,7 +254,7 @@ impl Reference<'_> {
     ) {
         comparisons.vanishing(Method::Accelerations, &self.values.residuals);
         let [state, inputs] = &tapes.linearization;
-        let changes = Changes {
+        let changes = LinearizationCheck {
             state: self.at(state),
             inputs: self.at(inputs),
             linearization_outputs: tapes.linearization_outputs,

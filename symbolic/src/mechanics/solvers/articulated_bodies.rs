@@ -2,12 +2,12 @@
 //! Computer simulation of the dynamics of complicated mechanisms of robot manipulators, 1974; Featherstone, The
 //! calculation of robot dynamics using articulated-body inertias, 1983).
 //!
-//! By Gauss's principle of least constraint (1829) the accelerations minimize ½ ẇᵀ W ẇ − rᵀ q̈ under
-//! ẇₖ = ẇₚ + Σ eₖᵢ q̈ᵢ + Dwₖ. Leaves are substituted, then a coordinate that occurs in the quadratic form alone is
-//! eliminated: the remainder is the articulated-body inertia of the rest of the tree. A chain takes as many steps of
-//! a fixed size as it has links, where elimination of M takes the cube; for a tree without edges this is the
-//! elimination of M, with simplified Schur complements. Featherstone's bias force pᴬ is the linear term with the
-//! opposite sign.
+//! By Gauss's principle of least constraint (1829) the accelerations make ½ ẇᵀ W ẇ − rᵀ q̈ stationary under
+//! ẇₖ = ẇₚ + Σ eₖᵢ q̈ᵢ + Dwₖ, a minimum if M is positive definite. The ẇₖ of a leaf is substituted; then a coordinate
+//! that occurs in the quadratic form alone is eliminated, and the remainder is the articulated-body inertia of the rest
+//! of the tree. A chain takes as many steps of a fixed size as it has links, where elimination of M takes the cube. Where
+//! no form has a parent, this is the elimination of M, with simplified Schur complements. Featherstone's bias force pᴬ is
+//! the right-hand side h with the opposite sign.
 
 use std::collections::BTreeMap;
 
@@ -106,15 +106,15 @@ impl ArticulatedBodies {
         right: &[Expression],
         velocity_products: &[Expression],
     ) -> Vec<Expression> {
-        let mut bias_forces = BiasForces::new(right);
+        let mut right_hand_side = RightHandSide::new(right);
         let mut rights = vec![graph.zero(); right.len()];
         for step in &self.steps {
             match step {
                 EliminationStep::Substitute(step) => {
-                    bias_forces.substitute(graph, step, velocity_products[step.form]);
+                    right_hand_side.substitute(graph, step, velocity_products[step.form]);
                 }
                 EliminationStep::Eliminate(step) => {
-                    rights[step.coordinate] = bias_forces.eliminate(graph, step);
+                    rights[step.coordinate] = right_hand_side.eliminate(graph, step);
                 }
             }
         }
@@ -306,10 +306,10 @@ impl<'a> Quadratic<'a> {
     }
 }
 
-/// The bias forces: the linear terms h of ½ xᵀ H x − hᵀ x.
-struct BiasForces(BTreeMap<Unknown, Expression>);
+/// The right-hand side h of ½ xᵀ H x − hᵀ x.
+struct RightHandSide(BTreeMap<Unknown, Expression>);
 
-impl BiasForces {
+impl RightHandSide {
     fn new(right: &[Expression]) -> Self {
         let right = right.iter().enumerate();
         Self(

@@ -1,9 +1,10 @@
-//! The choice of the solver: of the accelerations by each that applies, the cheapest by the
-//! [cost model](crate::algebra::cost).
+//! The choice of the solver: the accelerations are found by each that applies, and the cheapest are taken by the
+//! [cost model](crate::algebra::cost), without what depends on parameters alone unless the rest costs the same.
 //!
 //! Three solvers find q̈: the Boltzmann–Hamel equations in as many quasi-velocities as there are coordinates,
 //! articulated-body elimination along the tree of quasi-velocities, and the symbolic factorization of the mass
-//! matrix. The derivatives of q̈ are solved for with the same factors.
+//! matrix; where none applies, M is factored numerically. For a few coordinates the derivatives of q̈ are solved for
+//! with the same factors.
 
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;

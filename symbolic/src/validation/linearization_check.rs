@@ -15,13 +15,13 @@ pub(crate) enum LinearizationOutputs {
 }
 
 /// The values of the programs for derivatives at a point.
-pub(crate) struct Changes {
+pub(crate) struct LinearizationCheck {
     pub(crate) state: Vec<f64>,
     pub(crate) inputs: Vec<f64>,
     pub(crate) linearization_outputs: LinearizationOutputs,
 }
 
-impl Changes {
+impl LinearizationCheck {
     /// M δq̈ + δ(M q̈ − f) at fixed q̈, which vanishes, and the differences of what else is computed to what the
     /// equations say: of q̈, or M q̈ − f, and of δ(M q̈ − f).
     pub(crate) fn balances(
