@@ -8,7 +8,8 @@
 //! solution is straight-line code with one division for each pivot.
 
 use crate::limits::LARGEST_TRANSPARENT_ELIMINATION;
-use crate::{Expression, Graph, Rational, Symbol};
+use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
+use crate::{Expression, Graph, Symbol};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -16,117 +17,71 @@ pub struct Ldlt {
     /// The pivots, the entries of D, by coordinate. Where all are positive, M is positive definite and
     /// the solution is stable.
     pub pivots: Vec<Expression>,
-    /// Each row at the time when it was the pivot row.
-    rows: Vec<Vec<Expression>>,
-    order: Vec<usize>,
+    /// The rows in the order of elimination, and the entries of each in the same order.
+    rows: Vec<PivotRow<usize>>,
 }
 
 impl Ldlt {
     /// Factors M, unless there is no nonzero pivot, or a pivot row has more than `limit` other entries.
     pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>], limit: usize) -> Option<Self> {
-        let mut partial = PartialFactorization {
-            graph,
-            matrix: mass.to_vec(),
-        };
-        let mut waiting: Vec<usize> = (0..mass.len()).collect();
-        let mut order = Vec::new();
-        while !waiting.is_empty() {
-            let pivot = partial.best_pivot(&waiting)?;
-            waiting.retain(|row| *row != pivot);
-            let others = waiting.iter();
-            let coupled = others.filter(|i| !partial.graph.is_zero(partial.matrix[pivot][**i]));
-            if coupled.count() > limit {
+        let rewrite = rewriting(mass.len());
+        let mut matrix = SymmetricElimination::new(graph, mass, |i| i);
+        let mut pivots = vec![graph.zero(); mass.len()];
+        let mut position = vec![0; mass.len()];
+        let mut rows = Vec::with_capacity(mass.len());
+        for _ in mass {
+            let mut row = matrix.take(graph, best_pivot(graph, &matrix)?);
+            if row.others.len() > limit {
                 return None;
             }
-            partial.eliminate(pivot, &waiting);
-            order.push(pivot);
+            // Zeros are entries, too: what this row does not change is rewritten with the rest. Measured: without
+            // them, of 34 models that change, 29 cost more and 5 less.
+            let coupled = |i| row.others.iter().find(|(j, _)| i == *j);
+            let entry = |i| coupled(i).map_or(graph.zero(), |(_, entry)| *entry);
+            row.others = matrix.unknowns().map(|i| (i, entry(i))).collect();
+            matrix.reduce(graph, &row, &rewrite);
+            pivots[row.unknown] = row.pivot;
+            position[row.unknown] = rows.len();
+            rows.push(row);
         }
-        let rows = partial.matrix;
-        Some(Self {
-            pivots: (0..rows.len()).map(|i| rows[i][i]).collect(),
-            rows,
-            order,
-        })
+        for row in &mut rows {
+            row.others.sort_by_key(|(i, _)| position[*i]);
+        }
+        Some(Self { pivots, rows })
     }
 
     /// x in M x = `right`.
     pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
-        let mut right = right.to_vec();
-        for (position, pivot) in self.order.iter().enumerate() {
-            for i in &self.order[position + 1..] {
-                let entry = self.rows[*pivot][*i];
-                let factor = graph.divide(entry, self.rows[*pivot][*pivot]);
-                let change = graph.multiply(factor, right[*pivot]);
-                right[*i] = graph.subtract(right[*i], change);
-                if self.rows.len() > LARGEST_TRANSPARENT_ELIMINATION {
-                    right[*i] = graph.opaque(right[*i]);
-                }
-            }
+        let rewrite = rewriting(self.rows.len());
+        let mut right = right.iter().copied().enumerate().collect();
+        for row in &self.rows {
+            row.reduce_right(graph, &mut right, &rewrite);
         }
-        let mut solution = vec![graph.zero(); right.len()];
-        for (position, pivot) in self.order.iter().enumerate().rev() {
-            let mut terms = vec![(right[*pivot], Rational::ONE)];
-            for later in &self.order[position + 1..] {
-                let product = graph.multiply(self.rows[*pivot][*later], solution[*later]);
-                terms.push((product, Rational::MINUS_ONE));
-            }
-            let rest = graph.sum(terms);
-            solution[*pivot] = graph.divide(rest, self.rows[*pivot][*pivot]);
-            if self.rows.len() > LARGEST_TRANSPARENT_ELIMINATION {
-                solution[*pivot] = graph.opaque(solution[*pivot]);
-            }
+        let mut solution = vec![graph.zero(); self.rows.len()];
+        for row in self.rows.iter().rev() {
+            let value = row.solve(graph, &right, |_, i| solution[i]);
+            solution[row.unknown] = rewrite(graph, value);
         }
         solution
     }
 }
 
-/// A symmetric matrix in the course of elimination. The row of a pivot keeps its values.
-struct PartialFactorization<'a> {
-    graph: &'a mut Graph,
-    matrix: Vec<Vec<Expression>>,
-}
-
-impl PartialFactorization<'_> {
-    /// The row of the next pivot: free of coordinates, then of minimum degree, then with the shortest pivot.
-    fn best_pivot(&self, waiting: &[usize]) -> Option<usize> {
-        let candidates = waiting
-            .iter()
-            .filter(|i| !self.graph.is_zero(self.matrix[**i][**i]));
-        candidates.copied().min_by_key(|i| {
-            let pivot = self.matrix[*i][*i];
-            let varies = self
-                .graph
-                .contains(&[pivot], |symbol| !matches!(symbol, Symbol::Parameter(_)));
-            let others = waiting
-                .iter()
-                .filter(|j| *j != i && !self.graph.is_zero(self.matrix[*i][**j]));
-            (
-                varies,
-                others.count(),
-                self.graph.descendants(&[pivot]).len(),
-                *i,
-            )
-        })
-    }
-
-    /// Subtracts multiples of the pivot's row from the others.
-    fn eliminate(&mut self, pivot: usize, waiting: &[usize]) {
-        for i in waiting {
-            if self.graph.is_zero(self.matrix[*i][pivot]) {
-                continue;
-            }
-            let factor = self
-                .graph
-                .divide(self.matrix[*i][pivot], self.matrix[pivot][pivot]);
-            for j in waiting.iter().filter(|j| *j <= i) {
-                let change = self.graph.multiply(factor, self.matrix[*j][pivot]);
-                let mut entry = self.graph.subtract(self.matrix[*i][*j], change);
-                if self.matrix.len() > LARGEST_TRANSPARENT_ELIMINATION {
-                    entry = self.graph.opaque(entry);
-                }
-                self.matrix[*i][*j] = entry;
-                self.matrix[*j][*i] = entry;
-            }
+/// How entries are rewritten: opaque, if the matrix is large.
+fn rewriting(rows: usize) -> impl Fn(&mut Graph, Expression) -> Expression {
+    move |graph, entry| {
+        if rows > LARGEST_TRANSPARENT_ELIMINATION {
+            graph.opaque(entry)
+        } else {
+            entry
         }
     }
+}
+
+/// The next pivot: free of coordinates, then of minimum degree, then the shortest.
+fn best_pivot(graph: &Graph, matrix: &SymmetricElimination<usize>) -> Option<usize> {
+    let best = matrix.pivots().min_by_key(|(i, pivot, degree)| {
+        let varies = graph.contains(&[*pivot], |symbol| !matches!(symbol, Symbol::Parameter(_)));
+        (varies, *degree, graph.descendants(&[*pivot]).len(), *i)
+    });
+    best.map(|(i, ..)| i)
 }
