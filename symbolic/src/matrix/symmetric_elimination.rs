@@ -85,6 +85,12 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
         }
     }
 
+    /// Adds to an entry, on both sides of the diagonal.
+    pub(crate) fn add(&mut self, graph: &mut Graph, u: U, v: U, change: Expression) {
+        let after = graph.add(self.entry(graph, u, v), change);
+        self.set(graph, u, v, after);
+    }
+
     fn entry(&self, graph: &Graph, u: U, v: U) -> Expression {
         let entry = self.rows.get(&u).and_then(|row| row.get(&v));
         entry.copied().unwrap_or(graph.zero())

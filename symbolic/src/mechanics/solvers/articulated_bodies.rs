@@ -12,6 +12,7 @@
 use std::collections::BTreeMap;
 
 use crate::limits::LONGEST_TRANSPARENT_INERTIA;
+use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
 use crate::{Expression, Graph, Node, Rational};
 
@@ -25,22 +26,15 @@ enum Unknown {
 /// One step of the factorization.
 enum EliminationStep {
     Substitute(Substitution),
-    Eliminate(Elimination),
+    /// Elimination of q̈ⱼ.
+    Eliminate(usize, PivotRow<Unknown>),
 }
 
-/// Substitution of ẇₖ = Σ parts for ẇₖ in `own`·½ẇₖ² + ẇₖ Σ row.
+/// Substitution of ẇₖ = Σ parts for ẇₖ, with its row of the quadratic form.
 struct Substitution {
     form: usize,
     parts: Vec<(Unknown, Expression)>,
-    own: Expression,
-    row: Vec<(Unknown, Expression)>,
-}
-
-/// Elimination of q̈ⱼ: D q̈ⱼ = h − Σ row·x.
-struct Elimination {
-    coordinate: usize,
-    pivot: Expression,
-    row: Vec<(Unknown, Expression)>,
+    row: PivotRow<Unknown>,
 }
 
 /// The factored equations of a tree.
@@ -65,7 +59,7 @@ impl ArticulatedBodies {
         let mut pivots: Vec<_> = steps
             .iter()
             .filter_map(|step| match step {
-                EliminationStep::Eliminate(elimination) => Some(elimination.pivot),
+                EliminationStep::Eliminate(_, row) => Some(row.pivot),
                 EliminationStep::Substitute(_) => None,
             })
             .collect();
@@ -106,26 +100,27 @@ impl ArticulatedBodies {
         right: &[Expression],
         velocity_products: &[Expression],
     ) -> Vec<Expression> {
-        let mut right_hand_side = RightHandSide::new(right);
-        let mut rights = vec![graph.zero(); right.len()];
+        let forces = right.iter().enumerate();
+        let forces = forces.map(|(i, force)| (Unknown::Coordinate(i), *force));
+        let mut right_hand_side = RightHandSide(forces.collect());
         for step in &self.steps {
             match step {
                 EliminationStep::Substitute(step) => {
                     right_hand_side.substitute(graph, step, velocity_products[step.form]);
                 }
-                EliminationStep::Eliminate(step) => {
-                    rights[step.coordinate] = right_hand_side.eliminate(graph, step);
+                EliminationStep::Eliminate(_, row) => {
+                    row.reduce_right(graph, &mut right_hand_side.0, opaque_unless_short);
                 }
             }
         }
-        self.back_substitute(graph, &rights, velocity_products)
+        self.back_substitute(graph, &right_hand_side, velocity_products)
     }
 
     /// The accelerations, from the last elimination back to the first.
     fn back_substitute(
         &self,
         graph: &mut Graph,
-        rights: &[Expression],
+        right_hand_side: &RightHandSide,
         velocity_products: &[Expression],
     ) -> Vec<Expression> {
         let zero = graph.zero();
@@ -136,17 +131,13 @@ impl ArticulatedBodies {
             rates: vec![None; self.tree.forms.len()],
         };
         for step in self.steps.iter().rev() {
-            let EliminationStep::Eliminate(step) = step else {
+            let EliminationStep::Eliminate(coordinate, row) = step else {
                 continue;
             };
-            let mut terms = vec![(rights[step.coordinate], Rational::ONE)];
-            for (unknown, entry) in &step.row {
-                let value = known.value(graph, *unknown).unwrap_or(zero);
-                terms.push((graph.multiply(*entry, value), Rational::MINUS_ONE));
-            }
-            let rest = graph.sum(terms);
-            let acceleration = graph.divide(rest, step.pivot);
-            known.accelerations[step.coordinate] = Some(graph.opaque(acceleration));
+            let acceleration = row.solve(graph, &right_hand_side.0, |graph, unknown| {
+                known.value(graph, unknown).unwrap_or(zero)
+            });
+            known.accelerations[*coordinate] = Some(graph.opaque(acceleration));
         }
         let accelerations = known.accelerations.into_iter();
         accelerations.map(|value| value.unwrap_or(zero)).collect()
@@ -156,8 +147,8 @@ impl ArticulatedBodies {
 /// ½ xᵀ H x over the remaining unknowns.
 struct Quadratic<'a> {
     tree: &'a KinematicTree,
-    /// The rows of H, both triangles, without zeros.
-    rows: BTreeMap<Unknown, BTreeMap<Unknown, Expression>>,
+    /// H.
+    matrix: SymmetricElimination<Unknown>,
     /// Which forms have been substituted.
     done: Vec<bool>,
     steps: Vec<EliminationStep>,
@@ -165,18 +156,9 @@ struct Quadratic<'a> {
 
 impl<'a> Quadratic<'a> {
     fn new(graph: &Graph, tree: &'a KinematicTree) -> Self {
-        let mut rows: BTreeMap<Unknown, BTreeMap<Unknown, Expression>> = BTreeMap::new();
-        for (k, row) in tree.inertia.iter().enumerate() {
-            let entries = row
-                .iter()
-                .enumerate()
-                .filter(|(_, entry)| !graph.is_zero(**entry));
-            let entries = entries.map(|(l, entry)| (Unknown::Rate(l), *entry));
-            rows.insert(Unknown::Rate(k), entries.collect());
-        }
         Self {
             tree,
-            rows,
+            matrix: SymmetricElimination::new(graph, &tree.inertia, Unknown::Rate),
             done: vec![false; tree.forms.len()],
             steps: Vec::new(),
         }
@@ -205,103 +187,47 @@ impl<'a> Quadratic<'a> {
         for k in self.forms_above(coordinate) {
             self.substitute(graph, k);
         }
-        let unknown = Unknown::Coordinate(coordinate);
-        let mut row = self.rows.remove(&unknown)?;
-        let pivot = row.remove(&unknown)?;
-        if row.len() > limit {
+        let row = self.matrix.take(graph, Unknown::Coordinate(coordinate));
+        if graph.is_zero(row.pivot) || row.others.len() > limit {
             return None;
         }
-        for (u, entry) in &row {
-            let factor = graph.divide(*entry, pivot);
-            for (v, other) in row.range(..=u) {
-                let change = graph.multiply(factor, *other);
-                let change = graph.negate(change);
-                self.add(graph, *u, *v, change);
-            }
-            if let Some(entries) = self.rows.get_mut(u) {
-                entries.remove(&unknown);
-            }
-        }
-        self.make_opaque(graph, &row);
-        self.steps.push(EliminationStep::Eliminate(Elimination {
-            coordinate,
-            pivot,
-            row: row.into_iter().collect(),
-        }));
+        self.matrix.reduce(graph, &row, opaque_unless_short);
+        self.steps.push(EliminationStep::Eliminate(coordinate, row));
         Some(())
-    }
-
-    /// Makes the entries of H among these unknowns opaque.
-    fn make_opaque(&mut self, graph: &mut Graph, row: &BTreeMap<Unknown, Expression>) {
-        for u in row.keys() {
-            if let Some(entries) = self.rows.get_mut(u) {
-                for (v, entry) in entries.iter_mut() {
-                    if row.contains_key(v) {
-                        *entry = opaque_unless_short(graph, *entry);
-                    }
-                }
-            }
-        }
-    }
-
-    /// H(u, v) += change, on both sides of the diagonal.
-    fn add(&mut self, graph: &mut Graph, u: Unknown, v: Unknown, change: Expression) {
-        let zero = graph.zero();
-        let before = self
-            .rows
-            .get(&u)
-            .and_then(|row| row.get(&v))
-            .copied()
-            .unwrap_or(zero);
-        let after = graph.add(before, change);
-        for (x, y) in [(u, v), (v, u)] {
-            let row = self.rows.entry(x).or_default();
-            if graph.is_zero(after) {
-                row.remove(&y);
-            } else {
-                row.insert(y, after);
-            }
-        }
     }
 
     /// Substitutes ẇₖ = ẇₚ + Σ e q̈ in the quadratic form.
     fn substitute(&mut self, graph: &mut Graph, k: usize) {
         self.done[k] = true;
         let form = &self.tree.forms[k];
-        let (zero, one) = (graph.zero(), graph.one());
+        let one = graph.one();
         let local = form
             .local
             .iter()
             .map(|(i, e)| (Unknown::Coordinate(*i), *e));
         let parent = form.parent.map(|parent| (Unknown::Rate(parent), one));
         let parts: Vec<_> = local.chain(parent).collect();
-        let unknown = Unknown::Rate(k);
-        let mut row = self.rows.remove(&unknown).unwrap_or_default();
-        let own = row.remove(&unknown).unwrap_or(zero);
+        let row = self.matrix.take(graph, Unknown::Rate(k));
         for (position, (u, s)) in parts.iter().enumerate() {
-            let scaled = graph.multiply(*s, own);
+            let scaled = graph.multiply(*s, row.pivot);
             for (v, t) in &parts[..=position] {
                 let change = graph.multiply(scaled, *t);
-                self.add(graph, *u, *v, change);
+                self.matrix.add(graph, *u, *v, change);
             }
         }
-        for (v, entry) in &row {
-            if let Some(entries) = self.rows.get_mut(v) {
-                entries.remove(&unknown);
-            }
+        for (v, entry) in &row.others {
             for (u, s) in &parts {
                 let mut change = graph.multiply(*s, *entry);
                 if u == v {
                     change = graph.scale(change, &Rational::integer(2));
                 }
-                self.add(graph, *u, *v, change);
+                self.matrix.add(graph, *u, *v, change);
             }
         }
         self.steps.push(EliminationStep::Substitute(Substitution {
             form: k,
             parts,
-            own,
-            row: row.into_iter().collect(),
+            row,
         }));
     }
 }
@@ -310,15 +236,6 @@ impl<'a> Quadratic<'a> {
 struct RightHandSide(BTreeMap<Unknown, Expression>);
 
 impl RightHandSide {
-    fn new(right: &[Expression]) -> Self {
-        let right = right.iter().enumerate();
-        Self(
-            right
-                .map(|(i, force)| (Unknown::Coordinate(i), *force))
-                .collect(),
-        )
-    }
-
     fn of(&self, graph: &Graph, unknown: Unknown) -> Expression {
         self.0.get(&unknown).copied().unwrap_or(graph.zero())
     }
@@ -332,29 +249,16 @@ impl RightHandSide {
 
     /// The same substitution in the linear terms, with ẇₖ = Σ parts + the velocity-product acceleration.
     fn substitute(&mut self, graph: &mut Graph, step: &Substitution, velocity_product: Expression) {
-        let own = graph.multiply(step.own, velocity_product);
+        let own = graph.multiply(step.row.pivot, velocity_product);
         let before = self.of(graph, Unknown::Rate(step.form));
         let force = graph.subtract(before, own);
         for (u, s) in &step.parts {
             self.add(graph, *u, *s, force);
         }
         let opposite = graph.negate(velocity_product);
-        for (v, entry) in &step.row {
+        for (v, entry) in &step.row.others {
             self.add(graph, *v, *entry, opposite);
         }
-    }
-
-    /// The right-hand side of the eliminated coordinate.
-    fn eliminate(&mut self, graph: &mut Graph, step: &Elimination) -> Expression {
-        let right = self.of(graph, Unknown::Coordinate(step.coordinate));
-        for (u, entry) in &step.row {
-            let factor = graph.divide(*entry, step.pivot);
-            let change = graph.multiply(factor, right);
-            let before = self.of(graph, *u);
-            let after = graph.subtract(before, change);
-            self.0.insert(*u, opaque_unless_short(graph, after));
-        }
-        right
     }
 }
 
