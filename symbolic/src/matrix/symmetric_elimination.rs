@@ -48,6 +48,11 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
         rows.filter_map(|(u, row)| Some((*u, *row.get(u)?, row.len() - 1)))
     }
 
+    /// Whether the matrix vanishes.
+    pub(crate) fn is_zero(&self) -> bool {
+        self.rows.values().all(BTreeMap::is_empty)
+    }
+
     /// Takes the row and the column of an unknown out.
     pub(crate) fn take(&mut self, graph: &Graph, unknown: U) -> PivotRow<U> {
         let mut row = self.rows.remove(&unknown).unwrap_or_default();

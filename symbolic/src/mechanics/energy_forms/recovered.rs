@@ -5,6 +5,7 @@
 //! form to a sum of squares) gives the forms where the pivots are squares. The general top, expanded, gives its
 //! angular velocities back, and (4.5) with I₁ = I₂ becomes (4.7), in which ψ no longer appears.
 
+use crate::matrix::symmetric_elimination::SymmetricElimination;
 use crate::mechanics::energy_forms::quasi_velocities::{QuasiVelocities, is_constant};
 use crate::mechanics::expanded_energy::{is_quadratic, linear_part};
 use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
@@ -21,7 +22,7 @@ impl QuasiVelocities {
         }
         let (mut forms, mut diagonal) = (Vec::new(), Vec::new());
         for (inertia, metric) in by_constant(graph, mass)? {
-            let squares = squares(graph, metric)?;
+            let squares = squares(graph, &metric)?;
             diagonal.extend(squares.iter().map(|_| inertia));
             forms.extend(squares);
         }
@@ -78,35 +79,25 @@ fn split_constant(graph: &mut Graph, monomial: Expression) -> (Expression, Expre
 
 /// Forms whose squares add up to q̇ᵀ A q̇, by elimination from the shortest pivot on, if all pivots are
 /// squares.
-fn squares(graph: &mut Graph, mut metric: Rows) -> Option<Vec<Expression>> {
+fn squares(graph: &mut Graph, metric: &Rows) -> Option<Vec<Expression>> {
     let mut forms = Vec::new();
-    let mut waiting: Vec<usize> = (0..metric.len()).collect();
-    while let Some(pivot) = waiting
-        .iter()
-        .copied()
-        .filter(|i| !graph.is_zero(metric[*i][*i]))
-        .min_by_key(|i| (graph.cost(&[metric[*i][*i]]), *i))
+    let mut metric = SymmetricElimination::new(graph, metric, |i| i);
+    while let Some((unknown, ..)) = metric
+        .pivots()
+        .min_by_key(|(i, pivot, _)| (graph.cost(&[*pivot]), *i))
     {
-        let root = graph.exact_root(metric[pivot][pivot])?;
+        let row = metric.take(graph, unknown);
+        let root = graph.exact_root(row.pivot)?;
         let mut terms = Vec::new();
-        for j in waiting.iter().copied() {
-            let velocity = graph.symbol(Symbol::Velocity(u32::try_from(j).ok()?));
-            let ratio = graph.divide(metric[pivot][j], root);
+        for (j, entry) in row.others.iter().chain([&(unknown, row.pivot)]) {
+            let velocity = graph.symbol(Symbol::Velocity(u32::try_from(*j).ok()?));
+            let ratio = graph.divide(*entry, root);
             terms.push((graph.multiply(ratio, velocity), Rational::ONE));
         }
         forms.push(graph.sum(terms));
-        waiting.retain(|i| *i != pivot);
-        for i in waiting.iter().copied() {
-            for j in waiting.iter().copied() {
-                let product = graph.multiply(metric[i][pivot], metric[j][pivot]);
-                let change = graph.divide(product, metric[pivot][pivot]);
-                let entry = graph.subtract(metric[i][j], change);
-                metric[i][j] = graph.simplest(entry);
-            }
-        }
+        metric.reduce(graph, &row, Graph::simplest);
     }
-    let vanishes = |i: &usize| waiting.iter().all(|j| graph.is_zero(metric[*i][*j]));
-    waiting.iter().all(vanishes).then_some(forms)
+    metric.is_zero().then_some(forms)
 }
 
 impl Graph {
