@@ -200,7 +200,7 @@ fn changes_of_terms(
     changes
 }
 
-/// The product_rule_factors of the product rule, multiplied by derivatives of the factor.
+/// The products of all factors but one in the product rule, multiplied by derivatives of the factor.
 ///
 /// In a chain, many products differ in one factor only, such as r·x₁, r·x₂ …, and those factors often
 /// change alike. Then one product r·dx is the derivative of them all, and is made once.
