@@ -126,7 +126,7 @@ fn altered_declarations_end_in_items() {
 }
 
 /// The expansion of a declaration with this potential, with the stack that the compiler has.
-fn expansion_with(potential: String) -> String {
+fn expansion_with(potential: &str) -> String {
     let declaration = format!(
         "#[lagrangian(coordinates(q), kinetic = 0.5 * m * dot(q).powi(2), potential = {potential})]
          struct Model {{ m: f64 }}"
@@ -152,9 +152,9 @@ fn what_is_too_deep_for_the_stack_is_refused_and_no_more() {
         (repeated(".sin()", 1000), repeated(".sin()", 10_000)),
         (negated(200), negated(50_000)),
     ] {
-        let expansion = expansion_with(within);
+        let expansion = expansion_with(&within);
         assert!(!expansion.contains("compile_error"), "{expansion:.300}");
-        let expansion = expansion_with(beyond);
+        let expansion = expansion_with(&beyond);
         assert!(expansion.contains("compile_error"));
         assert!(expansion.contains("under `define`"), "{expansion:.300}");
     }
