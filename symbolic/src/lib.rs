@@ -41,8 +41,11 @@ pub use print::names::{Letters, Names};
 pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
+pub use program::taylor::{AccelerationOperands, Convolution, TaylorProgram};
 pub use program::verify::Fault;
-pub use validation::{AccelerationProgram, LinearizationProgram, Method, Programs, Validator};
+pub use validation::{
+    AccelerationProgram, LinearizationProgram, Method, Programs, SeriesCheck, Validator,
+};
 
 /// No part of the interface.
 #[doc(hidden)]

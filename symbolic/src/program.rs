@@ -9,3 +9,4 @@ pub(crate) mod schedule;
 pub(crate) mod staging;
 pub(crate) mod interpret;
 pub(crate) mod verify;
+pub(crate) mod taylor;

@@ -11,13 +11,16 @@ mod validator;
 mod linearization_check;
 mod comparison;
 mod hyper_dual;
+mod jet;
 mod lagrange;
 mod number;
 mod perturbation;
 mod programs;
+mod series_check;
 mod square_matrix;
 mod sum_with_size;
 mod tape;
 
 pub use programs::{AccelerationProgram, LinearizationProgram, Method, Programs};
+pub use series_check::SeriesCheck;
 pub use validator::Validator;

@@ -29,11 +29,13 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Input(i) => field(&quantities.inputs, i),
             Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
+            // Symbols of recurrences, which are read from their terms.
+            Symbol::Order | Symbol::ReciprocalOrder | Symbol::Convolution(_) => TokenStream::new(),
         }
     }
 }
 
-fn element(vector: &TokenStream, index: u32) -> TokenStream {
+pub(super) fn element(vector: &TokenStream, index: u32) -> TokenStream {
     let index = Literal::u32_unsuffixed(index);
     quote!(#vector[#index])
 }

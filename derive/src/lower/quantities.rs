@@ -111,6 +111,9 @@ impl Quantities {
             Symbol::Input(i) => component(&self.inputs, i),
             Symbol::Invariant(i) => format!("c{i}"),
             Symbol::Argument(i) => format!("x{i}"),
+            Symbol::Order => "k".to_owned(),
+            Symbol::ReciprocalOrder => "k_recip".to_owned(),
+            Symbol::Convolution(i) => format!("s{i}"),
         }
     }
 }

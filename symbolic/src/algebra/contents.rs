@@ -41,6 +41,8 @@ impl Contents {
             Symbol::Input(_) => Self::INPUT,
             Symbol::Invariant(_) => Self::INVARIANT,
             Symbol::Argument(_) => Self::ARGUMENT,
+            // Symbols of programs, which no expression contains.
+            Symbol::Order | Symbol::ReciprocalOrder | Symbol::Convolution(_) => 0,
         }
     }
 

@@ -15,10 +15,17 @@ pub enum Symbol {
     Parameter(u32),
     /// An input: a given function of time, its derivative unknown.
     Input(u32),
-    /// An invariant: a value that depends on parameters alone, computed by the setup program.
+    /// An invariant: a value that depends on parameters alone, computed by the setup program; in the recurrence of a
+    /// [Taylor series](crate::TaylorProgram), a value that does not depend on the order.
     Invariant(u32),
     /// An argument of an external function, in the expressions of its declared derivatives.
     Argument(u32),
+    /// The order k, in the recurrence of a Taylor series.
+    Order,
+    /// 1/k.
+    ReciprocalOrder,
+    /// A [convolution](crate::Convolution) of terms of orders below k.
+    Convolution(u32),
 }
 
 impl Symbol {
@@ -33,6 +40,9 @@ impl Symbol {
             Self::Input(index) => (5, index),
             Self::Invariant(index) => (6, index),
             Self::Argument(index) => (7, index),
+            Self::Order => (8, 0),
+            Self::ReciprocalOrder => (9, 0),
+            Self::Convolution(index) => (10, index),
         }
     }
 }

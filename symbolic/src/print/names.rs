@@ -87,6 +87,8 @@ impl Letters {
             Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
             Symbol::Invariant(index) => (find(&[], "c", index), 0),
             Symbol::Argument(index) => (find(&[], "x", index), 0),
+            Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
+            Symbol::Convolution(index) => (find(&[], "s", index), 0),
         }
     }
 }

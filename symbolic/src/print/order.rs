@@ -21,7 +21,11 @@ pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
     match symbol {
         Symbol::Parameter(index) => (2, index),
         Symbol::Time => (3, 0),
-        Symbol::Input(index) | Symbol::Invariant(index) | Symbol::Argument(index) => (4, index),
+        Symbol::Input(index)
+        | Symbol::Invariant(index)
+        | Symbol::Argument(index)
+        | Symbol::Convolution(index) => (4, index),
+        Symbol::Order | Symbol::ReciprocalOrder => (3, 1),
         Symbol::Coordinate(index) => (5, index),
         Symbol::Velocity(index) => (6, index),
         Symbol::Acceleration(index) => (7, index),

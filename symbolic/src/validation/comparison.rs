@@ -13,8 +13,9 @@ pub(crate) struct Comparison {
 }
 
 impl Comparison {
-    pub(crate) fn is_negligible(&self) -> bool {
-        self.difference.abs() <= NEGLIGIBLE_DIFFERENCE * self.size
+    /// Whether the difference is finite and more than negligible.
+    pub(crate) fn is_significant(&self) -> bool {
+        self.difference.is_finite() && self.difference.abs() > NEGLIGIBLE_DIFFERENCE * self.size
     }
 }
 

@@ -22,7 +22,7 @@ pub(crate) struct HyperDual {
 }
 
 /// f, f′, f″ and f‴ at a number.
-type Derivatives = [f64; 4];
+pub(super) type Derivatives = [f64; 4];
 
 impl HyperDual {
     pub(crate) const fn constant(value: f64) -> Self {
@@ -201,7 +201,7 @@ pub(crate) fn real_power(x: f64, k: f64) -> f64 {
     libm::pow(x, k)
 }
 
-fn power_derivatives(x: f64, k: f64) -> Derivatives {
+pub(super) fn power_derivatives(x: f64, k: f64) -> Derivatives {
     if k == 2.0 {
         return [x * x, 2.0 * x, 2.0, 0.0];
     }
@@ -230,7 +230,7 @@ const fn repeating(f: f64, slope: f64) -> Derivatives {
 
 /// f, f′, f″ and f‴ of the elementary functions: Abramowitz and Stegun, Handbook of Mathematical
 /// Functions (1964), 4.3, 4.4, 4.5 and 4.6.
-fn derivatives(function: Unary, x: f64) -> Derivatives {
+pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
     let f = function.value(x);
     match function {
         Unary::Sin => alternating(f, libm::cos(x)),

@@ -274,7 +274,10 @@ fn moving(
         Symbol::Acceleration(_)
         | Symbol::Parameter(_)
         | Symbol::Invariant(_)
-        | Symbol::Argument(_) => {}
+        | Symbol::Argument(_)
+        | Symbol::Order
+        | Symbol::ReciprocalOrder
+        | Symbol::Convolution(_) => {}
     }
     number
 }

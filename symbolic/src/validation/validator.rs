@@ -70,18 +70,19 @@ impl Validator {
                 continue;
             };
             points += 1;
-            let mut unexplained = false;
-            let mut missing = BTreeSet::new();
-            for comparison in &comparisons {
-                if !comparison.difference.is_finite() {
-                    missing.insert(comparison.method);
-                } else if !comparison.is_negligible() && !found.contains(&comparison.method) {
-                    unexplained = true;
-                }
-            }
-            undefined.extend(missing);
-            if unexplained {
-                self.explain(&tapes, point, &comparisons, &mut found);
+            let missing = comparisons.iter();
+            let missing = missing.filter(|comparison| !comparison.difference.is_finite());
+            undefined.extend(
+                missing
+                    .map(|comparison| comparison.method)
+                    .collect::<BTreeSet<_>>(),
+            );
+            let compare = |perturbation| self.compare(&tapes, point, perturbation);
+            if comparisons
+                .iter()
+                .any(|x| x.is_significant() && !found.contains(&x.method))
+            {
+                found.extend(unexplained(&comparisons, &compare));
             }
             if points == VALIDATED_POINTS {
                 break;
@@ -98,36 +99,6 @@ impl Validator {
             found.retain(|method| method.takes_first_derivatives());
         }
         found
-    }
-
-    /// Finds the differences that conditioning does not explain.
-    fn explain(
-        &self,
-        tapes: &Tapes,
-        point: RealPoint,
-        comparisons: &[Comparison],
-        found: &mut BTreeSet<Method>,
-    ) {
-        let mut explained = vec![0.0_f64; comparisons.len()];
-        for seed in 1..=PERTURBED_RUNS {
-            let Some(perturbed) = self.compare(tapes, point, Perturbation(Some(seed))) else {
-                return;
-            };
-            for ((most, before), after) in explained.iter_mut().zip(comparisons).zip(&perturbed) {
-                let change = (after.difference - before.difference).abs();
-                *most = if change.is_finite() {
-                    most.max(change)
-                } else {
-                    f64::INFINITY
-                };
-            }
-        }
-        for (comparison, explained) in comparisons.iter().zip(explained) {
-            let difference = comparison.difference.abs();
-            if !comparison.is_negligible() && difference > PERTURBATION_MARGIN * explained {
-                found.insert(comparison.method);
-            }
-        }
     }
 
     /// All differences at a point; none outside of the domain.
@@ -169,6 +140,38 @@ impl Validator {
         }
         Some(comparisons.0)
     }
+}
+
+/// The methods with differences that conditioning does not explain, where `compare` makes the comparisons once more with
+/// a perturbation.
+pub(crate) fn unexplained(
+    comparisons: &[Comparison],
+    compare: &dyn Fn(Perturbation) -> Option<Vec<Comparison>>,
+) -> BTreeSet<Method> {
+    if !comparisons.iter().any(Comparison::is_significant) {
+        return BTreeSet::new();
+    }
+    let mut explained = vec![0.0_f64; comparisons.len()];
+    for seed in 1..=PERTURBED_RUNS {
+        let Some(perturbed) = compare(Perturbation(Some(seed))) else {
+            return BTreeSet::new();
+        };
+        for ((most, before), after) in explained.iter_mut().zip(comparisons).zip(&perturbed) {
+            let change = (after.difference - before.difference).abs();
+            *most = if change.is_finite() {
+                most.max(change)
+            } else {
+                f64::INFINITY
+            };
+        }
+    }
+    let differences = comparisons.iter().zip(explained);
+    let differences = differences.filter(|(comparison, explained)| {
+        comparison.is_significant() && comparison.difference.abs() > PERTURBATION_MARGIN * explained
+    });
+    differences
+        .map(|(comparison, _)| comparison.method)
+        .collect()
 }
 
 /// Lagrange's equations at one point.

@@ -72,7 +72,12 @@ pub fn value(symbol: Symbol) -> f64 {
         Symbol::Velocity(i) => 1.1 - 0.6 * f64::from(i),
         Symbol::Acceleration(i) => -0.5 + 0.9 * f64::from(i),
         Symbol::Parameter(i) => 1.3 + 0.5 * f64::from(i),
-        Symbol::Input(_) | Symbol::Invariant(_) | Symbol::Argument(_) => 0.2,
+        Symbol::Input(_)
+        | Symbol::Invariant(_)
+        | Symbol::Argument(_)
+        | Symbol::Order
+        | Symbol::ReciprocalOrder
+        | Symbol::Convolution(_) => 0.2,
     }
 }
 

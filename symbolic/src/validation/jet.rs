@@ -1,0 +1,109 @@
+//! Jets: polynomials of order 3 in a time, truncated (Griewank and Walther, Evaluating Derivatives, 2nd edition 2008,
+//! chapter 13).
+//!
+//! Functions are composed by Faà di Bruno's formula from three derivatives, not by recurrences.
+
+#![allow(clippy::float_cmp)] // Kinks are where arguments are equal.
+
+use crate::validation::hyper_dual::{Derivatives, derivatives, power_derivatives};
+use crate::validation::number::Number;
+use crate::{Binary, Unary};
+
+/// The coefficients of order 0 to 3.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Jet(pub(crate) [f64; 4]);
+
+impl Jet {
+    /// f of this jet, by the derivatives of f at its value.
+    fn lifted(self, [f, first, second, third]: Derivatives) -> Self {
+        let [_, a, b, c] = self.0;
+        Self([
+            f,
+            first * a,
+            first * b + second * a * a / 2.0,
+            first * c + second * a * b + third * a * a * a / 6.0,
+        ])
+    }
+
+    fn is_constant(self) -> bool {
+        self.0[1..].iter().all(|x| *x == 0.0)
+    }
+
+    fn zipped(self, y: Self, operation: impl Fn(f64, f64) -> f64) -> Self {
+        Self(core::array::from_fn(|k| operation(self.0[k], y.0[k])))
+    }
+}
+
+impl Number for Jet {
+    const ZERO: Self = Self([0.0; 4]);
+
+    fn constant(value: f64) -> Self {
+        Self([value, 0.0, 0.0, 0.0])
+    }
+
+    fn value(self) -> f64 {
+        self.0[0]
+    }
+
+    fn add(self, y: Self) -> Self {
+        self.zipped(y, |x, y| x + y)
+    }
+
+    fn subtract(self, y: Self) -> Self {
+        self.zipped(y, |x, y| x - y)
+    }
+
+    fn multiply(self, y: Self) -> Self {
+        Self(core::array::from_fn(|k| {
+            (0..=k).map(|i| self.0[i] * y.0[k - i]).sum()
+        }))
+    }
+
+    fn divide(self, y: Self) -> Self {
+        self.multiply(y.power(-1.0))
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self(self.0.map(|x| x * factor))
+    }
+
+    fn power(self, k: f64) -> Self {
+        self.lifted(power_derivatives(self.value(), k))
+    }
+
+    fn unary(self, function: Unary) -> Self {
+        self.lifted(derivatives(function, self.value()))
+    }
+
+    fn binary(self, function: Binary, y: Self) -> Self {
+        let greater = self.value() > y.value();
+        match function {
+            Binary::Atan2 => {
+                let value = function.value(self.value(), y.value());
+                let square = self.multiply(self).add(y.multiply(y));
+                let slopes = [y.divide(square), self.divide(square).scaled(-1.0)];
+                Self::composed(value, &slopes, &[self, y])
+            }
+            Binary::Min | Binary::Max if self.value() == y.value() => self.add(y).scaled(0.5),
+            Binary::Min if greater => y,
+            Binary::Max if !greater => y,
+            Binary::Min | Binary::Max => self,
+            Binary::Power if y.is_constant() => self.power(y.value()),
+            Binary::Power => y.multiply(self.unary(Unary::Ln)).unary(Unary::Exp),
+        }
+    }
+
+    /// Σ fᵢ ẋᵢ, integrated.
+    fn composed(value: f64, slopes: &[Self], arguments: &[Self]) -> Self {
+        let mut coefficients = [value, 0.0, 0.0, 0.0];
+        let orders = [1.0, 2.0, 3.0];
+        for (slope, x) in slopes.iter().zip(arguments) {
+            for k in 1..4 {
+                for i in 1..=k {
+                    coefficients[k] += slope.0[k - i] * x.0[i] * orders[i - 1] / orders[k - 1];
+                }
+            }
+        }
+        Self(coefficients)
+    }
+}

@@ -1,0 +1,218 @@
+//! Whether the recurrence of a Taylor series gives the time derivatives of the accelerations.
+//!
+//! The coefficients of order 1, 2 and 3 are computed twice: by the recurrence, and from the program for q̈ on jets. A
+//! recurrence is the same for all orders; in order 3 the factors of order 2 of every convolution count.
+
+use crate::identity::real_point::RealPoint;
+use crate::limits::{VALIDATED_POINTS, VALIDATION_ATTEMPTS};
+use crate::program::taylor::TaylorProgram;
+use crate::validation::comparison::{Comparison, Comparisons};
+use crate::validation::jet::Jet;
+use crate::validation::number::Number as _;
+use crate::validation::perturbation::Perturbation;
+use crate::validation::programs::{AccelerationProgram, Method};
+use crate::validation::square_matrix::SquareMatrix;
+use crate::validation::tape::Tape;
+use crate::validation::validator::unexplained;
+use crate::{Program, Symbol};
+
+/// The coefficients of the accelerations, of order 0 to 3.
+type Coefficients = [Vec<f64>; 4];
+
+/// The tapes of what is compared.
+pub struct SeriesCheck {
+    preparation: Tape,
+    accelerations: Tape,
+    initial: Tape,
+    recurrence: Tape,
+    convolutions: Vec<[usize; 2]>,
+    coordinates: usize,
+    /// The number of pivots before q̈, unless M and f are computed.
+    pivots: Option<usize>,
+    invariants: usize,
+}
+
+impl SeriesCheck {
+    /// The check of `taylor`, which was made of the program `accelerations` with the setup program `preparation`.
+    #[must_use]
+    pub fn new(
+        preparation: &Program,
+        accelerations: AccelerationProgram<'_>,
+        taylor: &TaylorProgram,
+        coordinates: usize,
+    ) -> Self {
+        let (accelerations, pivots) = match accelerations {
+            AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
+            AccelerationProgram::System(program) => (program, None),
+        };
+        let last = taylor.initial.groups.last();
+        let pairs = taylor.convolutions.iter();
+        Self {
+            preparation: Tape::of_program(preparation),
+            accelerations: Tape::of_program(accelerations),
+            initial: Tape::of_program(&taylor.initial),
+            recurrence: Tape::of_program(&taylor.recurrence),
+            convolutions: pairs.map(|pair| [pair.0, pair.1]).collect(),
+            coordinates,
+            pivots,
+            invariants: last.map_or(0, |group| group.outputs.len()),
+        }
+    }
+
+    /// Whether the two agree at random points of the domain, and exist at most of them; true if there is none.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        let (mut points, mut undefined) = (0, 0);
+        for number in 0..VALIDATION_ATTEMPTS {
+            let point = RealPoint::new(number);
+            let compare = |perturbation| self.compare(point, perturbation);
+            let Some(comparisons) = compare(Perturbation(None)) else {
+                continue;
+            };
+            points += 1;
+            if comparisons.iter().any(|x| !x.difference.is_finite()) {
+                undefined += 1;
+            }
+            if !unexplained(&comparisons, &compare).is_empty() {
+                return false;
+            }
+            if points == VALIDATED_POINTS {
+                break;
+            }
+        }
+        2 * undefined <= points
+    }
+
+    /// The differences of the coefficients at a point; none outside of the domain.
+    fn compare(&self, point: RealPoint, perturbation: Perturbation) -> Option<Vec<Comparison>> {
+        let prepared = |symbol: Symbol| point.value(symbol);
+        let prepared = self.preparation.evaluate(&prepared, perturbation);
+        let motion = self.motion(point, &prepared, perturbation)?;
+        let found = self.recurrence(point, &prepared, &motion, perturbation)?;
+        let mut comparisons = Comparisons::default();
+        for (found, expected) in found.iter().zip(&motion).skip(1) {
+            comparisons.values(Method::Accelerations, found, expected);
+        }
+        Some(comparisons.0)
+    }
+
+    /// The coefficients of the accelerations, by automatic differentiation.
+    fn motion(
+        &self,
+        point: RealPoint,
+        prepared: &[f64],
+        perturbation: Perturbation,
+    ) -> Option<Coefficients> {
+        let mut motion: Coefficients = core::array::from_fn(|_| vec![0.0; self.coordinates]);
+        for order in 0..motion.len() {
+            let along = self.along(point, prepared, &motion, perturbation);
+            motion[order] = self.solution(&along, &motion, order)?;
+        }
+        let is_finite = motion.iter().flatten().all(|x| x.is_finite());
+        is_finite.then_some(motion)
+    }
+
+    /// The outputs of the program along the motion, as far as it is known.
+    fn along(
+        &self,
+        point: RealPoint,
+        prepared: &[f64],
+        motion: &Coefficients,
+        perturbation: Perturbation,
+    ) -> Vec<Jet> {
+        let symbol = |symbol: Symbol| {
+            let value = point.value(symbol);
+            match symbol {
+                Symbol::Time => Jet([value, 1.0, 0.0, 0.0]),
+                Symbol::Coordinate(i) => {
+                    let velocity = point.value(Symbol::Velocity(i));
+                    let i = i as usize;
+                    Jet([value, velocity, motion[0][i] / 2.0, motion[1][i] / 6.0])
+                }
+                Symbol::Velocity(i) => {
+                    let i = i as usize;
+                    Jet([value, motion[0][i], motion[1][i] / 2.0, motion[2][i] / 3.0])
+                }
+                Symbol::Invariant(i) => Jet::constant(prepared[i as usize]),
+                _ => Jet::constant(value),
+            }
+        };
+        let values = self.accelerations.run(&symbol, perturbation);
+        let slots = self.accelerations.outputs().iter();
+        slots.map(|slot| values[*slot as usize]).collect()
+    }
+
+    /// The coefficient of this order of the accelerations, where those of lower orders are known.
+    fn solution(&self, outputs: &[Jet], motion: &Coefficients, order: usize) -> Option<Vec<f64>> {
+        let of_order = |part: &[Jet], order: usize| -> Vec<f64> {
+            part.iter().map(|jet| jet.0[order]).collect()
+        };
+        if let Some(pivots) = self.pivots {
+            return Some(of_order(&outputs[pivots..], order));
+        }
+        // M₀ q̈ₖ = fₖ − Σ Mᵢ q̈ₖ₋ᵢ.
+        let (lower, forcing) = outputs.split_at(outputs.len() - self.coordinates);
+        let mass = |order| SquareMatrix::symmetric(&of_order(lower, order), self.coordinates);
+        let mut right = of_order(forcing, order);
+        for i in 1..=order {
+            for (x, product) in right.iter_mut().zip(mass(i).times(&motion[order - i])) {
+                *x -= product.total;
+            }
+        }
+        mass(0).solve(&right)
+    }
+
+    /// The coefficients by the recurrence, where that of order 0 is given.
+    fn recurrence(
+        &self,
+        point: RealPoint,
+        prepared: &[f64],
+        motion: &Coefficients,
+        perturbation: Perturbation,
+    ) -> Option<Coefficients> {
+        let n = self.coordinates;
+        let initial = |symbol: Symbol| match symbol {
+            Symbol::Acceleration(i) => motion[0][i as usize],
+            Symbol::Invariant(i) => prepared[i as usize],
+            _ => point.value(symbol),
+        };
+        let outputs = self.initial.evaluate(&initial, perturbation);
+        let (outputs, invariants) = outputs.split_at(outputs.len() - self.invariants);
+        let mut found = motion.clone();
+        // The factors of order 1, 2, …
+        let mut factors: Vec<Vec<f64>> = Vec::new();
+        for (k, order) in (1..).zip([1.0, 2.0, 3.0]) {
+            let term = |symbol: Symbol, accelerations: &[f64]| match symbol {
+                Symbol::Time => f64::from(u8::from(k == 1)),
+                Symbol::Coordinate(i) if k == 1 => point.value(Symbol::Velocity(i)),
+                Symbol::Coordinate(i) => motion[k - 2][i as usize] / (order * (order - 1.0)),
+                Symbol::Velocity(i) => motion[k - 1][i as usize] / order,
+                Symbol::Acceleration(i) => accelerations[i as usize],
+                Symbol::Order => order,
+                Symbol::ReciprocalOrder => 1.0 / order,
+                Symbol::Convolution(i) => {
+                    let [first, second] = self.convolutions[i as usize];
+                    let products =
+                        (1..k).map(|j| factors[j - 1][first] * factors[k - j - 1][second]);
+                    products.sum()
+                }
+                Symbol::Invariant(i) => invariants[i as usize],
+                _ => f64::NAN,
+            };
+            let unknown = vec![0.0; n];
+            let evaluate = |accelerations: &[f64]| {
+                let symbol = |symbol| term(symbol, accelerations);
+                self.recurrence.evaluate(&symbol, perturbation)
+            };
+            let mut terms = evaluate(&unknown);
+            found[k] = terms[..n].to_vec();
+            if self.pivots.is_none() {
+                let (lower, _) = outputs.split_at(outputs.len() - n);
+                found[k] = SquareMatrix::symmetric(lower, n).solve(&found[k])?;
+                terms = evaluate(&found[k]);
+            }
+            factors.push(terms.split_off(n));
+        }
+        Some(found)
+    }
+}

@@ -1,0 +1,113 @@
+//! Taylor series of programs, and the check that every expansion makes of them.
+
+use lagrangian_symbolic::{
+    AccelerationOperands, AccelerationProgram, Equations, Kinetics, Model, Operation, Program,
+    SeriesCheck, Staged, TaylorProgram,
+};
+use lagrangian_symbolic_testing::systems::{
+    Chain, cardan_rates, cart_pole, charged, driven_pendulum, euler_rates, indefinite, polar,
+    rigid_body, top,
+};
+
+/// The staged program of the accelerations of a model, or of M and f, and the number of pivots or of coordinates.
+struct Accelerations {
+    staged: Staged,
+    pivots: Option<usize>,
+    coordinates: usize,
+}
+
+impl Accelerations {
+    fn of(mut model: Model) -> Self {
+        let equations = Equations::derive(&mut model).unwrap();
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
+        let (outputs, pivots) = if let Some(solution) = &kinetics.solution {
+            let outputs = [&*solution.pivots, &solution.accelerations].concat();
+            (outputs, Some(solution.pivots.len()))
+        } else {
+            let rows = kinetics.system.mass.iter().enumerate();
+            let mut outputs: Vec<_> = rows.flat_map(|(i, row)| row[..=i].to_vec()).collect();
+            outputs.extend(&kinetics.system.forcing);
+            (outputs, None)
+        };
+        let program = Program::schedule_for_staging(&model.graph, &[&outputs]);
+        Self {
+            staged: program.staged(model.graph.passes),
+            pivots,
+            coordinates: equations.mass.len(),
+        }
+    }
+
+    fn taylor(&self) -> TaylorProgram {
+        let kernel = &self.staged.kernel;
+        let outputs = &kernel.groups[0].outputs;
+        let operands = if let Some(pivots) = self.pivots {
+            AccelerationOperands::Solved(&outputs[pivots..])
+        } else {
+            let (mass, forcing) = outputs.split_at(outputs.len() - self.coordinates);
+            AccelerationOperands::System(mass, forcing)
+        };
+        TaylorProgram::of(kernel, operands).unwrap()
+    }
+
+    fn agree_with(&self, taylor: &TaylorProgram) -> bool {
+        let kernel = &self.staged.kernel;
+        let program = match self.pivots {
+            Some(pivots) => AccelerationProgram::Solved(kernel, pivots),
+            None => AccelerationProgram::System(kernel),
+        };
+        SeriesCheck::new(&self.staged.setup, program, taylor, self.coordinates).agrees()
+    }
+}
+
+fn systems() -> Vec<(&'static str, Model)> {
+    vec![
+        ("driven pendulum", driven_pendulum()),
+        ("rigid body", rigid_body()),
+        ("symmetric top", top(euler_rates, [0, 0, 1])),
+        ("general top", top(cardan_rates, [0, 1, 2])),
+        ("cart and pole", cart_pole()),
+        ("polar", polar()),
+        ("charged", charged()),
+        ("indefinite", indefinite()),
+        ("three links", Chain::of(3).model()),
+    ]
+}
+
+#[test]
+fn recurrences_give_the_derivatives_of_the_accelerations() {
+    for (what, model) in systems() {
+        let accelerations = Accelerations::of(model);
+        assert!(accelerations.agree_with(&accelerations.taylor()), "{what}");
+    }
+}
+
+/// Every instruction and every convolution of a recurrence counts in the check.
+#[test]
+fn a_recurrence_with_an_error_anywhere_is_found_out() {
+    for (what, model) in systems() {
+        let accelerations = Accelerations::of(model);
+        let right = accelerations.taylor();
+        for index in 0..right.recurrence.groups[0].instructions.len() {
+            let mut wrong = right.clone();
+            let operation = &mut wrong.recurrence.groups[0].instructions[index].operation;
+            *operation = match operation.clone() {
+                Operation::Add(x, y) => Operation::Subtract(x, y),
+                Operation::Subtract(x, y) => Operation::Add(x, y),
+                Operation::Multiply(x, y) => Operation::Divide(x, y),
+                Operation::Negate(x) => Operation::Add(x.clone(), x),
+                other => panic!("{what}: {other:?} is no operation on terms"),
+            };
+            assert!(!accelerations.agree_with(&wrong), "{what}: {index}");
+        }
+        for index in 0..right.convolutions.len() {
+            let mut wrong = right.clone();
+            let factors = right.factors();
+            let pair = &mut wrong.convolutions[index];
+            pair.1 = (pair.1 + 1) % factors;
+            assert!(
+                !accelerations.agree_with(&wrong),
+                "{what}: convolution {index}"
+            );
+        }
+    }
+}
