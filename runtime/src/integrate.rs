@@ -12,6 +12,8 @@ mod stepper;
 mod compensated;
 mod runge_kutta;
 mod dormand_prince;
+mod tolerance;
+mod taylor;
 mod stop_condition;
 mod observer;
 mod outcome;
@@ -27,15 +29,16 @@ pub use dormand_prince::{Dop853, Dop853Stepper};
 pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
-pub use integrator::Integrator;
+pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
 pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
 pub use sample::{InitialValue, Sample};
 pub use singularity::Singularity;
-pub use stepper::{Statistics, Stepper};
+pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{
     Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
 };
+pub use taylor::{Convolutions, Series, Taylor, TaylorCoefficients, TaylorStepper};
 #[cfg(feature = "alloc")]
 pub use trajectory::{PartialTrajectory, Trajectory};

@@ -30,6 +30,7 @@
 //!   [`ExternalFunctions`] have the rest. A [`Plant`] is closed by static or dynamic feedback.
 //! - [`Dynamics`] is a system ẋ = f(t, x), which an [`Integrator`] steps; that of a model is
 //!   [`Lagrangian::dynamics`](trait@Lagrangian). A [`Driver`] adds stop conditions and observers.
+//!   [`Taylor`] steps what has a [`Series`]: models with the clause `taylor` do ([`MotionSeries`]).
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
 //!   [`DoubleDouble`], and dual numbers with the feature `num-dual`.
 //!
@@ -55,10 +56,11 @@ pub use model::emitted as __private;
 #[cfg(feature = "derivative-checks")]
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
-    ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Crossing, Dop853, Dop853Stepper, Driver,
-    Dynamics, InitialValue, IntegrationError, Integrator, MetConditions, ObservationKind, Observer,
-    Outcome, Predicate, Progress, RungeKutta, RungeKuttaStepper, Sample, Singularity, Statistics,
-    Stepper, StopCondition, StopReason, Unconditional, Unobserved, ZeroCrossing,
+    Advance, ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Convolutions, Crossing, Dop853,
+    Dop853Stepper, Driver, Dynamics, InitialValue, IntegrationError, IntegrationMethod, Integrator,
+    MetConditions, ObservationKind, Observer, Outcome, Predicate, Progress, RungeKutta,
+    RungeKuttaStepper, Sample, Series, Singularity, Statistics, Stepper, StopCondition, StopReason,
+    Taylor, TaylorCoefficients, TaylorStepper, Unconditional, Unobserved, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{PartialTrajectory, Trajectory};
@@ -67,8 +69,9 @@ pub use lagrangian_derive::Lagrangian;
 pub use linalg::{Factorization, IntoVector, VectorSpace};
 pub use model::{
     AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, ExternalFunctions,
-    FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, OperationCount,
-    Operations, Outputs, OutputsWith, Phase, Plant, State, WithController, WithInputs,
+    FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, MotionSeries,
+    OperationCount, Operations, Outputs, OutputsWith, Phase, Plant, State, WithController,
+    WithInputs,
 };
 pub use nalgebra;
 pub use num_traits;

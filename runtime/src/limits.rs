@@ -104,6 +104,36 @@ pub(crate) mod dormand_prince {
     pub(crate) const MAX_PROBES: f64 = 100.0;
 }
 
+/// The Taylor series method.
+pub(crate) mod taylor {
+    /// The unit of time of the first series, in times in which the state changes by its size.
+    pub(crate) const FIRST_UNIT: f64 = 0.125;
+
+    /// The factor by which the unit of time changes where the coefficients overflow: with a unit of half the exponents'
+    /// range less, coefficients of order 2 and more have smaller exponents.
+    pub(crate) const UNIT_CHANGE: f64 = 1.0 / 1_048_576.0;
+
+    /// Changes of the unit until the motion counts as without a Taylor series.
+    pub(crate) const UNIT_CHANGES: usize = 12;
+
+    /// The derivative at the end of a step may differ from that of the polynomial by this many tolerances over the step,
+    /// for each order: terms that are left out are of that size.
+    pub(crate) const RESIDUAL_PER_ORDER: f64 = 4.0;
+
+    /// And by this many rounding errors of the state and of its change. By judgement: the rounding error of a derivative
+    /// is amplified by its condition.
+    pub(crate) const RESIDUAL_ROUNDING: f64 = 4096.0;
+
+    /// A step whose derivative differs by more is divided by this.
+    pub(crate) const SHORTENING: f64 = 2.0;
+
+    /// No step is tried below this multiple of the spacing ε |t| of times.
+    pub(crate) const MIN_STEP: f64 = 10.0;
+
+    /// As for DOP853.
+    pub(crate) const LANDING: f64 = super::dormand_prince::LANDING;
+}
+
 /// Checks of derivatives that were written by hand.
 #[cfg(feature = "derivative-checks")]
 pub(crate) mod derivative_checks {

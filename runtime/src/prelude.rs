@@ -3,11 +3,11 @@
 //! The derive macro, the traits of models, the integrators, and the vectors and matrices of their signatures.
 
 pub use crate::{
-    AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, ExternalFunctions,
-    GeneralizedCoordinates, Inputs, IntegrationError, Integrator, Lagrangian, Linearization,
-    ObservationKind, Observer, Outcome, Outputs, OutputsWith, Phase, Plant, Progress, RungeKutta,
-    Sample, Scalar, State, Statistics, Stepper, StopReason, VectorSpace, WithController,
-    WithInputs,
+    Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies,
+    ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
+    Integrator, Lagrangian, Linearization, ObservationKind, Observer, Outcome, Outputs,
+    OutputsWith, Phase, Plant, Progress, RungeKutta, Sample, Scalar, State, Statistics, Stepper,
+    StopReason, Taylor, VectorSpace, WithController, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 

@@ -7,7 +7,7 @@ use lagrangian::prelude::*;
 use nalgebra::SVector;
 
 /// The error at t = 1 of ẍ = −x in `steps` equal steps of a method given by its step.
-fn error<I: Integrator + Clone>(method: impl Fn(f64) -> I, steps: u32) -> f64 {
+fn error<I: Integrator<f64, Oscillator> + Clone>(method: impl Fn(f64) -> I, steps: u32) -> f64 {
     let initial = (0.0, SVector::from([1.0, 0.0]));
     let end = method(1.0 / f64::from(steps))
         .integrate_to(&Oscillator, initial, 1.0)
@@ -25,7 +25,10 @@ fn fixed_dop853(step: f64) -> Dop853 {
 }
 
 /// The slope of log error over log step between two numbers of steps.
-fn slope<I: Integrator + Clone>(method: impl Fn(f64) -> I, steps: [u32; 2]) -> f64 {
+fn slope<I: Integrator<f64, Oscillator> + Clone>(
+    method: impl Fn(f64) -> I,
+    steps: [u32; 2],
+) -> f64 {
     let [coarse, fine] = steps.map(|n| error(&method, n).ln());
     (coarse - fine) / (f64::from(steps[1]) / f64::from(steps[0])).ln()
 }
@@ -47,6 +50,28 @@ fn classical_runge_kutta_reaches_a_roundoff_plateau() {
 fn dormand_prince_is_of_order_eight() {
     assert_close(slope(fixed_dop853, [2, 4]), 8.0, 0.5);
     assert_close(slope(fixed_dop853, [4, 8]), 8.0, 0.3);
+}
+
+/// [`Taylor`] at a fixed step.
+fn fixed_taylor<const HALF: usize>(step: f64) -> Taylor<HALF> {
+    Taylor::of_half_order()
+        .absolute_tolerance(1e9)
+        .max_step(step)
+}
+
+#[test]
+fn taylor_polynomials_are_of_their_order() {
+    assert_close(slope(fixed_taylor::<1>, [64, 128]), 2.0, 0.05);
+    assert_close(slope(fixed_taylor::<2>, [8, 16]), 4.0, 0.05);
+    assert_close(slope(fixed_taylor::<3>, [4, 8]), 6.0, 0.1);
+    assert_close(slope(fixed_taylor::<4>, [2, 4]), 8.0, 0.3);
+}
+
+#[test]
+fn taylor_polynomials_reach_a_roundoff_plateau() {
+    for steps in [2, 16, 1024] {
+        assert!(error(fixed_taylor::<12>, steps) < 4.0 * f64::EPSILON);
+    }
 }
 
 #[test]

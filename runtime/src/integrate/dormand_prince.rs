@@ -11,16 +11,16 @@ mod step_control;
 use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::integrator::Integrator;
+use super::integrator::{IntegrationMethod, Integrator};
 use super::runge_kutta::{combination, stage};
-use super::stepper::{Statistics, Stepper};
-use super::stepper::{checked_derivative, checked_state};
+use super::stepper::{Advance, Statistics, Stepper};
+use super::stepper::{checked_derivative, checked_state, remaining};
+use super::tolerance::Tolerance;
 use crate::limits::dormand_prince as limits;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 use coefficients::{MATRIX, NODES, WEIGHTS};
 use dense_output::DenseOutput;
-pub(crate) use step_control::Tolerance;
 use step_control::{Attempt, StepControl, too_small};
 
 /// Stages of the method, without the derivative at the end of the step, which is the first stage of
@@ -147,15 +147,12 @@ impl Default for Dop853 {
     }
 }
 
-impl Integrator for Dop853 {
-    type Stepper<S: Scalar, X: VectorSpace<S>> = Dop853Stepper<X>;
+impl IntegrationMethod for Dop853 {}
 
-    fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
-        &self,
-        dynamics: &D,
-        t: f64,
-        x: D::State,
-    ) -> Result<Self::Stepper<S, D::State>, IntegrationError> {
+impl<S: Scalar, D: Dynamics<S> + ?Sized> Integrator<S, D> for Dop853 {
+    type Stepper = Dop853Stepper<D::State>;
+
+    fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
         let derivative = checked_derivative(dynamics, t, &x)?;
         let clock = Clock::new(t);
@@ -300,19 +297,15 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
     fn statistics(&self) -> Statistics {
         self.statistics
     }
+}
 
-    fn step<D: Dynamics<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        target: f64,
-    ) -> Result<(), IntegrationError> {
-        let remaining = self.clock.until(target);
-        if remaining == 0.0 {
+impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S, D>
+    for Dop853Stepper<X>
+{
+    fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError> {
+        let Some(remaining) = remaining(&self.clock, target)? else {
             return Ok(());
-        }
-        if !remaining.is_finite() {
-            return Err(IntegrationError::NonFiniteTime { time: target });
-        }
+        };
         let mut control = match self.control {
             Some(control) => control,
             None => StepControl::new(self.first_step(dynamics, remaining)),
@@ -346,7 +339,7 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
         }
     }
 
-    fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X {
+    fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
         let Some(mut last) = self.last.take() else {
             return self.state.value().clone();
         };
@@ -365,7 +358,7 @@ impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
         x
     }
 
-    fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D) {
+    fn restart(&mut self, dynamics: &D) {
         let t = S::from_f64(self.clock.time());
         self.stages[STAGES] = dynamics.derivative(t, self.state.value());
         self.statistics.evaluations += 1;

@@ -213,7 +213,7 @@ impl<I, C, O> Driver<I, C, O> {
         end: f64,
     ) -> Result<Outcome<D::State>, IntegrationError>
     where
-        I: Integrator,
+        I: Integrator<S, D>,
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
@@ -233,7 +233,7 @@ impl<I, C, O> Driver<I, C, O> {
         times: &[f64],
     ) -> Result<Outcome<D::State>, IntegrationError>
     where
-        I: Integrator,
+        I: Integrator<S, D>,
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
@@ -255,7 +255,7 @@ impl<I, C, O> Driver<I, C, O> {
         times: &[f64],
     ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
     where
-        I: Integrator,
+        I: Integrator<S, D>,
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
@@ -278,7 +278,7 @@ impl<I, C, O> Driver<I, C, O> {
         collect: &mut dyn FnMut(&Sample<D::State>),
     ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
-        I: Integrator,
+        I: Integrator<S, D>,
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
@@ -295,7 +295,7 @@ impl<I, C, O> Driver<I, C, O> {
                 start: initial.t,
                 end: times.last().copied().unwrap_or(initial.t),
                 waiting: times,
-                min_pivot: self.min_pivot::<S>(),
+                min_pivot: self.min_pivot::<S, D>(),
                 max_steps: self.max_steps,
                 condition: &mut self.condition,
                 evaluated_until: None,
@@ -316,9 +316,9 @@ impl<I, C, O> Driver<I, C, O> {
         dynamics: &D,
         initial: &Sample<D::State>,
         times: &[f64],
-    ) -> Result<I::Stepper<S, D::State>, IntegrationError>
+    ) -> Result<I::Stepper, IntegrationError>
     where
-        I: Integrator,
+        I: Integrator<S, D>,
     {
         if let Some(tolerance) = self
             .singularity_tolerance
@@ -328,15 +328,15 @@ impl<I, C, O> Driver<I, C, O> {
         }
         checked_state(dynamics, initial.t, &initial.x)?;
         check_times(initial.t, times)?;
-        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S>())?;
+        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())?;
         self.integrator
             .start(dynamics, initial.t, initial.x.clone())
     }
 
     /// The smallest relative pivot that does not end the integration.
-    fn min_pivot<S: Scalar>(&self) -> f64
+    fn min_pivot<S: Scalar, D: Dynamics<S> + ?Sized>(&self) -> f64
     where
-        I: Integrator,
+        I: Integrator<S, D>,
     {
         let epsilon = S::machine_epsilon();
         let allowed = self.singularity_tolerance.unwrap_or_else(|| {

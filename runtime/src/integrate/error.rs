@@ -57,6 +57,13 @@ pub enum IntegrationError {
         /// Whether the absolute tolerance is zero, so that a component near zero may have no error.
         relative_only: bool,
     },
+    /// The state and its derivative are finite, but not the Taylor series of the motion.
+    NoTaylorSeries {
+        /// The time of the state.
+        time: f64,
+        /// The first component whose series is not finite.
+        component: ComponentName,
+    },
     /// A coordinate moves too fast for any step, because its inertia has nearly vanished: the coordinates are
     /// singular nearby.
     VanishingInertia {
@@ -141,6 +148,12 @@ impl fmt::Display for IntegrationError {
                 component,
                 relative_only,
             } => write_too_small(f, (time, step), component, relative_only),
+            Self::NoTaylorSeries { time, component } => write!(
+                f,
+                "at t = {} {component} has no Taylor series: a higher derivative is not finite; \
+                 integrate by `Dop853`",
+                Readable(time)
+            ),
             Self::VanishingInertia {
                 time,
                 step,

@@ -13,7 +13,7 @@ use super::error::IntegrationError;
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
-use super::stepper::Stepper;
+use super::stepper::Advance;
 use super::stop_condition::{MetConditions, StopCondition};
 use crate::limits::events::{BISECTIONS, DEPARTURE_GROWTH, TIME_RESOLUTION};
 use crate::scalar::Scalar;
@@ -42,7 +42,7 @@ impl<S, D, T, C, O> Integration<'_, S, D, T, C, O>
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
-    T: Stepper<S, D::State>,
+    T: Advance<S, D>,
     C: StopCondition<D::State>,
     O: Observer<D::State>,
 {

@@ -7,52 +7,37 @@
 use super::driver::Driver;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::observer::Unobserved;
 use super::outcome::Outcome;
 use super::sample::{InitialValue, Sample};
-use super::stepper::Stepper;
-use super::stop_condition::Unconditional;
+use super::stepper::Advance;
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialTrajectory, Trajectory};
-use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// A method of integration and its settings: [`Dop853`](crate::Dop853),
-/// [`RungeKutta`](crate::RungeKutta).
-pub trait Integrator {
+/// A method of integration with its settings, for systems that have what it needs: [`Dop853`](crate::Dop853) and
+/// [`RungeKutta`](crate::RungeKutta) for any [`Dynamics`], [`Taylor`](crate::Taylor) for those with a
+/// [`Series`](crate::Series).
+pub trait Integrator<S: Scalar, D: Dynamics<S> + ?Sized> {
     /// What takes the steps.
-    type Stepper<S: Scalar, X: VectorSpace<S>>: Stepper<S, X>;
+    type Stepper: Advance<S, D>;
 
     /// A stepper at time `t` and state `x`. Costs one evaluation of the derivative.
     ///
     /// # Errors
     ///
     /// If a setting is invalid, or the time, the state or its derivative is not finite.
-    fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
-        &self,
-        dynamics: &D,
-        t: f64,
-        x: D::State,
-    ) -> Result<Self::Stepper<S, D::State>, IntegrationError>;
+    fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError>;
 
     /// The relative error of the accelerations at which a [`Driver`] of this method ends near a singularity
     /// by default ([`Driver::singularity_tolerance`]).
     fn singularity_tolerance(&self) -> f64;
-
-    /// A driver of this method, to which limits, stop conditions and an observer can be added.
-    fn driver(&self) -> Driver<Self, Unconditional, Unobserved>
-    where
-        Self: Clone,
-    {
-        Driver::new(self.clone())
-    }
 
     /// Integrates from `initial` to the time `end`, which may lie before it, and returns the final state.
     ///
     /// # Errors
     ///
     /// Any of [`IntegrationError`].
-    fn integrate_to<S: Scalar, D: Dynamics<S> + ?Sized>(
+    fn integrate_to(
         &self,
         dynamics: &D,
         initial: impl InitialValue<D::State>,
@@ -61,7 +46,8 @@ pub trait Integrator {
     where
         Self: Clone,
     {
-        let outcome: Outcome<D::State> = self.driver().run_until(dynamics, initial, end)?;
+        let outcome: Outcome<D::State> =
+            Driver::new(self.clone()).run_until(dynamics, initial, end)?;
         Ok(outcome.last)
     }
 
@@ -71,7 +57,7 @@ pub trait Integrator {
     ///
     /// Any of [`IntegrationError`], with the samples up to then.
     #[cfg(feature = "alloc")]
-    fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
+    fn sample(
         &self,
         dynamics: &D,
         initial: impl InitialValue<D::State>,
@@ -80,6 +66,14 @@ pub trait Integrator {
     where
         Self: Clone,
     {
-        self.driver().sample(dynamics, initial, times)
+        Driver::new(self.clone()).sample(dynamics, initial, times)
+    }
+}
+
+/// A method of integration, whatever it integrates.
+pub trait IntegrationMethod: Clone {
+    /// A driver of this method, to which limits, stop conditions and an observer can be added.
+    fn driver(&self) -> Driver<Self> {
+        Driver::new(self.clone())
     }
 }

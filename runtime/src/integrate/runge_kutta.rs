@@ -7,9 +7,9 @@
 use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::integrator::Integrator;
-use super::stepper::{Statistics, Stepper};
-use super::stepper::{checked_derivative, checked_state};
+use super::integrator::{IntegrationMethod, Integrator};
+use super::stepper::{Advance, Statistics, Stepper};
+use super::stepper::{checked_derivative, checked_state, remaining};
 use crate::limits::{FIXED_STEP_SINGULARITY_TOLERANCE, fixed_steps};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
@@ -142,15 +142,14 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
     }
 }
 
-impl<const STAGES: usize> Integrator for RungeKutta<STAGES> {
-    type Stepper<S: Scalar, X: VectorSpace<S>> = RungeKuttaStepper<X, STAGES>;
+impl<const STAGES: usize> IntegrationMethod for RungeKutta<STAGES> {}
 
-    fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
-        &self,
-        dynamics: &D,
-        t: f64,
-        x: D::State,
-    ) -> Result<Self::Stepper<S, D::State>, IntegrationError> {
+impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
+    for RungeKutta<STAGES>
+{
+    type Stepper = RungeKuttaStepper<D::State, STAGES>;
+
+    fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
         if !(self.step.is_finite() && self.step > 0.0) {
             return Err(IntegrationError::InvalidStep { step: self.step });
         }
@@ -218,19 +217,15 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
     fn statistics(&self) -> Statistics {
         self.statistics
     }
+}
 
-    fn step<D: Dynamics<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        target: f64,
-    ) -> Result<(), IntegrationError> {
-        let remaining = self.clock.until(target);
-        if remaining == 0.0 {
+impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STAGES: usize>
+    Advance<S, D> for RungeKuttaStepper<X, STAGES>
+{
+    fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError> {
+        let Some(remaining) = remaining(&self.clock, target)? else {
             return Ok(());
-        }
-        if !remaining.is_finite() {
-            return Err(IntegrationError::NonFiniteTime { time: target });
-        }
+        };
         // A quotient that is an integer up to rounding must not add a step.
         let steps =
             libm::ceil(remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING)).max(1.0);
@@ -261,7 +256,7 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
     }
 
     /// A step of the method from the last time to `t`: as accurate as the step itself.
-    fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X {
+    fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
         let (clock, x) = &self.previous;
         let h = clock.until(t);
         let increment = self.method.increment(dynamics, clock, x, h);
@@ -271,5 +266,5 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
         x
     }
 
-    fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, _: &D) {}
+    fn restart(&mut self, _: &D) {}
 }

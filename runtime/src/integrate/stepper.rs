@@ -1,5 +1,6 @@
 //! Steppers, and the check that times, states and derivatives are finite.
 
+use super::compensated::Clock;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use crate::linalg::VectorSpace;
@@ -8,10 +9,7 @@ use crate::scalar::Scalar;
 /// An integration in progress, step by step.
 ///
 /// A clone is a checkpoint: the integration continued from it is the same to the last bit.
-/// The dynamics are passed to each step, and must be the same until
-/// [`restart`](Self::restart).
-///
-/// A sampled controller with a zero-order hold, ten times a second:
+/// The steps are taken by [`Advance::step`]. A sampled controller with a zero-order hold, ten times a second:
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -45,7 +43,7 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
-    /// Whether [`interpolate`](Self::interpolate) is dense output, so cheap that sample times need not be ends of
+    /// Whether [`interpolate`](Advance::interpolate) is dense output, so cheap that sample times need not be ends of
     /// steps.
     const DENSE_OUTPUT: bool;
 
@@ -60,25 +58,26 @@ pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
 
     /// The cost so far.
     fn statistics(&self) -> Statistics;
+}
 
+/// A stepper of systems that have what its method needs.
+///
+/// The dynamics are passed to each step, and must be the same until [`restart`](Self::restart).
+pub trait Advance<S: Scalar, D: Dynamics<S> + ?Sized>: Stepper<S, D::State> {
     /// Takes one step towards the time `target` and never beyond it; the last one lands on it
     /// exactly. At the target it does nothing.
     ///
     /// # Errors
     ///
     /// If no step gives a finite state and meets the tolerance. The stepper keeps its time and state.
-    fn step<D: Dynamics<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        target: f64,
-    ) -> Result<(), IntegrationError>;
+    fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError>;
 
     /// The state at a time within the last step.
-    fn interpolate<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D, t: f64) -> X;
+    fn interpolate(&mut self, dynamics: &D, t: f64) -> D::State;
 
     /// Discards what was computed from the dynamics, because they have changed: a new value of a held input, a load
     /// that was picked up.
-    fn restart<D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D);
+    fn restart(&mut self, dynamics: &D);
 }
 
 /// The cost of an integration.
@@ -90,6 +89,16 @@ pub struct Statistics {
     pub rejected: u64,
     /// Evaluations of the derivative.
     pub evaluations: u64,
+}
+
+/// The time from `clock` to `target`; none at the target.
+pub(crate) fn remaining(clock: &Clock, target: f64) -> Result<Option<f64>, IntegrationError> {
+    let remaining = clock.until(target);
+    if remaining.is_finite() {
+        Ok(Some(remaining).filter(|remaining| *remaining != 0.0))
+    } else {
+        Err(IntegrationError::NonFiniteTime { time: target })
+    }
 }
 
 /// The derivative; an error unless it, the time and the state are finite.

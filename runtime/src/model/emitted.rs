@@ -3,6 +3,9 @@
 pub use nalgebra::{SMatrix, SVector};
 
 use super::linearization::Linearization;
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::{Convolutions, TaylorCoefficients};
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
@@ -58,6 +61,75 @@ fn select_if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     let positive = |all, pivot| all * greater(pivot, S::zero());
     let definite = pivots.into_iter().fold(S::one(), positive);
     computed.select(otherwise(), definite)
+}
+
+/// What the recurrence for the Taylor coefficients of order k reads.
+#[derive(Clone, Copy, Debug)]
+pub struct Term<S: Scalar, const N: usize, const PAIRS: usize> {
+    /// The coefficient k of the coordinates.
+    pub q: SVector<S, N>,
+    /// That of the velocities.
+    pub v: SVector<S, N>,
+    /// That of the time.
+    pub t: S,
+    /// k.
+    pub order: S,
+    /// 1/k.
+    pub reciprocal_order: S,
+    /// Sums of products of terms of lower orders.
+    pub convolutions: [S; PAIRS],
+}
+
+/// The Taylor polynomial of a motion: from `term`, which computes the accelerations of order k and the factors of the
+/// convolutions, and from the accelerations of order 0.
+#[inline]
+pub fn taylor_series<
+    S: Scalar,
+    const N: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const HALF: usize,
+>(
+    state: &State<S, N>,
+    unit: S,
+    accelerations: SVector<S, N>,
+    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    pairs: &[[usize; 2]; PAIRS],
+    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+) {
+    *coefficients.initial_mut() = Phase::from(*state);
+    let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+    let mut next = Phase {
+        q: state.v * unit,
+        v: accelerations * unit,
+    };
+    let mut order = S::one();
+    let mut reciprocal_order = S::one();
+    let mut t = unit;
+    let higher = coefficients.higher_mut();
+    if let Some((last, lower)) = higher.split_last_mut() {
+        for coefficient in lower {
+            *coefficient = next;
+            let (accelerations, factors) = term(&Term {
+                q: next.q,
+                v: next.v,
+                t,
+                order,
+                reciprocal_order,
+                convolutions: convolutions.sums(),
+            });
+            convolutions.advance(&factors, pairs);
+            order += S::one();
+            reciprocal_order = S::one() / order;
+            t = S::zero();
+            let step = unit * reciprocal_order;
+            next = Phase {
+                q: next.v * step,
+                v: accelerations * step,
+            };
+        }
+        *last = next;
+    }
 }
 
 /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.

@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub)] // Every test has a copy of it, and none uses all.
 
 use lagrangian::prelude::*;
+use lagrangian::{Series, TaylorCoefficients};
 use nalgebra::{SMatrix, SVector};
 
 /// Fails unless |a − b| ≤ tolerance; a value that is not finite is never close.
@@ -190,6 +191,27 @@ impl<S: Scalar> Dynamics<S> for Oscillator {
 
     fn derivative(&self, _: S, x: &Self::State) -> Self::State {
         SVector::from([x[1], -x[0]])
+    }
+}
+
+/// Linear equations: coefficient k + 1 from coefficient k.
+impl<S: Scalar> Series<S> for Oscillator {
+    fn series<const HALF: usize>(
+        &self,
+        _: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        *coefficients.initial_mut() = *x;
+        let mut order = S::zero();
+        let mut last = *x;
+        for coefficient in coefficients.higher_mut() {
+            order += S::one();
+            let step = unit / order;
+            last = SVector::from([last[1] * step, -last[0] * step]);
+            *coefficient = last;
+        }
     }
 }
 

@@ -7,64 +7,13 @@ use crate::integrate::compensated::Clock;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::runge_kutta::combination;
+use crate::integrate::tolerance::Tolerance;
 use crate::limits::dormand_prince::{
     MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, NEGLIGIBLE, ORDER, PROBE, SAFETY,
     SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
 use crate::linalg::VectorSpace;
-use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::scalar::Scalar;
-
-/// The tolerances of the error of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Tolerance {
-    pub(crate) relative: f64,
-    pub(crate) absolute: f64,
-}
-
-impl Tolerance {
-    pub(crate) fn check(self) -> Result<(), IntegrationError> {
-        let Self { relative, absolute } = self;
-        let valid = |tolerance: f64| tolerance.is_finite() && tolerance >= 0.0;
-        if valid(relative) && valid(absolute) && relative + absolute > 0.0 {
-            Ok(())
-        } else {
-            Err(IntegrationError::InvalidTolerance { relative, absolute })
-        }
-    }
-
-    /// A component over its tolerance at the larger of two scales, in the worst of its lanes.
-    /// A component that is zero counts as 0; any other one with the tolerance zero counts as `unscaled`.
-    #[inline]
-    fn ratio<S: Scalar>(self, component: S, [before, after]: [S; 2], unscaled: f64) -> f64 {
-        let size = component.abs();
-        let relative = S::from_f64(self.relative);
-        let allowed = S::from_f64(self.absolute) + relative * before.max(after);
-        if allowed.smallest() > 0.0 {
-            return (size / allowed).largest();
-        }
-        let without = is_zero(allowed);
-        let ratio = (size / one_if_zero(allowed) * (S::one() - without)).largest();
-        if (size * without).largest() > 0.0 {
-            ratio.max(unscaled)
-        } else {
-            ratio
-        }
-    }
-
-    /// The ratios of all components.
-    #[inline]
-    fn ratios<S: Scalar, X: VectorSpace<S>>(
-        self,
-        vector: &X,
-        [before, after]: &[X; 2],
-        unscaled: f64,
-    ) -> impl Iterator<Item = f64> {
-        let scales = before.components().zip(after.components());
-        let scaled = vector.components().zip(scales);
-        scaled.map(move |(component, (a, b))| self.ratio(component, [a, b], unscaled))
-    }
-}
 
 /// The sum of the squares of ratios, and their number.
 #[inline]

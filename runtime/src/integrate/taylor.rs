@@ -1,0 +1,163 @@
+//! The Taylor series method.
+//!
+//! R. E. Moore, *Interval Analysis* (1966), chapter 11; À. Jorba & M. Zou, *A Software Package for the Numerical
+//! Integration of ODEs by Means of High-Order Taylor Methods*, Experimental Mathematics **14** (2005) 99–117.
+
+mod coefficients;
+mod convolutions;
+mod series;
+mod stepper;
+
+pub use coefficients::TaylorCoefficients;
+pub use convolutions::Convolutions;
+pub use series::Series;
+pub use stepper::TaylorStepper;
+
+use super::error::IntegrationError;
+use super::integrator::{IntegrationMethod, Integrator};
+use super::tolerance::Tolerance;
+use crate::scalar::Scalar;
+
+/// The Taylor series method of order 2·`HALF`, with steps that are chosen from the last coefficients, and the
+/// polynomials as dense output.
+///
+/// The last two terms of the polynomial, at the end of a step, are at most absolute + relative · scaleᵢ for each
+/// component. The scale of a component is |xᵢ|, and 1 for a coordinate that is an angle
+/// ([`Dynamics::error_scale`](crate::Dynamics::error_scale)); units do not matter. Without a tolerance that is set, both
+/// are the machine epsilon of the scalar: the method costs little more at full accuracy.
+///
+/// The derivative at the end of a step is compared with that of the polynomial: where a force has a corner, the
+/// polynomial goes on as before it, and the step is shortened.
+///
+/// It integrates what has a [`Series`]: a model with the clause `taylor` in its declaration.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     taylor,
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let start = State::new(0.0, [3.0], [0.0]);
+/// let end = Taylor::new().integrate_to(&pendulum.dynamics(), start, 100.0)?.state();
+/// assert!((pendulum.energy(&end) - pendulum.energy(&start)).abs() < 1e-13);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Taylor<const HALF: usize = 12> {
+    /// The machine epsilon of the scalar unless set.
+    tolerance: Option<Tolerance>,
+    max_step: Option<f64>,
+}
+
+impl Taylor<6> {
+    /// The method of order 12, for relative tolerances of about 10⁻⁸.
+    #[must_use]
+    pub fn order_12() -> Self {
+        Self::of_half_order()
+    }
+}
+
+impl Taylor<8> {
+    /// The method of order 16, for relative tolerances of about 10⁻¹².
+    #[must_use]
+    pub fn order_16() -> Self {
+        Self::of_half_order()
+    }
+}
+
+impl Taylor<12> {
+    /// The method of order 24, for the accuracy of `f64`.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::of_half_order()
+    }
+}
+
+impl Taylor<20> {
+    /// The method of order 40, for the accuracy of double-doubles.
+    #[must_use]
+    pub fn order_40() -> Self {
+        Self::of_half_order()
+    }
+}
+
+impl<const HALF: usize> Taylor<HALF> {
+    /// The method of order 2·`HALF`.
+    #[must_use]
+    pub fn of_half_order() -> Self {
+        const { assert!(HALF > 0, "the order of a Taylor polynomial is at least 2") }
+        Self {
+            tolerance: None,
+            max_step: None,
+        }
+    }
+
+    /// Sets the tolerance of the last terms relative to the scale of a component. The absolute one is 0 unless it is set.
+    #[must_use]
+    pub fn relative_tolerance(mut self, relative: f64) -> Self {
+        let absolute = self.tolerance.map_or(0.0, |tolerance| tolerance.absolute);
+        self.tolerance = Some(Tolerance { relative, absolute });
+        self
+    }
+
+    /// Sets the tolerance of the last terms in the units of a component. The relative one is 0 unless it is set.
+    #[must_use]
+    pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
+        let relative = self.tolerance.map_or(0.0, |tolerance| tolerance.relative);
+        self.tolerance = Some(Tolerance { relative, absolute });
+        self
+    }
+
+    /// Sets the largest step size.
+    #[must_use]
+    pub fn max_step(mut self, step: f64) -> Self {
+        self.max_step = Some(step);
+        self
+    }
+
+    fn tolerance<S: Scalar>(&self) -> Tolerance {
+        let epsilon = S::machine_epsilon();
+        self.tolerance.unwrap_or(Tolerance {
+            relative: epsilon,
+            absolute: epsilon,
+        })
+    }
+
+    fn check(&self) -> Result<(), IntegrationError> {
+        if let Some(step) = self
+            .max_step
+            .filter(|step| !(step.is_finite() && *step > 0.0))
+        {
+            return Err(IntegrationError::InvalidStep { step });
+        }
+        self.tolerance.map_or(Ok(()), Tolerance::check)
+    }
+}
+
+impl Default for Taylor {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const HALF: usize> IntegrationMethod for Taylor<HALF> {}
+
+impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Integrator<S, D> for Taylor<HALF> {
+    type Stepper = TaylorStepper<D::State, HALF>;
+
+    fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
+        self.check()?;
+        TaylorStepper::new(*self, dynamics, t, x)
+    }
+
+    fn singularity_tolerance(&self) -> f64 {
+        self.tolerance::<S>().relative
+    }
+}

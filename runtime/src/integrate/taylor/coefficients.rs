@@ -1,0 +1,91 @@
+//! The Taylor polynomial of a motion.
+
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// The Taylor polynomial of order 2·`HALF` of a motion about a time t₀: x(t₀ + τ·unit) = Σ xₖ τᵏ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TaylorCoefficients<X, const HALF: usize> {
+    initial: X,
+    /// The coefficients of order 1 and more.
+    pairs: [[X; 2]; HALF],
+}
+
+impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
+    /// The order of the polynomial.
+    pub const ORDER: usize = 2 * HALF;
+
+    /// The polynomial whose coefficients are all `initial`, until they are set.
+    #[inline]
+    #[must_use]
+    pub fn new(initial: X) -> Self {
+        let pairs = core::array::from_fn(|_| [initial.clone(), initial.clone()]);
+        Self { initial, pairs }
+    }
+
+    /// The coefficient of order 0.
+    #[inline]
+    #[must_use]
+    pub fn initial(&self) -> &X {
+        &self.initial
+    }
+
+    /// The coefficient of order 0, to be set.
+    #[inline]
+    pub fn initial_mut(&mut self) -> &mut X {
+        &mut self.initial
+    }
+
+    /// The coefficients of order 1 and more, in order.
+    #[inline]
+    #[must_use]
+    pub fn higher(&self) -> &[X] {
+        self.pairs.as_flattened()
+    }
+
+    /// The coefficients of order 1 and more, to be set.
+    #[inline]
+    pub fn higher_mut(&mut self) -> &mut [X] {
+        self.pairs.as_flattened_mut()
+    }
+
+    /// x(τ) − x(0), by Horner's rule.
+    #[inline]
+    #[must_use]
+    pub fn change<S: Scalar>(&self, tau: S) -> X
+    where
+        X: VectorSpace<S>,
+    {
+        let mut sum = self.initial.zeroed();
+        for coefficient in self.higher().iter().rev() {
+            let mut next = coefficient.clone();
+            next.add_scaled(tau, &sum);
+            sum = next;
+        }
+        sum.map(|component| component * tau)
+    }
+
+    /// dx/dτ, by Horner's rule.
+    #[inline]
+    #[must_use]
+    pub fn derivative<S: Scalar>(&self, tau: S) -> X
+    where
+        X: VectorSpace<S>,
+    {
+        let mut sum = self.initial.zeroed();
+        let mut order = S::from_f64(number(Self::ORDER));
+        for coefficient in self.higher().iter().rev() {
+            let mut next = coefficient.map(|component| component * order);
+            next.add_scaled(tau, &sum);
+            sum = next;
+            order -= S::one();
+        }
+        sum
+    }
+}
+
+/// An order as a number.
+#[allow(clippy::cast_precision_loss)] // Orders are small.
+pub(super) const fn number(order: usize) -> f64 {
+    order as f64
+}

@@ -1,0 +1,71 @@
+//! The sums of products in recurrences for Taylor coefficients.
+
+use crate::scalar::Scalar;
+
+/// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order after order.
+///
+/// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀. As soon as the factors of order k are known, they are
+/// multiplied by those of lower orders, and the products added to the sums of higher orders: a loop of constant length
+/// without a reduction, for which the compiler uses vector registers. A product of two terms of order above `HALF`
+/// is of no order below 2·`HALF`, so that half of the terms and half of the sums are enough.
+#[derive(Clone, Debug)]
+pub struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, const HALF: usize> {
+    /// The sums of the next order, of the one after it, and so on.
+    sums: [[S; HALF]; PAIRS],
+    /// The terms of order 1, 2, … of each factor.
+    terms: [[S; HALF]; FACTORS],
+    order: usize,
+}
+
+impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
+    Convolutions<S, FACTORS, PAIRS, HALF>
+{
+    /// The convolutions of order 1, which are empty sums.
+    #[inline]
+    #[must_use]
+    pub fn new() -> Self {
+        Self {
+            sums: [[S::zero(); HALF]; PAIRS],
+            terms: [[S::zero(); HALF]; FACTORS],
+            order: 1,
+        }
+    }
+
+    /// The sums of the present order.
+    #[inline]
+    #[must_use]
+    pub fn sums(&self) -> [S; PAIRS] {
+        core::array::from_fn(|pair| self.sums[pair][0])
+    }
+
+    /// Goes on to the next order, given the terms of the present one, and the indices of the factors that are paired.
+    #[inline]
+    pub fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
+        let place = self.order - 1;
+        for (sums, [first, second]) in self.sums.iter_mut().zip(pairs) {
+            let (x, y) = (factors[*first], factors[*second]);
+            let (of_x, of_y) = (&self.terms[*first], &self.terms[*second]);
+            for i in 0..HALF - 1 {
+                sums[i] = x.mul_add(of_y[i], y.mul_add(of_x[i], sums[i + 1]));
+            }
+            sums[HALF - 1] = x.mul_add(of_y[HALF - 1], y * of_x[HALF - 1]);
+            if let Some(sum) = sums.get_mut(place) {
+                *sum = x.mul_add(y, *sum);
+            }
+        }
+        for (terms, factor) in self.terms.iter_mut().zip(factors) {
+            if let Some(term) = terms.get_mut(place) {
+                *term = *factor;
+            }
+        }
+        self.order += 1;
+    }
+}
+
+impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize> Default
+    for Convolutions<S, FACTORS, PAIRS, HALF>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}

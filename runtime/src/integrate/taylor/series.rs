@@ -1,0 +1,22 @@
+//! Systems whose motions have Taylor series.
+
+use super::coefficients::TaylorCoefficients;
+use crate::integrate::dynamics::Dynamics;
+use crate::scalar::Scalar;
+
+/// A system of differential equations with recurrences for the Taylor coefficients of its solutions.
+#[diagnostic::on_unimplemented(
+    message = "the Taylor series of `{Self}` is not known",
+    note = "a model has one with the clause `taylor` in its declaration, unless it is under a control law; \
+            `Dop853` integrates all others"
+)]
+pub trait Series<S: Scalar = f64>: Dynamics<S> {
+    /// The Taylor polynomial of the solution through (t, x), in this unit of time.
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    );
+}

@@ -1,0 +1,24 @@
+//! The Taylor series of motions.
+
+use super::lagrangian::Lagrangian;
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::TaylorCoefficients;
+use crate::scalar::Scalar;
+
+/// A model whose declaration has the clause `taylor`: recurrences for the Taylor coefficients of its motions.
+#[diagnostic::on_unimplemented(
+    message = "the Taylor series of the motions of `{Self}` is not known",
+    note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
+)]
+pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
+    /// The Taylor polynomial of the motion through a state, in this unit of time, given the result of
+    /// [`prepare`](Lagrangian::prepare) for the same parameters.
+    fn taylor_series<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    );
+}
