@@ -8,6 +8,7 @@ use quote::ToTokens;
 
 use crate::diagnostics::Diagnostics;
 use crate::lower::Lowered;
+use crate::plan::NoTaylorSeries;
 use crate::syntax::clauses::Clause;
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
@@ -27,6 +28,25 @@ pub(crate) fn report_undeclared(
         );
         diagnostics.error(name, message);
     }
+}
+
+/// Says why there is no Taylor series at the clause that asks for it.
+pub(crate) fn report_no_series(
+    reason: NoTaylorSeries,
+    clause: &Ident,
+    diagnostics: &mut Diagnostics,
+) {
+    let message = match reason {
+        NoTaylorSeries::ExternalFunctions => {
+            "the accelerations depend on an external function, of which no Taylor series is known: write it as a \
+             formula, or leave `taylor` out and integrate by `Dop853`"
+        }
+        NoTaylorSeries::Wrong => {
+            "the recurrence for the Taylor series does not give the derivatives of the accelerations; this is a defect \
+             of `lagrangian`: please report the declaration, and leave `taylor` out"
+        }
+    };
+    diagnostics.error(clause, message);
 }
 
 /// The first clause of the energies.

@@ -10,6 +10,7 @@ mod item_names;
 mod signatures;
 mod parameters;
 mod writer;
+mod taylor_series;
 mod model_symbols;
 mod body;
 mod locals;
@@ -34,6 +35,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.inputs(),
         emitter.outputs(),
         emitter.functions(),
+        emitter.taylor_series(),
     ]
     .into_iter()
     .collect()

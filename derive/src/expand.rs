@@ -81,12 +81,23 @@ fn implement(
         defects::report_at_energy(declaration, message, diagnostics);
         return None;
     }
+    let mut taylor = None;
+    if let Some(clause) = &declaration.clauses.taylor {
+        match methods.taylor_method(model.coordinates as usize) {
+            Ok(method) => taylor = Some(method),
+            Err(reason) => {
+                defects::report_no_series(reason, clause, diagnostics);
+                return None;
+            }
+        }
+    }
     let emitter = Emitter::new(
         declaration,
         lowered,
         &model,
         &equations,
         &methods,
+        taylor.as_ref(),
         most_scopes,
     );
     let items = items(&emitter);

@@ -5,6 +5,7 @@ mod method;
 mod derivatives;
 mod outputs;
 mod table;
+mod taylor_method;
 mod undeclared;
 mod validation;
 pub(crate) mod constants;
@@ -18,3 +19,4 @@ pub(crate) use outputs::{
 pub(crate) use table::{
     Argument, EmittedMethod, Interface, MethodRow, PARAMETERS, ResultType, Variant, is_method,
 };
+pub(crate) use taylor_method::{NoTaylorSeries, TaylorMethod};

@@ -7,7 +7,7 @@ use quote::{ToTokens as _, quote};
 use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, Methods};
+use crate::plan::{EmittedMethod, Methods, TaylorMethod};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -18,6 +18,8 @@ pub(crate) struct Emitter<'a> {
     pub(crate) model: &'a Model,
     pub(crate) equations: &'a Equations,
     pub(crate) methods: &'a Methods,
+    /// With the clause `taylor`.
+    pub(crate) taylor: Option<&'a TaylorMethod>,
     pub(crate) scalar: Scalar<'a>,
     /// See [`MOST_SCOPES`](crate::limits::MOST_SCOPES).
     pub(crate) most_scopes: usize,
@@ -30,6 +32,7 @@ impl<'a> Emitter<'a> {
         model: &'a Model,
         equations: &'a Equations,
         methods: &'a Methods,
+        taylor: Option<&'a TaylorMethod>,
         most_scopes: usize,
     ) -> Self {
         Self {
@@ -38,6 +41,7 @@ impl<'a> Emitter<'a> {
             model,
             equations,
             methods,
+            taylor,
             scalar: Scalar::of(declaration),
             most_scopes,
         }

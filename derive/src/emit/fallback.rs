@@ -34,6 +34,7 @@ pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream
         fallback.inputs(),
         fallback.outputs(),
         fallback.functions(),
+        fallback.taylor_series(),
     ]
     .into_iter()
     .collect()
@@ -318,5 +319,30 @@ impl<'a> Fallback<'a> {
                 ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
             }
         }
+    }
+
+    fn taylor_series(&self) -> TokenStream {
+        if self.declaration.clauses.taylor.is_none() {
+            return TokenStream::new();
+        }
+        let root = &self.declaration.root;
+        let (n, scalar) = (&self.dimension, &self.scalar);
+        let state = self.signatures().state();
+        let items = quote! {
+            fn taylor_series<const HALF: usize>(
+                &self,
+                _: #state,
+                _: &(),
+                _: #scalar,
+                _: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+            ) {
+                ::core::unreachable!()
+            }
+        };
+        self.implement(
+            &quote!(#root::MotionSeries<#n, #scalar>),
+            Some(scalar),
+            &items,
+        )
     }
 }

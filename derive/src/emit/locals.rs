@@ -9,6 +9,9 @@ use crate::lower::quantities::Quantities;
 use crate::lower::scope::Scope;
 use crate::plan::PARAMETERS;
 
+/// The names of variables where Taylor coefficients are computed.
+const SERIES: [&str; 5] = ["unit", "coefficients", "invariants", "term", "convolutions"];
+
 /// Gives every local variable of one method a name of its own.
 pub(crate) struct Locals<'a> {
     graph: &'a Graph,
@@ -23,7 +26,10 @@ pub(crate) struct Locals<'a> {
 
 impl<'a> Locals<'a> {
     pub(crate) fn new(graph: &'a Graph, scope: &Scope, quantities: &'a Quantities) -> Self {
-        let taken = PARAMETERS.into_iter().chain(["self", "factors"]);
+        let taken = PARAMETERS
+            .into_iter()
+            .chain(["self", "factors"])
+            .chain(SERIES);
         let mut definitions = BTreeMap::new();
         for (label, expression) in scope.definitions(graph) {
             // Of several names for one expression the first stands for it.

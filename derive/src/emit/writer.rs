@@ -36,6 +36,19 @@ impl Emitter<'_> {
         inputs: InputsFrom,
         arguments: &[Ident],
     ) -> TokenStream {
+        #[allow(clippy::redundant_closure_for_method_calls)]
+        // The path has one lifetime, the closure any.
+        self.with_writer(method, inputs, arguments, |writer| writer.write())
+    }
+
+    /// What is written with a writer of the body of a method.
+    pub(super) fn with_writer(
+        &self,
+        method: &Method,
+        inputs: InputsFrom,
+        arguments: &[Ident],
+        write: impl FnOnce(&mut Writer<'_>) -> TokenStream,
+    ) -> TokenStream {
         let symbols = ModelSymbols {
             emitter: self,
             inputs,
@@ -60,7 +73,7 @@ impl Emitter<'_> {
             ),
             computed: Vec::new(),
         };
-        writer.write()
+        write(&mut writer)
     }
 }
 
@@ -87,7 +100,10 @@ impl Writer<'_> {
                 let (statements, values) = self.compute(values);
                 quote!(#statements [#(#values),*])
             }
-            MethodOutputs::Accelerations(outputs) => self.accelerations(outputs),
+            MethodOutputs::Accelerations(outputs) => {
+                let (statements, accelerations) = self.accelerations(outputs);
+                quote!(#statements #accelerations)
+            }
             MethodOutputs::Linearization(outputs) => self.linearization(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
@@ -96,7 +112,7 @@ impl Writer<'_> {
     }
 
     /// The statements that compute some outputs, as far as they are not written yet, and the outputs.
-    fn compute(&mut self, slice: &OutputSlice) -> (TokenStream, Vec<TokenStream>) {
+    pub(super) fn compute(&mut self, slice: &OutputSlice) -> (TokenStream, Vec<TokenStream>) {
         let mut statements = TokenStream::new();
         let groups = self.method.program.groups.iter();
         for group in groups.take(slice.group() + 1).skip(self.computed.len()) {
@@ -107,7 +123,8 @@ impl Writer<'_> {
         (statements, slice.of(&self.computed).to_vec())
     }
 
-    fn accelerations(&mut self, outputs: &AccelerationOutputs) -> TokenStream {
+    /// The statements before the accelerations, and the accelerations.
+    fn accelerations(&mut self, outputs: &AccelerationOutputs) -> (TokenStream, TokenStream) {
         match outputs {
             AccelerationOutputs::Symbolic {
                 pivots,
@@ -115,15 +132,26 @@ impl Writer<'_> {
             } => {
                 let (statements, pivots) = self.compute(pivots);
                 let (_, accelerations) = self.compute(accelerations);
-                let accelerations = self.if_positive(&pivots, &accelerations);
-                quote!(#statements #accelerations)
+                (statements, self.if_positive(&pivots, &accelerations))
             }
             AccelerationOutputs::Numerical { mass, forcing } => {
                 let (statements, factors) = self.factors(mass);
                 let (_, forcing) = self.compute(forcing);
                 let forcing = self.vector(&forcing);
-                quote!(#statements #factors factors.solve(&#forcing))
+                (
+                    quote!(#statements #factors),
+                    quote!(factors.solve(&#forcing)),
+                )
             }
+        }
+    }
+
+    /// The same of a method that returns them.
+    pub(super) fn initial_accelerations(&mut self) -> (TokenStream, TokenStream) {
+        let method = self.method;
+        match &method.outputs {
+            MethodOutputs::Accelerations(outputs) => self.accelerations(outputs),
+            _ => Default::default(),
         }
     }
 
@@ -343,7 +371,7 @@ impl Writer<'_> {
         }
     }
 
-    fn vector(&self, elements: &[TokenStream]) -> TokenStream {
+    pub(super) fn vector(&self, elements: &[TokenStream]) -> TokenStream {
         let root = &self.emitter.declaration.root;
         quote!(#root::__private::SVector::from([#(#elements),*]))
     }

@@ -52,7 +52,7 @@ impl Method {
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
         let prepare = Self {
             count: setup.count(),
-            outputs: MethodOutputs::Invariants(OutputSlice::of_only_group(&setup)),
+            outputs: MethodOutputs::Invariants(OutputSlice::of_group(&setup, 0)),
             program: setup,
         };
         let accelerations = Self {

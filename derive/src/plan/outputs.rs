@@ -17,11 +17,11 @@ pub(crate) struct OutputSlice {
 }
 
 impl OutputSlice {
-    /// All outputs of a program with one group.
-    pub(crate) fn of_only_group(program: &Program) -> Self {
-        let outputs = program.groups.first().map(|group| group.outputs.len());
+    /// All outputs of a group.
+    pub(crate) fn of_group(program: &Program, group: usize) -> Self {
+        let outputs = program.groups.get(group).map(|group| group.outputs.len());
         Self {
-            group: 0,
+            group,
             range: 0..outputs.unwrap_or(0),
         }
     }

@@ -24,6 +24,8 @@ pub(crate) struct Clauses {
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
     pub(crate) forces: Vec<Vec<NamedExpression>>,
     pub(crate) outputs: Vec<NamedExpression>,
+    /// The word `taylor`.
+    pub(crate) taylor: Option<Ident>,
     /// The type of `scalar = …`.
     pub(crate) scalar: Option<Type>,
     /// The path of `crate = …`.
@@ -42,7 +44,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 10] = [
+const KEYWORDS: [&str; 11] = [
     "coordinates",
     "function",
     "define",
@@ -53,6 +55,7 @@ const KEYWORDS: [&str; 10] = [
     "force",
     "output",
     "scalar",
+    "taylor",
 ];
 
 impl Clauses {
@@ -112,6 +115,19 @@ impl Clauses {
         Ok(())
     }
 
+    fn read_taylor(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
+        if !input.is_empty() && !input.peek(Token![,]) {
+            let message = "write `taylor` alone: the order and the tolerance are those of the integrator `Taylor`";
+            return Err(syn::Error::new(input.span(), message));
+        }
+        if self.taylor.is_some() {
+            let message = "the Taylor series is asked for already: keep one `taylor`";
+            return Err(syn::Error::new(keyword.span(), message));
+        }
+        self.taylor = Some(keyword);
+        Ok(())
+    }
+
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         match keyword.to_string().as_str() {
             "coordinates" => {
@@ -141,6 +157,7 @@ impl Clauses {
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),
             "dissipation" => self.dissipation.push(Clause::read(keyword, input)?),
             "scalar" => self.read_scalar(&keyword, input)?,
+            "taylor" => self.read_taylor(keyword, input)?,
             "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"
             | "multiplier" | "multipliers" => {
                 return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));

@@ -1,0 +1,132 @@
+//! The impl of `MotionSeries`: the Taylor coefficients of a motion.
+//!
+//! The emitted code computes the accelerations of order 0, and in a closure those of any order k from the terms of
+//! order k and the convolutions of lower ones. The loop over the orders is in the runtime.
+
+use lagrangian_symbolic::Symbol;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, SymbolReader};
+use super::emitter::Emitter;
+use super::locals::Locals;
+use super::model_symbols::element;
+use super::signatures::InputsFrom;
+use super::writer::Writer;
+use crate::plan::{AccelerationOutputs, MethodOutputs, TaylorMethod};
+
+/// Reads the symbols of the recurrence for the terms of order k.
+struct TermSymbols;
+
+impl SymbolReader for TermSymbols {
+    fn read(&self, symbol: Symbol) -> TokenStream {
+        match symbol {
+            Symbol::Time => quote!(term.t),
+            Symbol::Coordinate(i) => element(&quote!(term.q), i),
+            Symbol::Velocity(i) => element(&quote!(term.v), i),
+            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
+            Symbol::Order => quote!(term.order),
+            Symbol::ReciprocalOrder => quote!(term.reciprocal_order),
+            Symbol::Convolution(i) => element(&quote!(term.convolutions), i),
+            // The rest does not depend on the order.
+            Symbol::Invariant(i)
+            | Symbol::Parameter(i)
+            | Symbol::Input(i)
+            | Symbol::Argument(i) => element(&quote!(invariants), i),
+        }
+    }
+}
+
+impl Emitter<'_> {
+    /// The impl of `MotionSeries`, for a model with the clause `taylor`.
+    pub(super) fn taylor_series(&self) -> TokenStream {
+        let Some(method) = self.taylor else {
+            return TokenStream::new();
+        };
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let signatures = self.signatures();
+        let (state, prepared) = (signatures.state(), &signatures.prepared);
+        let body = self.series(method);
+        let items = quote! {
+            fn taylor_series<const HALF: usize>(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+                unit: #scalar,
+                coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+            ) {
+                #body
+            }
+        };
+        self.implement(&quote!(#root::MotionSeries<#n, #scalar>), &items)
+    }
+
+    fn series(&self, method: &TaylorMethod) -> TokenStream {
+        let (root, scalar) = (&self.declaration.root, &self.scalar);
+        self.with_writer(&method.initial, InputsFrom::Fields, &[], |writer| {
+            let (statements, accelerations) = writer.initial_accelerations();
+            let (more, invariants) = writer.compute(&method.invariants);
+            let term = self.term(method, writer);
+            let pairs = method.program.convolutions.iter();
+            let pairs = pairs.map(|pair| {
+                let (first, second) = (pair.0, pair.1);
+                quote!([#first, #second])
+            });
+            let (n, factors) = (self.coordinates(), method.program.factors());
+            let count_of_pairs = method.program.convolutions.len();
+            let count = invariants.len();
+            quote! {
+                #statements
+                let accelerations = #accelerations;
+                #more
+                let invariants: [#scalar; #count] = [#(#invariants),*];
+                #root::__private::taylor_series::<_, #n, #factors, #count_of_pairs, HALF>(
+                    state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #term },
+                );
+            }
+        })
+    }
+
+    /// The accelerations of order k, and the factors of the convolutions.
+    fn term(&self, method: &TaylorMethod, writer: &Writer<'_>) -> TokenStream {
+        let locals = Locals::new(
+            &self.model.graph,
+            &self.lowered.scope,
+            &self.lowered.quantities,
+        );
+        let symbols = TermSymbols;
+        let mut body = Body::new(
+            &method.program.recurrence,
+            self.model.graph.passes,
+            locals,
+            &self.scalar,
+            &symbols,
+            Vec::new(),
+            self.most_scopes,
+        );
+        let mut groups = method
+            .program
+            .recurrence
+            .groups
+            .iter()
+            .map(|group| body.group(group));
+        let (statements, computed) = groups.next().unwrap_or_default();
+        let (more, factors) = groups.next().unwrap_or_default();
+        let vector = writer.vector(&computed);
+        let is_numerical = matches!(
+            method.initial.outputs,
+            MethodOutputs::Accelerations(AccelerationOutputs::Numerical { .. })
+        );
+        let accelerations = if is_numerical {
+            quote!(factors.solve(&#vector))
+        } else {
+            vector
+        };
+        quote! {
+            #statements
+            let accelerations = #accelerations;
+            #more
+            (accelerations, [#(#factors),*])
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The Taylor series of the accelerations.
+
+use lagrangian_symbolic::{AccelerationOperands, SeriesCheck, TaylorProgram};
+
+use super::method::Method;
+use super::methods::Methods;
+use super::outputs::{AccelerationOutputs, MethodOutputs, OutputSlice};
+
+/// The programs for the Taylor coefficients of a motion.
+pub(crate) struct TaylorMethod {
+    /// The accelerations of order 0, and the invariants of the recurrence.
+    pub(crate) initial: Method,
+    pub(crate) invariants: OutputSlice,
+    pub(crate) program: TaylorProgram,
+}
+
+/// Why a model has no Taylor series.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum NoTaylorSeries {
+    /// The accelerations depend on external functions.
+    ExternalFunctions,
+    /// The recurrence does not give the derivatives of the accelerations, which is a defect of this crate.
+    Wrong,
+}
+
+impl Methods {
+    /// The Taylor series of the accelerations.
+    pub(crate) fn taylor_method(&self, coordinates: usize) -> Result<TaylorMethod, NoTaylorSeries> {
+        let method = &self.accelerations;
+        let program = &method.program;
+        let operands = match &method.outputs {
+            MethodOutputs::Accelerations(AccelerationOutputs::Symbolic {
+                accelerations, ..
+            }) => AccelerationOperands::Solved(accelerations.operands(program)),
+            MethodOutputs::Accelerations(AccelerationOutputs::Numerical { mass, forcing }) => {
+                AccelerationOperands::System(mass.0.operands(program), forcing.operands(program))
+            }
+            _ => return Err(NoTaylorSeries::Wrong),
+        };
+        let taylor =
+            TaylorProgram::of(program, operands).ok_or(NoTaylorSeries::ExternalFunctions)?;
+        let programs = self.programs();
+        let preparation = programs.preparation;
+        let check = SeriesCheck::new(preparation, programs.accelerations, &taylor, coordinates);
+        if !check.agrees() {
+            return Err(NoTaylorSeries::Wrong);
+        }
+        let last = taylor.initial.groups.len().saturating_sub(1);
+        Ok(TaylorMethod {
+            invariants: OutputSlice::of_group(&taylor.initial, last),
+            initial: Method {
+                count: taylor.initial.count(),
+                program: taylor.initial.clone(),
+                outputs: method.outputs.clone(),
+            },
+            program: taylor,
+        })
+    }
+}
