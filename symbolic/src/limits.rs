@@ -141,6 +141,10 @@ pub(crate) const SCHEDULING_MARGIN: usize = 2;
 /// takes 280 and 499.
 pub(crate) const MOST_DIFFERENTIATED_COORDINATES: usize = 4;
 
+/// Periods of more full turns are not used. By judgement: angles are halved, or geared by ratios of small numbers, and
+/// a longer period is rarely exceeded.
+pub(crate) const LONGEST_PERIOD: u32 = 64;
+
 // program
 
 /// The cost of a division, in additions of binary64 on a current x86-64 core, as that of a square root, of the sine

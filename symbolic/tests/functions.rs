@@ -258,19 +258,20 @@ fn contents_are_those_of_the_arguments() {
 
 #[test]
 fn an_angle_within_an_external_function_is_none() {
-    let angles = |of_sine: bool| {
+    let properties = |of_sine: bool| {
         let draft = Draft::new(1);
         let [wave, ..] = external::functions(&mut draft.graph());
         let q = draft.q(0);
-        let argument = if of_sine { q.sin() } else { q };
+        let argument = if of_sine { (q / 3).sin() } else { q };
         let mut model = draft.natural(q.dot().squared() / 2, argument.through(wave));
         Equations::derive(&mut model)
             .unwrap()
             .coordinate_properties
-            .angles
     };
-    assert_eq!(angles(true), [true]);
-    assert_eq!(angles(false), [false]);
+    assert_eq!(properties(true).angles, [true]);
+    assert_eq!(properties(false).angles, [false]);
+    assert_eq!(properties(true).periods, [3]);
+    assert_eq!(properties(false).periods, [0]);
 }
 
 /// w(x), and sin 2x if w is not external.

@@ -1,6 +1,6 @@
 //! What is known of a system symbolically, and what has no equations of motion.
 
-use lagrangian_symbolic::{Defect, Equations, Model};
+use lagrangian_symbolic::{Defect, Equations, Model, Unary};
 use lagrangian_symbolic_testing::systems::rigid_body;
 use lagrangian_symbolic_testing::{Draft, Quantity};
 
@@ -37,6 +37,75 @@ fn blocks_of_the_mass_matrix_have_their_own_singularities() {
     // φ occurs nowhere; r and x are lengths.
     assert_eq!(structure.angles, vec![false; 3]);
     assert_eq!(structure.ignorable, vec![false, true, false]);
+}
+
+/// The period of the only coordinate under a potential.
+fn period(potential: impl for<'a> Fn(Quantity<'a>, &'a Draft) -> Quantity<'a>) -> u32 {
+    let draft = Draft::new(1);
+    let q = draft.q(0);
+    let mut model = draft.natural(q.dot().squared() / 2, potential(q, &draft));
+    let properties = Equations::derive(&mut model).unwrap().coordinate_properties;
+    properties.periods[0]
+}
+
+fn tangent<'d>(x: Quantity<'d>, draft: &'d Draft) -> Quantity<'d> {
+    draft.make(|graph| graph.unary(Unary::Tan, x.expression()))
+}
+
+#[test]
+fn periods_are_the_full_turns_that_all_sines_share() {
+    assert_eq!(period(|q, _| q.sin()), 1);
+    assert_eq!(period(|q, _| (2 * q).cos()), 1);
+    assert_eq!(period(|q, _| (q / 2).sin()), 2);
+    assert_eq!(period(|q, _| (-(3 * q) / 10 + 1).sin()), 10);
+    assert_eq!(period(|q, draft| tangent(2 * q / 3, draft)), 3);
+    assert_eq!(period(|q, _| (q / 4).sin() * (3 * q / 2).cos()), 4);
+    assert_eq!(period(|q, _| (q / 4).sin() + (q / 6).cos().exp()), 12);
+    assert_eq!(period(|q, _| (q / 4 + (q / 3).sin()).sin()), 12);
+    // Not above the limit.
+    assert_eq!(period(|q, _| (q / 64).sin()), 64);
+    assert_eq!(period(|q, _| (q / 65).sin()), 0);
+    assert_eq!(period(|q, _| (q / 11).sin() + (q / 7).sin()), 0);
+}
+
+#[test]
+fn what_depends_on_a_coordinate_itself_has_no_period() {
+    assert_eq!(period(|q, draft| (draft.p(0) * q).sin()), 0);
+    assert_eq!(period(|q, _| q.sin() + q.squared()), 0);
+    assert_eq!(period(|q, _| (q.squared()).sin()), 0);
+    assert_eq!(period(|q, _| (q + q.squared()).sin()), 0);
+    // Nothing depends on it.
+    assert_eq!(period(|_, draft| draft.zero()), 1);
+}
+
+#[test]
+fn a_long_sum_under_a_sine_counts_through_its_parts() {
+    // The sum of the others stays one term of the argument, with a factor of 1/2.
+    let draft = Draft::new(12);
+    let qs: [_; 12] = draft.qs();
+    let sum = draft.sum(qs);
+    let kinetic = draft.sum(qs.map(|q| q.dot().squared())) / 2;
+    let mut model = draft.natural(kinetic, (sum / 2 + qs[0] / 3).sin());
+    let properties = Equations::derive(&mut model).unwrap().coordinate_properties;
+    // 1/2 + 1/3, or both of them.
+    assert_eq!(properties.periods[0], 6);
+    assert_eq!(properties.periods[1..], [2; 11]);
+}
+
+#[test]
+fn forces_and_dissipation_count_for_periods() {
+    let draft = Draft::new(3);
+    let [a, b, c] = draft.qs();
+    let kinetic = draft.sum([a, b, c].map(|q| q.dot().squared())) / 2;
+    let forces = [(a / 2).sin(), draft.zero(), c].map(Quantity::expression);
+    let dissipation = b.dot().squared() * ((b / 3).cos() + 2);
+    let dissipation = dissipation.expression();
+    let mut model = draft.natural(kinetic, a.cos() + b.cos() + c.cos());
+    model.forces = forces.to_vec();
+    model.dissipation = dissipation;
+    let properties = Equations::derive(&mut model).unwrap().coordinate_properties;
+    assert_eq!(properties.periods, [2, 3, 0]);
+    assert_eq!(properties.angles, [true, true, false]);
 }
 
 #[test]

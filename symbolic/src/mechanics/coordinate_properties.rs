@@ -1,19 +1,23 @@
-//! Properties of the coordinates: which are angles, which are ignorable (cyclic), and on which the determinant of the
-//! mass matrix depends.
+//! Properties of the coordinates: which are angles, in which the motion is periodic, which are ignorable (cyclic), and
+//! on which the determinant of the mass matrix depends.
 //!
 //! All decisions are exact, by polynomial identity testing.
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_matrix;
 use crate::identity::modular_point::ModularPoint;
+use crate::limits::LONGEST_PERIOD;
 use crate::mechanics::defects::Defect;
-use crate::{Expression, Graph, Model, Node, Symbol, Unary};
+use crate::{Expression, Graph, Model, Node, Rational, Symbol, Unary};
 
 /// Properties of the coordinates that the runtime uses.
 #[derive(Clone, Debug)]
 pub struct CoordinateProperties {
     /// Which coordinates are angles: they occur, and only in sums under sine, cosine and tangent.
     pub angles: Vec<bool>,
+    /// For each coordinate, a number of full turns after which the equations of motion are the same: the smallest by
+    /// which all factors of an angle are integers; 1 if the coordinate is ignorable; 0 if none is known.
+    pub periods: Vec<u32>,
     /// Which coordinates are ignorable: they occur neither in the Lagrangian nor in a force.
     pub ignorable: Vec<bool>,
     /// For each coordinate, the coordinates on which the determinant of its block of M depends.
@@ -62,12 +66,12 @@ pub(crate) fn analyze(
         .iter()
         .map(|coordinate| !occurring.contains(coordinate))
         .collect();
-    let mut angles = angles(graph, &roots, model.coordinates);
-    for (is_angle, is_ignorable) in angles.iter_mut().zip(&ignorable) {
-        *is_angle &= !is_ignorable;
-    }
+    let uses = uses(graph, &roots, model.coordinates);
+    let angles = uses.iter().zip(&ignorable);
+    let angles = angles.map(|(x, is_ignorable)| !x.by_value && !is_ignorable);
     Ok(CoordinateProperties {
-        angles,
+        angles: angles.collect(),
+        periods: uses.iter().map(Use::period).collect(),
         ignorable,
         singularities,
     })
@@ -99,28 +103,66 @@ fn blocks(graph: &Graph, mass: &[Vec<Expression>]) -> Vec<Vec<usize>> {
     blocks
 }
 
-/// Which coordinates occur only in sums under sine, cosine and tangent, or not at all.
-fn angles(graph: &Graph, roots: &[Expression], coordinates: u32) -> Vec<bool> {
-    let descendants = graph.descendants(roots);
-    let length = descendants.last().map_or(0, |last| last.index() + 1);
-    // Whether the value of an expression matters by itself and not only modulo a full turn.
-    let mut matters = vec![false; length];
-    for root in roots {
-        matters[root.index()] = true;
+/// How the roots depend on the value of an expression.
+#[derive(Clone)]
+struct Use {
+    /// Whether on the value itself, and not only modulo full turns.
+    by_value: bool,
+    /// The largest number of which all its factors under sine, cosine and tangent are integer multiples; 0 if it occurs
+    /// under none.
+    factor: Rational,
+}
+
+impl Use {
+    const NONE: Self = Self {
+        by_value: false,
+        factor: Rational::ZERO,
+    };
+
+    /// Adds that it occurs with a factor under a sine.
+    fn add_factor(&mut self, factor: &Rational) {
+        self.factor = self.factor.common_divisor(factor);
     }
-    let mut angles = vec![true; coordinates as usize];
-    for expression in descendants.into_iter().rev() {
-        let here = matters[expression.index()];
-        match graph.node(expression) {
-            Node::Symbol(Symbol::Coordinate(i)) => angles[*i as usize] = !here,
-            Node::Sum(terms) => {
-                for (x, _) in terms {
-                    matters[x.index()] |= here;
-                }
-            }
-            Node::Unary(Unary::Sin | Unary::Cos | Unary::Tan, _) => {}
-            node => node.for_each_operand(|operand| matters[operand.index()] = true),
+
+    /// The least number of full turns by which all factors are integers, or 0.
+    fn period(&self) -> u32 {
+        let turns = self.factor.to_fraction().map_or(0, |fraction| fraction.1);
+        let turns = u32::try_from(turns).unwrap_or(0);
+        if self.by_value || turns > LONGEST_PERIOD {
+            0
+        } else {
+            turns
         }
     }
-    angles
+}
+
+/// How the roots depend on the value of each coordinate.
+fn uses(graph: &Graph, roots: &[Expression], coordinates: u32) -> Vec<Use> {
+    let descendants = graph.descendants(roots);
+    let length = descendants.last().map_or(0, |last| last.index() + 1);
+    let mut uses = vec![Use::NONE; length];
+    for root in roots {
+        uses[root.index()].by_value = true;
+    }
+    let mut found = vec![Use::NONE; coordinates as usize];
+    for expression in descendants.into_iter().rev() {
+        let here = uses[expression.index()].clone();
+        match graph.node(expression) {
+            Node::Symbol(Symbol::Coordinate(i)) => found[*i as usize] = here,
+            Node::Sum(terms) => {
+                for (x, coefficient) in terms {
+                    let term = &mut uses[x.index()];
+                    term.by_value |= here.by_value;
+                    if !here.factor.is_zero() {
+                        term.add_factor(&(&here.factor * coefficient));
+                    }
+                }
+            }
+            Node::Unary(Unary::Sin | Unary::Cos | Unary::Tan, x) => {
+                uses[x.index()].add_factor(&Rational::ONE);
+            }
+            node => node.for_each_operand(|operand| uses[operand.index()].by_value = true),
+        }
+    }
+    found
 }
