@@ -167,6 +167,7 @@ impl HeavyTop {
 impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
     const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
     const ANGLES: [bool; 3usize] = [false, true, true];
+    const PERIODS: [u32; 3usize] = [1, 1, 1];
     const IGNORABLE: [bool; 3usize] = [true, false, false];
     const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
 }

@@ -143,6 +143,7 @@ impl Slider {
 impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
     const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
     const ANGLES: [bool; 1usize] = [false];
+    const PERIODS: [u32; 1usize] = [0];
     const IGNORABLE: [bool; 1usize] = [false];
     const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
 }

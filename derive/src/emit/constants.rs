@@ -70,6 +70,8 @@ impl Emitter<'_> {
         let n = self.coordinates();
         let structure = &self.equations.coordinate_properties;
         let (angles, ignorable) = (&structure.angles, &structure.ignorable);
+        let periods = structure.periods.iter();
+        let periods = periods.map(|turns| Literal::u32_unsuffixed(*turns));
         let singularities = structure.singularities.iter().map(|coordinates| {
             let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
             quote!(&[#(#coordinates),*])
@@ -79,6 +81,7 @@ impl Emitter<'_> {
             impl #generics #root::GeneralizedCoordinates<#n> for #name #arguments #conditions {
                 const COORDINATES: [&'static str; #n] = Self::COORDINATES;
                 const ANGLES: [bool; #n] = [#(#angles),*];
+                const PERIODS: [u32; #n] = [#(#periods),*];
                 const IGNORABLE: [bool; #n] = [#(#ignorable),*];
                 const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
             }

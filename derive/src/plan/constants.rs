@@ -4,7 +4,8 @@
 pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
 
 /// The constants of traits that a model has; a constant of the type would hide them.
-pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 3] = ["ANGLES", "IGNORABLE", "SINGULARITIES"];
+pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 4] =
+    ["ANGLES", "PERIODS", "IGNORABLE", "SINGULARITIES"];
 /// The constants of a model with inputs.
 pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
 /// The constants of a model with external functions.

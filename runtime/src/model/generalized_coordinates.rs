@@ -7,9 +7,16 @@ pub trait GeneralizedCoordinates<const N: usize> {
     const COORDINATES: [&'static str; N];
 
     /// Which coordinates are angles: they occur only as arguments of sine, cosine and tangent, so that their
-    /// magnitude does not matter to an error estimate. Where they are multiplied by integers there, the motion
-    /// is periodic in them.
+    /// magnitude does not matter to an error estimate.
     const ANGLES: [bool; N] = [false; N];
+
+    /// In which coordinates the accelerations are periodic, and with which period, in full turns: with 2, they are
+    /// the same at qᵢ + 4π. It is 1 for an angle that is multiplied by integers where it occurs, 2 where it is halved,
+    /// and 1 for an ignorable coordinate, on which nothing depends. 0 if there is no period, or none is known.
+    ///
+    /// An integration evaluates the accelerations at angles less whole periods, so that an angle that has grown
+    /// costs no digits ([`Dynamics::reduced`](crate::Dynamics::reduced)).
+    const PERIODS: [u32; N] = [0; N];
 
     /// Which coordinates are ignorable (cyclic): they occur neither in the Lagrangian nor in a force, so that only
     /// their change matters to an error estimate.

@@ -107,6 +107,7 @@ where
 {
     const COORDINATES: [&'static str; N] = M::COORDINATES;
     const ANGLES: [bool; N] = M::ANGLES;
+    const PERIODS: [u32; N] = M::PERIODS;
     const IGNORABLE: [bool; N] = M::IGNORABLE;
     const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
 }
