@@ -264,9 +264,7 @@ fn an_angle_within_an_external_function_is_none() {
         let q = draft.q(0);
         let argument = if of_sine { (q / 3).sin() } else { q };
         let mut model = draft.natural(q.dot().squared() / 2, argument.through(wave));
-        Equations::derive(&mut model)
-            .unwrap()
-            .coordinate_properties
+        Equations::derive(&mut model).unwrap().coordinate_properties
     };
     assert_eq!(properties(true).angles, [true]);
     assert_eq!(properties(false).angles, [false]);
