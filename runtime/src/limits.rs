@@ -33,6 +33,9 @@ pub(crate) const REPORTED_COORDINATES: usize = 6;
 /// Numbers whose magnitude is in this range are printed without an exponent.
 pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 
+/// An angle up to this is not reduced by whole periods: its rounding error is that of π or twice as much.
+pub(crate) const SMALL_ANGLE: f64 = 8.0;
+
 /// Location of events: stop conditions within a step.
 pub(crate) mod events {
     /// The resolution of time, in machine epsilons of the time and of the

@@ -3,6 +3,7 @@
 //! W. Kahan, *Further Remarks on Reducing Truncation Errors*, Comm. ACM **8** (1965) 40. For integrators: Hairer,
 //! Lubich & Wanner, *Geometric Numerical Integration*, 2nd edition (2006), VIII.5.
 
+use super::dynamics::Dynamics;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -30,6 +31,19 @@ impl<X> Compensated<X> {
 
     pub(crate) fn value(&self) -> &X {
         &self.value
+    }
+
+    pub(crate) fn into_value(self) -> X {
+        self.value
+    }
+
+    /// Where the derivatives of a step from this state are evaluated.
+    #[inline]
+    pub(crate) fn reduced<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(&self, dynamics: &D) -> X
+    where
+        X: VectorSpace<S>,
+    {
+        dynamics.reduced(&self.value, &self.compensation)
     }
 
     /// This state plus `increment`; the rounding error of the sum becomes the compensation.

@@ -195,13 +195,13 @@ pub struct Dop853Stepper<X> {
 #[derive(Clone, Debug)]
 struct LastStep<X> {
     clock: Clock,
-    x: X,
+    x: Compensated<X>,
     h: f64,
     dense: Option<DenseOutput<X>>,
 }
 
 impl<X> Dop853Stepper<X> {
-    /// The derivatives kᵢ of the stages from `first` to before `end`, over a step h from (t, x).
+    /// The derivatives kᵢ of a range of stages, over a step h from (t, x), where x is reduced.
     #[inline]
     fn evaluate<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
@@ -232,14 +232,14 @@ impl<X> Dop853Stepper<X> {
     where
         X: VectorSpace<S>,
     {
-        let x = self.state.value().clone();
+        let from = self.state.reduced(dynamics);
         // First same as last.
         self.stages[0] = self.stages[STAGES].clone();
-        self.evaluate(dynamics, (self.clock, &x), h, 1..STAGES);
-        let slope = combination(&WEIGHTS, &self.stages, &x.zeroed());
+        self.evaluate(dynamics, (self.clock, &from), h, 1..STAGES);
+        let slope = combination(&WEIGHTS, &self.stages, &from.zeroed());
         let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
         let scales = [
-            dynamics.error_scale(&x),
+            dynamics.error_scale(self.state.value()),
             dynamics.error_scale(state.value()),
         ];
         let error = step_control::error(&self.stages, h, &scales, self.method.tolerance);
@@ -344,13 +344,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             return self.state.value().clone();
         };
         let dense = last.dense.take().unwrap_or_else(|| {
-            self.evaluate(
-                dynamics,
-                (last.clock, &last.x),
-                last.h,
-                STAGES + 1..ALL_STAGES,
-            );
-            DenseOutput::new(&last.x, self.state.value(), last.h, &self.stages)
+            let from = (last.clock, &last.x.reduced(dynamics));
+            self.evaluate(dynamics, from, last.h, STAGES + 1..ALL_STAGES);
+            DenseOutput::new(last.x.value(), self.state.value(), last.h, &self.stages)
         });
         let x = dense.at(last.clock.until(t) / last.h);
         last.dense = Some(dense);
@@ -360,7 +356,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
 
     fn restart(&mut self, dynamics: &D) {
         let t = S::from_f64(self.clock.time());
-        self.stages[STAGES] = dynamics.derivative(t, self.state.value());
+        self.stages[STAGES] = dynamics.derivative(t, &self.state.reduced(dynamics));
         self.statistics.evaluations += 1;
         self.control = None;
         self.last = None;
@@ -380,7 +376,7 @@ impl<X> Dop853Stepper<X> {
     {
         self.last = Some(LastStep {
             clock: self.clock,
-            x: self.state.value().clone(),
+            x: core::mem::replace(&mut self.state, state),
             h,
             dense: None,
         });
@@ -388,9 +384,8 @@ impl<X> Dop853Stepper<X> {
             Some(target) => self.clock = Clock::new(target),
             None => self.clock.advance(h),
         }
-        self.state = state;
         let t = S::from_f64(self.clock.time());
-        self.stages[STAGES] = dynamics.derivative(t, self.state.value());
+        self.stages[STAGES] = dynamics.derivative(t, &self.state.reduced(dynamics));
         self.statistics.evaluations += 1;
         self.statistics.steps += 1;
     }

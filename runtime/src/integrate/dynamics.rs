@@ -50,6 +50,19 @@ pub trait Dynamics<S: Scalar = f64> {
         x.map(Scalar::abs)
     }
 
+    /// A state at which the derivative is the same as at x + `compensation`, and is computed with smaller rounding
+    /// errors: with angles less whole periods ([`PERIODS`](crate::GeneralizedCoordinates::PERIODS)). x by default.
+    ///
+    /// Steppers evaluate derivatives from there; their own state goes on counting turns. The compensation is what
+    /// rounding has removed from x.
+    ///
+    /// Under a control law nothing is reduced: a law may count turns.
+    #[inline]
+    fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
+        let _ = compensation;
+        x.clone()
+    }
+
     /// The singularity near a state, if the smallest relative pivot of the mass matrix (or what corresponds to it)
     /// is below `min_pivot` or NaN.
     #[inline]

@@ -120,7 +120,7 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
         Self { tableau, step }
     }
 
-    /// The increment h Σ bᵢ kᵢ over a step h from (t, x).
+    /// The increment h Σ bᵢ kᵢ over a step h from (t, x), where x is reduced.
     #[inline]
     fn increment<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
@@ -159,7 +159,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
         Ok(RungeKuttaStepper {
             method: *self,
             clock,
-            previous: (clock, state.value().clone()),
+            previous: (clock, state.clone()),
             state,
             statistics: Statistics {
                 evaluations: 1,
@@ -182,7 +182,7 @@ pub struct RungeKuttaStepper<X, const STAGES: usize> {
     clock: Clock,
     state: Compensated<X>,
     /// Where the last step began.
-    previous: (Clock, X),
+    previous: (Clock, Compensated<X>),
     statistics: Statistics,
 }
 
@@ -244,23 +244,24 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         } else {
             clock = Clock::new(target);
         }
-        let x = self.state.value();
-        let increment = self.method.increment(dynamics, &self.clock, x, h);
+        let x = self.state.reduced(dynamics);
+        let increment = self.method.increment(dynamics, &self.clock, &x, h);
         let state = self.state.plus(increment);
         checked_state(dynamics, clock.time(), state.value())?;
-        self.previous = (self.clock, x.clone());
+        let previous = core::mem::replace(&mut self.state, state);
+        self.previous = (self.clock, previous);
         self.clock = clock;
-        self.state = state;
         self.count_step();
         Ok(())
     }
 
     /// A step of the method from the last time to `t`: as accurate as the step itself.
     fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
-        let (clock, x) = &self.previous;
+        let (clock, previous) = &self.previous;
         let h = clock.until(t);
-        let increment = self.method.increment(dynamics, clock, x, h);
-        let mut x = x.clone();
+        let from = previous.reduced(dynamics);
+        let increment = self.method.increment(dynamics, clock, &from, h);
+        let mut x = previous.value().clone();
         x.add_scaled(S::one(), &increment);
         self.count_evaluations();
         x

@@ -108,7 +108,7 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     x: &D::State,
 ) -> Result<D::State, IntegrationError> {
     checked_state(dynamics, t, x)?;
-    let derivative = dynamics.derivative(S::from_f64(t), x);
+    let derivative = dynamics.derivative(S::from_f64(t), &dynamics.reduced(x, &x.zeroed()));
     match derivative.first_non_finite() {
         None => Ok(derivative),
         Some((index, value)) => Err(IntegrationError::NonFiniteDerivative {

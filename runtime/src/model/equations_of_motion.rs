@@ -9,6 +9,7 @@ use super::lagrangian::Lagrangian;
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::state::State;
+use super::whole_periods::{is_large, less_whole_periods};
 use crate::integrate::{ComponentName, Dynamics, Series, Singularity, TaylorCoefficients};
 use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
 use crate::linalg::Factorization;
@@ -108,6 +109,18 @@ where
     #[inline]
     fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
         error_scale::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn reduced(&self, x: &Phase<S, N>, compensation: &Phase<S, N>) -> Phase<S, N> {
+        let mut reduced = *x;
+        for (i, angle) in reduced.q.iter_mut().enumerate() {
+            let period = M::PERIODS[i];
+            if period > 0 && !M::IGNORABLE[i] && is_large(*angle) {
+                *angle = less_whole_periods(*angle, compensation.q[i], period);
+            }
+        }
+        reduced
     }
 
     #[inline]

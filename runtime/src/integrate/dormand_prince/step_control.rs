@@ -134,7 +134,7 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     let probe = probe.min(longest.abs());
 
     let euler = probe.copysign(longest);
-    let mut ahead = x.clone();
+    let mut ahead = dynamics.reduced(x, &x.zeroed());
     ahead.add_scaled(S::from_f64(euler), slope);
     let mut change = dynamics.derivative(S::from_f64(clock.after(euler)), &ahead);
     change.add_scaled(-S::one(), slope);

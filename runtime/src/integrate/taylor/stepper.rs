@@ -27,10 +27,10 @@ pub struct TaylorStepper<X, const HALF: usize> {
     /// The unit of time of the next series, a power of two near the size of the step: the coefficients of a series
     /// then neither overflow nor underflow.
     unit: f64,
-    /// The polynomial of the last step.
+    /// The polynomial of the last step, about the reduced state.
     coefficients: TaylorCoefficients<X, HALF>,
     /// Where the last step began, and its unit of time.
-    last: Option<(Clock, f64)>,
+    last: Option<(Clock, X, f64)>,
     statistics: Statistics,
 }
 
@@ -79,10 +79,11 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         X: VectorSpace<S>,
     {
         let time = self.clock.time();
+        let from = self.state.reduced(dynamics);
         let mut non_finite = None;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (S::from_f64(time), S::from_f64(self.unit));
-            dynamics.series(t, self.state.value(), unit, &mut self.coefficients);
+            dynamics.series(t, &from, unit, &mut self.coefficients);
             self.statistics.evaluations += 1;
             let mut last = self.coefficients.higher().iter().rev().take(2);
             non_finite = last.find_map(VectorSpace::first_non_finite);
@@ -138,26 +139,27 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         &mut self,
         dynamics: &D,
         (h, tau): (f64, S),
-        state: &X,
+        state: &Compensated<X>,
         tolerance: Tolerance,
     ) -> bool
     where
         X: VectorSpace<S>,
     {
         let t = S::from_f64(self.clock.after(h));
-        let derivative = dynamics.derivative(t, state);
+        let end = state.reduced(dynamics);
+        let derivative = dynamics.derivative(t, &end);
         self.statistics.evaluations += 1;
         let mut residual = self.coefficients.derivative(tau);
         let unit = S::one() / S::from_f64(self.unit);
         residual = residual.map(|component| component * unit);
         residual.add_scaled(-S::one(), &derivative);
-        let scale = dynamics.error_scale(state);
+        let scale = dynamics.error_scale(state.value());
         let [relative, absolute] = [tolerance.relative, tolerance.absolute]
             .map(|tolerance| S::from_f64(tolerance * RESIDUAL_PER_ORDER * number(Self::ORDER)));
         let rounding = S::from_f64(RESIDUAL_ROUNDING * S::machine_epsilon());
         let h = S::from_f64(h.abs());
         let components = residual.components().zip(derivative.components());
-        let sizes = scale.components().zip(state.components());
+        let sizes = scale.components().zip(end.components());
         let mut all = components.zip(sizes);
         all.all(|((residual, rate), (scale, value))| {
             let size = value.abs() + scale + h * rate.abs();
@@ -191,7 +193,10 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Stepper<S, X> for TaylorSt
     }
 
     fn previous_time(&self) -> f64 {
-        self.last.map_or(self.clock, |(clock, _)| clock).time()
+        self.last
+            .as_ref()
+            .map_or(self.clock, |(clock, ..)| *clock)
+            .time()
     }
 
     fn statistics(&self) -> Statistics {
@@ -223,14 +228,14 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
             let tau = S::from_f64(h / self.unit);
             let state = self.state.plus(self.coefficients.change(tau));
             let finite = checked_state(dynamics, self.clock.after(h), state.value());
-            if finite.is_ok() && self.holds(dynamics, (h, tau), state.value(), tolerance) {
-                self.last = Some((self.clock, self.unit));
+            if finite.is_ok() && self.holds(dynamics, (h, tau), &state, tolerance) {
+                let previous = core::mem::replace(&mut self.state, state);
+                self.last = Some((self.clock, previous.into_value(), self.unit));
                 if lands {
                     self.clock = Clock::new(target);
                 } else {
                     self.clock.advance(h);
                 }
-                self.state = state;
                 if proposed.is_normal() {
                     self.unit = power_of_two_near(proposed);
                 }
@@ -261,10 +266,10 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
     }
 
     fn interpolate(&mut self, _: &D, t: f64) -> X {
-        let mut x = self.coefficients.initial().clone();
-        let Some((clock, unit)) = self.last else {
+        let Some((clock, from, unit)) = &self.last else {
             return self.state.value().clone();
         };
+        let mut x = from.clone();
         let tau = S::from_f64(clock.until(t) / unit);
         x.add_scaled(S::one(), &self.coefficients.change(tau));
         x

@@ -1,0 +1,230 @@
+//! Angles less whole periods.
+//!
+//! The state of an integration counts turns, and the rounding error of an angle grows with them. A stepper also has
+//! what rounding has removed from the state, its compensation: with that, the angle less whole periods has all digits.
+//! The turns are subtracted with 2π in several parts (W. J. Cody & W. Waite, *Software Manual for the Elementary
+//! Functions*, 1980).
+
+use core::f64::consts::TAU;
+
+use crate::limits::SMALL_ANGLE;
+use crate::linalg::lane_select::greater;
+use crate::scalar::Scalar;
+
+/// 2π, the sum of four parts. The first two have so few bits that their products with a number of turns are exact, up
+/// to a number of turns of 2 to the power `digits`.
+///
+/// What they leave is of the size of the rounding error of 2π in a format of twice the digits, so that a scalar of more
+/// digits than `f64` gains as many.
+struct FullTurn {
+    parts: [f64; 4],
+    digits: i32,
+}
+
+/// For scalars of at least the digits of `f64`; `runtime/scripts/full_turn_constants.py` computes the parts.
+const BINARY64: FullTurn = FullTurn {
+    parts: [
+        6.283_185_482_025_146_5,
+        -1.748_455_531_469_517_2e-7,
+        -6.860_497_997_771_531_6e-15,
+        3.391_371_064_147_56e-31,
+    ],
+    digits: 29,
+};
+
+/// For scalars of at least the digits of `f32`.
+const BINARY32: FullTurn = FullTurn {
+    parts: [
+        6.283_203_125,
+        -1.781_433_820_724_487_3e-5,
+        -3.482_206_301_086_421_3e-9,
+        2.288_475_566_583_491_2e-17,
+    ],
+    digits: 12,
+};
+
+impl FullTurn {
+    fn of<S: Scalar>() -> Option<&'static Self> {
+        let epsilon = S::machine_epsilon();
+        if epsilon <= f64::EPSILON {
+            Some(&BINARY64)
+        } else if epsilon <= f32::EPSILON.into() {
+            Some(&BINARY32)
+        } else {
+            None
+        }
+    }
+
+    /// The turns in the whole periods nearest to an angle, without derivative parts; 0 if they are too many.
+    fn turns_in<S: Scalar>(&self, angle: S, period: f64) -> S {
+        let inverse = 1.0 / (period * TAU);
+        let most_turns = libm::ldexp(1.0, self.digits);
+        let (least, most) = (angle.smallest(), angle.largest());
+        if most > least {
+            return self.turns_in_lanes(angle, period, inverse, most_turns);
+        }
+        let turns = period * libm::floor(most.abs() * inverse + 0.5);
+        let few = most.abs() > SMALL_ANGLE && turns <= most_turns;
+        S::from_f64(if few { turns.copysign(most) } else { 0.0 })
+    }
+
+    /// The same in lanes that differ: the whole number of periods is found digit by digit, and it is that of one lane
+    /// alone.
+    fn turns_in_lanes<S: Scalar>(&self, angle: S, period: f64, inverse: f64, most_turns: f64) -> S {
+        let size = angle.abs();
+        let mut rest = size * S::from_f64(inverse) + S::from_f64(0.5);
+        let mut periods = S::zero();
+        // A larger number has the largest digits and is too many.
+        let highest = libm::ilogb(rest.largest()).min(self.digits);
+        for digit in (0..=highest).rev() {
+            let power = S::from_f64(libm::ldexp(1.0, digit));
+            let part = power * (S::one() - greater(power, rest));
+            rest -= part;
+            periods += part;
+        }
+        let turns = periods * S::from_f64(period);
+        let too_many = greater(turns, S::from_f64(most_turns));
+        let large = greater(size, S::from_f64(SMALL_ANGLE));
+        turns * large * (S::one() - too_many) * angle.signum()
+    }
+}
+
+/// Whether an angle is so large that subtracting periods gains digits.
+#[inline]
+pub(crate) fn is_large<S: Scalar>(angle: S) -> bool {
+    angle.abs().largest() > SMALL_ANGLE
+}
+
+/// The angle `angle` + `compensation` less whole periods, each of so many full turns: nearest to zero, and unchanged in
+/// the lanes in which it is not large, or too large for the digits of 2π.
+#[inline(never)]
+pub(crate) fn less_whole_periods<S: Scalar>(angle: S, compensation: S, period: u32) -> S {
+    let Some(full_turn) = FullTurn::of::<S>() else {
+        return angle;
+    };
+    let turns = full_turn.turns_in(angle, f64::from(period));
+    let [first, second, third, fourth] = full_turn.parts.map(S::from_f64);
+    // The differences are exact in `f64`: they have the last bit of the angle, or that of the product, and are small.
+    let rest = (angle - turns * first) - turns * second;
+    let compensation = compensation * turns.signum().abs();
+    rest - (turns * third - (compensation - turns * fourth))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BINARY32, BINARY64, FullTurn, less_whole_periods};
+    use crate::scalar::{DoubleDouble, Lanes, Scalar};
+
+    fn double(x: f64) -> DoubleDouble {
+        DoubleDouble::from(x)
+    }
+
+    /// The angle less `turns` full turns, with the digits of a double-double.
+    fn exact(angle: f64, compensation: f64, turns: f64) -> DoubleDouble {
+        let [first, second, third, fourth] =
+            BINARY64.parts.map(|part| double(part) * double(turns));
+        double(angle) - first - second - third - fourth + double(compensation)
+    }
+
+    #[test]
+    fn the_parts_are_those_of_a_full_turn() {
+        let tau = DoubleDouble::pi() * double(2.0);
+        for FullTurn { parts, digits } in [BINARY64, BINARY32] {
+            let sum = parts
+                .iter()
+                .rev()
+                .fold(double(0.0), |sum, part| sum + double(*part));
+            let bound = if digits == BINARY64.digits {
+                1e-31
+            } else {
+                1e-24
+            };
+            assert!((sum - tau).to_f64().abs() < bound);
+            // The product with the most turns is exact.
+            let most = libm::ldexp(1.0, digits) - 1.0;
+            for part in &parts[..2] {
+                let product = double(*part) * double(most);
+                assert!(product.low().abs() <= 0.0);
+                if digits == BINARY32.digits {
+                    let nearest = f64::from(<f32 as Scalar>::from_f64(product.to_f64()));
+                    assert!((product.to_f64() - nearest).abs() <= 0.0);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn whole_periods_are_removed_to_the_last_digit() {
+        for period in [1, 2, 3, 10, 64] {
+            for magnitude in 4..31 {
+                for step in 0..50 {
+                    let angle = libm::ldexp(1.0 + f64::from(step) / 50.3, magnitude);
+                    let compensation = angle * 0.41 * f64::EPSILON * f64::from(step % 3 - 1);
+                    for sign in [1.0, -1.0] {
+                        let (x, rounding) = (sign * angle, sign * compensation);
+                        let found = less_whole_periods(x, rounding, period);
+                        let length = f64::from(period) * core::f64::consts::TAU;
+                        let periods = libm::floor(x.abs() / length + 0.5);
+                        let turns = f64::from(period) * periods.copysign(x);
+                        if turns.abs() > 0.0 {
+                            let error = (double(found) - exact(x, rounding, turns)).to_f64();
+                            let ulp = 0.51 * f64::EPSILON * found.abs() + 1e-19;
+                            assert!(error.abs() <= ulp, "{x:e} {period}: {found:e}, {error:e}");
+                            assert!(found.abs() <= 0.5 * length + 1e-6);
+                        } else {
+                            assert_eq!(found.to_bits(), x.to_bits());
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_lane_is_reduced_as_it_is_alone() {
+        let angles = [
+            0.3, -7.9, 8.1, -1e3, 123_456.7, 3.2e9, -3.4e9, 1e15, -1e300, 8.0, 4.0e8,
+        ];
+        for period in [1, 2, 7] {
+            for shift in 0..angles.len() {
+                let lanes = Lanes::<4>::from_fn(|lane| angles[(shift + 3 * lane) % angles.len()]);
+                let rounding = Lanes::<4>::from_fn(|lane| lanes.lane(lane) * 1e-17);
+                let found = less_whole_periods(lanes, rounding, period);
+                for lane in 0..4 {
+                    let alone = less_whole_periods(lanes.lane(lane), rounding.lane(lane), period);
+                    assert_eq!(found.lane(lane).to_bits(), alone.to_bits(), "{lanes:?}");
+                }
+            }
+        }
+        for angle in [7.9, -8.0, 1e300, f64::INFINITY] {
+            assert_eq!(less_whole_periods(angle, 0.0, 1).to_bits(), angle.to_bits());
+        }
+    }
+
+    #[test]
+    fn other_scalars_gain_their_own_digits() {
+        // 0.7 after 100 000 turns.
+        let turns = double(1e5) * double(2.0) * DoubleDouble::pi();
+        let angle = turns + DoubleDouble::ratio(7.0, 10.0);
+        let error = less_whole_periods(angle, double(0.0), 1) - DoubleDouble::ratio(7.0, 10.0);
+        assert!(error.to_f64().abs() < 1e-26);
+
+        let angle = 0.7 + 4000.0 * core::f64::consts::TAU;
+        let rounded = <f32 as Scalar>::from_f64(angle);
+        let lost = <f32 as Scalar>::from_f64(angle - f64::from(rounded));
+        let error = f64::from(less_whole_periods(rounded, lost, 1)) - 0.7;
+        assert!(error.abs() < 2e-7, "{error:e}");
+        assert!(lost.abs() > 1e-4);
+    }
+
+    #[cfg(feature = "num-dual")]
+    #[test]
+    fn derivative_parts_are_kept() {
+        use num_dual::Dual64;
+
+        let found = less_whole_periods(Dual64::new(1e4, 3.0), Dual64::new(1e-13, 1e-17), 1);
+        let value: f64 = less_whole_periods(1e4, 1e-13, 1);
+        assert_eq!(found.re.to_bits(), value.to_bits());
+        assert_eq!(found.eps.to_bits(), 3.0_f64.to_bits());
+    }
+}
