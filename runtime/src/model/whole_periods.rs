@@ -98,6 +98,7 @@ pub(crate) fn is_large<S: Scalar>(angle: S) -> bool {
 /// The angle `angle` + `compensation` less whole periods, each of so many full turns: nearest to zero, and unchanged in
 /// the lanes in which it is not large, or too large for the digits of 2π.
 #[inline(never)]
+#[cold]
 pub(crate) fn less_whole_periods<S: Scalar>(angle: S, compensation: S, period: u32) -> S {
     let Some(full_turn) = FullTurn::of::<S>() else {
         return angle;
