@@ -1,5 +1,6 @@
 //! Motions of the systems without constraints, against integrations with 30 digits.
 
+use lagrangian::MotionSeries;
 use lagrangian::prelude::*;
 use lagrangian_tests::{
     Figures, Law, Observed, Parametrized, array, list, number, numbers, references, relative_error,
@@ -21,12 +22,13 @@ type Comparison = (&'static str, Vec<f64>, Vec<f64>);
 
 /// A motion: the comparisons at each sample up to the end or up to an error.
 struct Motion {
+    method: &'static str,
     samples: Vec<Vec<Comparison>>,
     error: Option<IntegrationError>,
 }
 
-/// A system: its identifier, and its motion in one scenario.
-type Row = (&'static str, fn(&Value) -> Motion);
+/// A system: its identifier, and its motion in one scenario by each method.
+type Row = (&'static str, fn(&Value) -> Vec<Motion>);
 
 const SYSTEMS: &[Row] = &lagrangian_tests::trajectories!(free, driven);
 
@@ -37,9 +39,11 @@ fn motions_follow_the_references() {
     for system in list(&document["references"]) {
         let name = format!("{}, scenario {}", text(&system["id"]), system["scenario"]);
         for (_, integrate) in SYSTEMS.iter().filter(|(id, _)| system["id"] == *id) {
-            let motion = integrate(system);
-            check_end(system, &motion);
-            record(&mut figures, system, &name, &motion);
+            for motion in integrate(system) {
+                check_end(system, &motion);
+                let name = format!("{name}, {}", motion.method);
+                record(&mut figures, system, &name, &motion);
+            }
         }
     }
     figures.finish();
@@ -105,64 +109,88 @@ fn record(figures: &mut Figures, system: &Value, name: &str, motion: &Motion) {
     }
 }
 
-fn free<M, const N: usize>(system: &Value) -> Motion
+fn free<M, const N: usize>(system: &Value) -> Vec<Motion>
 where
-    M: Parametrized + Energies<N> + Observed<N>,
+    M: Parametrized + Energies<N> + MotionSeries<N> + Observed<N>,
 {
     let model = M::with(&|name| number(&system["params"][name]));
-    integrate(&model.dynamics(), system, |state, sample| {
+    let compare = |state: &State<f64, N>, sample: &Value| {
         let mut comparisons = compare(&model, state, sample);
         comparisons.extend(compare_forces(&model, sample));
         comparisons
-    })
+    };
+    let (dynamics, (initial, times)) = (model.dynamics(), start(system));
+    let taylor = Taylor::new().driver().max_steps(1_000_000);
+    let by_series = taylor.sample(&dynamics, initial, &times);
+    vec![
+        Motion::new("DOP853", dormand_prince(&dynamics, system), system, compare),
+        Motion::new("Taylor", by_series, system, compare),
+    ]
 }
 
 /// The inputs of the fields are no numbers, and everything that depends on inputs uses the law.
-fn driven<M, const N: usize, const U: usize>(system: &Value) -> Motion
+fn driven<M, const N: usize, const U: usize>(system: &Value) -> Vec<Motion>
 where
     M: Parametrized + Energies<N> + Observed<N> + Inputs<N, U> + Law<U>,
 {
     let model = M::with(&|name| system["params"].get(name).map_or(f64::NAN, number));
     let law = |state: &State<f64, N>| SVector::from(model.inputs_at(state.t));
-    integrate(&ControlledBy::new(&model, law), system, |state, sample| {
+    let compare = |state: &State<f64, N>, sample: &Value| {
         let mut comparisons = compare(&model, state, sample);
         comparisons.extend(compare_forces(
             &model.with_inputs(law(&reference_state(sample))),
             sample,
         ));
         comparisons
-    })
+    };
+    let sampled = dormand_prince(&ControlledBy::new(&model, law), system);
+    vec![Motion::new("DOP853", sampled, system, compare)]
 }
 
-/// The integrator is compiled for each number of coordinates, not for each model.
-fn integrate<const N: usize>(
+/// The motion at the times of the samples, or up to an error.
+type Sampled<const N: usize> = Result<Trajectory<Phase<f64, N>>, PartialTrajectory<Phase<f64, N>>>;
+
+/// By DOP853, which is compiled for each number of coordinates, not for each model.
+fn dormand_prince<const N: usize>(
     dynamics: &dyn Dynamics<State = Phase<f64, N>>,
     system: &Value,
-    compare: impl Fn(&State<f64, N>, &Value) -> Vec<Comparison>,
-) -> Motion {
-    let samples = list(&system["samples"]);
-    let times: Vec<f64> = samples.iter().map(|sample| number(&sample["t"])).collect();
-    let initial: State<f64, N> = State::new(
-        times[0],
-        array(&system["init"]["q"]),
-        array(&system["init"]["qd"]),
-    );
+) -> Sampled<N> {
+    let (initial, times) = start(system);
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13)
         .driver()
         .max_steps(1_000_000);
-    let (trajectory, error) = match method.sample(dynamics, initial, &times) {
-        Ok(trajectory) => (trajectory, None),
-        Err(interrupted) => (interrupted.trajectory().clone(), Some(interrupted.error())),
-    };
-    Motion {
-        samples: trajectory
-            .states()
-            .zip(samples)
-            .map(|(state, sample)| compare(&state, sample))
-            .collect(),
-        error,
+    method.sample(dynamics, initial, &times)
+}
+
+/// The initial state, and the times of the samples.
+fn start<const N: usize>(system: &Value) -> (State<f64, N>, Vec<f64>) {
+    let samples = list(&system["samples"]);
+    let times: Vec<f64> = samples.iter().map(|sample| number(&sample["t"])).collect();
+    let [q, v] = ["q", "qd"].map(|name| array(&system["init"][name]));
+    (State::new(times[0], q, v), times)
+}
+
+impl Motion {
+    fn new<const N: usize>(
+        method: &'static str,
+        sampled: Sampled<N>,
+        system: &Value,
+        compare: impl Fn(&State<f64, N>, &Value) -> Vec<Comparison>,
+    ) -> Self {
+        let (trajectory, error) = match sampled {
+            Ok(trajectory) => (trajectory, None),
+            Err(partial) => (partial.trajectory().clone(), Some(partial.error())),
+        };
+        let states = trajectory.states().zip(list(&system["samples"]));
+        Self {
+            method,
+            samples: states
+                .map(|(state, sample)| compare(&state, sample))
+                .collect(),
+            error,
+        }
     }
 }
 

@@ -80,6 +80,7 @@ impl Declaration {
 
     fn write_attribute(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "#[lagrangian(")?;
+        writeln!(f, "    taylor,")?;
         writeln!(f, "    coordinates({}),", self.coordinates.join(", "))?;
         writeln!(f, "    kinetic = {},", self.kinetic)?;
         // Leaving a vanishing potential out is part of the language.
