@@ -112,12 +112,32 @@ pub(crate) mod taylor {
     /// The unit of time of the first series, in times in which the state changes by its size.
     pub(crate) const FIRST_UNIT: f64 = 0.125;
 
-    /// The factor by which the unit of time changes where the coefficients overflow: with a unit of half the exponents'
-    /// range less, coefficients of order 2 and more have smaller exponents.
+    /// The factor by which the unit of time changes where coefficients overflow; its square the next time, and so on,
+    /// so that a few changes pass through all exponents.
     pub(crate) const UNIT_CHANGE: f64 = 1.0 / 1_048_576.0;
 
     /// Changes of the unit until the motion counts as without a Taylor series.
-    pub(crate) const UNIT_CHANGES: usize = 12;
+    pub(crate) const UNIT_CHANGES: usize = 6;
+
+    /// A step that is this many times the last one is long, as is the first: the polynomial is then checked at times
+    /// within the step, too.
+    pub(crate) const LONG_STEP: f64 = 4.0;
+
+    /// A term of half the order that is this many tolerances is negligible: in a step whose length the tolerance has
+    /// chosen, it is about the square root of their inverse.
+    pub(crate) const NEGLIGIBLE_TERM: f64 = 1024.0;
+
+    /// The number of times within a long step. A force that acts for a sixteenth of a long step is noticed.
+    pub(crate) const INNER_CHECKS: u32 = 16;
+
+    /// The least default of the singularity tolerance, that of the other methods.
+    pub(crate) const SINGULARITY_TOLERANCE: f64 = super::dormand_prince::TOLERANCE;
+
+    /// How far the state is moved where the condition of the derivative is looked at, in machine epsilons.
+    pub(crate) const MOVED_EPSILONS: f64 = 4.0;
+
+    /// By how many changes under that movement the derivative may differ from that of the polynomial.
+    pub(crate) const CHANGES: f64 = 8.0;
 
     /// The derivative at the end of a step may differ from that of the polynomial by this many tolerances over the step,
     /// for each order: terms that are left out are of that size.

@@ -16,18 +16,23 @@ pub use stepper::TaylorStepper;
 use super::error::IntegrationError;
 use super::integrator::{IntegrationMethod, Integrator};
 use super::tolerance::Tolerance;
+use crate::limits::taylor::SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
 
 /// The Taylor series method of order 2·`HALF`, with steps that are chosen from the last coefficients, and the
 /// polynomials as dense output.
 ///
-/// The last two terms of the polynomial, at the end of a step, are at most absolute + relative · scaleᵢ for each
-/// component. The scale of a component is |xᵢ|, and 1 for a coordinate that is an angle
-/// ([`Dynamics::error_scale`](crate::Dynamics::error_scale)); units do not matter. Without a tolerance that is set, both
-/// are the machine epsilon of the scalar: the method costs little more at full accuracy.
+/// The last two terms of the polynomial, at the end of a step, are about absolute + relative · scaleᵢ for each
+/// component. The scale of a component is the size that it reaches within the step, and 1 for a coordinate that is an
+/// angle ([`Dynamics::error_scale`](crate::Dynamics::error_scale)). Without a tolerance that is set, both are the machine
+/// epsilon of the scalar: the method costs little more at full accuracy. A relative tolerance alone does not depend on
+/// units.
 ///
-/// The derivative at the end of a step is compared with that of the polynomial: where a force has a corner, the
-/// polynomial goes on as before it, and the step is shortened.
+/// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative at
+/// the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial of low
+/// degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that acts for a shorter time, such as a pulse, set
+/// [`max_step`](Self::max_step) to less than its duration. With dual numbers steps are chosen by the values alone: set it
+/// where the value rests and its derivative does not.
 ///
 /// It integrates what has a [`Series`]: a model with the clause `taylor` in its declaration.
 ///
@@ -158,6 +163,6 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Integrator<S, D> for T
     }
 
     fn singularity_tolerance(&self) -> f64 {
-        self.tolerance::<S>().relative
+        self.tolerance::<S>().relative.max(SINGULARITY_TOLERANCE)
     }
 }

@@ -8,6 +8,7 @@
 //! terms of order k, and short.
 
 mod functions;
+mod terms;
 
 use crate::algebra::hashing::Table;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
@@ -302,115 +303,8 @@ impl Builder {
     }
 }
 
-/// Operations on terms of order k, operands of the recurrence.
+/// The operations that are not functions.
 impl Builder {
-    fn add(&mut self, x: &Operand, y: &Operand) -> Operand {
-        match (x == &ZERO, y == &ZERO) {
-            (true, _) => y.clone(),
-            (_, true) => x.clone(),
-            _ => self.recurrence.emit(Operation::Add(x.clone(), y.clone())),
-        }
-    }
-
-    fn subtract(&mut self, x: &Operand, y: &Operand) -> Operand {
-        match (x == &ZERO, y == &ZERO) {
-            (true, _) => self.negate(y),
-            (_, true) => x.clone(),
-            _ => {
-                let operation = Operation::Subtract(x.clone(), y.clone());
-                self.recurrence.emit(operation)
-            }
-        }
-    }
-
-    fn negate(&mut self, x: &Operand) -> Operand {
-        if x == &ZERO {
-            return ZERO;
-        }
-        self.recurrence.emit(Operation::Negate(x.clone()))
-    }
-
-    fn multiply(&mut self, x: &Operand, y: &Operand) -> Operand {
-        let is_one = |x: &Operand| matches!(x, Operand::Constant(number) if number.is_one());
-        if x == &ZERO || y == &ZERO {
-            return ZERO;
-        }
-        if is_one(x) {
-            return y.clone();
-        }
-        if is_one(y) {
-            return x.clone();
-        }
-        let operation = Operation::Multiply(x.clone(), y.clone());
-        self.recurrence.emit(operation)
-    }
-
-    /// k xₖ: the coefficient of the derivative t ẋ.
-    fn times_order(&mut self, x: &Operand) -> Operand {
-        self.multiply(&Operand::Symbol(Symbol::Order), x)
-    }
-
-    /// xₖ / k.
-    fn over_order(&mut self, x: &Operand) -> Operand {
-        self.multiply(&Operand::Symbol(Symbol::ReciprocalOrder), x)
-    }
-
-    /// A term of order 0, as the recurrence reads it.
-    fn invariant(&mut self, constant: &Operand) -> Operand {
-        if !matches!(constant, Operand::Value(_) | Operand::Symbol(_)) {
-            return constant.clone();
-        }
-        Operand::Symbol(Symbol::Invariant(self.invariants.number(constant.clone())))
-    }
-
-    /// The reciprocal of a term of order 0, as the recurrence reads it.
-    fn reciprocal(&mut self, constant: &Operand) -> Operand {
-        let one = Operand::Constant(Rational::ONE);
-        let reciprocal = self.initial.emit(Operation::Divide(one, constant.clone()));
-        self.invariant(&reciprocal)
-    }
-
-    /// Twice a term of order 0, as the recurrence reads it.
-    fn twice(&mut self, constant: &Operand) -> Operand {
-        let two = Operand::Constant(Rational::integer(2));
-        let twice = self
-            .initial
-            .emit(Operation::Multiply(two, constant.clone()));
-        self.invariant(&twice)
-    }
-
-    /// The factor with this coefficient.
-    fn factor(&mut self, coefficient: &Operand) -> Factor {
-        let index = *self
-            .known_factors
-            .entry(coefficient.clone())
-            .or_insert_with(|| {
-                self.factors.push(Some(coefficient.clone()));
-                self.factors.len() - 1
-            });
-        Factor(index)
-    }
-
-    /// A factor whose coefficient is said later: it occurs in its own recurrence.
-    fn unknown_factor(&mut self) -> Factor {
-        self.factors.push(None);
-        Factor(self.factors.len() - 1)
-    }
-
-    /// Says the coefficient of a factor.
-    fn define(&mut self, factor: Factor, coefficient: &Operand) {
-        self.factors[factor.0] = Some(coefficient.clone());
-        self.known_factors
-            .entry(coefficient.clone())
-            .or_insert(factor.0);
-    }
-
-    /// Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ.
-    fn convolve(&mut self, x: Factor, y: Factor) -> Operand {
-        let convolution = Convolution(x.0.min(y.0), x.0.max(y.0));
-        Operand::Symbol(Symbol::Convolution(self.convolutions.number(convolution)))
-    }
-
     /// The coefficient of x · y.
     fn product(&mut self, x: &Series, y: &Series) -> Operand {
         if x.varies() != y.varies() {
@@ -453,15 +347,15 @@ impl Builder {
         coefficient
     }
 
-    /// The coefficient of w = √x, from w² = x.
+    /// The coefficient of w = √x, from w² = x. Where w is 0, as the size of a velocity at rest, it has a corner, and
+    /// higher terms count as 0: the step then ends where the root leaves 0.
     fn square_root(&mut self, x: &Series, result: &Operand) -> Operand {
         let w = self.unknown_factor();
         let sum = self.convolve(w, w);
         let rest = self.subtract(&x.coefficient, &sum);
-        let two = Operand::Constant(Rational::integer(2));
-        let twice = self.initial.emit(Operation::Multiply(two, result.clone()));
-        let reciprocal = self.reciprocal(&twice);
-        let coefficient = self.multiply(&rest, &reciprocal);
+        let reciprocal = self.reciprocal_or_zero(result);
+        let half = self.multiply(&Operand::Constant(Rational::HALF.clone()), &rest);
+        let coefficient = self.multiply(&half, &reciprocal);
         self.define(w, &coefficient);
         coefficient
     }

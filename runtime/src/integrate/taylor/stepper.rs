@@ -5,20 +5,19 @@ use super::{Series, Taylor, TaylorCoefficients};
 use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::stepper::{
-    Advance, Statistics, Stepper, checked_derivative, checked_state, remaining,
-};
+use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative, remaining};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{
-    FIRST_UNIT, LANDING, MIN_STEP, RESIDUAL_PER_ORDER, RESIDUAL_ROUNDING, SHORTENING, UNIT_CHANGE,
-    UNIT_CHANGES,
+    CHANGES, FIRST_UNIT, INNER_CHECKS, LANDING, LONG_STEP, MIN_STEP, MOVED_EPSILONS,
+    NEGLIGIBLE_TERM, RESIDUAL_PER_ORDER, RESIDUAL_ROUNDING, SHORTENING, UNIT_CHANGE, UNIT_CHANGES,
 };
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 /// Takes the steps of a [`Taylor`] method.
 ///
-/// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
+/// The state is a compensated sum, so that its rounding errors do not grow over a long integration. Steps end at times
+/// that are numbers, so that the time has none.
 #[derive(Clone, Debug)]
 pub struct TaylorStepper<X, const HALF: usize> {
     method: Taylor<HALF>,
@@ -30,7 +29,9 @@ pub struct TaylorStepper<X, const HALF: usize> {
     /// The polynomial of the last step, about the reduced state.
     coefficients: TaylorCoefficients<X, HALF>,
     /// Where the last step began, and its unit of time.
-    last: Option<(Clock, X, f64)>,
+    last: Option<(Clock, Compensated<X>, f64)>,
+    /// The length of the last step, 0 before the first.
+    length: f64,
     statistics: Statistics,
 }
 
@@ -63,6 +64,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             state: Compensated::new(x),
             unit,
             last: None,
+            length: 0.0,
             statistics: Statistics {
                 evaluations: 1,
                 ..Statistics::default()
@@ -70,17 +72,19 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         })
     }
 
-    /// Computes the polynomial about the present time, in a unit in which its coefficients are finite.
+    /// Computes the polynomial about the present time, in a unit in which its coefficients are finite, and the step that
+    /// it proposes.
     fn expand<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
-    ) -> Result<(), IntegrationError>
+    ) -> Result<f64, IntegrationError>
     where
         X: VectorSpace<S>,
     {
         let time = self.clock.time();
         let from = self.state.reduced(dynamics);
         let mut non_finite = None;
+        let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (S::from_f64(time), S::from_f64(self.unit));
             dynamics.series(t, &from, unit, &mut self.coefficients);
@@ -88,9 +92,14 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             let mut last = self.coefficients.higher().iter().rev().take(2);
             non_finite = last.find_map(VectorSpace::first_non_finite);
             if non_finite.is_none() {
-                return Ok(());
+                let proposed = self.proposed(&self.scale(dynamics));
+                // It is 0 where a coefficient over its tolerance is not finite.
+                if proposed > 0.0 {
+                    return Ok(proposed * self.unit);
+                }
             }
-            self.unit *= UNIT_CHANGE;
+            self.unit *= change;
+            change *= change;
         }
         checked_derivative(dynamics, time, self.state.value())?;
         Err(IntegrationError::NoTaylorSeries {
@@ -102,10 +111,11 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2). Where they are
     /// zero, as in every other term of an even motion, the terms before count, down to half the order. If those are zero,
     /// too, the motion is a polynomial, as that of a stone, and the step infinite: whether it is one, shows at its end.
-    fn proposed<S: Scalar>(&self, tolerance: Tolerance, scale: &X) -> f64
+    fn proposed<S: Scalar>(&self, scale: &X) -> f64
     where
         X: VectorSpace<S>,
     {
+        let tolerance = self.method.tolerance::<S>();
         let higher = self.coefficients.higher();
         let mut logarithm = f64::INFINITY;
         for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
@@ -133,39 +143,155 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         dynamics.error_scale(&reached)
     }
 
-    /// Whether the derivative at the end of a step is that of the polynomial, up to what the tolerance and rounding
-    /// explain; else the motion is not the one that the series at its beginning says.
-    fn holds<S: Scalar, D: Series<S, State = X> + ?Sized>(
+    /// The polynomial at a time: its argument and the state.
+    fn at<S: Scalar>(&self, t: f64) -> (S, Compensated<X>)
+    where
+        X: VectorSpace<S>,
+    {
+        let [high, low] = difference(t, self.clock.time()).map(S::from_f64);
+        let tau = (high + low) / S::from_f64(self.unit);
+        (tau, self.state.plus(self.coefficients.change(tau)))
+    }
+
+    /// An error with the component at which the derivative at the end of a step, or within a long one, is not that of
+    /// the polynomial: the motion is then not the one that the series at its beginning says.
+    fn check<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
-        (h, tau): (f64, S),
+        end: (f64, S, &Compensated<X>),
+    ) -> Result<(), usize>
+    where
+        X: VectorSpace<S>,
+    {
+        let time = self.clock.time();
+        let h = end.0 - time;
+        self.check_at(dynamics, end, h.abs())?;
+        if h.abs() > LONG_STEP * self.length || self.is_of_low_degree(dynamics, end.1, end.2) {
+            for i in 1..=INNER_CHECKS {
+                let t = time + h * (f64::from(i) / f64::from(INNER_CHECKS + 1));
+                let (tau, state) = self.at(t);
+                self.check_at(dynamics, (t, tau, &state), h.abs())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the terms of half the order hardly count at τ: then the tolerance says little about the length of the
+    /// step, and much may happen within it that the series does not see, such as a pulse.
+    fn is_of_low_degree<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &self,
+        dynamics: &D,
+        tau: S,
         state: &Compensated<X>,
-        tolerance: Tolerance,
     ) -> bool
     where
         X: VectorSpace<S>,
     {
-        let t = S::from_f64(self.clock.after(h));
-        let end = state.reduced(dynamics);
-        let derivative = dynamics.derivative(t, &end);
+        let tolerance = self.method.tolerance::<S>();
+        let scale = dynamics.error_scale(state.value());
+        let power = Scalar::powf(tau.abs().largest(), number(HALF));
+        let mut middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
+        middle.all(|term| largest_ratio(tolerance, term, &scale) * power < NEGLIGIBLE_TERM)
+    }
+
+    /// The same at one time, for a step of length `h`. Rounding explains a difference, and the tolerance does.
+    fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        (t, tau, state): (f64, S, &Compensated<X>),
+        h: f64,
+    ) -> Result<(), usize>
+    where
+        X: VectorSpace<S>,
+    {
+        let (t, state, h) = (S::from_f64(t), state.reduced(dynamics), S::from_f64(h));
+        let derivative = dynamics.derivative(t, &state);
         self.statistics.evaluations += 1;
         let mut residual = self.coefficients.derivative(tau);
         let unit = S::one() / S::from_f64(self.unit);
         residual = residual.map(|component| component * unit);
         residual.add_scaled(-S::one(), &derivative);
-        let scale = dynamics.error_scale(state.value());
+        let tolerance = self.method.tolerance::<S>();
         let [relative, absolute] = [tolerance.relative, tolerance.absolute]
             .map(|tolerance| S::from_f64(tolerance * RESIDUAL_PER_ORDER * number(Self::ORDER)));
         let rounding = S::from_f64(RESIDUAL_ROUNDING * S::machine_epsilon());
-        let h = S::from_f64(h.abs());
-        let components = residual.components().zip(derivative.components());
-        let sizes = scale.components().zip(end.components());
-        let mut all = components.zip(sizes);
-        all.all(|((residual, rate), (scale, value))| {
-            let size = value.abs() + scale + h * rate.abs();
-            let allowed = absolute + relative * scale + rounding * size;
-            (h * residual.abs() - allowed).largest() <= 0.0
-        })
+        let scale = dynamics.error_scale(&state);
+        let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
+        allowed.add_scaled(rounding, &state.map(Scalar::abs));
+        allowed.add_scaled(rounding * h, &derivative.map(Scalar::abs));
+        let residual = residual.map(|component| (component * h).abs());
+        if first_beyond(&residual, &allowed).is_none() {
+            return Ok(());
+        }
+        self.allow_condition(dynamics, (t, &state), &derivative, (h, &mut allowed));
+        first_beyond(&residual, &allowed).map_or(Ok(()), Err)
+    }
+
+    /// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
+    /// some rounding errors.
+    #[cold]
+    fn allow_condition<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        (t, state): (S, &X),
+        derivative: &X,
+        (h, allowed): (S, &mut X),
+    ) where
+        X: VectorSpace<S>,
+    {
+        for alternation in [1.0, -1.0] {
+            let epsilon = MOVED_EPSILONS * S::machine_epsilon();
+            let mut sign = 1.0;
+            let moved = state.map(|x| {
+                sign *= alternation;
+                x + x.abs() * S::from_f64(sign * epsilon)
+            });
+            let mut change = dynamics.derivative(t + t * S::from_f64(epsilon), &moved);
+            self.statistics.evaluations += 1;
+            change.add_scaled(-S::one(), derivative);
+            allowed.add_scaled(h * S::from_f64(CHANGES), &change.map(Scalar::abs));
+        }
+    }
+}
+
+/// The first component that is not at most what is allowed; one that is not finite is not.
+fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
+    let mut pairs = residual.components().zip(allowed.components());
+    pairs.position(|(residual, allowed)| {
+        let excess = (residual - allowed).largest();
+        excess.is_nan() || excess > 0.0
+    })
+}
+
+/// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
+/// (1997), section 4.2.2, theorem B).
+fn difference(x: f64, y: f64) -> [f64; 2] {
+    let high = x - y;
+    let part = high - x;
+    [high, (x - (high - part)) - (y + part)]
+}
+
+/// The error of a step that is too small.
+#[cold]
+fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    (time, x): (f64, &D::State),
+    step: f64,
+    component: usize,
+    tolerance: Tolerance,
+) -> IntegrationError {
+    match dynamics.vanishing_inertia(S::from_f64(time), x) {
+        Some(singularity) => IntegrationError::VanishingInertia {
+            time,
+            step,
+            singularity,
+        },
+        None => IntegrationError::StepTooSmall {
+            time,
+            step,
+            component: Some(dynamics.component_name(component)),
+            relative_only: tolerance.absolute == 0.0,
+        },
     }
 }
 
@@ -212,56 +338,43 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
             return Ok(());
         };
         self.last = None;
-        self.expand(dynamics)?;
-        let tolerance = self.method.tolerance::<S>();
-        let scale = self.scale(dynamics);
+        let time = self.clock.time();
+        let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
-        let mut proposed = (self.proposed(tolerance, &scale) * self.unit).min(longest);
+        let mut proposed = self.expand(dynamics)?.min(longest);
+        let mut component = 0;
         loop {
-            let time = self.clock.time();
             let lands = LANDING * proposed >= remaining.abs();
-            let h = if lands {
-                remaining
+            if !lands && proposed <= least {
+                let (here, tolerance) = ((time, self.state.value()), self.method.tolerance::<S>());
+                return Err(too_small(dynamics, here, proposed, component, tolerance));
+            }
+            let end = if lands {
+                target
             } else {
-                proposed.copysign(remaining)
+                time + proposed.copysign(remaining)
             };
-            let tau = S::from_f64(h / self.unit);
-            let state = self.state.plus(self.coefficients.change(tau));
-            let finite = checked_state(dynamics, self.clock.after(h), state.value());
-            if finite.is_ok() && self.holds(dynamics, (h, tau), &state, tolerance) {
-                let previous = core::mem::replace(&mut self.state, state);
-                self.last = Some((self.clock, previous.into_value(), self.unit));
-                if lands {
-                    self.clock = Clock::new(target);
-                } else {
-                    self.clock.advance(h);
-                }
-                if proposed.is_normal() {
-                    self.unit = power_of_two_near(proposed);
-                }
-                self.statistics.steps += 1;
-                return Ok(());
+            let (tau, state) = self.at(end);
+            let checked = match state.value().first_non_finite() {
+                None => self.check(dynamics, (end, tau, &state)),
+                Some((index, _)) => Err(index),
+            };
+            let length = (end - time).abs();
+            if let Err(index) = checked {
+                component = index;
+                self.statistics.rejected += 1;
+                proposed = length / SHORTENING;
+                continue;
             }
-            self.statistics.rejected += 1;
-            proposed = h.abs() / SHORTENING;
-            let least = MIN_STEP * f64::EPSILON * time.abs();
-            if proposed <= least.max(f64::MIN_POSITIVE) {
-                finite?;
-                let t = S::from_f64(time);
-                return Err(match dynamics.vanishing_inertia(t, self.state.value()) {
-                    Some(singularity) => IntegrationError::VanishingInertia {
-                        time,
-                        step: proposed,
-                        singularity,
-                    },
-                    None => IntegrationError::StepTooSmall {
-                        time,
-                        step: proposed,
-                        component: None,
-                        relative_only: tolerance.absolute == 0.0,
-                    },
-                });
+            let previous = core::mem::replace(&mut self.state, state);
+            self.last = Some((self.clock, previous, self.unit));
+            self.clock = Clock::new(end);
+            self.length = length;
+            if proposed.is_normal() {
+                self.unit = power_of_two_near(proposed);
             }
+            self.statistics.steps += 1;
+            return Ok(());
         }
     }
 
@@ -269,10 +382,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         let Some((clock, from, unit)) = &self.last else {
             return self.state.value().clone();
         };
-        let mut x = from.clone();
-        let tau = S::from_f64(clock.until(t) / unit);
-        x.add_scaled(S::one(), &self.coefficients.change(tau));
-        x
+        let [high, low] = difference(t, clock.time()).map(S::from_f64);
+        let tau = (high + low) / S::from_f64(*unit);
+        from.plus(self.coefficients.change(tau)).into_value()
     }
 
     fn restart(&mut self, _: &D) {

@@ -168,11 +168,21 @@ impl Builder {
 
     /// The coefficient of Dw from g Dw = Dx, which needs g up to order k − 1, and the factor that it is.
     fn inverse(&mut self, g: Factor, constant: &Operand, change: &Operand) -> (Operand, Factor) {
+        let reciprocal = self.reciprocal(constant);
+        self.inverse_by(g, &reciprocal, change)
+    }
+
+    /// The same, where 1/g₀ is given.
+    fn inverse_by(
+        &mut self,
+        g: Factor,
+        reciprocal: &Operand,
+        change: &Operand,
+    ) -> (Operand, Factor) {
         let of_result = self.unknown_factor();
         let sum = self.convolve(of_result, g);
         let rest = self.subtract(change, &sum);
-        let reciprocal = self.reciprocal(constant);
-        let derivative = self.multiply(&rest, &reciprocal);
+        let derivative = self.multiply(&rest, reciprocal);
         self.define(of_result, &derivative);
         (derivative, of_result)
     }
@@ -235,14 +245,15 @@ impl Builder {
         self.over_order(&derivative_of_result)
     }
 
-    /// x Dw = c w Dx for w = xᶜ.
+    /// x Dw = c w Dx for w = xᶜ. Where x is 0, higher terms count as 0, as for a square root.
     fn power(&mut self, x: &Series, exponent: &Series, result: &Operand) -> Operand {
         let w = self.unknown_factor();
         let product = self.times_change(w, result, &x.coefficient);
         let exponent = self.invariant(&exponent.constant);
         let change = self.multiply(&exponent, &product);
         let of_x = self.factor(&x.coefficient);
-        let (derivative, _) = self.inverse(of_x, &x.constant, &change);
+        let reciprocal = self.reciprocal_or_zero(&x.constant);
+        let (derivative, _) = self.inverse_by(of_x, &reciprocal, &change);
         let coefficient = self.over_order(&derivative);
         self.define(w, &coefficient);
         coefficient
@@ -296,22 +307,23 @@ impl Builder {
         self.over_order(&derivative)
     }
 
-    /// ½(x + y) ± ½ sgn(x − y)(x − y), the sign constant.
+    /// a xₖ + b yₖ with the weights 1 and 0 of what is greater or lesser, ½ and ½ where both are equal.
     fn extremum(&mut self, x: &Series, y: &Series, greater: bool) -> Operand {
         let difference = Operation::Subtract(x.constant.clone(), y.constant.clone());
         let difference = self.initial.emit(difference);
         let sign = self
             .initial
             .emit(Operation::Unary(Unary::Signum, difference));
-        let sign = self.invariant(&sign);
-        let sum = self.add(&x.coefficient, &y.coefficient);
-        let difference = self.subtract(&x.coefficient, &y.coefficient);
-        let part = self.multiply(&sign, &difference);
-        let twice = if greater {
-            self.add(&sum, &part)
-        } else {
-            self.subtract(&sum, &part)
-        };
-        self.multiply(&Operand::Constant(Rational::HALF.clone()), &twice)
+        let half = || Operand::Constant(Rational::HALF.clone());
+        let part = self.initial.emit(Operation::Multiply(half(), sign));
+        let more = self.initial.emit(Operation::Add(half(), part.clone()));
+        let less = self.initial.emit(Operation::Subtract(half(), part));
+        let weights = if greater { [more, less] } else { [less, more] };
+        let [first, second] = weights.map(|weight| self.invariant(&weight));
+        let terms = [
+            self.multiply(&first, &x.coefficient),
+            self.multiply(&second, &y.coefficient),
+        ];
+        self.add(&terms[0], &terms[1])
     }
 }
