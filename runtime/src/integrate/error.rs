@@ -148,12 +148,7 @@ impl fmt::Display for IntegrationError {
                 component,
                 relative_only,
             } => write_too_small(f, (time, step), component, relative_only),
-            Self::NoTaylorSeries { time, component } => write!(
-                f,
-                "at t = {} {component} has no Taylor series: a higher derivative is not finite; \
-                 integrate by `Dop853`",
-                Readable(time)
-            ),
+            Self::NoTaylorSeries { time, component } => write_no_series(f, time, component),
             Self::VanishingInertia {
                 time,
                 step,
@@ -230,6 +225,15 @@ fn write_too_small(
         f.write_str("; set an absolute tolerance, unless it is far from zero")?;
     }
     Ok(())
+}
+
+/// The message of a motion without a Taylor series.
+fn write_no_series(f: &mut fmt::Formatter<'_>, time: f64, component: ComponentName) -> fmt::Result {
+    let time = Readable(time);
+    write!(
+        f,
+        "at t = {time} {component} has no Taylor series: a higher derivative is not finite; integrate by `Dop853`"
+    )
 }
 
 /// The message of a vanishing inertia, with its place.

@@ -6,11 +6,10 @@ use nalgebra::{SMatrix, SVector};
 
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::lagrangian::Lagrangian;
-use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::state::State;
 use super::whole_periods::{is_large, less_whole_periods};
-use crate::integrate::{ComponentName, Dynamics, Series, Singularity, TaylorCoefficients};
+use crate::integrate::{ComponentName, Dynamics, Singularity};
 use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
@@ -61,8 +60,8 @@ where
     M: Lagrangian<N, S> + ?Sized,
     S: Scalar,
 {
-    model: &'a M,
-    prepared: M::Prepared,
+    pub(super) model: &'a M,
+    pub(super) prepared: M::Prepared,
 }
 
 impl<'a, M, S, const N: usize> EquationsOfMotion<'a, M, S, N>
@@ -134,24 +133,6 @@ where
 
     fn component_name(&self, index: usize) -> ComponentName {
         component_name::<M, N>(index)
-    }
-}
-
-impl<M, S, const N: usize> Series<S> for EquationsOfMotion<'_, M, S, N>
-where
-    M: MotionSeries<N, S> + ?Sized,
-    S: Scalar,
-{
-    #[inline]
-    fn series<const HALF: usize>(
-        &self,
-        t: S,
-        x: &Phase<S, N>,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    ) {
-        self.model
-            .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
     }
 }
 

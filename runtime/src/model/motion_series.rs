@@ -1,12 +1,16 @@
 //! The Taylor series of motions.
 
+use super::equations_of_motion::EquationsOfMotion;
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::TaylorCoefficients;
+use crate::integrate::{Series, TaylorCoefficients};
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `taylor`: recurrences for the Taylor coefficients of its motions.
+///
+/// They solve for the accelerations as [`accelerations`](Lagrangian::accelerations) does where all pivots are positive;
+/// where a pivot is 0 there is no series, though M may be regular.
 #[diagnostic::on_unimplemented(
     message = "the Taylor series of the motions of `{Self}` is not known",
     note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
@@ -21,4 +25,22 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         unit: S,
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     );
+}
+
+impl<M, S, const N: usize> Series<S> for EquationsOfMotion<'_, M, S, N>
+where
+    M: MotionSeries<N, S> + ?Sized,
+    S: Scalar,
+{
+    #[inline]
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Phase<S, N>,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    ) {
+        self.model
+            .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
+    }
 }
