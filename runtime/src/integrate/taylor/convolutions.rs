@@ -2,10 +2,13 @@
 
 use crate::scalar::Scalar;
 
+/// How many terms a loop of constant length takes: a vector register of 256 bits holds as many `f64`.
+const CHUNK: usize = 4;
+
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order after order.
 ///
 /// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀. As soon as the factors of order k are known, they are
-/// multiplied by those of lower orders, and the products added to the sums of higher orders: a loop of constant length
+/// multiplied by those of lower orders, and the products added to the sums of higher orders: loops of constant length
 /// without a reduction, for which the compiler uses vector registers. A product of two terms of order above `HALF`
 /// is of no order below 2·`HALF`, so that half of the terms and half of the sums are enough.
 #[derive(Clone, Debug)]
@@ -42,13 +45,25 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     #[inline]
     pub fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
         let place = self.order - 1;
+        // Beyond are sums of no order that is asked for, and terms that are 0.
+        let reach = self.order.min((2 * HALF).saturating_sub(self.order + 1));
+        let chunks = reach.div_ceil(CHUNK);
         for (sums, [first, second]) in self.sums.iter_mut().zip(pairs) {
             let (x, y) = (factors[*first], factors[*second]);
             let (of_x, of_y) = (&self.terms[*first], &self.terms[*second]);
-            for i in 0..HALF - 1 {
-                sums[i] = x.mul_add(of_y[i], y.mul_add(of_x[i], sums[i + 1]));
+            for chunk in 0..chunks {
+                let start = chunk * CHUNK;
+                if start + CHUNK < HALF {
+                    for i in start..start + CHUNK {
+                        sums[i] = x.mul_add(of_y[i], y.mul_add(of_x[i], sums[i + 1]));
+                    }
+                } else {
+                    for i in start..HALF - 1 {
+                        sums[i] = x.mul_add(of_y[i], y.mul_add(of_x[i], sums[i + 1]));
+                    }
+                    sums[HALF - 1] = x.mul_add(of_y[HALF - 1], y * of_x[HALF - 1]);
+                }
             }
-            sums[HALF - 1] = x.mul_add(of_y[HALF - 1], y * of_x[HALF - 1]);
             if let Some(sum) = sums.get_mut(place) {
                 *sum = x.mul_add(y, *sum);
             }
