@@ -150,8 +150,8 @@ pub(crate) mod taylor {
     /// A step whose derivative differs by more is divided by this.
     pub(crate) const SHORTENING: f64 = 2.0;
 
-    /// No step is tried below this multiple of the spacing ε |t| of times.
-    pub(crate) const MIN_STEP: f64 = 10.0;
+    /// As for DOP853, unless set there.
+    pub(crate) const MIN_STEP: f64 = super::dormand_prince::MIN_STEP;
 
     /// As for DOP853.
     pub(crate) const LANDING: f64 = super::dormand_prince::LANDING;

@@ -13,7 +13,7 @@ use super::locals::Locals;
 use super::model_symbols::element;
 use super::signatures::InputsFrom;
 use super::writer::Writer;
-use crate::plan::{AccelerationOutputs, MethodOutputs, TaylorMethod};
+use crate::plan::{AccelerationOutputs, TaylorMethod};
 
 /// Reads the symbols of the recurrence for the terms of order k.
 struct TermSymbols;
@@ -64,7 +64,7 @@ impl Emitter<'_> {
     fn series(&self, method: &TaylorMethod) -> TokenStream {
         let (root, scalar) = (&self.declaration.root, &self.scalar);
         self.with_writer(&method.initial, InputsFrom::Fields, &[], |writer| {
-            let (statements, accelerations) = writer.initial_accelerations();
+            let (statements, accelerations) = writer.accelerations(&method.accelerations);
             let (more, invariants) = writer.compute(&method.invariants);
             let term = self.term(method, writer);
             let pairs = method.program.convolutions.iter();
@@ -113,14 +113,9 @@ impl Emitter<'_> {
         let (statements, computed) = groups.next().unwrap_or_default();
         let (more, factors) = groups.next().unwrap_or_default();
         let vector = writer.vector(&computed);
-        let is_numerical = matches!(
-            method.initial.outputs,
-            MethodOutputs::Accelerations(AccelerationOutputs::Numerical { .. })
-        );
-        let accelerations = if is_numerical {
-            quote!(factors.solve(&#vector))
-        } else {
-            vector
+        let accelerations = match method.accelerations {
+            AccelerationOutputs::Symbolic { .. } => vector,
+            AccelerationOutputs::Numerical { .. } => quote!(factors.solve(&#vector)),
         };
         quote! {
             #statements

@@ -124,7 +124,10 @@ impl Writer<'_> {
     }
 
     /// The statements before the accelerations, and the accelerations.
-    fn accelerations(&mut self, outputs: &AccelerationOutputs) -> (TokenStream, TokenStream) {
+    pub(super) fn accelerations(
+        &mut self,
+        outputs: &AccelerationOutputs,
+    ) -> (TokenStream, TokenStream) {
         match outputs {
             AccelerationOutputs::Symbolic {
                 pivots,
@@ -143,15 +146,6 @@ impl Writer<'_> {
                     quote!(factors.solve(&#forcing)),
                 )
             }
-        }
-    }
-
-    /// The same of a method that returns them.
-    pub(super) fn initial_accelerations(&mut self) -> (TokenStream, TokenStream) {
-        let method = self.method;
-        match &method.outputs {
-            MethodOutputs::Accelerations(outputs) => self.accelerations(outputs),
-            _ => Default::default(),
         }
     }
 

@@ -10,6 +10,7 @@ use super::outputs::{AccelerationOutputs, MethodOutputs, OutputSlice};
 pub(crate) struct TaylorMethod {
     /// The accelerations of order 0, and the invariants of the recurrence.
     pub(crate) initial: Method,
+    pub(crate) accelerations: AccelerationOutputs,
     pub(crate) invariants: OutputSlice,
     pub(crate) program: TaylorProgram,
 }
@@ -28,14 +29,16 @@ impl Methods {
     pub(crate) fn taylor_method(&self, coordinates: usize) -> Result<TaylorMethod, NoTaylorSeries> {
         let method = &self.accelerations;
         let program = &method.program;
-        let operands = match &method.outputs {
-            MethodOutputs::Accelerations(AccelerationOutputs::Symbolic {
-                accelerations, ..
-            }) => AccelerationOperands::Solved(accelerations.operands(program)),
-            MethodOutputs::Accelerations(AccelerationOutputs::Numerical { mass, forcing }) => {
+        let MethodOutputs::Accelerations(outputs) = &method.outputs else {
+            return Err(NoTaylorSeries::Wrong);
+        };
+        let operands = match outputs {
+            AccelerationOutputs::Symbolic { accelerations, .. } => {
+                AccelerationOperands::Solved(accelerations.operands(program))
+            }
+            AccelerationOutputs::Numerical { mass, forcing } => {
                 AccelerationOperands::System(mass.0.operands(program), forcing.operands(program))
             }
-            _ => return Err(NoTaylorSeries::Wrong),
         };
         let taylor =
             TaylorProgram::of(program, operands).ok_or(NoTaylorSeries::ExternalFunctions)?;
@@ -47,6 +50,7 @@ impl Methods {
         }
         let last = taylor.initial.groups.len().saturating_sub(1);
         Ok(TaylorMethod {
+            accelerations: outputs.clone(),
             invariants: OutputSlice::of_group(&taylor.initial, last),
             initial: Method {
                 count: taylor.initial.count(),

@@ -28,11 +28,11 @@ use crate::scalar::Scalar;
 /// epsilon of the scalar: the method costs little more at full accuracy. A relative tolerance alone does not depend on
 /// units.
 ///
-/// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative at
-/// the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial of low
-/// degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that acts for a shorter time, such as a pulse, set
-/// [`max_step`](Self::max_step) to less than its duration. With dual numbers steps are chosen by the values alone: set it
-/// where the value rests and its derivative does not.
+/// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative
+/// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial
+/// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that
+/// acts for a shorter time, such as a pulse, set [`max_step`](Self::max_step) to less than its duration. With dual
+/// numbers steps are chosen by the values alone: set it where the value rests and its derivative does not.
 ///
 /// It integrates what has a [`Series`]: a model with the clause `taylor` in its declaration.
 ///

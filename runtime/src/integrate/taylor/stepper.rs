@@ -194,7 +194,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         middle.all(|term| largest_ratio(tolerance, term, &scale) * power < NEGLIGIBLE_TERM)
     }
 
-    /// The same at one time, for a step of length `h`. Rounding explains a difference, and the tolerance does.
+    /// The check at one time, for a step of length `h`. Rounding explains a difference, and the tolerance does.
     fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
