@@ -9,6 +9,7 @@ mod singularity;
 mod error;
 mod sample;
 mod stepper;
+mod dense_output;
 mod compensated;
 mod runge_kutta;
 mod dormand_prince;
@@ -18,14 +19,21 @@ mod stop_condition;
 mod observer;
 mod outcome;
 #[cfg(feature = "alloc")]
+mod dense_solution;
+#[cfg(feature = "alloc")]
 mod trajectory;
+mod collector;
 mod integration;
+mod running_integration;
 mod driver;
 mod integrator;
 #[cfg(test)]
 mod order_conditions;
 
-pub use dormand_prince::{Dop853, Dop853Stepper};
+pub use dense_output::{DenseOutput, Interpolant};
+#[cfg(feature = "alloc")]
+pub use dense_solution::DenseSolution;
+pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
@@ -33,12 +41,15 @@ pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
 pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
+pub use running_integration::{RunningIntegration, Step, Steps};
 pub use sample::{InitialValue, Sample};
 pub use singularity::Singularity;
 pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{
     Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
 };
-pub use taylor::{Convolutions, Series, Taylor, TaylorCoefficients, TaylorStepper};
+pub use taylor::{
+    Convolutions, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
+};
 #[cfg(feature = "alloc")]
-pub use trajectory::{PartialTrajectory, Trajectory};
+pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};

@@ -56,14 +56,16 @@ pub use model::emitted as __private;
 #[cfg(feature = "derivative-checks")]
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
-    Advance, ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Convolutions, Crossing, Dop853,
-    Dop853Stepper, Driver, Dynamics, InitialValue, IntegrationError, IntegrationMethod, Integrator,
-    MetConditions, ObservationKind, Observer, Outcome, Predicate, Progress, RungeKutta,
-    RungeKuttaStepper, Sample, Series, Singularity, Statistics, Stepper, StopCondition, StopReason,
-    Taylor, TaylorCoefficients, TaylorStepper, Unconditional, Unobserved, ZeroCrossing,
+    Advance, ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Convolutions, Crossing,
+    DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver, Dynamics, InitialValue,
+    IntegrationError, IntegrationMethod, Integrator, Interpolant, MetConditions, ObservationKind,
+    Observer, Outcome, Predicate, Progress, RungeKutta, RungeKuttaStepper, RunningIntegration,
+    Sample, Series, Singularity, Statistics, Step, Stepper, Steps, StopCondition, StopReason,
+    Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, Unconditional, Unobserved,
+    ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
-pub use integrate::{PartialTrajectory, Trajectory};
+pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{Factorization, IntoVector, VectorSpace};

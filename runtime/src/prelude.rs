@@ -5,13 +5,13 @@
 pub use crate::{
     Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies,
     ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
-    Integrator, Lagrangian, Linearization, ObservationKind, Observer, Outcome, Outputs,
-    OutputsWith, Phase, Plant, Progress, RungeKutta, Sample, Scalar, State, Statistics, Stepper,
-    StopReason, Taylor, VectorSpace, WithController, WithInputs,
+    Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Observer, Outcome,
+    Outputs, OutputsWith, Phase, Plant, Progress, RungeKutta, RunningIntegration, Sample, Scalar,
+    State, Statistics, Step, Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 #[cfg(feature = "derivative-checks")]
 pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
-pub use crate::{PartialTrajectory, Trajectory};
+pub use crate::{DenseSolution, PartialSolution, PartialTrajectory, Trajectory};

@@ -4,23 +4,28 @@
 //! observer, and the outcome. Nothing here allocates but [`Driver::sample`], which collects. Errors are values; the
 //! sample times are visited in order, each once.
 
-use core::marker::PhantomData;
+mod run;
 
+pub(crate) use run::check_times;
+
+#[cfg(feature = "alloc")]
+use super::collector::Samples;
+use super::collector::Uncollected;
+#[cfg(feature = "alloc")]
+use super::dense_output::DenseOutput;
+#[cfg(feature = "alloc")]
+use super::dense_solution::{DenseSolution, Segments};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::integration::{Integration, check_singularity};
 use super::integrator::Integrator;
 use super::observer::{Observer, Unobserved};
-use super::outcome::{Outcome, StopReason};
-use super::sample::{InitialValue, Sample};
-use super::stepper::Statistics;
-use super::stepper::checked_state;
-use super::stop_condition::{
-    Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
-};
+use super::outcome::Outcome;
+use super::running_integration::RunningIntegration;
+use super::sample::InitialValue;
+use super::stop_condition::{Crossing, Predicate, StopCondition, Unconditional, ZeroCrossing};
 #[cfg(feature = "alloc")]
-use super::trajectory::{PartialTrajectory, Trajectory};
-use crate::limits::{MAX_STEPS, MIN_SINGULARITY_TOLERANCE};
+use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
+use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 
 /// A method of integration with limits, a stop condition and an observer.
@@ -123,11 +128,17 @@ impl<I> Driver<I> {
 }
 
 impl<I, C, O> Driver<I, C, O> {
-    /// Limits the number of steps, rejected ones included.
+    /// Limits the number of steps, rejected ones included, of one call. Then the integration stops by
+    /// [`StopReason::StepLimit`], and can go on: from the last state, or, as if it had not stopped, as a
+    /// [`RunningIntegration`].
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.max_steps = steps;
         self
+    }
+
+    pub(crate) fn steps_at_a_time(&self) -> u64 {
+        self.max_steps
     }
 
     /// Sets the relative error of the accelerations at which the integration ends near a
@@ -237,7 +248,8 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
-        let (outcome, result) = self.run(dynamics, &initial.into_sample(), times, &mut |_| {});
+        let initial = initial.into_sample();
+        let (outcome, result) = self.run(dynamics, &initial, times, &mut Uncollected);
         result.map(|()| outcome)
     }
 
@@ -259,9 +271,10 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
-        let mut samples = alloc::vec::Vec::with_capacity(times.len());
-        let mut collect = |sample: &Sample<D::State>| samples.push(sample.clone());
-        let (outcome, result) = self.run(dynamics, &initial.into_sample(), times, &mut collect);
+        let mut samples = Samples(alloc::vec::Vec::with_capacity(times.len()));
+        let initial = initial.into_sample();
+        let (outcome, result) = self.run(dynamics, &initial, times, &mut samples);
+        let samples = samples.0;
         let trajectory = Trajectory { samples, outcome };
         match result {
             Ok(()) => Ok(trajectory),
@@ -269,101 +282,74 @@ impl<I, C, O> Driver<I, C, O> {
         }
     }
 
-    /// Passes each sample to `collect` and then to the observer. The outcome is known after an error, too.
-    pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
-        &mut self,
+    /// The motion from `initial` until the time `end`, or until a condition or the observer stops, as a solution that can
+    /// be asked at any time.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    /// # use lagrangian::nalgebra::SVector;
+    /// # struct Oscillator;
+    /// # impl Dynamics for Oscillator {
+    /// #     type State = SVector<f64, 2>;
+    /// #     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+    /// #         SVector::from([x[1], -x[0]])
+    /// #     }
+    /// # }
+    /// // ẍ = −x.
+    /// let start = (0.0, SVector::from([0.0, 1.0]));
+    /// let solution = Dop853::new().driver().solve(&Oscillator, start, 10.0)?;
+    /// for t in [0.0, 0.3, 7.77, 10.0] {
+    ///     assert!((solution.at(t)?[0] - t.sin()).abs() < 1e-8);
+    /// }
+    /// assert!(solution.at(10.5).is_err());
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the solution up to then.
+    #[cfg(feature = "alloc")]
+    #[allow(clippy::type_complexity)] // The interpolant is that of the method's stepper.
+    pub fn solve<S: Scalar, D: Dynamics<S> + ?Sized, T>(
+        mut self,
         dynamics: &D,
-        initial: &Sample<D::State>,
-        times: &[f64],
-        collect: &mut dyn FnMut(&Sample<D::State>),
-    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
+        initial: impl InitialValue<D::State>,
+        end: f64,
+    ) -> Result<
+        DenseSolution<D::State, T::Interpolant, S>,
+        PartialSolution<D::State, T::Interpolant, S>,
+    >
     where
-        I: Integrator<S, D>,
+        I: Integrator<S, D, Stepper = T>,
+        T: DenseOutput<S, D>,
         C: StopCondition<D::State>,
         O: Observer<D::State>,
     {
-        let mut outcome = Outcome {
-            last: initial.clone(),
-            reason: StopReason::Error,
-            met: MetConditions::default(),
-            statistics: Statistics::default(),
-        };
-        let result = self.begin(dynamics, initial, times).and_then(|stepper| {
-            let mut integration = Integration {
-                dynamics,
-                stepper,
-                start: initial.t,
-                end: times.last().copied().unwrap_or(initial.t),
-                waiting: times,
-                min_pivot: self.min_pivot::<S, D>(),
-                max_steps: self.max_steps,
-                condition: &mut self.condition,
-                evaluated_until: None,
-                observer: &mut self.observer,
-                collect,
-                outcome: &mut outcome,
-                scalar: PhantomData,
-            };
-            integration.complete()
-        });
-        (outcome, result)
+        let mut segments = Segments::new();
+        let initial = initial.into_sample();
+        let (outcome, result) = self.run(dynamics, &initial, &[end], &mut segments);
+        let solution = DenseSolution::new(initial, segments, outcome);
+        match result {
+            Ok(()) => Ok(solution),
+            Err(error) => Err(PartialSolution::new(error, solution)),
+        }
     }
 
-    /// Checks the settings, times and initial value. The singularity comes before the derivative: where M is
-    /// singular, the accelerations are not finite, and an error about them would say less.
-    fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
-        &self,
+    /// An integration in progress, from `initial` on: it is stepped, asked and changed by hand.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
         dynamics: &D,
-        initial: &Sample<D::State>,
-        times: &[f64],
-    ) -> Result<I::Stepper, IntegrationError>
+        initial: impl InitialValue<D::State>,
+    ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
     where
         I: Integrator<S, D>,
     {
-        if let Some(tolerance) = self
-            .singularity_tolerance
-            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
-        {
-            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
-        }
-        checked_state(dynamics, initial.t, &initial.x)?;
-        check_times(initial.t, times)?;
-        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())?;
-        self.integrator
-            .start(dynamics, initial.t, initial.x.clone())
+        let initial = initial.into_sample();
+        let stepper = self.begin(dynamics, &initial)?;
+        Ok(RunningIntegration::new(self, dynamics, stepper))
     }
-
-    /// The smallest relative pivot that does not end the integration.
-    fn min_pivot<S: Scalar, D: Dynamics<S> + ?Sized>(&self) -> f64
-    where
-        I: Integrator<S, D>,
-    {
-        let epsilon = S::machine_epsilon();
-        let allowed = self.singularity_tolerance.unwrap_or_else(|| {
-            self.integrator
-                .singularity_tolerance()
-                .max(MIN_SINGULARITY_TOLERANCE * epsilon)
-        });
-        epsilon / allowed
-    }
-}
-
-/// An error unless the times are finite and advance in the direction from `start` to the last.
-fn check_times(start: f64, times: &[f64]) -> Result<(), IntegrationError> {
-    if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
-        return Err(IntegrationError::NonFiniteTime { time });
-    }
-    let backwards = times.last().is_some_and(|&end| end < start);
-    let mut previous = start;
-    for (index, &time) in times.iter().enumerate() {
-        if (time < previous && !backwards) || (time > previous && backwards) {
-            return Err(IntegrationError::UnorderedTimes {
-                index,
-                time,
-                previous,
-            });
-        }
-        previous = time;
-    }
-    Ok(())
 }

@@ -74,12 +74,22 @@ pub enum IntegrationError {
         /// The coordinates that make it so; its relative pivot is the inertia relative to that elsewhere.
         singularity: Singularity,
     },
-    /// The limit on the number of steps was reached before the end.
+    /// So many steps were taken before the end that the integration gave up. A [`Driver`](crate::Driver) stops without
+    /// an error instead, by [`StopReason::StepLimit`](crate::StopReason::StepLimit).
     TooManySteps {
         /// The time reached.
         time: f64,
         /// The limit.
         limit: u64,
+    },
+    /// A time at which a solution is asked is not between its ends.
+    OutsideSolution {
+        /// That time.
+        time: f64,
+        /// The time at which the solution, or the last step, begins.
+        start: f64,
+        /// The time at which it ends.
+        end: f64,
     },
     /// A step size is not a positive finite number.
     InvalidStep {
@@ -162,6 +172,13 @@ impl fmt::Display for IntegrationError {
                     Readable(time)
                 )
             }
+            Self::OutsideSolution { time, start, end } => write!(
+                f,
+                "the solution is known from t = {} to {}, not at {}",
+                Readable(start),
+                Readable(end),
+                Readable(time)
+            ),
             Self::InvalidStep { .. }
             | Self::InvalidTolerance { .. }
             | Self::InvalidSingularityTolerance { .. }

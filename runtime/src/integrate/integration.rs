@@ -8,6 +8,7 @@
 
 use core::{marker::PhantomData, ops::ControlFlow};
 
+use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::observer::{ObservationKind, Observer, Progress};
@@ -21,18 +22,19 @@ use crate::scalar::Scalar;
 /// An integration in progress.
 pub(crate) struct Integration<'a, S: Scalar, D: Dynamics<S> + ?Sized, T, C, O> {
     pub(crate) dynamics: &'a D,
-    pub(crate) stepper: T,
+    pub(crate) stepper: &'a mut T,
     pub(crate) start: f64,
     pub(crate) end: f64,
     /// The sample times that are left.
     pub(crate) waiting: &'a [f64],
     pub(crate) min_pivot: f64,
-    pub(crate) max_steps: u64,
+    /// The number of steps, rejected ones included, at which to stop.
+    pub(crate) step_limit: u64,
     pub(crate) condition: &'a mut C,
     /// Within the first step, the time up to which the condition has been evaluated.
     pub(crate) evaluated_until: Option<f64>,
     pub(crate) observer: &'a mut O,
-    pub(crate) collect: &'a mut dyn FnMut(&Sample<D::State>),
+    pub(crate) collector: &'a mut dyn Collector<S, D, T>,
     /// Up to date at any time, so that it is valid after an error, too.
     pub(crate) outcome: &'a mut Outcome<D::State>,
     pub(crate) scalar: PhantomData<S>,
@@ -58,6 +60,10 @@ where
         }
         let mut at_start = C::LOCATED;
         while reason.is_none() && self.stepper.time() - self.end != 0.0 {
+            if self.step_limit_is_reached() {
+                reason = Some(StopReason::StepLimit);
+                break;
+            }
             self.step()?;
             self.check_regular()?;
             let mut visited = Ok(());
@@ -73,15 +79,12 @@ where
         Ok(())
     }
 
+    fn step_limit_is_reached(&self) -> bool {
+        self.stepper.statistics().attempts() >= self.step_limit
+    }
+
     /// Takes one step.
     fn step(&mut self) -> Result<(), IntegrationError> {
-        let statistics = self.stepper.statistics();
-        if statistics.steps.saturating_add(statistics.rejected) >= self.max_steps {
-            return Err(IntegrationError::TooManySteps {
-                time: self.stepper.time(),
-                limit: self.max_steps,
-            });
-        }
         let next = if T::DENSE_OUTPUT {
             None
         } else {
@@ -179,6 +182,7 @@ where
         }
         *value = self.condition.last_signed(*value, after);
         self.samples_until(there.t)?;
+        self.record_until(there.t);
         self.outcome.last = there;
         self.notify(ObservationKind::Step)?;
         if met.any() {
@@ -202,6 +206,7 @@ where
         let next = self.at(time_after);
         let value = self.condition.value(time_after, &next.x);
         self.samples_until(stop.t)?;
+        self.record_until(stop.t);
         self.outcome.last = stop;
         self.notify(ObservationKind::Step)?;
         self.outcome.met = met.or(self.condition.met(before, value));
@@ -217,10 +222,15 @@ where
             }
             self.waiting = rest;
             self.outcome.last = self.at(time);
-            (self.collect)(&self.outcome.last);
+            self.collector.sample(&self.outcome.last);
             self.notify(ObservationKind::Sample)?;
         }
         Ok(())
+    }
+
+    /// Passes the last step to the collector, which is part of the motion until `end`.
+    fn record_until(&mut self, end: f64) {
+        self.collector.step(self.dynamics, self.stepper, end);
     }
 
     /// The sample at a time within the last step.

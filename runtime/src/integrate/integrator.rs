@@ -7,11 +7,12 @@
 use super::driver::Driver;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::outcome::Outcome;
+use super::outcome::{Outcome, StopReason};
 use super::sample::{InitialValue, Sample};
 use super::stepper::Advance;
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialTrajectory, Trajectory};
+use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 
 /// A method of integration with its settings, for systems that have what it needs: [`Dop853`](crate::Dop853) and
@@ -48,7 +49,7 @@ pub trait Integrator<S: Scalar, D: Dynamics<S> + ?Sized> {
     {
         let outcome: Outcome<D::State> =
             Driver::new(self.clone()).run_until(dynamics, initial, end)?;
-        Ok(outcome.last)
+        completed(&outcome).map(|()| outcome.last)
     }
 
     /// The motion from `initial` at each of `times`, which advance in one direction.
@@ -66,7 +67,23 @@ pub trait Integrator<S: Scalar, D: Dynamics<S> + ?Sized> {
     where
         Self: Clone,
     {
-        Driver::new(self.clone()).sample(dynamics, initial, times)
+        let trajectory = Driver::new(self.clone()).sample(dynamics, initial, times)?;
+        match completed(&trajectory.outcome) {
+            Ok(()) => Ok(trajectory),
+            Err(error) => Err(PartialTrajectory::new(error, trajectory)),
+        }
+    }
+}
+
+/// An error if the limit of steps has stopped an integration without a driver that could go on.
+fn completed<X>(outcome: &Outcome<X>) -> Result<(), IntegrationError> {
+    if outcome.reason == StopReason::StepLimit {
+        Err(IntegrationError::TooManySteps {
+            time: outcome.last.t,
+            limit: MAX_STEPS,
+        })
+    } else {
+        Ok(())
     }
 }
 

@@ -1,6 +1,7 @@
 //! Observers of an integration.
 
 use core::ops::ControlFlow;
+use core::sync::atomic::{AtomicBool, Ordering};
 
 use super::stepper::Statistics;
 
@@ -14,6 +15,43 @@ pub trait Observer<X> {
 impl<X, F: FnMut(&Progress<'_, X>) -> ControlFlow<()>> Observer<X> for F {
     fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
         self(progress)
+    }
+}
+
+/// Cancellation, from another thread too: the integration stops at the end of the step in which the flag becomes true.
+///
+/// ```
+/// use core::sync::atomic::{AtomicBool, Ordering};
+/// use lagrangian::prelude::*;
+/// # use lagrangian::nalgebra::SVector;
+/// # struct Oscillator;
+/// # impl Dynamics for Oscillator {
+/// #     type State = SVector<f64, 2>;
+/// #     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+/// #         SVector::from([x[1], -x[0]])
+/// #     }
+/// # }
+///
+/// let cancelled = AtomicBool::new(false);
+/// let outcome = std::thread::scope(|scope| {
+///     scope.spawn(|| cancelled.store(true, Ordering::Relaxed));
+///     let start = (0.0, SVector::from([1.0, 0.0]));
+///     let driver = RungeKutta::classical(1e-9).driver().observe(&cancelled);
+///     driver.run_until(&Oscillator, start, 1e6)
+/// })?;
+/// assert_eq!(outcome.reason, StopReason::Observer);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// An observer that does more asks the flag itself.
+impl<X> Observer<X> for &AtomicBool {
+    #[inline]
+    fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
+        if self.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 }
 

@@ -13,6 +13,9 @@ pub enum StopReason {
     Condition,
     /// The observer stopped it.
     Observer,
+    /// The steps that the driver allows at a time were taken ([`Driver::max_steps`](crate::Driver::max_steps)). It can go
+    /// on from there.
+    StepLimit,
     /// An error stopped it.
     Error,
 }
@@ -28,4 +31,16 @@ pub struct Outcome<X> {
     pub met: MetConditions,
     /// Its cost.
     pub statistics: Statistics,
+}
+
+impl<X> Outcome<X> {
+    /// Before the first step.
+    pub(crate) fn at(last: Sample<X>) -> Self {
+        Self {
+            last,
+            reason: StopReason::Error,
+            met: MetConditions::default(),
+            statistics: Statistics::default(),
+        }
+    }
 }

@@ -268,4 +268,11 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
     }
 
     fn restart(&mut self, _: &D) {}
+
+    fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {
+        let statistics = self.statistics;
+        *self = self.method.start(dynamics, t, x)?;
+        self.statistics = self.statistics.plus(statistics);
+        Ok(())
+    }
 }

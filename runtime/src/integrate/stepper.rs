@@ -78,6 +78,14 @@ pub trait Advance<S: Scalar, D: Dynamics<S> + ?Sized>: Stepper<S, D::State> {
     /// Discards what was computed from the dynamics, because they have changed: a new value of a held input, a load
     /// that was picked up.
     fn restart(&mut self, dynamics: &D);
+
+    /// Goes on from another time and state: after an impact, from where an event is within the last step. The statistics
+    /// go on, too.
+    ///
+    /// # Errors
+    ///
+    /// If the time, the state or its derivative is not finite. The stepper is as it was then.
+    fn restart_at(&mut self, dynamics: &D, t: f64, x: D::State) -> Result<(), IntegrationError>;
 }
 
 /// The cost of an integration.
@@ -89,6 +97,24 @@ pub struct Statistics {
     pub rejected: u64,
     /// Evaluations of the derivative.
     pub evaluations: u64,
+}
+
+impl Statistics {
+    /// Accepted and rejected steps.
+    #[must_use]
+    pub fn attempts(&self) -> u64 {
+        self.steps.saturating_add(self.rejected)
+    }
+
+    /// The cost of this part and of another one.
+    #[must_use]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self {
+            steps: self.steps + other.steps,
+            rejected: self.rejected + other.rejected,
+            evaluations: self.evaluations + other.evaluations,
+        }
+    }
 }
 
 /// The time from `clock` to `target`; none at the target.

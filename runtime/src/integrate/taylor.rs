@@ -5,11 +5,13 @@
 
 mod coefficients;
 mod convolutions;
+mod interpolant;
 mod series;
 mod stepper;
 
 pub use coefficients::TaylorCoefficients;
 pub use convolutions::Convolutions;
+pub use interpolant::TaylorInterpolant;
 pub use series::Series;
 pub use stepper::TaylorStepper;
 

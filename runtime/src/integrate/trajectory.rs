@@ -3,11 +3,13 @@
 use alloc::{boxed::Box, vec::Vec};
 use core::fmt;
 
+use super::dense_solution::DenseSolution;
 use super::error::IntegrationError;
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
 use super::stepper::Statistics;
 use super::stop_condition::MetConditions;
+use crate::number_format::Readable;
 
 /// The samples of a motion, in the order of the requested times, and its outcome.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,17 +69,24 @@ impl<X> Trajectory<X> {
     }
 }
 
-/// An error that stopped an integration, with the trajectory up to then.
+/// An error that stopped an integration, with what was computed up to then: a [`PartialTrajectory`] or a
+/// [`PartialSolution`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct PartialTrajectory<X> {
+pub struct Partial<T> {
     // One pointer, so that a `Result` is not large because of its error.
-    parts: Box<(IntegrationError, Trajectory<X>)>,
+    parts: Box<(IntegrationError, T)>,
 }
 
-impl<X> PartialTrajectory<X> {
-    pub(super) fn new(error: IntegrationError, trajectory: Trajectory<X>) -> Self {
+/// An error that stopped an integration, with the trajectory up to then.
+pub type PartialTrajectory<X> = Partial<Trajectory<X>>;
+
+/// An error that stopped an integration, with the solution up to then.
+pub type PartialSolution<X, P, S = f64> = Partial<DenseSolution<X, P, S>>;
+
+impl<T> Partial<T> {
+    pub(super) fn new(error: IntegrationError, value: T) -> Self {
         Self {
-            parts: Box::new((error, trajectory)),
+            parts: Box::new((error, value)),
         }
     }
 
@@ -86,7 +95,23 @@ impl<X> PartialTrajectory<X> {
     pub fn error(&self) -> IntegrationError {
         self.parts.0
     }
+}
 
+impl<X, P, S> Partial<DenseSolution<X, P, S>> {
+    /// The solution up to the error.
+    #[must_use]
+    pub fn solution(&self) -> &DenseSolution<X, P, S> {
+        &self.parts.1
+    }
+
+    /// The solution up to the error, owned.
+    #[must_use]
+    pub fn into_solution(self) -> DenseSolution<X, P, S> {
+        self.parts.1
+    }
+}
+
+impl<X> Partial<Trajectory<X>> {
     /// The trajectory up to the error. Its [`last`](Trajectory::last) state is the last that was reached.
     #[must_use]
     pub fn trajectory(&self) -> &Trajectory<X> {
@@ -100,7 +125,7 @@ impl<X> PartialTrajectory<X> {
     }
 }
 
-impl<X> fmt::Display for PartialTrajectory<X> {
+impl<X> fmt::Display for Partial<Trajectory<X>> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory().len();
         let plural = if samples == 1 { "" } else { "s" };
@@ -108,10 +133,17 @@ impl<X> fmt::Display for PartialTrajectory<X> {
     }
 }
 
-impl<X: fmt::Debug> core::error::Error for PartialTrajectory<X> {}
+impl<X, P, S> fmt::Display for Partial<DenseSolution<X, P, S>> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (error, reached) = (self.error(), Readable(self.solution().last().t));
+        write!(f, "{error} (the solution is known until t = {reached})")
+    }
+}
 
-impl<X> From<PartialTrajectory<X>> for IntegrationError {
-    fn from(partial: PartialTrajectory<X>) -> Self {
+impl<T> core::error::Error for Partial<T> where Self: fmt::Debug + fmt::Display {}
+
+impl<T> From<Partial<T>> for IntegrationError {
+    fn from(partial: Partial<T>) -> Self {
         partial.error()
     }
 }

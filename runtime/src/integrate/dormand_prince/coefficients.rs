@@ -296,7 +296,7 @@ pub(super) const DENSE: [[f64; 16]; 4] = [
 mod tests {
     use nalgebra::SVector;
 
-    use super::super::dense_output::DenseOutput;
+    use super::super::dense_output::DensePolynomial;
     use super::{FIFTH_ORDER_ERROR, MATRIX, NODES, THIRD_ORDER, WEIGHTS};
     use crate::integrate::order_conditions::residual;
 
@@ -342,7 +342,7 @@ mod tests {
             core::array::from_fn(|i| SVector::<f64, 16>::from_fn(|j, _| f64::from(i == j)));
         let end = SVector::<f64, 16>::from_fn(|j, _| WEIGHTS.get(j).copied().unwrap_or(0.0));
         let start = SVector::zeros();
-        DenseOutput::new::<f64>(&start, &end, 1.0, &stages).at::<f64>(theta)
+        DensePolynomial::new::<f64>(&start, &end, 1.0, &stages).at::<f64>(theta)
     }
 
     #[test]

@@ -27,9 +27,9 @@ pub struct TaylorStepper<X, const HALF: usize> {
     /// then neither overflow nor underflow.
     unit: f64,
     /// The polynomial of the last step, about the reduced state.
-    coefficients: TaylorCoefficients<X, HALF>,
+    pub(super) coefficients: TaylorCoefficients<X, HALF>,
     /// Where the last step began, and its unit of time.
-    last: Option<(Clock, Compensated<X>, f64)>,
+    pub(super) last: Option<(Clock, Compensated<X>, f64)>,
     /// The length of the last step, 0 before the first.
     length: f64,
     statistics: Statistics,
@@ -265,7 +265,7 @@ fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Opti
 
 /// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
 /// (1997), section 4.2.2, theorem B).
-fn difference(x: f64, y: f64) -> [f64; 2] {
+pub(super) fn difference(x: f64, y: f64) -> [f64; 2] {
     let high = x - y;
     let part = high - x;
     [high, (x - (high - part)) - (y + part)]
@@ -389,5 +389,12 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
 
     fn restart(&mut self, _: &D) {
         self.last = None;
+    }
+
+    fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {
+        let statistics = self.statistics;
+        *self = Self::new(self.method, dynamics, t, x)?;
+        self.statistics = self.statistics.plus(statistics);
+        Ok(())
     }
 }

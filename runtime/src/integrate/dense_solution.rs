@@ -1,0 +1,176 @@
+//! A motion that can be asked at any time. Needs the feature `alloc`.
+
+use alloc::vec::Vec;
+use core::{fmt, marker::PhantomData};
+
+use super::collector::Collector;
+use super::dense_output::{DenseOutput, Interpolant};
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::outcome::Outcome;
+use super::sample::Sample;
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// A motion with the dense output of each of its steps, made by [`Driver::solve`](crate::Driver::solve).
+///
+/// It is as accurate between the ends of steps as the dense output of the method: of order 7 for
+/// [`Dop853`](crate::Dop853); for [`Taylor`](crate::Taylor) it is the polynomial of the step itself.
+#[derive(Clone, PartialEq)]
+pub struct DenseSolution<X, P, S = f64> {
+    initial: Sample<X>,
+    segments: Vec<Segment<P>>,
+    outcome: Outcome<X>,
+    scalar: PhantomData<S>,
+}
+
+/// A step, or the part of one up to an event.
+#[derive(Clone, Debug, PartialEq)]
+struct Segment<P> {
+    end: f64,
+    interpolant: P,
+}
+
+impl<X, P, S> DenseSolution<X, P, S> {
+    pub(super) fn new(initial: Sample<X>, segments: Segments<P>, outcome: Outcome<X>) -> Self {
+        Self {
+            initial,
+            segments: segments.0,
+            outcome,
+            scalar: PhantomData,
+        }
+    }
+
+    /// The state from which the motion begins.
+    #[must_use]
+    pub fn initial(&self) -> &Sample<X> {
+        &self.initial
+    }
+
+    /// The state at which it ends.
+    #[must_use]
+    pub fn last(&self) -> &Sample<X> {
+        &self.outcome.last
+    }
+
+    /// Why it ends there, and at what cost.
+    #[must_use]
+    pub fn outcome(&self) -> &Outcome<X> {
+        &self.outcome
+    }
+
+    /// The times at the ends of its steps and at events, the initial time first.
+    pub fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
+        let ends = self.segments.iter().map(|segment| segment.end);
+        core::iter::once(self.initial.t).chain(ends)
+    }
+
+    /// The time of the end, as far as there are segments.
+    fn end(&self) -> f64 {
+        self.segments.last().map_or(self.initial.t, |last| last.end)
+    }
+}
+
+impl<X, P, S> DenseSolution<X, P, S>
+where
+    S: Scalar,
+    X: VectorSpace<S>,
+    P: Interpolant<S, X>,
+{
+    /// The state at a time. At the time of a jump it is that after the jump, and [`before`](Self::before) it is that
+    /// before.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
+    pub fn at(&self, t: f64) -> Result<X, IntegrationError> {
+        if t - self.outcome.last.t == 0.0 {
+            return Ok(self.outcome.last.x.clone());
+        }
+        let found = self.segment(t, |end, t| end <= t)?;
+        Ok(found.map_or_else(
+            || self.initial.x.clone(),
+            |segment| segment.interpolant.at(t),
+        ))
+    }
+
+    /// The state at a time; at the time of a jump, that before it.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
+    pub fn before(&self, t: f64) -> Result<X, IntegrationError> {
+        if t - self.initial.t == 0.0 {
+            return Ok(self.initial.x.clone());
+        }
+        let found = self.segment(t, |end, t| end < t)?;
+        Ok(found.map_or_else(
+            || self.initial.x.clone(),
+            |segment| segment.interpolant.at(t),
+        ))
+    }
+
+    /// The derivative of the interpolating polynomial at a time; none if there is no step. For a mechanical system it
+    /// holds velocities and accelerations.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
+    pub fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
+        let found = self.segment(t, |end, t| end <= t)?;
+        let found = found.or(self.segments.last());
+        Ok(found.map(|segment| segment.interpolant.derivative(t)))
+    }
+
+    /// The first segment that is not `over` at a time; the last one at the end.
+    fn segment(
+        &self,
+        t: f64,
+        over: impl Fn(f64, f64) -> bool,
+    ) -> Result<Option<&Segment<P>>, IntegrationError> {
+        let (start, end) = (self.initial.t, self.end());
+        let sign = if end < start { -1.0 } else { 1.0 };
+        if !(sign * start <= sign * t && sign * t <= sign * end) {
+            return Err(IntegrationError::OutsideSolution {
+                time: t,
+                start,
+                end,
+            });
+        }
+        let is_over = |segment: &Segment<P>| over(sign * segment.end, sign * t);
+        let index = self.segments.partition_point(is_over);
+        Ok(self.segments.get(index).or(self.segments.last()))
+    }
+}
+
+impl<X, P, S> fmt::Debug for DenseSolution<X, P, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("DenseSolution")
+            .field("start", &self.initial.t)
+            .field("end", &self.end())
+            .field("segments", &self.segments.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// The segments that are being collected.
+pub(super) struct Segments<P>(Vec<Segment<P>>);
+
+impl<P> Segments<P> {
+    pub(super) fn new() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<S, D, T> Collector<S, D, T> for Segments<T::Interpolant>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    T: DenseOutput<S, D>,
+{
+    fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {
+        if let Some(interpolant) = stepper.interpolant(dynamics) {
+            self.0.push(Segment { end, interpolant });
+        }
+    }
+}

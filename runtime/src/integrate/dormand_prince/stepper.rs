@@ -1,0 +1,295 @@
+//! The steps of DOP853.
+
+use super::coefficients::{MATRIX, NODES, WEIGHTS};
+use super::dense_output::{DensePolynomial, Dop853Interpolant};
+use super::step_control::{self, Attempt, StepControl, too_small};
+use super::{ALL_STAGES, Dop853, STAGES};
+use crate::integrate::compensated::{Clock, Compensated};
+use crate::integrate::dense_output::DenseOutput;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::runge_kutta::{combination, stage};
+use crate::integrate::stepper::{
+    Advance, Statistics, Stepper, checked_derivative, checked_state, remaining,
+};
+use crate::limits::dormand_prince as limits;
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// Takes the steps of [`Dop853`].
+///
+/// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
+#[derive(Clone, Debug)]
+pub struct Dop853Stepper<X> {
+    method: Dop853,
+    clock: Clock,
+    state: Compensated<X>,
+    /// The size of the next step, once the first is chosen.
+    control: Option<StepControl>,
+    /// The derivatives kᵢ of the last step; the one at `STAGES` is that of the present state.
+    stages: [X; ALL_STAGES],
+    last: Option<LastStep<X>>,
+    statistics: Statistics,
+}
+
+/// The last step, as dense output needs it.
+#[derive(Clone, Debug)]
+struct LastStep<X> {
+    clock: Clock,
+    x: Compensated<X>,
+    h: f64,
+    dense: Option<DensePolynomial<X>>,
+}
+
+impl<X> Dop853Stepper<X> {
+    pub(super) fn new<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        method: Dop853,
+        dynamics: &D,
+        t: f64,
+        x: X,
+    ) -> Result<Self, IntegrationError>
+    where
+        X: VectorSpace<S>,
+    {
+        let derivative = checked_derivative(dynamics, t, &x)?;
+        Ok(Self {
+            method,
+            clock: Clock::new(t),
+            state: Compensated::new(x),
+            control: None,
+            stages: core::array::from_fn(|_| derivative.clone()),
+            last: None,
+            statistics: Statistics {
+                evaluations: 1,
+                ..Statistics::default()
+            },
+        })
+    }
+
+    /// The derivatives kᵢ of a range of stages, over a step h from (t, x), where x is reduced.
+    #[inline]
+    fn evaluate<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        from: (Clock, &X),
+        h: f64,
+        stages: core::ops::Range<usize>,
+    ) where
+        X: VectorSpace<S>,
+    {
+        let (clock, x) = from;
+        let rows = NODES.iter().zip(MATRIX).enumerate();
+        for (i, (node, row)) in rows.take(stages.end).skip(stages.start) {
+            let (done, rest) = self.stages.split_at_mut(i);
+            if let Some(next) = rest.first_mut() {
+                *next = stage(dynamics, clock.after(node * h), x, h, row, done);
+                self.statistics.evaluations += 1;
+            }
+        }
+    }
+
+    /// Computes a step of size `h` and its error; the state does not change.
+    fn attempt<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        h: f64,
+    ) -> (Compensated<X>, Attempt)
+    where
+        X: VectorSpace<S>,
+    {
+        let from = self.state.reduced(dynamics);
+        // First same as last.
+        self.stages[0] = self.stages[STAGES].clone();
+        self.evaluate(dynamics, (self.clock, &from), h, 1..STAGES);
+        let slope = combination(&WEIGHTS, &self.stages, &from.zeroed());
+        let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
+        let scales = [
+            dynamics.error_scale(self.state.value()),
+            dynamics.error_scale(state.value()),
+        ];
+        let error = step_control::error(&self.stages, h, &scales, self.method.tolerance);
+        let finite = checked_state(dynamics, self.clock.after(h), state.value());
+        (state, Attempt { error, finite })
+    }
+
+    /// The size of the first step, in the direction of `remaining`.
+    fn first_step<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        remaining: f64,
+    ) -> f64
+    where
+        X: VectorSpace<S>,
+    {
+        let longest = self.limited(remaining.abs());
+        if let Some(step) = self.method.initial_step {
+            return step.min(longest);
+        }
+        self.statistics.evaluations += 1;
+        step_control::initial_step(
+            dynamics,
+            self.clock,
+            self.state.value(),
+            &self.stages[STAGES],
+            longest.copysign(remaining),
+            self.method.tolerance,
+        )
+    }
+
+    fn limited(&self, step: f64) -> f64 {
+        self.method.max_step.map_or(step, |most| step.min(most))
+    }
+}
+
+impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
+    const DENSE_OUTPUT: bool = true;
+
+    fn time(&self) -> f64 {
+        self.clock.time()
+    }
+
+    fn state(&self) -> &X {
+        self.state.value()
+    }
+
+    fn previous_time(&self) -> f64 {
+        self.last
+            .as_ref()
+            .map_or(self.clock, |last| last.clock)
+            .time()
+    }
+
+    fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+}
+
+impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S, D>
+    for Dop853Stepper<X>
+{
+    fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError> {
+        let Some(remaining) = remaining(&self.clock, target)? else {
+            return Ok(());
+        };
+        let mut control = match self.control {
+            Some(control) => control,
+            None => StepControl::new(self.first_step(dynamics, remaining)),
+        };
+        self.last = None;
+        loop {
+            let proposed = self.limited(control.step());
+            let lands = limits::LANDING * proposed >= remaining.abs();
+            let h = if lands {
+                remaining
+            } else {
+                proposed.copysign(remaining)
+            };
+            let (state, attempt) = self.attempt(dynamics, h);
+            let stalls = control.stalls(h, remaining);
+            if !stalls && control.accepts(&attempt, h.abs()) {
+                self.accept(dynamics, state, h, lands.then_some(target));
+                self.control = Some(control);
+                return Ok(());
+            }
+            if self.statistics.steps > 0 {
+                self.statistics.rejected += 1;
+            }
+            let least = self.method.min_step * f64::EPSILON * self.clock.time().abs();
+            if stalls || control.step() <= least.max(f64::MIN_POSITIVE) {
+                attempt.finite?;
+                let here = (self.clock.time(), self.state.value());
+                let (step, tolerance) = (control.step(), self.method.tolerance);
+                return Err(too_small(dynamics, here, step, &self.stages, tolerance));
+            }
+        }
+    }
+
+    fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
+        self.complete_stages(dynamics);
+        match &self.last {
+            Some(LastStep {
+                clock,
+                h,
+                dense: Some(polynomial),
+                ..
+            }) => polynomial.at(clock.until(t) / h),
+            _ => self.state.value().clone(),
+        }
+    }
+
+    fn restart(&mut self, dynamics: &D) {
+        let t = S::from_f64(self.clock.time());
+        self.stages[STAGES] = dynamics.derivative(t, &self.state.reduced(dynamics));
+        self.statistics.evaluations += 1;
+        self.control = None;
+        self.last = None;
+    }
+
+    fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {
+        let statistics = self.statistics;
+        *self = Self::new(self.method, dynamics, t, x)?;
+        self.statistics = self.statistics.plus(statistics);
+        Ok(())
+    }
+}
+
+impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> DenseOutput<S, D>
+    for Dop853Stepper<X>
+{
+    type Interpolant = Dop853Interpolant<X>;
+
+    fn interpolant(&mut self, dynamics: &D) -> Option<Self::Interpolant> {
+        self.complete_stages(dynamics);
+        let last = self.last.as_ref()?;
+        Some(Dop853Interpolant {
+            clock: last.clock,
+            h: last.h,
+            polynomial: last.dense.clone()?,
+        })
+    }
+}
+
+impl<X> Dop853Stepper<X> {
+    /// Computes the additional stages of the last step, unless they are known.
+    fn complete_stages<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(&mut self, dynamics: &D)
+    where
+        X: VectorSpace<S>,
+    {
+        let Some(mut last) = self.last.take() else {
+            return;
+        };
+        if last.dense.is_none() {
+            let from = (last.clock, &last.x.reduced(dynamics));
+            self.evaluate(dynamics, from, last.h, STAGES + 1..ALL_STAGES);
+            let (start, end) = (last.x.value(), self.state.value());
+            last.dense = Some(DensePolynomial::new(start, end, last.h, &self.stages));
+        }
+        self.last = Some(last);
+    }
+
+    /// Accepts `state`, at the time `landing` or else a step `h` from now.
+    fn accept<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        state: Compensated<X>,
+        h: f64,
+        landing: Option<f64>,
+    ) where
+        X: VectorSpace<S>,
+    {
+        self.last = Some(LastStep {
+            clock: self.clock,
+            x: core::mem::replace(&mut self.state, state),
+            h,
+            dense: None,
+        });
+        match landing {
+            Some(target) => self.clock = Clock::new(target),
+            None => self.clock.advance(h),
+        }
+        let t = S::from_f64(self.clock.time());
+        self.stages[STAGES] = dynamics.derivative(t, &self.state.reduced(dynamics));
+        self.statistics.evaluations += 1;
+        self.statistics.steps += 1;
+    }
+}

@@ -1,0 +1,145 @@
+//! What a driver does before the first step, and how it goes on.
+
+use core::marker::PhantomData;
+
+use super::Driver;
+use crate::integrate::collector::Collector;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::integration::{Integration, check_singularity};
+use crate::integrate::integrator::Integrator;
+use crate::integrate::observer::Observer;
+use crate::integrate::outcome::Outcome;
+use crate::integrate::sample::Sample;
+use crate::integrate::stepper::{Stepper, checked_state};
+use crate::integrate::stop_condition::StopCondition;
+use crate::limits::MIN_SINGULARITY_TOLERANCE;
+use crate::scalar::Scalar;
+
+impl<I, C, O> Driver<I, C, O> {
+    /// Passes each sample and each step to the collector. The outcome is known after an error, too.
+    pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        initial: &Sample<D::State>,
+        times: &[f64],
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<D::State>,
+        O: Observer<D::State>,
+    {
+        let checked = check_times(initial.t, times);
+        match checked.and_then(|()| self.begin(dynamics, initial)) {
+            Ok(mut stepper) => {
+                let steps = self.max_steps;
+                self.advance(dynamics, &mut stepper, times, steps, collector)
+            }
+            Err(error) => (Outcome::at(initial.clone()), Err(error)),
+        }
+    }
+
+    /// Goes on through `times`, which are checked, with at most so many more steps.
+    pub(crate) fn advance<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        stepper: &mut I::Stepper,
+        times: &[f64],
+        steps: u64,
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<D::State>,
+        O: Observer<D::State>,
+    {
+        let (t, x) = (stepper.time(), stepper.state().clone());
+        let mut outcome = Outcome::at(Sample { t, x });
+        let mut integration = Integration {
+            dynamics,
+            start: t,
+            end: times.last().copied().unwrap_or(t),
+            waiting: times,
+            min_pivot: self.min_pivot::<S, D>(),
+            step_limit: stepper.statistics().attempts().saturating_add(steps),
+            stepper,
+            condition: &mut self.condition,
+            evaluated_until: None,
+            observer: &mut self.observer,
+            collector,
+            outcome: &mut outcome,
+            scalar: PhantomData,
+        };
+        let result = integration.complete();
+        (outcome, result)
+    }
+
+    /// Checks the settings and the initial value. The singularity comes before the derivative: where M is
+    /// singular, the accelerations are not finite, and an error about them would say less.
+    pub(super) fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        initial: &Sample<D::State>,
+    ) -> Result<I::Stepper, IntegrationError>
+    where
+        I: Integrator<S, D>,
+    {
+        if let Some(tolerance) = self
+            .singularity_tolerance
+            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
+        {
+            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
+        }
+        self.check_state(dynamics, initial)?;
+        self.integrator
+            .start(dynamics, initial.t, initial.x.clone())
+    }
+
+    /// An error unless the state is finite and regular.
+    pub(crate) fn check_state<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        initial: &Sample<D::State>,
+    ) -> Result<(), IntegrationError>
+    where
+        I: Integrator<S, D>,
+    {
+        checked_state(dynamics, initial.t, &initial.x)?;
+        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())
+    }
+
+    /// The smallest relative pivot that does not end the integration.
+    fn min_pivot<S: Scalar, D: Dynamics<S> + ?Sized>(&self) -> f64
+    where
+        I: Integrator<S, D>,
+    {
+        let epsilon = S::machine_epsilon();
+        let allowed = self.singularity_tolerance.unwrap_or_else(|| {
+            self.integrator
+                .singularity_tolerance()
+                .max(MIN_SINGULARITY_TOLERANCE * epsilon)
+        });
+        epsilon / allowed
+    }
+}
+
+/// An error unless the times are finite and advance in the direction from `start` to the last.
+pub(crate) fn check_times(start: f64, times: &[f64]) -> Result<(), IntegrationError> {
+    if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
+        return Err(IntegrationError::NonFiniteTime { time });
+    }
+    let backwards = times.last().is_some_and(|&end| end < start);
+    let mut previous = start;
+    for (index, &time) in times.iter().enumerate() {
+        if (time < previous && !backwards) || (time > previous && backwards) {
+            return Err(IntegrationError::UnorderedTimes {
+                index,
+                time,
+                previous,
+            });
+        }
+        previous = time;
+    }
+    Ok(())
+}

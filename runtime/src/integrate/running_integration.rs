@@ -1,0 +1,267 @@
+//! Integrations in progress, as values that are stepped by hand.
+
+use super::collector::Uncollected;
+use super::driver::{Driver, check_times};
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::observer::Observer;
+use super::outcome::{Outcome, StopReason};
+use super::sample::Sample;
+use super::stepper::{Advance, Statistics, Stepper};
+use super::stop_condition::StopCondition;
+use crate::scalar::Scalar;
+
+/// An integration in progress, made by [`Driver::start`](crate::Driver::start).
+///
+/// It goes on towards any time, step by step or at once, and never beyond it; the conditions and the observer of its
+/// driver are with it. Between two steps it can be asked within the last one, and its state or its dynamics can be
+/// changed. Nothing is allocated.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let dynamics = pendulum.dynamics();
+/// let start = State::new(0.0, [0.5], [0.0]);
+/// let mut integration = Dop853::new().driver().start(&dynamics, start)?;
+///
+/// // Step by step, with the state in the middle of each.
+/// for step in integration.steps_to(1.0) {
+///     let step = step?;
+///     assert!(step.start < step.end.t);
+/// }
+/// integration.advance_to(2.0)?;
+/// assert_eq!(integration.time(), 2.0);
+/// let middle = 0.5 * (integration.previous_time() + integration.time());
+/// let theta = integration.at(middle)?.q[0];
+/// assert!(theta.abs() < 0.5);
+///
+/// // A blow, and on a shorter string.
+/// let mut x = *integration.state();
+/// x.v[0] += 1.0;
+/// integration.restart(x)?;
+/// let shorter = Pendulum { l: 0.5, ..pendulum };
+/// let shorter = shorter.dynamics();
+/// integration.change_dynamics(&shorter)?;
+/// integration.advance_to(3.0)?;
+/// # Ok::<(), IntegrationError>(())
+/// ```
+pub struct RunningIntegration<'a, S, D, I, C, O>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    I: Integrator<S, D>,
+{
+    driver: Driver<I, C, O>,
+    dynamics: &'a D,
+    stepper: I::Stepper,
+}
+
+/// A step of a [`RunningIntegration`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<X> {
+    /// The time at which it begins.
+    pub start: f64,
+    /// The time and the state at which it ends, or where a condition stopped within it.
+    pub end: Sample<X>,
+    /// Why there is no other step to the time that was given; none if there is.
+    pub stop: Option<StopReason>,
+}
+
+impl<'a, S, D, I, C, O> RunningIntegration<'a, S, D, I, C, O>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    I: Integrator<S, D>,
+{
+    pub(super) fn new(driver: Driver<I, C, O>, dynamics: &'a D, stepper: I::Stepper) -> Self {
+        Self {
+            driver,
+            dynamics,
+            stepper,
+        }
+    }
+
+    /// The time reached.
+    pub fn time(&self) -> f64 {
+        self.stepper.time()
+    }
+
+    /// The state at that time.
+    pub fn state(&self) -> &D::State {
+        self.stepper.state()
+    }
+
+    /// Time and state.
+    pub fn sample(&self) -> Sample<D::State> {
+        Sample {
+            t: self.time(),
+            x: self.state().clone(),
+        }
+    }
+
+    /// The time from which the last step was taken.
+    pub fn previous_time(&self) -> f64 {
+        self.stepper.previous_time()
+    }
+
+    /// The cost so far, restarts included.
+    pub fn statistics(&self) -> Statistics {
+        self.stepper.statistics()
+    }
+
+    /// What takes the steps; its dense output is [`DenseOutput::interpolant`](crate::DenseOutput::interpolant).
+    pub fn stepper_mut(&mut self) -> &mut I::Stepper {
+        &mut self.stepper
+    }
+
+    /// The state at a time within the last step: by dense output, or for a method that has none as accurately as a step.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::OutsideSolution`] for another time.
+    pub fn at(&mut self, t: f64) -> Result<D::State, IntegrationError> {
+        let (start, end) = (self.previous_time(), self.time());
+        if t - end == 0.0 {
+            return Ok(self.state().clone());
+        }
+        if (start.min(end)..=start.max(end)).contains(&t) {
+            Ok(self.stepper.interpolate(self.dynamics, t))
+        } else {
+            Err(IntegrationError::OutsideSolution {
+                time: t,
+                start,
+                end,
+            })
+        }
+    }
+
+    /// Goes on from another state at the present time, such as that after an impact.
+    ///
+    /// # Errors
+    ///
+    /// If the state or its derivative is not finite, or the state singular; nothing is changed then.
+    pub fn restart(&mut self, x: D::State) -> Result<(), IntegrationError> {
+        let t = self.time();
+        let initial = Sample { t, x };
+        self.driver.check_state(self.dynamics, &initial)?;
+        self.stepper.restart_at(self.dynamics, t, initial.x)
+    }
+
+    /// Goes on with other dynamics from the present state: with other parameters, or another input that is held.
+    ///
+    /// # Errors
+    ///
+    /// If the derivative is not finite, or the state singular; nothing is changed then.
+    pub fn change_dynamics(&mut self, dynamics: &'a D) -> Result<(), IntegrationError> {
+        let here = self.sample();
+        self.driver.check_state(dynamics, &here)?;
+        self.stepper.restart_at(dynamics, here.t, here.x)?;
+        self.dynamics = dynamics;
+        Ok(())
+    }
+}
+
+impl<'a, S, D, I, C, O> RunningIntegration<'a, S, D, I, C, O>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    I: Integrator<S, D>,
+    C: StopCondition<D::State>,
+    O: Observer<D::State>,
+{
+    /// Integrates until the time `end`, which may lie before the present one, until a condition or the observer stops,
+    /// or until the steps that the driver allows are taken. Called again, it goes on to the last bit as if it had not
+    /// stopped, except after a condition that is located within a step.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn advance_to(&mut self, end: f64) -> Result<Outcome<D::State>, IntegrationError> {
+        self.advance(end, self.driver.steps_at_a_time())
+    }
+
+    /// Takes one step towards the time `end`; none at that time.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn step_towards(&mut self, end: f64) -> Result<Option<Step<D::State>>, IntegrationError> {
+        let start = self.time();
+        let steps = self.statistics().steps;
+        let outcome = self.advance(end, 1)?;
+        let stop = Some(outcome.reason).filter(|reason| *reason != StopReason::StepLimit);
+        let step = Step {
+            start,
+            end: outcome.last,
+            stop,
+        };
+        Ok(Some(step).filter(|_| self.statistics().steps > steps))
+    }
+
+    /// The steps to the time `end`, taken one by one; the last is that at `end`, or that in which a condition or the
+    /// observer stops. After an error there is none.
+    pub fn steps_to<'r>(&'r mut self, end: f64) -> Steps<'r, 'a, S, D, I, C, O> {
+        Steps {
+            integration: self,
+            end,
+            is_over: false,
+        }
+    }
+
+    fn advance(&mut self, end: f64, steps: u64) -> Result<Outcome<D::State>, IntegrationError> {
+        check_times(self.time(), &[end])?;
+        let (dynamics, stepper) = (self.dynamics, &mut self.stepper);
+        let (outcome, result) =
+            self.driver
+                .advance(dynamics, stepper, &[end], steps, &mut Uncollected);
+        result?;
+        let Sample { t, x } = &outcome.last;
+        if *t - self.time() != 0.0 {
+            self.stepper.restart_at(dynamics, *t, x.clone())?;
+        }
+        Ok(outcome)
+    }
+}
+
+/// The steps of a [`RunningIntegration`] to a time, made by [`RunningIntegration::steps_to`].
+pub struct Steps<'r, 'a, S, D, I, C, O>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    I: Integrator<S, D>,
+{
+    integration: &'r mut RunningIntegration<'a, S, D, I, C, O>,
+    end: f64,
+    is_over: bool,
+}
+
+impl<S, D, I, C, O> Iterator for Steps<'_, '_, S, D, I, C, O>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    I: Integrator<S, D>,
+    C: StopCondition<D::State>,
+    O: Observer<D::State>,
+{
+    type Item = Result<Step<D::State>, IntegrationError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.is_over {
+            return None;
+        }
+        let step = self.integration.step_towards(self.end).transpose();
+        let goes_on = |step: &Self::Item| step.as_ref().is_ok_and(|step| step.stop.is_none());
+        self.is_over = !step.as_ref().is_some_and(goes_on);
+        step
+    }
+}
