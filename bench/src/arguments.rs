@@ -13,7 +13,11 @@ pub(crate) struct Arguments {
         long,
         value_delimiter = ',',
         default_value = "A1,A2,P1,P2,P3,P5,P8,P10,P15,P20",
-        default_value_if("ablation", "true", "A1,A2,A2m,P2,P2m,P5,P20")
+        default_value_if("ablation", "true", "A1,A2,A2m,P2,P2m,P5,P20"),
+        default_value_if("taylor", "true", "A1,A2,P2,P5,P10,P20,arm,figure-eight"),
+        default_value_if("work_precision", "true", "A1,A2,P2"),
+        default_value_if("brouwer", "true", "A1,P2"),
+        default_value_if("compile", "true", "A1,A2,P2,P10,P20")
     )]
     pub(crate) models: Vec<Model>,
 
@@ -28,6 +32,22 @@ pub(crate) struct Arguments {
     /// Instead of peers: each model with all passes, and with each of them switched off.
     #[arg(long)]
     pub(crate) ablation: bool,
+
+    /// Instead of evaluations: trajectories to t = 1000 by our Taylor series method, beside heyoka's.
+    #[arg(long)]
+    pub(crate) taylor: bool,
+
+    /// Work and precision of integrators, and the figure in the documentation.
+    #[arg(long)]
+    pub(crate) work_precision: bool,
+
+    /// How the error of the energy grows over 10⁶ periods.
+    #[arg(long)]
+    pub(crate) brouwer: bool,
+
+    /// What the clause `taylor` costs when models are compiled.
+    #[arg(long)]
+    pub(crate) compile: bool,
 
     /// Fewer rounds: figures for a first look.
     #[arg(long)]

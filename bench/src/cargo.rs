@@ -10,6 +10,7 @@ use lagrangian_bench::{Report, Request};
 
 use crate::ablation::Off;
 use crate::command::output;
+use crate::contestant::Contestant;
 use crate::declaration::{Calls, source};
 use crate::flags::Flags;
 use crate::folders::{Folders, create, write};
@@ -25,7 +26,7 @@ pub(crate) struct Built {
 /// Builds the dependencies of all models, so that no model is charged with them. Then says what the
 /// build of a crate takes that has them and nothing else.
 pub(crate) fn build_dependencies(folders: &Folders) -> Result<f64, String> {
-    let empty = || package(folders, "empty", "fn main() {}\n", &[]);
+    let empty = || package(folders, "empty", "fn main() {}\n", &[], true);
     for flags in Flags::ALL {
         cargo_build(folders, &empty()?, flags, None)?;
     }
@@ -35,11 +36,19 @@ pub(crate) fn build_dependencies(folders: &Folders) -> Result<f64, String> {
     Ok(start.elapsed().as_secs_f64())
 }
 
-pub(crate) fn build(folders: &Folders, model: Model, flags: Flags) -> Result<Built, String> {
-    let name = format!("model-{model}");
-    // Written anew, it is built anew.
-    let main = source(model, Calls::Measure);
-    let package = package(folders, &name, &main, &[])?;
+pub(crate) fn build(
+    folders: &Folders,
+    model: Model,
+    calls: Calls,
+    flags: Flags,
+) -> Result<Built, String> {
+    let name = match calls {
+        Calls::Measure | Calls::MeasureWithRounding => format!("model-{model}"),
+        Calls::Integrate => format!("integrated-{model}"),
+    };
+    let main = source(model, calls);
+    let timed = calls != Calls::Integrate;
+    let package = package(folders, &name, &main, &[], timed)?;
     let start = Instant::now();
     cargo_build(folders, &package, flags, None)?;
     let seconds = start.elapsed().as_secs_f64();
@@ -52,7 +61,7 @@ pub(crate) fn build_without(folders: &Folders, model: Model, off: Off) -> Result
     // One name for all, so that the same code gives the same program.
     let name = format!("ablated-{model}");
     let main = source(model, Calls::MeasureWithRounding);
-    let package = package(folders, &name, &main, &["ablation"])?;
+    let package = package(folders, &name, &main, &["ablation"], true)?;
     let start = Instant::now();
     cargo_build(folders, &package, Flags::Native, Some(&off.passes()))?;
     let seconds = start.elapsed().as_secs_f64();
@@ -76,6 +85,11 @@ impl Built {
             fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
         };
         Ok(bytes(self)? == bytes(other)?)
+    }
+
+    /// Runs it as a contestant.
+    pub(crate) fn start(&self) -> Result<Contestant, String> {
+        Contestant::start(&mut Command::new(&self.program))
     }
 
     /// Has all that the request names measured.
@@ -118,6 +132,7 @@ fn package(
     name: &str,
     main: &str,
     features: &[&str],
+    timed: bool,
 ) -> Result<PathBuf, String> {
     let package = folders.output.join("models").join(name);
     create(&package.join("src"))?;
@@ -133,7 +148,11 @@ fn package(
          lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{derive}"
     );
     write(&package.join("Cargo.toml"), &manifest)?;
-    write(&package.join("src/main.rs"), main)?;
+    let path = package.join("src/main.rs");
+    // Written anew, it is built anew, and what the build takes is known.
+    if timed || fs::read_to_string(&path).map_or(true, |written| written != main) {
+        write(&path, main)?;
+    }
     fs::copy(
         folders.workspace.join("Cargo.lock"),
         package.join("Cargo.lock"),

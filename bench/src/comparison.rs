@@ -7,6 +7,7 @@ use lagrangian_bench::{Answers, Library, Measurement, Operations, Report, Reques
 use crate::arguments::Arguments;
 use crate::cargo::{build, build_dependencies, derive_times};
 use crate::compiler::compile;
+use crate::declaration::Calls;
 use crate::flags::Flags;
 use crate::folders::Folders;
 use crate::model::Model;
@@ -75,7 +76,7 @@ impl Workshop {
         let mut operations = None;
         for flags in Flags::ALL {
             request.libraries = self.libraries(model, &mut sources, &mut sides, flags);
-            let built = build(&self.folders, model, flags)?;
+            let built = build(&self.folders, model, Calls::Measure, flags)?;
             if flags == Flags::Native {
                 sides[0].compile_seconds = Some(built.seconds);
             }

@@ -13,10 +13,12 @@ struct Declaration {
 }
 
 /// What of the library of this package a model's crate calls.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Calls {
     Measure,
     MeasureWithRounding,
+    /// Of a model with the clause `taylor`.
+    Integrate,
 }
 
 impl Calls {
@@ -24,20 +26,36 @@ impl Calls {
         match self {
             Self::Measure => "measure",
             Self::MeasureWithRounding => "measure_with_rounding",
+            Self::Integrate => "integrate",
+        }
+    }
+
+    /// What it needs of the declaration besides what every model has.
+    fn clause(self) -> &'static str {
+        match self {
+            Self::Measure | Self::MeasureWithRounding => "",
+            Self::Integrate => "    taylor,\n",
         }
     }
 }
 
-/// The `main.rs` of a model's crate.
-pub(crate) fn source(model: Model, calls: Calls) -> String {
-    let declaration = match model {
+fn declaration(model: Model) -> Declaration {
+    match model {
         Model::SymmetricTop => symmetric_top(),
         Model::GeneralTop => general_top(),
         Model::Pendulum(links) => pendulum(links),
         Model::GeneralTopMultipliedOut => general_top_multiplied_out(),
         Model::DoublePendulumMultipliedOut => double_pendulum_multiplied_out(),
-    };
+        Model::Arm => arm(),
+        Model::ThreeBodies => three_bodies(),
+    }
+}
+
+/// The `main.rs` of a model's crate.
+pub(crate) fn source(model: Model, calls: Calls) -> String {
+    let declaration = declaration(model);
     let Declaration { title, clauses, .. } = &declaration;
+    let clause = calls.clause();
     let (mut fields, mut values) = (String::new(), String::new());
     for (name, value) in declaration.parameters {
         let _ = write!(fields, "{name}: f64, ");
@@ -50,7 +68,7 @@ pub(crate) fn source(model: Model, calls: Calls) -> String {
          use lagrangian::prelude::*;\n\n\
          /// {title}\n\
          #[derive(Lagrangian, Clone, Debug)]\n\
-         #[lagrangian(\n{clauses})]\n\
+         #[lagrangian(\n{clause}{clauses})]\n\
          struct Model {{ {fields}}}\n\n\
          fn main() -> std::process::ExitCode {{\n\
          \x20   let model = Model {{ {values}}};\n\
@@ -169,6 +187,61 @@ fn pendulum(links: usize) -> Declaration {
              kinetic = {kinetic},\n    potential = {potential},\n"
         ),
         parameters: &[("m", 1.1), ("l", 0.7), ("g", 9.81)],
+    }
+}
+
+/// Yaw, shoulder and elbow, of two links with motors and friction.
+fn arm() -> Declaration {
+    Declaration {
+        title: "An arm of three joints that follow torques in time.",
+        clauses: "    \
+    coordinates(q1, q2, q3),
+    define(
+        turn = rotation_z(q1),
+        upper = turn * [cos(q2), 0.0, sin(q2)],
+        lower = turn * [cos(q2 + q3), 0.0, sin(q2 + q3)],
+        c2 = a2 * upper,
+        c3 = l2 * upper + a3 * lower,
+    ),
+    kinetic = 0.5 * j1 * dot(q1).powi(2),
+    kinetic = 0.5 * (m2 * dot(c2).norm_squared() + i2 * dot(upper).norm_squared()),
+    kinetic = 0.5 * (m3 * dot(c3).norm_squared() + i3 * dot(lower).norm_squared()),
+    potential = g * (m2 * c2.z + m3 * c3.z),
+    dissipation = 0.5 * (b1 * dot(q1).powi(2) + b2 * dot(q2).powi(2) + b3 * dot(q3).powi(2)),
+    force(q1 = k1 * sin(w * t), q2 = k2 * cos(w * t), q3 = k3),
+"
+        .to_owned(),
+        parameters: &[
+            ("j1", 0.5),
+            ("m2", 3.0),
+            ("m3", 2.0),
+            ("l2", 0.5),
+            ("a2", 0.25),
+            ("a3", 0.2),
+            ("i2", 0.06),
+            ("i3", 0.03),
+            ("g", 9.81),
+            ("b1", 0.1),
+            ("b2", 0.1),
+            ("b3", 0.05),
+            ("k1", 2.0),
+            ("k2", 10.0),
+            ("k3", 3.0),
+            ("w", 2.0),
+        ],
+    }
+}
+
+fn three_bodies() -> Declaration {
+    Declaration {
+        title: "Three equal masses in a plane that attract each other.",
+        clauses: "    \
+    coordinates(r[3]: Vector2),
+    kinetic = (0..3).map(|i| 0.5 * m * dot(r[i]).norm_squared()).sum(),
+    potential = -(0..3).map(|i| (0..i).map(|j| g * m * m / (r[i] - r[j]).norm()).sum()).sum(),
+"
+        .to_owned(),
+        parameters: &[("m", 1.0), ("g", 1.0)],
     }
 }
 

@@ -13,11 +13,17 @@
 mod agreement;
 mod derived;
 mod evaluation;
+mod integrate;
 mod measure;
 mod protocol;
+mod question;
 mod rounding;
 mod shared_object;
 mod stopwatch;
+mod thread_time;
 
+pub use integrate::{Contestant, LANES, integrate};
 pub use measure::{measure, measure_with_rounding};
 pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};
+pub use question::{EnergyErrors, Integrated, Integration, Question, answer_questions};
+pub use thread_time::fewest_seconds;

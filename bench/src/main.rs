@@ -41,6 +41,11 @@ mod comparison;
 mod table;
 mod ablation;
 mod ablation_table;
+mod contestant;
+mod trajectories;
+mod contest;
+mod verdict;
+mod taylor;
 
 use std::process::ExitCode;
 
@@ -64,6 +69,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
         let ablations = ablation::run(arguments)?;
         print!("{}", ablation_table::tables(&ablations));
         return Ok(());
+    }
+    if arguments.taylor {
+        return taylor::run(arguments);
     }
     let workshop = Workshop::new(arguments)?;
     let mut comparisons = Vec::new();

@@ -16,13 +16,18 @@ pub(crate) enum Model {
     GeneralTopMultipliedOut,
     /// Two links, the kinetic energy expanded.
     DoublePendulumMultipliedOut,
+    /// An arm of three joints that motors turn.
+    Arm,
+    /// Three bodies in a plane that attract each other.
+    ThreeBodies,
 }
 
 impl Model {
     /// The number of coordinates.
     pub(crate) fn degrees(self) -> usize {
         match self {
-            Self::SymmetricTop | Self::GeneralTop | Self::GeneralTopMultipliedOut => 3,
+            Self::SymmetricTop | Self::GeneralTop | Self::GeneralTopMultipliedOut | Self::Arm => 3,
+            Self::ThreeBodies => 6,
             Self::DoublePendulumMultipliedOut => 2,
             Self::Pendulum(links) => links,
         }
@@ -46,6 +51,8 @@ impl Display for Model {
             Self::GeneralTopMultipliedOut => write!(f, "A2m"),
             Self::DoublePendulumMultipliedOut => write!(f, "P2m"),
             Self::Pendulum(links) => write!(f, "P{links}"),
+            Self::Arm => write!(f, "arm"),
+            Self::ThreeBodies => write!(f, "figure-eight"),
         }
     }
 }
@@ -60,8 +67,10 @@ impl FromStr for Model {
             ("A2", _) => Ok(Self::GeneralTop),
             ("A2m", _) => Ok(Self::GeneralTopMultipliedOut),
             ("P2m", _) => Ok(Self::DoublePendulumMultipliedOut),
+            ("arm", _) => Ok(Self::Arm),
+            ("figure-eight", _) => Ok(Self::ThreeBodies),
             (_, Some(links @ 1..=99)) => Ok(Self::Pendulum(links)),
-            _ => Err("models are A1, A2, A2m, P2m, and P1 to P99".to_owned()),
+            _ => Err("models are A1, A2, A2m, P2m, arm, figure-eight, and P1 to P99".to_owned()),
         }
     }
 }

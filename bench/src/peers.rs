@@ -12,6 +12,16 @@ use crate::side::CSource;
 /// `SymPy` solves for more links in minutes only.
 const SYMPY_LINKS: usize = 5;
 
+/// What pip installs for heyoka.
+const HEYOKA: &[&str] = &["heyoka==7.13.2", "numpy>=2,<3"];
+
+/// Python with heyoka.
+pub(crate) fn heyoka(folders: &Folders) -> Result<Python, String> {
+    let python = Python::new(folders)?;
+    python.install(HEYOKA)?;
+    Ok(python)
+}
+
 /// Those of the peers that were asked for and that can be had.
 pub(crate) struct Peers {
     hand: bool,
@@ -58,12 +68,7 @@ impl Peers {
             hand: arguments.wants(PeerName::Hand) && hand().is_ok(),
             casadi: install(PeerName::Casadi, "CasADi", &["casadi==3.8.2"], true),
             sympy: install(PeerName::Sympy, "SymPy", &["sympy==1.14.0"], true),
-            heyoka: install(
-                PeerName::Heyoka,
-                "heyoka",
-                &["heyoka==7.13.2", "numpy>=2,<3"],
-                false,
-            ),
+            heyoka: install(PeerName::Heyoka, "heyoka", HEYOKA, false),
         }
     }
 
@@ -122,6 +127,7 @@ fn by_hand(folders: &Folders, model: Model) -> Vec<CSource> {
             ("C, dense", "chain_dense.c"),
             ("C, tensions", "chain_tensions.c"),
         ],
+        Model::Arm | Model::ThreeBodies => &[],
         Model::Pendulum(_) => &[
             ("C, dense", "chain_dense.c"),
             ("C, tensions", "chain_tensions.c"),

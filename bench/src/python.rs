@@ -6,6 +6,7 @@ use std::process::Command;
 use serde::de::DeserializeOwned;
 
 use crate::command::output;
+use crate::contestant::Contestant;
 use crate::folders::Folders;
 
 /// A virtual environment.
@@ -40,6 +41,16 @@ impl Python {
             "--disable-pip-version-check",
         ]);
         output(command.args(requirements)).map(drop)
+    }
+
+    /// A script of the peers that answers questions.
+    pub(crate) fn start(&self, script: &str, arguments: &[&str]) -> Result<Contestant, String> {
+        let mut command = Command::new(&self.program);
+        command
+            .arg(self.scripts.join(script))
+            .args(arguments)
+            .env("PYTHONDONTWRITEBYTECODE", "1");
+        Contestant::start(&mut command)
     }
 
     /// Runs a script of the peers, and reads what it prints.
