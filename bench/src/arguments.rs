@@ -6,6 +6,10 @@ use crate::model::Model;
 
 /// Builds and runs our models beside their peers, and prints one table.
 #[derive(Parser, Debug)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the command line"
+)]
 pub(crate) struct Arguments {
     /// The models: A1 and A2 are the symmetric and the general top, P5 is a pendulum of five links; A2m and
     /// P2m are declared with their kinetic energies expanded.
@@ -30,23 +34,23 @@ pub(crate) struct Arguments {
     pub(crate) peers: Vec<PeerName>,
 
     /// Instead of peers: each model with all passes, and with each of them switched off.
-    #[arg(long)]
+    #[arg(long, group = "task")]
     pub(crate) ablation: bool,
 
     /// Instead of evaluations: trajectories to t = 1000 by our Taylor series method, beside heyoka's.
-    #[arg(long)]
+    #[arg(long, group = "task")]
     pub(crate) taylor: bool,
 
     /// Work and precision of integrators, and the figure in the documentation.
-    #[arg(long)]
+    #[arg(long, group = "task")]
     pub(crate) work_precision: bool,
 
     /// How the error of the energy grows over 10⁶ periods.
-    #[arg(long)]
+    #[arg(long, group = "task")]
     pub(crate) brouwer: bool,
 
     /// What the clause `taylor` costs when models are compiled.
-    #[arg(long)]
+    #[arg(long, group = "task")]
     pub(crate) compile: bool,
 
     /// Fewer rounds: figures for a first look.

@@ -125,8 +125,23 @@ pub(crate) fn derive_times(folders: &Folders) -> Result<HashMap<String, f64>, St
     Ok(text.lines().filter_map(time).collect())
 }
 
-/// Writes a package that stands alone and depends on this checkout, with the versions of its lock.
-/// The derive gets these features.
+/// The solvers of other crates, for this processor.
+pub(crate) fn build_solvers(folders: &Folders) -> Result<PathBuf, String> {
+    let path = folders.peers.join("solvers.rs");
+    let main = fs::read_to_string(&path).map_err(|error| error.to_string())?;
+    let bench = folders.workspace.join("bench");
+    let bench = bench.to_string_lossy();
+    let dependencies = format!("lagrangian-bench = {{ path = {bench:?} }}\n{SOLVERS}");
+    let package = written(folders, "solvers", &main, &dependencies, false)?;
+    cargo_build(folders, &package, Flags::Native, None)?;
+    Ok(program(folders, "solvers", Flags::Native))
+}
+
+/// The crates of the solvers, and what their code here needs.
+const SOLVERS: &str = "ode_solvers = \"=0.6.2\"\ndifferential-equations = \"=0.7.0\"\n\
+                       nalgebra = \"0.34\"\nserde_json = \"1\"\n";
+
+/// Writes the package of a model. The derive gets these features.
 fn package(
     folders: &Folders,
     name: &str,
@@ -134,8 +149,6 @@ fn package(
     features: &[&str],
     timed: bool,
 ) -> Result<PathBuf, String> {
-    let package = folders.output.join("models").join(name);
-    create(&package.join("src"))?;
     let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
     let [runtime, bench, derive] = ["runtime", "bench", "derive"].map(path);
     let derive = if features.is_empty() {
@@ -143,9 +156,24 @@ fn package(
     } else {
         format!("lagrangian-derive = {{ path = {derive:?}, features = {features:?} }}\n")
     };
+    let dependencies = format!(
+        "lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{derive}"
+    );
+    written(folders, name, main, &dependencies, timed)
+}
+
+/// Writes a package that stands alone and depends on this checkout, with the versions of its lock.
+fn written(
+    folders: &Folders,
+    name: &str,
+    main: &str,
+    dependencies: &str,
+    timed: bool,
+) -> Result<PathBuf, String> {
+    let package = folders.output.join("models").join(name);
+    create(&package.join("src"))?;
     let manifest = format!(
-        "[package]\nname = {name:?}\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-         lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{derive}"
+        "[package]\nname = {name:?}\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n{dependencies}"
     );
     write(&package.join("Cargo.toml"), &manifest)?;
     let path = package.join("src/main.rs");

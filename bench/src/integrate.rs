@@ -1,6 +1,7 @@
 //! Our side of a contest of integrators.
 
 use std::process::ExitCode;
+use std::thread;
 
 use lagrangian::prelude::*;
 use lagrangian::{DoubleDouble, EquationsOfMotion, IntegrationMethod, Lanes, MotionSeries};
@@ -15,12 +16,12 @@ pub const LANES: usize = 8;
 
 /// The scalars on which a model is integrated here.
 pub trait Contestant<const N: usize>:
-    MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + MotionSeries<N, DoubleDouble>
+    MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + MotionSeries<N, DoubleDouble> + Sync
 {
 }
 
 impl<M, const N: usize> Contestant<N> for M where
-    M: MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + MotionSeries<N, DoubleDouble>
+    M: MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + MotionSeries<N, DoubleDouble> + Sync
 {
 }
 
@@ -194,24 +195,58 @@ fn drift<const N: usize, M: Lagrangian<N, DoubleDouble>>(
     ((energy(model, row) - initial) / initial).to_f64()
 }
 
-/// All starts, as many at once as there are lanes.
+/// All starts, as many at once as there are lanes, on two threads.
 fn energy_errors<const N: usize, M: Contestant<N>>(
     model: &M,
     question: &EnergyErrors,
 ) -> Result<Vec<Vec<f64>>, String> {
+    let chunks: Vec<&[Vec<f64>]> = question.starts.chunks_exact(LANES).collect();
+    let halves = chunks.chunks(chunks.len().div_ceil(2).max(1));
     let mut errors = vec![Vec::new(); question.times.len()];
-    for starts in question.starts.chunks_exact(LANES) {
-        let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
-        let driver = Taylor::new().driver().max_steps(u64::MAX);
-        let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
-        let trajectory = driver
-            .sample(&dynamics, state::<Lanes<LANES>, N>(starts), &question.times)
-            .map_err(|error| error.to_string())?;
-        for (errors, sample) in errors.iter_mut().zip(trajectory.samples()) {
-            for (row, initial) in rows(&sample.x).iter().zip(&initial) {
-                errors.push(drift(model, row, *initial));
+    thread::scope(|scope| {
+        let threads: Vec<_> = halves
+            .map(|half| {
+                scope.spawn(move || {
+                    let errors = half
+                        .iter()
+                        .map(|starts| together(model, starts, &question.times));
+                    errors.collect::<Result<Vec<_>, _>>()
+                })
+            })
+            .collect();
+        for thread in threads {
+            for rows in thread.join().map_err(|_| "a thread has panicked")?? {
+                for (errors, row) in errors.iter_mut().zip(rows) {
+                    errors.extend(row);
+                }
             }
         }
-    }
-    Ok(errors)
+        Ok(errors)
+    })
+}
+
+/// The errors of starts that fill the lanes, a row for each time.
+fn together<const N: usize, M: Contestant<N>>(
+    model: &M,
+    starts: &[Vec<f64>],
+    times: &[f64],
+) -> Result<Vec<Vec<f64>>, String> {
+    let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
+    let driver = Taylor::new().driver().max_steps(u64::MAX);
+    let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
+    let trajectory = driver
+        .sample(&dynamics, state::<Lanes<LANES>, N>(starts), times)
+        .map_err(|error| error.to_string())?;
+    let drifts = |phase| {
+        let rows = rows(phase);
+        let pairs = rows.iter().zip(&initial);
+        pairs
+            .map(|(row, initial)| drift(model, row, *initial))
+            .collect()
+    };
+    Ok(trajectory
+        .samples()
+        .iter()
+        .map(|sample| drifts(&sample.x))
+        .collect())
 }

@@ -46,6 +46,8 @@ mod trajectories;
 mod contest;
 mod verdict;
 mod taylor;
+mod work_precision;
+mod brouwer;
 
 use std::process::ExitCode;
 
@@ -72,6 +74,12 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.taylor {
         return taylor::run(arguments);
+    }
+    if arguments.work_precision {
+        return work_precision::run(arguments);
+    }
+    if arguments.brouwer {
+        return brouwer::run(arguments);
     }
     let workshop = Workshop::new(arguments)?;
     let mut comparisons = Vec::new();

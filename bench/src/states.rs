@@ -29,7 +29,7 @@ fn range(model: Model, degrees: usize, index: usize) -> (f64, f64) {
 
 /// Marsaglia's xorshift with 64 bits, from the seed of his paper: numbers from 0 to 1.
 #[allow(clippy::cast_precision_loss)] // 53 bits are kept.
-fn uniform() -> impl FnMut() -> f64 {
+pub(crate) fn uniform() -> impl FnMut() -> f64 {
     let mut state = 88_172_645_463_325_252_u64;
     move || {
         state ^= state << 13;

@@ -29,7 +29,7 @@ use crate::verdict::{Verdict, judge};
 /// Our default method, and the others that have a name.
 const DEFAULT: &str = "Taylor 24";
 const METHODS: [&str; 3] = [DEFAULT, "Taylor 16", "Taylor 12"];
-const DOUBLE_DOUBLE: &str = "Taylor 40 in double-double";
+pub(crate) const DOUBLE_DOUBLE: &str = "Taylor 40 in double-double";
 
 /// By how much our double-doubles and the quadruple precision may differ. The equations by hand fold constants, such as
 /// 1.3 · 9.81 · 0.4, in doubles, so that they are those of parameters that differ by 1e-16; twenty links enlarge
@@ -118,7 +118,7 @@ impl Sheet {
 
     /// Our method in double-double ends where heyoka's in quadruple precision does.
     fn confirm_reference(&mut self) -> Result<Vec<Vec<f64>>, String> {
-        let truths = self.truths(&[self.trajectory.start.clone()])?;
+        let truths = self.truths(&self.trajectory.starts(1))?;
         let difference = error(&truths[0], &self.trajectory.end);
         let model = self.model;
         println!("\n{model}: double-double and the reference differ by {difference:.0e}");

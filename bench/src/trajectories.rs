@@ -29,7 +29,10 @@ impl Trajectory {
         let text = fs::read_to_string(&path).map_err(|error| error.to_string())?;
         let mut file: File = serde_json::from_str(&text).map_err(|error| error.to_string())?;
         let trajectory = file.trajectories.remove(&model.to_string());
-        trajectory.ok_or_else(|| format!("{model} has no reference trajectory"))
+        let components = 2 * model.degrees();
+        trajectory
+            .filter(|Self { start, end }| [start, end].iter().all(|x| x.len() == components))
+            .ok_or_else(|| format!("{model} has no reference trajectory"))
     }
 
     /// So many starts beside each other: the second coordinate grows by a thousandth from one to the next.

@@ -10,6 +10,11 @@ pub(crate) struct Verdict {
 }
 
 impl Verdict {
+    /// A figure that is not a number misses everything.
+    fn misses(&self, bound: f64) -> bool {
+        self.figure.is_nan() || self.figure > bound
+    }
+
     /// One line, with what is missed.
     pub(crate) fn line(&self) -> String {
         let Self {
@@ -18,10 +23,9 @@ impl Verdict {
             target,
             limit,
         } = self;
-        // A figure that is not a number misses both.
-        let missed = if !(figure <= limit) {
+        let missed = if self.misses(*limit) {
             "  LIMIT MISSED"
-        } else if !(figure <= target) {
+        } else if self.misses(*target) {
             "  target missed"
         } else {
             ""
@@ -38,7 +42,7 @@ pub(crate) fn judge(verdicts: &[Verdict]) -> Result<(), String> {
     }
     let missed = verdicts
         .iter()
-        .filter(|verdict| !(verdict.figure <= verdict.limit));
+        .filter(|verdict| verdict.misses(verdict.limit));
     match missed.count() {
         0 => Ok(()),
         count => Err(format!("{count} limits are missed")),
