@@ -48,8 +48,10 @@ pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{
     Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
 };
+pub(crate) use taylor::Running;
 pub use taylor::{
     Convolutions, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
 };
+pub use taylor::{Ensemble, TaylorLanes};
 #[cfg(feature = "alloc")]
 pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};

@@ -66,9 +66,10 @@ pub use integrate::{
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
+pub use integrate::{Ensemble, TaylorLanes};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
-pub use linalg::{Factorization, IntoVector, VectorSpace};
+pub use linalg::{Factorization, IntoVector, LaneStates, VectorSpace};
 pub use model::{
     AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, ExternalFunctions,
     FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, MotionSeries,

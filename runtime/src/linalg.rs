@@ -5,7 +5,9 @@ mod into_vector;
 pub(crate) mod lane_select;
 mod pivoting;
 mod vector_space;
+mod lane_states;
 
 pub use factorization::Factorization;
 pub use into_vector::IntoVector;
+pub use lane_states::LaneStates;
 pub use vector_space::VectorSpace;

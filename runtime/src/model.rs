@@ -8,6 +8,7 @@ mod linearization;
 mod operations;
 mod lagrangian;
 mod motion_series;
+mod ensemble;
 mod whole_periods;
 mod equations_of_motion;
 mod inputs;

@@ -2,7 +2,7 @@
 //!
 //! Emitted code is generic over [`Scalar`] and straight-line. Control flow (a pivot that
 //! vanishes, a step that is too long) is in this crate, and reads a scalar only by
-//! [`Scalar::smallest`] and [`Scalar::largest`], so that SIMD lanes and dual numbers are possible.
+//! [`Scalar::smallest`], [`Scalar::largest`] and [`Scalar::in_lane`], so that SIMD lanes and dual numbers are possible.
 
 mod arithmetic;
 mod double_double;
@@ -139,6 +139,13 @@ pub trait Scalar:
 
     /// The value of a plain number; the largest over the lanes of several, NaN if one of them is.
     fn largest(self) -> f64;
+
+    /// The value in a lane; that of a plain number whatever the lane.
+    #[inline]
+    fn in_lane(self, lane: usize) -> f64 {
+        let _ = lane;
+        self.largest()
+    }
 
     /// The distance from 1 to the next larger number, by which rounding errors are estimated.
     #[must_use]

@@ -4,7 +4,7 @@
 //! Lubich & Wanner, *Geometric Numerical Integration*, 2nd edition (2006), VIII.5.
 
 use super::dynamics::Dynamics;
-use crate::linalg::VectorSpace;
+use crate::linalg::{LaneStates, VectorSpace};
 use crate::scalar::Scalar;
 
 /// A state and its compensation: what rounding has removed from it.
@@ -62,6 +62,27 @@ impl<X> Compensated<X> {
             value,
             compensation: increment,
         }
+    }
+}
+
+impl<X> Compensated<X> {
+    /// Sets the state in a lane, without a compensation.
+    pub(crate) fn set_lane<const L: usize>(&mut self, lane: usize, state: &X::Lane)
+    where
+        X: LaneStates<L>,
+    {
+        self.value.set_lane(lane, state);
+        self.compensation.set_lane(lane, &state.zeroed());
+    }
+
+    /// Sets a lane to that of another one.
+    pub(crate) fn copy_lane<const L: usize>(&mut self, lane: usize, other: &Self)
+    where
+        X: LaneStates<L>,
+    {
+        self.value.set_lane(lane, &other.value.lane(lane));
+        let compensation = other.compensation.lane(lane);
+        self.compensation.set_lane(lane, &compensation);
     }
 }
 

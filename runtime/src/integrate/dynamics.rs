@@ -71,11 +71,30 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
+    /// The same in one lane, where an integration has steps of its own in each ([`Ensemble`](crate::Ensemble)).
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Self::State,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        let _ = lane;
+        self.singularity(t, x, min_pivot)
+    }
+
     /// The coordinate whose inertia has nearly vanished at a state, if there is one: it moves too fast for any step.
     /// Called where no step is small enough.
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         let _ = (t, x);
         None
+    }
+
+    /// The same in one lane.
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
+        let _ = lane;
+        self.vanishing_inertia(t, x)
     }
 
     /// The name of a component in error messages.

@@ -6,12 +6,17 @@
 mod coefficients;
 mod convolutions;
 mod interpolant;
+mod ensemble;
+mod lanes;
 mod series;
 mod stepper;
 
 pub use coefficients::TaylorCoefficients;
 pub use convolutions::Convolutions;
+pub use ensemble::Ensemble;
+pub(crate) use ensemble::Running;
 pub use interpolant::TaylorInterpolant;
+pub use lanes::TaylorLanes;
 pub use series::Series;
 pub use stepper::TaylorStepper;
 

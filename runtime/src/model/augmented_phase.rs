@@ -7,8 +7,8 @@ use super::state::State;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
 use crate::integrate::{InitialValue, Sample};
-use crate::linalg::{IntoVector, VectorSpace};
-use crate::scalar::Scalar;
+use crate::linalg::{IntoVector, LaneStates, VectorSpace};
+use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
 /// controller: the state that an integrator steps under [`WithController`](crate::WithController).
@@ -75,6 +75,37 @@ impl<S: Scalar, const N: usize, const K: usize> VectorSpace<S> for AugmentedPhas
     fn components(&self) -> impl Iterator<Item = S> + '_ {
         let motion = self.q.iter().chain(self.v.iter());
         motion.chain(self.controller.iter()).copied()
+    }
+}
+
+impl<const L: usize, const N: usize, const K: usize> LaneStates<L>
+    for AugmentedPhase<Lanes<L>, N, K>
+{
+    type Lane = AugmentedPhase<f64, N, K>;
+
+    #[inline]
+    fn broadcast(state: &Self::Lane) -> Self {
+        Self {
+            q: LaneStates::broadcast(&state.q),
+            v: LaneStates::broadcast(&state.v),
+            controller: LaneStates::broadcast(&state.controller),
+        }
+    }
+
+    #[inline]
+    fn lane(&self, lane: usize) -> Self::Lane {
+        AugmentedPhase {
+            q: self.q.lane(lane),
+            v: self.v.lane(lane),
+            controller: self.controller.lane(lane),
+        }
+    }
+
+    #[inline]
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+        self.q.set_lane(lane, &state.q);
+        self.v.set_lane(lane, &state.v);
+        self.controller.set_lane(lane, &state.controller);
     }
 }
 

@@ -127,8 +127,33 @@ where
         singularity(self.model, &x.at(t), min_pivot)
     }
 
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Phase<S, N>,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        let pivots = self.model.relative_pivots(&x.at(t));
+        let pivots = pivots.map(|pivot| pivot.in_lane(lane));
+        let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
+        (!regular).then(|| report::<M, f64, N>(&pivots, &in_lane(lane, &x.at(t))))
+    }
+
     fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
         vanishing_inertia(self.model, &x.at(t))
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        let state = x.at(t);
+        let (coordinate, ratio) =
+            least_inertia(self.model, &state, |inertia| inertia.in_lane(lane))?;
+        Some(named::<M, f64, N>(
+            coordinate,
+            ratio,
+            &in_lane(lane, &state),
+        ))
     }
 
     fn component_name(&self, index: usize) -> ComponentName {
@@ -233,6 +258,20 @@ where
     M: Lagrangian<N, S> + ?Sized,
     S: Scalar,
 {
+    let (coordinate, ratio) = least_inertia(model, state, Scalar::smallest)?;
+    Some(named::<M, S, N>(coordinate, ratio, state))
+}
+
+/// That coordinate, and its inertia relative to that elsewhere.
+fn least_inertia<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    read: impl Fn(S) -> f64,
+) -> Option<(usize, f64)>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
     let here = inertias(model, state);
     let ratios = (0..N).map(|i| {
         let elsewhere = REFERENCE_OFFSETS.map(|distance| {
@@ -240,15 +279,24 @@ where
             for j in M::SINGULARITIES[i] {
                 moved.q[*j] += S::from_f64(distance);
             }
-            inertias(model, &moved)[i].smallest()
+            read(inertias(model, &moved)[i])
         });
         let most = elsewhere.into_iter().fold(0.0, f64::max);
-        (i, here[i].smallest() / most)
+        (i, read(here[i]) / most)
     });
     let least = ratios.fold((0, VANISHING_INERTIA), |least, (i, ratio)| {
         if ratio < least.1 { (i, ratio) } else { least }
     });
-    (least.1 < VANISHING_INERTIA).then(|| named::<M, S, N>(least.0, least.1, state))
+    (least.1 < VANISHING_INERTIA).then_some(least)
+}
+
+/// The state in a lane.
+fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State<f64, N> {
+    State {
+        t: state.t.in_lane(lane),
+        q: state.q.map(|coordinate| coordinate.in_lane(lane)),
+        v: state.v.map(|velocity| velocity.in_lane(lane)),
+    }
 }
 
 /// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.

@@ -6,8 +6,8 @@ use super::state::State;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
 use crate::integrate::{InitialValue, Sample};
-use crate::linalg::{IntoVector, VectorSpace};
-use crate::scalar::Scalar;
+use crate::linalg::{IntoVector, LaneStates, VectorSpace};
+use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: the state that
 /// an integrator steps. With a time it is a [`State`].
@@ -71,6 +71,32 @@ impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
     #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
         self.q.iter().chain(self.v.iter()).copied()
+    }
+}
+
+impl<const L: usize, const N: usize> LaneStates<L> for Phase<Lanes<L>, N> {
+    type Lane = Phase<f64, N>;
+
+    #[inline]
+    fn broadcast(state: &Self::Lane) -> Self {
+        Self {
+            q: LaneStates::broadcast(&state.q),
+            v: LaneStates::broadcast(&state.v),
+        }
+    }
+
+    #[inline]
+    fn lane(&self, lane: usize) -> Self::Lane {
+        Phase {
+            q: self.q.lane(lane),
+            v: self.v.lane(lane),
+        }
+    }
+
+    #[inline]
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+        self.q.set_lane(lane, &state.q);
+        self.v.set_lane(lane, &state.v);
     }
 }
 

@@ -13,8 +13,8 @@ use super::{Scalar, arithmetic::arithmetic};
 /// `-C target-cpu=native`. A lane has the bits of the same computation on `f64`, unless another lane
 /// requires a different factorization of M ([`Scalar`]).
 ///
-/// All lanes share the time and the steps of an integration: an adaptive method takes the steps that
-/// the most demanding lane requires.
+/// In an [`Ensemble`](crate::Ensemble) each lane has steps of its own. Elsewhere all lanes share the time and the steps
+/// of an integration: an adaptive method takes the steps that the most demanding lane requires.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -59,6 +59,14 @@ impl<const L: usize> Lanes<L> {
     #[must_use]
     pub fn lane(self, lane: usize) -> f64 {
         self.0.get(lane).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Sets the number in a lane; nothing if there is no such lane.
+    #[inline]
+    pub fn set(&mut self, lane: usize, number: f64) {
+        if let Some(place) = self.0.get_mut(lane) {
+            *place = number;
+        }
     }
 
     #[inline]
@@ -153,6 +161,11 @@ impl<const L: usize> Scalar for Lanes<L> {
     #[inline]
     fn largest(self) -> f64 {
         self.extreme(f64::NEG_INFINITY, f64::max)
+    }
+
+    #[inline]
+    fn in_lane(self, lane: usize) -> f64 {
+        self.lane(lane)
     }
 
     #[inline]

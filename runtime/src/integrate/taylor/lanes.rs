@@ -1,0 +1,380 @@
+//! The steps of the Taylor series method in lanes, each with a step of its own.
+//!
+//! The arithmetic of the states, the series and their checks is that of [`Lanes`]; what differs between lanes is in
+//! arrays: times, units of time, which of them still move. A lane does not depend on the others, but that its series is
+//! computed as often as that of the lane which needs most.
+
+mod checks;
+mod expansion;
+
+use expansion::largest_ratios;
+
+use super::coefficients::{TaylorCoefficients, number};
+use super::{Series, Taylor};
+use crate::integrate::compensated::Compensated;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::stepper::Statistics;
+use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP, SHORTENING};
+use crate::linalg::LaneStates;
+use crate::scalar::Lanes;
+
+/// Takes the steps of a [`Taylor`] method for `L` motions at once, each with its own time, step and end.
+///
+/// An [`Ensemble`](crate::Ensemble) uses it, and gives lanes that have finished to further motions. Here it is done by
+/// hand:
+///
+/// ```
+/// use lagrangian::prelude::*;
+/// use lagrangian::{Lanes, TaylorLanes};
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), potential = 0.5 * k * x.powi(2))]
+/// struct Oscillator<T: Scalar> { k: T }
+///
+/// let oscillators = Oscillator { k: Lanes([1.0, 4.0]) };
+/// let dynamics = oscillators.dynamics();
+/// let start = Phase::new([1.0], [0.0]);
+/// let mut stepper = TaylorLanes::new(Taylor::new(), 0.0, &start);
+/// let ends = [3.0, 5.0];
+/// while (0..2).any(|lane| stepper.error(lane).is_none() && stepper.time(lane) < ends[lane]) {
+///     stepper.step(&dynamics, &ends);
+/// }
+/// assert!((stepper.state(0).q[0] - 3.0_f64.cos()).abs() < 1e-14);
+/// assert!((stepper.state(1).q[0] - 10.0_f64.cos()).abs() < 1e-14);
+/// ```
+#[derive(Clone, Debug)]
+pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
+    method: Taylor<HALF>,
+    time: [f64; L],
+    state: Compensated<X>,
+    /// Powers of two near the sizes of the steps.
+    unit: [f64; L],
+    /// The polynomials of the last step, about the reduced states.
+    coefficients: TaylorCoefficients<X, HALF>,
+    /// Where the last step began, and its units of time.
+    previous: ([f64; L], Compensated<X>, [f64; L]),
+    /// The lengths of the last steps, 0 before the first.
+    length: [f64; L],
+    /// Whether a lane has been set since the last step.
+    is_new: [bool; L],
+    statistics: [Statistics; L],
+    errors: [Option<IntegrationError>; L],
+}
+
+impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
+    const ORDER: usize = 2 * HALF;
+
+    /// All lanes at time `t` and state `x`.
+    #[must_use]
+    pub fn new(method: Taylor<HALF>, t: f64, x: &X::Lane) -> Self {
+        let state = Compensated::new(X::broadcast(x));
+        Self {
+            method,
+            time: [t; L],
+            unit: [1.0; L],
+            coefficients: TaylorCoefficients::new(state.value().clone()),
+            previous: ([t; L], state.clone(), [1.0; L]),
+            state,
+            length: [0.0; L],
+            is_new: [true; L],
+            statistics: [Statistics::default(); L],
+            errors: [None; L],
+        }
+    }
+
+    /// Sets the time and the state of a lane, in which another motion then begins; nothing if there is no such lane.
+    pub fn set_lane(&mut self, lane: usize, t: f64, x: &X::Lane) {
+        if lane >= L {
+            return;
+        }
+        self.time[lane] = t;
+        self.unit[lane] = 1.0;
+        self.state.set_lane(lane, x);
+        self.previous.0[lane] = t;
+        self.previous.1.set_lane(lane, x);
+        self.length[lane] = 0.0;
+        self.is_new[lane] = true;
+        self.statistics[lane] = Statistics::default();
+        self.errors[lane] = None;
+    }
+
+    /// The time reached in a lane; NaN if there is no such lane.
+    #[must_use]
+    pub fn time(&self, lane: usize) -> f64 {
+        self.time.get(lane).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The state at that time.
+    #[must_use]
+    pub fn state(&self, lane: usize) -> X::Lane {
+        self.state.value().lane(lane)
+    }
+
+    /// The times reached in all lanes.
+    #[must_use]
+    pub fn times(&self) -> Lanes<L> {
+        Lanes(self.time)
+    }
+
+    /// The states in all lanes.
+    #[must_use]
+    pub fn states(&self) -> &X {
+        self.state.value()
+    }
+
+    /// The time from which the last step of a lane was taken; NaN if there is no such lane.
+    #[must_use]
+    pub fn previous_time(&self, lane: usize) -> f64 {
+        self.previous.0.get(lane).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The cost of the motion in a lane so far.
+    #[must_use]
+    pub fn statistics(&self, lane: usize) -> Statistics {
+        self.statistics.get(lane).copied().unwrap_or_default()
+    }
+
+    /// Why the motion in a lane could not go on, if so. It stays where it is until the lane is
+    /// [set](Self::set_lane).
+    #[must_use]
+    pub fn error(&self, lane: usize) -> Option<IntegrationError> {
+        self.errors.get(lane).copied().flatten()
+    }
+
+    /// Whether a lane has been set since the last step.
+    pub(super) fn is_new(&self, lane: usize) -> bool {
+        self.is_new.get(lane).copied().unwrap_or(false)
+    }
+
+    /// Ends the motion in a lane with an error.
+    pub(super) fn fail(&mut self, lane: usize, error: IntegrationError) {
+        if let Some(place) = self.errors.get_mut(lane) {
+            *place = Some(error);
+        }
+    }
+
+    /// The states at times within the last step of each lane.
+    #[must_use]
+    pub fn interpolate(&self, times: &[f64; L]) -> X {
+        let (from, state, unit) = &self.previous;
+        let [high, low] = difference(Lanes(*times), Lanes(*from));
+        let tau = (high + low) / Lanes(*unit);
+        state.plus(self.coefficients.change(tau)).into_value()
+    }
+
+    /// Takes one step in each lane towards its end, and never beyond it; the last one lands on it exactly. A lane at its
+    /// end, or with an error, does nothing.
+    ///
+    /// The dynamics must be the same in a lane until it is set.
+    pub fn step<D>(&mut self, dynamics: &D, ends: &[f64; L])
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        self.begin(dynamics);
+        let mut moving = self.moving(ends);
+        if !any(&moving) {
+            return;
+        }
+        let longest = self.method.max_step.unwrap_or(f64::INFINITY);
+        let mut proposed = self.expand(dynamics, &mut moving);
+        proposed = proposed.map(|step| step.min(longest));
+        let mut targets = self.time;
+        let mut pending = moving;
+        let mut component = [0; L];
+        loop {
+            for lane in lanes(&pending) {
+                let least =
+                    (MIN_STEP * f64::EPSILON * self.time[lane].abs()).max(f64::MIN_POSITIVE);
+                let remaining = ends[lane] - self.time[lane];
+                if LANDING * proposed[lane] >= remaining.abs() {
+                    targets[lane] = ends[lane];
+                } else if proposed[lane] > least {
+                    targets[lane] = self.time[lane] + proposed[lane].copysign(remaining);
+                } else {
+                    self.too_small(dynamics, lane, proposed[lane], component[lane]);
+                    (moving[lane], pending[lane]) = (false, false);
+                    targets[lane] = self.time[lane];
+                }
+            }
+            let (tau, state) = self.at(&targets);
+            let beyond = self.check(dynamics, &targets, (tau, &state), &pending);
+            for lane in lanes(&pending) {
+                let length = (targets[lane] - self.time[lane]).abs();
+                match beyond[lane] {
+                    None => pending[lane] = false,
+                    Some(index) => {
+                        component[lane] = index;
+                        self.statistics[lane].rejected += 1;
+                        proposed[lane] = length / SHORTENING;
+                    }
+                }
+            }
+            if !any(&pending) {
+                self.accept(&moving, &targets, &proposed, state);
+                return;
+            }
+        }
+    }
+
+    /// Ends a step of the lanes that move.
+    fn accept(
+        &mut self,
+        moving: &[bool; L],
+        targets: &[f64; L],
+        proposed: &[f64; L],
+        mut state: Compensated<X>,
+    ) {
+        for lane in (0..L).filter(|&lane| !moving[lane]) {
+            state.copy_lane(lane, &self.state);
+        }
+        let previous = core::mem::replace(&mut self.state, state);
+        self.previous = (self.time, previous, self.unit);
+        for lane in lanes(moving) {
+            self.length[lane] = (targets[lane] - self.time[lane]).abs();
+            self.time[lane] = targets[lane];
+            self.statistics[lane].steps += 1;
+            if proposed[lane].is_normal() {
+                self.unit[lane] = power_of_two_near(proposed[lane]);
+            }
+        }
+    }
+
+    /// The lanes without an error that are not at their ends.
+    fn moving(&mut self, ends: &[f64; L]) -> [bool; L] {
+        core::array::from_fn(|lane| {
+            let remaining = ends[lane] - self.time[lane];
+            if self.errors[lane].is_none() && !remaining.is_finite() {
+                let time = ends[lane];
+                self.fail(lane, IntegrationError::NonFiniteTime { time });
+            }
+            self.errors[lane].is_none() && remaining.abs() > 0.0
+        })
+    }
+
+    /// Checks the lanes that are new, and chooses their first units of time.
+    fn begin<D>(&mut self, dynamics: &D)
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        if !any(&self.is_new) {
+            return;
+        }
+        let derivative = self.derivative(dynamics);
+        let tolerance = self.method.tolerance::<Lanes<L>>();
+        let scale = dynamics.error_scale(self.state.value());
+        let largest = tolerance.relative.max(tolerance.absolute);
+        let ratios = largest_ratios(tolerance, &derivative, &scale);
+        for lane in lanes(&core::mem::replace(&mut self.is_new, [false; L])) {
+            self.statistics[lane].evaluations += 1;
+            if let Some(error) = self.setting_error(dynamics, lane, &derivative) {
+                self.fail(lane, error);
+            }
+            let rate = ratios.0[lane] * largest;
+            if rate.is_normal() {
+                self.unit[lane] = power_of_two_near(FIRST_UNIT / rate);
+            }
+        }
+    }
+
+    fn derivative<D>(&self, dynamics: &D) -> X
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let value = self.state.value();
+        dynamics.derivative(Lanes(self.time), &dynamics.reduced(value, &value.zeroed()))
+    }
+
+    /// What is wrong with the settings of the method, the time, the state or its derivative in a lane.
+    fn setting_error<D>(
+        &self,
+        dynamics: &D,
+        lane: usize,
+        derivative: &X,
+    ) -> Option<IntegrationError>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let time = self.time[lane];
+        if let Err(error) = self.method.check() {
+            return Some(error);
+        }
+        if !time.is_finite() {
+            return Some(IntegrationError::NonFiniteTime { time });
+        }
+        if let Some((index, value)) = non_finite(self.state.value(), lane) {
+            let component = dynamics.component_name(index);
+            return Some(IntegrationError::NonFiniteState {
+                time,
+                component,
+                value,
+            });
+        }
+        non_finite(derivative, lane).map(|(index, value)| IntegrationError::NonFiniteDerivative {
+            time,
+            component: dynamics.component_name(index),
+            value,
+        })
+    }
+
+    /// The polynomials at a time in each lane: their arguments and the states.
+    fn at(&self, times: &[f64; L]) -> (Lanes<L>, Compensated<X>) {
+        let [high, low] = difference(Lanes(*times), Lanes(self.time));
+        let tau = (high + low) / Lanes(self.unit);
+        (tau, self.state.plus(self.coefficients.change(tau)))
+    }
+
+    /// The error of a step that is too small.
+    #[cold]
+    fn too_small<D>(&mut self, dynamics: &D, lane: usize, step: f64, component: usize)
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let (t, time) = (Lanes(self.time), self.time[lane]);
+        let error = match dynamics.vanishing_inertia_in_lane(lane, t, self.state.value()) {
+            Some(singularity) => IntegrationError::VanishingInertia {
+                time,
+                step,
+                singularity,
+            },
+            None => IntegrationError::StepTooSmall {
+                time,
+                step,
+                component: Some(dynamics.component_name(component)),
+                relative_only: self.method.tolerance::<Lanes<L>>().absolute == 0.0,
+            },
+        };
+        self.fail(lane, error);
+    }
+}
+
+/// The lanes for which a mask holds.
+fn lanes<const L: usize>(mask: &[bool; L]) -> impl Iterator<Item = usize> + use<L> {
+    let mask = *mask;
+    (0..L).filter(move |&lane| mask[lane])
+}
+
+fn any<const L: usize>(mask: &[bool; L]) -> bool {
+    mask.contains(&true)
+}
+
+/// The index and the value of the first component that is not finite in a lane.
+fn non_finite<X: LaneStates<L>, const L: usize>(states: &X, lane: usize) -> Option<(usize, f64)> {
+    let components = states.components().map(|component| component.lane(lane));
+    components
+        .enumerate()
+        .find(|(_, component)| !component.is_finite())
+}
+
+/// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
+/// (1997), section 4.2.2, theorem B).
+fn difference<const L: usize>(x: Lanes<L>, y: Lanes<L>) -> [Lanes<L>; 2] {
+    let high = x - y;
+    let part = high - x;
+    [high, (x - (high - part)) - (y + part)]
+}
+
+/// The power of two below a positive number and within a factor of 2 of it, within the range of exponents that leaves
+/// room for squares.
+fn power_of_two_near(x: f64) -> f64 {
+    libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
+}

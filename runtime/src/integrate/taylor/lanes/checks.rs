@@ -1,0 +1,185 @@
+//! Whether motions are, at the end of a step and within it, those that their series say.
+
+use super::expansion::largest_ratios;
+use super::{TaylorLanes, any, lanes, non_finite, number};
+use crate::integrate::compensated::Compensated;
+use crate::integrate::taylor::Series;
+use crate::limits::taylor::{
+    CHANGES, INNER_CHECKS, LONG_STEP, MOVED_EPSILONS, NEGLIGIBLE_TERM, RESIDUAL_PER_ORDER,
+    RESIDUAL_ROUNDING,
+};
+use crate::linalg::LaneStates;
+use crate::scalar::{Lanes, Scalar};
+
+/// For each lane the component that is not what the series says, if there is one.
+type Beyond<const L: usize> = [Option<usize>; L];
+
+impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
+    /// The checks of a step to `targets`, in the lanes that are `pending`, as those of
+    /// [`TaylorStepper`](crate::TaylorStepper).
+    pub(super) fn check<D>(
+        &mut self,
+        dynamics: &D,
+        targets: &[f64; L],
+        (tau, state): (Lanes<L>, &Compensated<X>),
+        pending: &[bool; L],
+    ) -> Beyond<L>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let time = self.time;
+        let h = Lanes(*targets) - Lanes(time);
+        let mut beyond = self.check_at(dynamics, (Lanes(*targets), tau, state), h.abs(), pending);
+        let low_degree = self.is_of_low_degree(dynamics, tau, state);
+        let mut inner = core::array::from_fn(|lane| {
+            let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
+            pending[lane] && beyond[lane].is_none() && (is_long || low_degree[lane])
+        });
+        for i in 1..=INNER_CHECKS {
+            if !any(&inner) {
+                break;
+            }
+            let part = Lanes::from_f64(f64::from(i) / f64::from(INNER_CHECKS + 1));
+            let t = Lanes(time) + h * part;
+            let (tau, state) = self.at(&t.0);
+            let found = self.check_at(dynamics, (t, tau, &state), h.abs(), &inner);
+            for lane in 0..L {
+                if inner[lane] && found[lane].is_some() {
+                    (beyond[lane], inner[lane]) = (found[lane], false);
+                }
+            }
+        }
+        beyond
+    }
+
+    /// Whether the terms of half the order hardly count at τ.
+    fn is_of_low_degree<D>(&self, dynamics: &D, tau: Lanes<L>, state: &Compensated<X>) -> [bool; L]
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let tolerance = self.method.tolerance::<Lanes<L>>();
+        let scale = dynamics.error_scale(state.value());
+        let power = power(tau.abs(), HALF);
+        let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
+        let mut most = Lanes::from_f64(0.0);
+        for term in middle {
+            most = Scalar::max(most, largest_ratios(tolerance, term, &scale) * power);
+        }
+        most.0.map(|ratio| ratio < NEGLIGIBLE_TERM)
+    }
+
+    /// The check at one time in each lane, for steps of the lengths `h`. Rounding explains a difference, and the tolerance
+    /// does.
+    fn check_at<D>(
+        &mut self,
+        dynamics: &D,
+        (t, tau, state): (Lanes<L>, Lanes<L>, &Compensated<X>),
+        h: Lanes<L>,
+        pending: &[bool; L],
+    ) -> Beyond<L>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let reduced = state.reduced(dynamics);
+        let derivative = dynamics.derivative(t, &reduced);
+        let mut residual = self.coefficients.derivative(tau);
+        let unit = Lanes::from_f64(1.0) / Lanes(self.unit);
+        residual = residual.map(|component| component * unit);
+        residual.add_scaled(Lanes::from_f64(-1.0), &derivative);
+        let residual = residual.map(|component| (component * h).abs());
+
+        let tolerance = self.method.tolerance::<Lanes<L>>();
+        let [relative, absolute] = [tolerance.relative, tolerance.absolute].map(|tolerance| {
+            Lanes::<L>::from_f64(tolerance * RESIDUAL_PER_ORDER * number(Self::ORDER))
+        });
+        let rounding = Lanes::from_f64(RESIDUAL_ROUNDING * f64::EPSILON);
+        let scale = dynamics.error_scale(&reduced);
+        let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
+        allowed.add_scaled(rounding, &reduced.map(Scalar::abs));
+        allowed.add_scaled(rounding * h, &derivative.map(Scalar::abs));
+
+        for lane in lanes(pending) {
+            self.statistics[lane].evaluations += 1;
+        }
+        let mut failing = exceeds(&residual, &allowed, pending);
+        if any(&failing) {
+            allow_condition(dynamics, (t, &reduced), &derivative, (h, &mut allowed));
+            for lane in lanes(&failing) {
+                self.statistics[lane].evaluations += 2;
+            }
+            failing = exceeds(&residual, &allowed, &failing);
+        }
+        core::array::from_fn(|lane| {
+            failing[lane].then(|| match non_finite(state.value(), lane) {
+                Some((index, _)) => index,
+                None => first_beyond(&residual, &allowed, lane),
+            })
+        })
+    }
+}
+
+/// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
+/// some rounding errors.
+#[cold]
+fn allow_condition<D, X, const L: usize>(
+    dynamics: &D,
+    (t, state): (Lanes<L>, &X),
+    derivative: &X,
+    (h, allowed): (Lanes<L>, &mut X),
+) where
+    D: Series<Lanes<L>, State = X> + ?Sized,
+    X: LaneStates<L>,
+{
+    for alternation in [1.0, -1.0] {
+        let epsilon = MOVED_EPSILONS * f64::EPSILON;
+        let mut sign = 1.0;
+        let moved = state.map(|x| {
+            sign *= alternation;
+            x + x.abs() * Lanes::from_f64(sign * epsilon)
+        });
+        let mut change = dynamics.derivative(t + t * Lanes::from_f64(epsilon), &moved);
+        change.add_scaled(Lanes::from_f64(-1.0), derivative);
+        allowed.add_scaled(h * Lanes::from_f64(CHANGES), &change.map(Scalar::abs));
+    }
+}
+
+/// The lanes, of those that are asked for, in which a component is not at most what is allowed; one that is not finite is
+/// not.
+fn exceeds<X: LaneStates<L>, const L: usize>(
+    residual: &X,
+    allowed: &X,
+    asked: &[bool; L],
+) -> [bool; L] {
+    let mut excess = Lanes::from_f64(0.0);
+    for (residual, allowed) in residual.components().zip(allowed.components()) {
+        // Twice the excess, or 0, or NaN.
+        let over = residual - allowed;
+        excess += over + over.abs();
+    }
+    core::array::from_fn(|lane| asked[lane] && (excess.0[lane].is_nan() || excess.0[lane] > 0.0))
+}
+
+/// The first component of a lane that is not at most what is allowed.
+#[cold]
+fn first_beyond<X: LaneStates<L>, const L: usize>(residual: &X, allowed: &X, lane: usize) -> usize {
+    let mut pairs = residual.components().zip(allowed.components());
+    let found = pairs.position(|(residual, allowed)| {
+        let excess = residual.lane(lane) - allowed.lane(lane);
+        excess.is_nan() || excess > 0.0
+    });
+    found.unwrap_or(0)
+}
+
+/// x to a whole power, by squaring.
+fn power<const L: usize>(x: Lanes<L>, exponent: usize) -> Lanes<L> {
+    let mut result = Lanes::from_f64(1.0);
+    let (mut square, mut left) = (x, exponent);
+    while left > 0 {
+        if left % 2 == 1 {
+            result *= square;
+        }
+        square = square * square;
+        left /= 2;
+    }
+    result
+}

@@ -1,0 +1,132 @@
+//! The polynomials of motions in lanes, and the steps that they propose.
+
+use super::{TaylorLanes, any, lanes, non_finite, number};
+use crate::integrate::error::IntegrationError;
+use crate::integrate::taylor::Series;
+use crate::integrate::tolerance::Tolerance;
+use crate::limits::taylor::{UNIT_CHANGE, UNIT_CHANGES};
+use crate::linalg::LaneStates;
+use crate::scalar::{Lanes, Scalar};
+
+impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
+    /// Computes the polynomials about the present times, in units in which their coefficients are finite, and the steps
+    /// that they propose.
+    pub(super) fn expand<D>(&mut self, dynamics: &D, moving: &mut [bool; L]) -> [f64; L]
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let from = self.state.reduced(dynamics);
+        let mut waiting = *moving;
+        let mut steps = [0.0; L];
+        let mut change = UNIT_CHANGE;
+        for _ in 0..UNIT_CHANGES {
+            let (t, unit) = (Lanes(self.time), Lanes(self.unit));
+            dynamics.series(t, &from, unit, &mut self.coefficients);
+            let proposed = self.proposed(&self.scale(dynamics));
+            for lane in lanes(&waiting) {
+                self.statistics[lane].evaluations += 1;
+                // It is 0 where a coefficient over its tolerance is not finite.
+                if proposed[lane] > 0.0 {
+                    steps[lane] = proposed[lane] * self.unit[lane];
+                    waiting[lane] = false;
+                } else {
+                    self.unit[lane] *= change;
+                }
+            }
+            if !any(&waiting) {
+                return steps;
+            }
+            change *= change;
+        }
+        for lane in lanes(&waiting) {
+            moving[lane] = false;
+            self.no_series(dynamics, lane);
+        }
+        steps
+    }
+
+    /// The error of a lane whose series is not finite in any unit of time.
+    #[cold]
+    fn no_series<D>(&mut self, dynamics: &D, lane: usize)
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let derivative = self.derivative(dynamics);
+        let error = self.setting_error(dynamics, lane, &derivative);
+        let error = error.unwrap_or_else(|| {
+            let mut last = self.coefficients.higher().iter().rev().take(2);
+            let found = last.find_map(|coefficient| non_finite(coefficient, lane));
+            IntegrationError::NoTaylorSeries {
+                time: self.time[lane],
+                component: dynamics.component_name(found.map_or(0, |(index, _)| index)),
+            }
+        });
+        self.unit[lane] = 1.0;
+        self.fail(lane, error);
+    }
+
+    /// The steps at which the last two terms meet the tolerance, in units; 0 where they are not finite. Where they are
+    /// zero, the terms before count, as in [`TaylorStepper`](super::TaylorStepper).
+    fn proposed(&self, scale: &X) -> [f64; L] {
+        let tolerance = self.method.tolerance::<Lanes<L>>();
+        let higher = self.coefficients.higher();
+        let mut logarithm = [f64::INFINITY; L];
+        for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
+            let ratios = largest_ratios(tolerance, coefficient, scale);
+            let order = number(Self::ORDER - position);
+            let mut found = true;
+            for (logarithm, ratio) in logarithm.iter_mut().zip(ratios.0) {
+                let zero_until_now = position < 2 || *logarithm >= f64::INFINITY;
+                if ratio.is_nan() {
+                    *logarithm = f64::NEG_INFINITY;
+                } else if ratio > 0.0 && zero_until_now {
+                    *logarithm = logarithm.min(-Scalar::ln(ratio) / order);
+                }
+                found &= *logarithm < f64::INFINITY;
+            }
+            if position > 0 && found {
+                break;
+            }
+        }
+        logarithm.map(Scalar::exp)
+    }
+
+    /// The scales to which the relative tolerance refers, of what the components reach within a step of about the unit.
+    fn scale<D>(&self, dynamics: &D) -> X
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let mut reached = self.state.value().map(Scalar::abs);
+        for coefficient in self.coefficients.higher().iter().take(2) {
+            reached.add_scaled(Lanes::from_f64(1.0), &coefficient.map(Scalar::abs));
+        }
+        dynamics.error_scale(&reached)
+    }
+}
+
+/// The largest component over its tolerance in each lane; NaN where one is not finite, and a component that has no
+/// tolerance does not count.
+pub(super) fn largest_ratios<X: LaneStates<L>, const L: usize>(
+    tolerance: Tolerance,
+    vector: &X,
+    scale: &X,
+) -> Lanes<L> {
+    let [relative, absolute] = [tolerance.relative, tolerance.absolute].map(Lanes::<L>::from_f64);
+    let mut largest = Lanes::from_f64(0.0);
+    let mut finite = Lanes::from_f64(0.0);
+    for (component, scale) in vector.components().zip(scale.components()) {
+        let allowed = absolute + relative * scale;
+        let ratio = component.abs() / allowed;
+        let ratio = Lanes::from_fn(|lane| {
+            if allowed.0[lane] > 0.0 {
+                ratio.0[lane]
+            } else {
+                0.0
+            }
+        });
+        largest = Scalar::max(largest, ratio);
+        // 0, or NaN where the component is not finite.
+        finite += component * Lanes::from_f64(0.0);
+    }
+    largest + finite
+}

@@ -1,0 +1,54 @@
+//! States of several motions at once, one in each lane.
+
+use nalgebra::SVector;
+
+use super::vector_space::VectorSpace;
+use crate::scalar::{Lanes, Scalar};
+
+/// A state whose components are [`Lanes`]: the states of `L` motions, which can be read and set one by one.
+///
+/// ```
+/// use lagrangian::{LaneStates, Lanes};
+/// use lagrangian::nalgebra::SVector;
+///
+/// let mut states: SVector<Lanes<4>, 2> = LaneStates::broadcast(&SVector::from([1.0, 2.0]));
+/// states.set_lane(3, &SVector::from([5.0, 6.0]));
+/// assert_eq!(states[0], Lanes([1.0, 1.0, 1.0, 5.0]));
+/// assert_eq!(states.lane(3), SVector::from([5.0, 6.0]));
+/// ```
+pub trait LaneStates<const L: usize>: VectorSpace<Lanes<L>> {
+    /// The state of one motion.
+    type Lane: VectorSpace<f64>;
+
+    /// The same state in every lane.
+    #[must_use]
+    fn broadcast(state: &Self::Lane) -> Self;
+
+    /// The state in a lane; NaN if there is no such lane.
+    #[must_use]
+    fn lane(&self, lane: usize) -> Self::Lane;
+
+    /// Sets the state in a lane; nothing if there is no such lane.
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane);
+}
+
+impl<const L: usize, const D: usize> LaneStates<L> for SVector<Lanes<L>, D> {
+    type Lane = SVector<f64, D>;
+
+    #[inline]
+    fn broadcast(state: &Self::Lane) -> Self {
+        state.map(Lanes::from_f64)
+    }
+
+    #[inline]
+    fn lane(&self, lane: usize) -> Self::Lane {
+        self.map(|component| component.lane(lane))
+    }
+
+    #[inline]
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+        for (component, number) in self.iter_mut().zip(state.iter()) {
+            component.set(lane, *number);
+        }
+    }
+}
