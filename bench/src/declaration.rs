@@ -19,24 +19,46 @@ pub(crate) enum Calls {
     MeasureWithRounding,
     /// Of a model with the clause `taylor`.
     Integrate,
+    /// Nothing: one integration, as a user writes it, of a model with the clause `taylor`.
+    Taylor,
+    /// The same without the clause.
+    Dop853,
 }
 
 impl Calls {
-    fn function(self) -> &'static str {
+    /// What the declaration says besides what every model has.
+    fn clause(self) -> &'static str {
         match self {
-            Self::Measure => "measure",
-            Self::MeasureWithRounding => "measure_with_rounding",
-            Self::Integrate => "integrate",
+            Self::Measure | Self::MeasureWithRounding | Self::Dop853 => "",
+            Self::Integrate | Self::Taylor => "    taylor,\n",
         }
     }
 
-    /// What it needs of the declaration besides what every model has.
-    fn clause(self) -> &'static str {
-        match self {
-            Self::Measure | Self::MeasureWithRounding => "",
-            Self::Integrate => "    taylor,\n",
-        }
+    /// What `main` does with the model, and what it returns.
+    fn body(self, degrees: usize) -> (String, &'static str) {
+        let function = match self {
+            Self::Measure => "measure",
+            Self::MeasureWithRounding => "measure_with_rounding",
+            Self::Integrate => "integrate",
+            Self::Taylor => return once("Taylor", degrees),
+            Self::Dop853 => return once("Dop853", degrees),
+        };
+        let call = format!(
+            "    let operations = Model::OPERATIONS.accelerations;\n    \
+             lagrangian_bench::{function}::<{degrees}, Model>(&model, operations)\n"
+        );
+        (call, "std::process::ExitCode")
     }
+}
+
+/// A motion of ten seconds.
+fn once(method: &str, degrees: usize) -> (String, &'static str) {
+    let body = format!(
+        "    let start = State::new(0.0, [0.3; {degrees}], [0.1; {degrees}]);\n    \
+         let end = {method}::new().integrate_to(&model.dynamics(), start, 10.0)?.state();\n    \
+         println!(\"{{:e}}\", model.energy(&end) / model.energy(&start) - 1.0);\n    Ok(())\n"
+    );
+    (body, "Result<(), IntegrationError>")
 }
 
 fn declaration(model: Model) -> Declaration {
@@ -62,7 +84,7 @@ pub(crate) fn source(model: Model, calls: Calls) -> String {
         let _ = write!(values, "{name}: {value:?}, ");
     }
     let degrees = model.degrees();
-    let function = calls.function();
+    let (body, result) = calls.body(degrees);
     format!(
         "//! Written by lagrangian-bench.\n\
          use lagrangian::prelude::*;\n\n\
@@ -70,11 +92,8 @@ pub(crate) fn source(model: Model, calls: Calls) -> String {
          #[derive(Lagrangian, Clone, Debug)]\n\
          #[lagrangian(\n{clause}{clauses})]\n\
          struct Model {{ {fields}}}\n\n\
-         fn main() -> std::process::ExitCode {{\n\
-         \x20   let model = Model {{ {values}}};\n\
-         \x20   let operations = Model::OPERATIONS.accelerations;\n\
-         \x20   lagrangian_bench::{function}::<{degrees}, Model>(&model, operations)\n\
-         }}\n"
+         fn main() -> {result} {{\n\
+         \x20   let model = Model {{ {values}}};\n{body}}}\n"
     )
 }
 

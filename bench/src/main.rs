@@ -48,6 +48,7 @@ mod verdict;
 mod taylor;
 mod work_precision;
 mod brouwer;
+mod compile_costs;
 
 use std::process::ExitCode;
 
@@ -80,6 +81,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.brouwer {
         return brouwer::run(arguments);
+    }
+    if arguments.compile {
+        return compile_costs::run(arguments);
     }
     let workshop = Workshop::new(arguments)?;
     let mut comparisons = Vec::new();

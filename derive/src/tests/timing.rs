@@ -125,6 +125,25 @@ fn models_expand() {
     measure_growth("P", pendulum, &[1, 2, 3, 5, 8, 10, 15, 20]);
 }
 
+/// In turn, since what else runs on the machine changes; the benchmark takes the least of each.
+#[test]
+fn models_expand_with_taylor_series() {
+    let models = [
+        ("A1", symmetric_top()),
+        ("A2", general_top()),
+        ("P2", pendulum(2)),
+    ];
+    for _ in 0..5 {
+        for (name, model) in &models {
+            measure(name, model.clone());
+            measure(
+                &format!("{name} with taylor"),
+                quote!(#[lagrangian(taylor)] #model),
+            );
+        }
+    }
+}
+
 #[test]
 #[ignore = "takes a minute; run with `--include-ignored`"]
 fn long_chains_expand() {
