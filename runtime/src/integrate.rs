@@ -53,5 +53,6 @@ pub use taylor::{
     Convolutions, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
 };
 pub use taylor::{Ensemble, TaylorLanes};
+pub(crate) use taylor::{OnlineConvolutions, PairedConvolutions};
 #[cfg(feature = "alloc")]
 pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};

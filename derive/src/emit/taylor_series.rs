@@ -3,7 +3,7 @@
 //! The emitted code computes the accelerations of order 0, and in a closure those of any order k from the terms of
 //! order k and the convolutions of lower ones. The loop over the orders is in the runtime.
 
-use lagrangian_symbolic::Symbol;
+use lagrangian_symbolic::{Convolution, Symbol};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -14,6 +14,12 @@ use super::model_symbols::element;
 use super::signatures::InputsFrom;
 use super::writer::Writer;
 use crate::plan::{AccelerationOutputs, TaylorMethod};
+
+/// The `f64` in a vector register of 256 bits.
+const REGISTER: usize = 4;
+
+/// As many pairs of factors are summed at once: the sums stay in registers.
+const LARGEST_BLOCK: usize = 32;
 
 /// Reads the symbols of the recurrence for the terms of order k.
 struct TermSymbols;
@@ -67,20 +73,16 @@ impl Emitter<'_> {
             let (statements, accelerations) = writer.accelerations(&method.accelerations);
             let (more, invariants) = writer.compute(&method.invariants);
             let term = self.term(method, writer);
-            let pairs = method.program.convolutions.iter();
-            let pairs = pairs.map(|pair| {
-                let (first, second) = (pair.0, pair.1);
-                quote!([#first, #second])
-            });
             let (n, factors) = (self.coordinates(), method.program.factors());
-            let count_of_pairs = method.program.convolutions.len();
+            let (pairs, lanes) = in_blocks(&method.program.convolutions);
+            let count_of_pairs = pairs.len();
             let count = invariants.len();
             quote! {
                 #statements
                 let accelerations = #accelerations;
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
-                #root::__private::taylor_series::<_, #n, #factors, #count_of_pairs, HALF>(
+                #root::__private::taylor_series::<_, #n, #factors, #count_of_pairs, #lanes, HALF>(
                     state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #term },
                 );
             }
@@ -124,4 +126,20 @@ impl Emitter<'_> {
             (accelerations, [#(#factors),*])
         }
     }
+}
+
+/// The pairs of the convolutions in blocks, and the number of pairs in a block, the last of which is filled by repeating
+/// the last pair.
+fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
+    let blocks = convolutions.len().div_ceil(LARGEST_BLOCK).max(1);
+    let registers = convolutions.len().div_ceil(blocks).div_ceil(REGISTER);
+    let lanes = (registers * REGISTER).max(1);
+    let last = convolutions.last().into_iter();
+    let filled = convolutions.len().next_multiple_of(lanes);
+    let repeated = last.cycle().take(filled - convolutions.len());
+    let pairs = convolutions.iter().chain(repeated).map(|pair| {
+        let (first, second) = (pair.0, pair.1);
+        quote!([#first, #second])
+    });
+    (pairs.collect(), lanes)
 }

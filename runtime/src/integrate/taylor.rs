@@ -8,15 +8,18 @@ mod convolutions;
 mod interpolant;
 mod ensemble;
 mod lanes;
+mod paired_convolutions;
 mod series;
 mod stepper;
 
 pub use coefficients::TaylorCoefficients;
 pub use convolutions::Convolutions;
+pub(crate) use convolutions::OnlineConvolutions;
 pub use ensemble::Ensemble;
 pub(crate) use ensemble::Running;
 pub use interpolant::TaylorInterpolant;
 pub use lanes::TaylorLanes;
+pub(crate) use paired_convolutions::PairedConvolutions;
 pub use series::Series;
 pub use stepper::TaylorStepper;
 

@@ -5,7 +5,7 @@ pub use nalgebra::{SMatrix, SVector};
 use super::linearization::Linearization;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{Convolutions, TaylorCoefficients};
+use crate::integrate::{Convolutions, OnlineConvolutions, PairedConvolutions, TaylorCoefficients};
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
@@ -88,6 +88,7 @@ pub fn taylor_series<
     const N: usize,
     const FACTORS: usize,
     const PAIRS: usize,
+    const LANES: usize,
     const HALF: usize,
 >(
     state: &State<S, N>,
@@ -95,41 +96,61 @@ pub fn taylor_series<
     accelerations: SVector<S, N>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
-    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+    term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
 ) {
     *coefficients.initial_mut() = Phase::from(*state);
-    let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
-    let mut next = Phase {
+    let first = Phase {
         q: state.v * unit,
         v: accelerations * unit,
     };
+    let higher = coefficients.higher_mut();
+    if const { size_of::<S>() <= size_of::<f64>() } {
+        let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF>::new();
+        expand(unit, first, higher, pairs, convolutions, term);
+    } else {
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+        expand(unit, first, higher, pairs, convolutions, term);
+    }
+}
+
+/// The coefficients of the motion from that of order 1, one order after the other.
+#[inline]
+fn expand<S: Scalar, const N: usize, const FACTORS: usize, const PAIRS: usize>(
+    unit: S,
+    first: Phase<S, N>,
+    higher: &mut [Phase<S, N>],
+    pairs: &[[usize; 2]; PAIRS],
+    mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
+    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+) {
+    let Some((last, lower)) = higher.split_last_mut() else {
+        return;
+    };
+    let mut next = first;
     let mut order = S::one();
     let mut reciprocal_order = S::one();
     let mut t = unit;
-    let higher = coefficients.higher_mut();
-    if let Some((last, lower)) = higher.split_last_mut() {
-        for coefficient in lower {
-            *coefficient = next;
-            let (accelerations, factors) = term(&Term {
-                q: next.q,
-                v: next.v,
-                t,
-                order,
-                reciprocal_order,
-                convolutions: convolutions.sums(),
-            });
-            convolutions.advance(&factors, pairs);
-            order += S::one();
-            reciprocal_order = S::one() / order;
-            t = S::zero();
-            let step = unit * reciprocal_order;
-            next = Phase {
-                q: next.v * step,
-                v: accelerations * step,
-            };
-        }
-        *last = next;
+    for coefficient in lower {
+        *coefficient = next;
+        let (accelerations, factors) = term(&Term {
+            q: next.q,
+            v: next.v,
+            t,
+            order,
+            reciprocal_order,
+            convolutions: convolutions.sums(),
+        });
+        convolutions.advance(&factors, pairs);
+        order += S::one();
+        reciprocal_order = S::one() / order;
+        t = S::zero();
+        let step = unit * reciprocal_order;
+        next = Phase {
+            q: next.v * step,
+            v: accelerations * step,
+        };
     }
+    *last = next;
 }
 
 /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.

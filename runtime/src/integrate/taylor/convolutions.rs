@@ -5,6 +5,16 @@ use crate::scalar::Scalar;
 /// How many terms a loop of constant length takes: a vector register of 256 bits holds as many `f64`.
 const CHUNK: usize = 4;
 
+/// Convolutions order after order, as each order is known only after the one before (relaxed multiplication: J. van der
+/// Hoeven, *Relax, but Don't be Too Lazy*, Journal of Symbolic Computation **34** (2002) 479–542).
+pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize> {
+    /// The sums of the present order.
+    fn sums(&self) -> [S; PAIRS];
+
+    /// Goes on to the next order, given the terms of the present one, and the indices of the factors that are paired.
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]);
+}
+
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order after order.
 ///
 /// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀. As soon as the factors of order k are known, they are
@@ -82,5 +92,19 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize> Def
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
+    OnlineConvolutions<S, FACTORS, PAIRS> for Convolutions<S, FACTORS, PAIRS, HALF>
+{
+    #[inline]
+    fn sums(&self) -> [S; PAIRS] {
+        self.sums()
+    }
+
+    #[inline]
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
+        self.advance(factors, pairs);
     }
 }
