@@ -9,7 +9,9 @@ mod interpolant;
 mod ensemble;
 mod lanes;
 mod paired_convolutions;
+mod residual;
 mod series;
+mod step_size;
 mod stepper;
 
 pub use coefficients::TaylorCoefficients;

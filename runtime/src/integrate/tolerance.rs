@@ -42,6 +42,19 @@ impl Tolerance {
         }
     }
 
+    /// The reciprocals of the tolerances at these scales; 0 where the tolerance is 0.
+    #[inline]
+    pub(crate) fn weights<S: Scalar, X: VectorSpace<S>>(self, scale: &X) -> X {
+        let [relative, absolute] = [self.relative, self.absolute].map(S::from_f64);
+        scale.map(|scale| {
+            let allowed = absolute + relative * scale;
+            if allowed.smallest() > 0.0 {
+                return S::one() / allowed;
+            }
+            (S::one() - is_zero(allowed)) / one_if_zero(allowed)
+        })
+    }
+
     /// The ratios of all components.
     #[inline]
     pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(

@@ -65,22 +65,26 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         sum.map(|component| component * tau)
     }
 
-    /// dx/dτ, by Horner's rule.
+    /// x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative.
     #[inline]
     #[must_use]
-    pub fn derivative<S: Scalar>(&self, tau: S) -> X
+    pub fn change_and_derivative<S: Scalar>(&self, tau: S) -> (X, X)
     where
         X: VectorSpace<S>,
     {
-        let mut sum = self.initial.zeroed();
-        let mut order = S::from_f64(number(Self::ORDER));
+        let mut quotient = self.initial.zeroed();
+        let mut derivative = quotient.clone();
         for coefficient in self.higher().iter().rev() {
-            let mut next = coefficient.map(|component| component * order);
-            next.add_scaled(tau, &sum);
-            sum = next;
-            order -= S::one();
+            let mut next = quotient.clone();
+            next.add_scaled(tau, &derivative);
+            derivative = next;
+            let mut next = coefficient.clone();
+            next.add_scaled(tau, &quotient);
+            quotient = next;
         }
-        sum
+        let mut slope = quotient.clone();
+        slope.add_scaled(tau, &derivative);
+        (quotient.map(|component| component * tau), slope)
     }
 }
 

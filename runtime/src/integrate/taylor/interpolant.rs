@@ -1,8 +1,7 @@
-//! The Taylor polynomial of a step, kept.
+//! The Taylor polynomial of a motion about a time.
 
-use super::stepper::difference;
 use super::{Series, TaylorCoefficients, TaylorStepper};
-use crate::integrate::compensated::{Clock, Compensated};
+use crate::integrate::compensated::Compensated;
 use crate::integrate::dense_output::{DenseOutput, Interpolant};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
@@ -10,17 +9,58 @@ use crate::scalar::Scalar;
 /// The motion within a step of a [`Taylor`](crate::Taylor) method: its polynomial, with the error of the step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TaylorInterpolant<X, const HALF: usize> {
-    clock: Clock,
-    from: Compensated<X>,
-    unit: f64,
-    coefficients: TaylorCoefficients<X, HALF>,
+    /// The time about which it is.
+    pub(super) time: f64,
+    /// The state at that time.
+    pub(super) from: Compensated<X>,
+    /// The unit of time of the coefficients.
+    pub(super) unit: f64,
+    /// The coefficients about the reduced state.
+    pub(super) coefficients: TaylorCoefficients<X, HALF>,
 }
 
 impl<X, const HALF: usize> TaylorInterpolant<X, HALF> {
+    /// The polynomial that rests at `x`, until its coefficients are computed.
+    pub(super) fn at_rest<S: Scalar>(time: f64, x: X) -> Self
+    where
+        X: VectorSpace<S>,
+    {
+        Self {
+            time,
+            unit: 1.0,
+            coefficients: TaylorCoefficients::new(x.zeroed()),
+            from: Compensated::new(x),
+        }
+    }
+
     /// The argument of the polynomial.
-    fn argument<S: Scalar>(&self, t: f64) -> S {
-        let [high, low] = difference(t, self.clock.time()).map(S::from_f64);
+    pub(super) fn argument<S: Scalar>(&self, t: f64) -> S {
+        let [high, low] = difference(t, self.time).map(S::from_f64);
         (high + low) / S::from_f64(self.unit)
+    }
+
+    /// The state at an argument and the derivative there by the time.
+    #[inline]
+    pub(super) fn state_and_derivative<S: Scalar>(&self, tau: S) -> (Compensated<X>, X)
+    where
+        X: VectorSpace<S>,
+    {
+        let (change, derivative) = self.coefficients.change_and_derivative(tau);
+        let rate = S::one() / S::from_f64(self.unit);
+        let derivative = derivative.map(|component| component * rate);
+        (self.from.plus(change), derivative)
+    }
+
+    /// The derivative at the time about which it is.
+    #[inline]
+    pub(super) fn first_derivative<S: Scalar>(&self) -> X
+    where
+        X: VectorSpace<S>,
+    {
+        let rate = S::one() / S::from_f64(self.unit);
+        let first = self.coefficients.higher().first();
+        let first = first.unwrap_or(self.coefficients.initial());
+        first.map(|component| component * rate)
     }
 }
 
@@ -33,9 +73,7 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Interpolant<S, X>
     }
 
     fn derivative(&self, t: f64) -> X {
-        let rate = S::one() / S::from_f64(self.unit);
-        let derivative = self.coefficients.derivative(self.argument::<S>(t));
-        derivative.map(|component| component * rate)
+        self.state_and_derivative(self.argument::<S>(t)).1
     }
 }
 
@@ -48,13 +86,14 @@ where
     type Interpolant = TaylorInterpolant<X, HALF>;
 
     fn interpolant(&mut self, _: &D) -> Option<Self::Interpolant> {
-        let (clock, from, unit) = self.last.clone()?;
-        let coefficients = self.coefficients.clone();
-        Some(TaylorInterpolant {
-            clock,
-            from,
-            unit,
-            coefficients,
-        })
+        self.last().cloned()
     }
+}
+
+/// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
+/// (1997), section 4.2.2, theorem B).
+fn difference(x: f64, y: f64) -> [f64; 2] {
+    let high = x - y;
+    let part = high - x;
+    [high, (x - (high - part)) - (y + part)]
 }

@@ -25,7 +25,7 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
 {
     /// The convolutions of order 1, which are empty sums. `PAIRS` is a multiple of `LANES`.
     #[inline]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         const { assert!(PAIRS.is_multiple_of(LANES)) }
         Self {
             first: [[[S::zero(); PAIRS]; 2]; HALF],

@@ -1,15 +1,17 @@
 //! The steps of the Taylor series method.
 
 use super::coefficients::number;
-use super::{Series, Taylor, TaylorCoefficients};
-use crate::integrate::compensated::{Clock, Compensated};
+use super::interpolant::TaylorInterpolant;
+use super::residual::{Allowance, Point};
+use super::step_size::{Proposal, weighted_norm, weights};
+use super::{Series, Taylor};
+use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative, remaining};
+use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{
-    CHANGES, FIRST_UNIT, INNER_CHECKS, LANDING, LONG_STEP, MIN_STEP, MOVED_EPSILONS,
-    NEGLIGIBLE_TERM, RESIDUAL_PER_ORDER, RESIDUAL_ROUNDING, SHORTENING, UNIT_CHANGE, UNIT_CHANGES,
+    FIRST_UNIT, INNER_CHECKS, LANDING, LONG_STEP, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES,
 };
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
@@ -21,23 +23,23 @@ use crate::scalar::Scalar;
 #[derive(Clone, Debug)]
 pub struct TaylorStepper<X, const HALF: usize> {
     method: Taylor<HALF>,
-    clock: Clock,
-    state: Compensated<X>,
+    /// Two polynomials: about the present time and state, and of the last step.
+    polynomials: [TaylorInterpolant<X, HALF>; 2],
+    /// Which of them is the first one.
+    present: usize,
     /// The unit of time of the next series, a power of two near the size of the step: the coefficients of a series
     /// then neither overflow nor underflow.
     unit: f64,
-    /// The polynomial of the last step, about the reduced state.
-    pub(super) coefficients: TaylorCoefficients<X, HALF>,
-    /// Where the last step began, and its unit of time.
-    pub(super) last: Option<(Clock, Compensated<X>, f64)>,
+    /// What that polynomial says about the next step, once its coefficients are computed.
+    proposal: Option<Proposal>,
     /// The length of the last step, 0 before the first.
     length: f64,
+    /// Whether the other polynomial is that of the last step.
+    has_last: bool,
     statistics: Statistics,
 }
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
-    const ORDER: usize = 2 * HALF;
-
     pub(super) fn new<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         method: Taylor<HALF>,
         dynamics: &D,
@@ -49,22 +51,23 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     {
         let derivative = checked_derivative(dynamics, t, &x)?;
         let tolerance = method.tolerance::<S>();
-        let scale = dynamics.error_scale(&x);
+        let weights = tolerance.weights(&dynamics.error_scale(&x));
         let largest = tolerance.relative.max(tolerance.absolute);
-        let rate = largest_ratio(tolerance, &derivative, &scale) * largest;
+        let rate = weighted_norm(&derivative, &weights) * largest;
         let unit = if rate.is_normal() {
             power_of_two_near(FIRST_UNIT / rate)
         } else {
             1.0
         };
+        let polynomial = TaylorInterpolant::at_rest(t, x);
         Ok(Self {
             method,
-            clock: Clock::new(t),
-            coefficients: TaylorCoefficients::new(x.clone()),
-            state: Compensated::new(x),
+            polynomials: [polynomial.clone(), polynomial],
+            present: 0,
             unit,
-            last: None,
+            proposal: None,
             length: 0.0,
+            has_last: false,
             statistics: Statistics {
                 evaluations: 1,
                 ..Statistics::default()
@@ -72,203 +75,160 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         })
     }
 
-    /// Computes the polynomial about the present time, in a unit in which its coefficients are finite, and the step that
-    /// it proposes.
+    /// The polynomial about the present time.
+    fn polynomial(&self) -> &TaylorInterpolant<X, HALF> {
+        &self.polynomials[self.present]
+    }
+
+    /// The polynomial of the last step.
+    pub(super) fn last(&self) -> Option<&TaylorInterpolant<X, HALF>> {
+        self.has_last.then(|| &self.polynomials[1 - self.present])
+    }
+
+    /// Computes the coefficients of one of the polynomials, in a unit in which they are finite; or a component that is
+    /// not finite.
     fn expand<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
-    ) -> Result<f64, IntegrationError>
+        index: usize,
+        mut unit: f64,
+    ) -> Result<Proposal, usize>
     where
         X: VectorSpace<S>,
     {
-        let time = self.clock.time();
-        let from = self.state.reduced(dynamics);
+        let polynomial = &mut self.polynomials[index];
+        let t = S::from_f64(polynomial.time);
+        let from = polynomial.from.reduced(dynamics);
         let mut non_finite = None;
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
-            let (t, unit) = (S::from_f64(time), S::from_f64(self.unit));
-            dynamics.series(t, &from, unit, &mut self.coefficients);
+            polynomial.unit = unit;
+            dynamics.series(t, &from, S::from_f64(unit), &mut polynomial.coefficients);
             self.statistics.evaluations += 1;
-            let mut last = self.coefficients.higher().iter().rev().take(2);
+            let mut last = polynomial.coefficients.higher().iter().rev().take(2);
             non_finite = last.find_map(VectorSpace::first_non_finite);
             if non_finite.is_none() {
-                let proposed = self.proposed(&self.scale(dynamics));
+                let weights = weights(polynomial, dynamics, self.method.tolerance::<S>());
+                let proposal = Proposal::of(&polynomial.coefficients, &weights);
                 // It is 0 where a coefficient over its tolerance is not finite.
-                if proposed > 0.0 {
-                    return Ok(proposed * self.unit);
+                if proposal.step > 0.0 {
+                    return Ok(proposal);
                 }
             }
-            self.unit *= change;
+            unit *= change;
             change *= change;
         }
-        checked_derivative(dynamics, time, self.state.value())?;
+        Err(non_finite.map_or(0, |(index, _)| index))
+    }
+
+    /// What the polynomial about the present time says about the next step.
+    fn proposal<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+    ) -> Result<Proposal, IntegrationError>
+    where
+        X: VectorSpace<S>,
+    {
+        if let Some(proposal) = self.proposal {
+            return Ok(proposal);
+        }
+        let component = match self.expand(dynamics, self.present, self.unit) {
+            Ok(proposal) => {
+                self.proposal = Some(proposal);
+                return Ok(proposal);
+            }
+            Err(component) => component,
+        };
+        let time = self.polynomial().time;
+        checked_derivative(dynamics, time, self.polynomial().from.value())?;
         Err(IntegrationError::NoTaylorSeries {
             time,
-            component: dynamics.component_name(non_finite.map_or(0, |(index, _)| index)),
+            component: dynamics.component_name(component),
         })
     }
 
-    /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2). Where they are
-    /// zero, as in every other term of an even motion, the terms before count, down to half the order. If those are zero,
-    /// too, the motion is a polynomial, as that of a stone, and the step infinite: whether it is one, shows at its end.
-    fn proposed<S: Scalar>(&self, scale: &X) -> f64
-    where
-        X: VectorSpace<S>,
-    {
-        let tolerance = self.method.tolerance::<S>();
-        let higher = self.coefficients.higher();
-        let mut logarithm = f64::INFINITY;
-        for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
-            let ratio = largest_ratio(tolerance, coefficient, scale);
-            if ratio > 0.0 {
-                let order = number(Self::ORDER - position);
-                logarithm = logarithm.min(-Scalar::ln(ratio) / order);
-            }
-            if position > 0 && logarithm < f64::INFINITY {
-                break;
-            }
-        }
-        Scalar::exp(logarithm)
-    }
-
-    /// The scales to which the relative tolerance refers, of what the components reach within a step of about the unit.
-    fn scale<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(&self, dynamics: &D) -> X
-    where
-        X: VectorSpace<S>,
-    {
-        let mut reached = self.state.value().map(Scalar::abs);
-        for coefficient in self.coefficients.higher().iter().take(2) {
-            reached.add_scaled(S::one(), &coefficient.map(Scalar::abs));
-        }
-        dynamics.error_scale(&reached)
-    }
-
-    /// The polynomial at a time: its argument and the state.
-    fn at<S: Scalar>(&self, t: f64) -> (S, Compensated<X>)
-    where
-        X: VectorSpace<S>,
-    {
-        let [high, low] = difference(t, self.clock.time()).map(S::from_f64);
-        let tau = (high + low) / S::from_f64(self.unit);
-        (tau, self.state.plus(self.coefficients.change(tau)))
-    }
-
-    /// An error with the component at which the derivative at the end of a step, or within a long one, is not that of
-    /// the polynomial: the motion is then not the one that the series at its beginning says.
+    /// Whether the polynomial is the motion until the time `end`: an error with the component at which its derivative
+    /// is not that of the motion there, or at times within a step that is long or for which a polynomial of low degree
+    /// is enough. The polynomial about `end`, whose first coefficient is the derivative there, becomes the other one;
+    /// unless it is `needed`, its coefficients are left for later. What it says about the next step, if they are not.
     fn check<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
-        end: (f64, S, &Compensated<X>),
+        end: f64,
+        proposal: Proposal,
+        needed: bool,
+    ) -> Result<Option<Proposal>, usize>
+    where
+        X: VectorSpace<S>,
+    {
+        let (present, next) = (self.present, 1 - self.present);
+        let tau: S = self.polynomials[present].argument(end);
+        let (state, slope) = self.polynomials[present].state_and_derivative(tau);
+        if let Some((index, _)) = state.value().first_non_finite() {
+            return Err(index);
+        }
+        let point = Point {
+            t: S::from_f64(end),
+            state: state.reduced(dynamics),
+            slope,
+        };
+        let h = (end - self.polynomials[present].time).abs();
+        self.polynomials[next].time = end;
+        self.polynomials[next].from = state;
+        let mut next_proposal = None;
+        if needed && h.is_normal() {
+            next_proposal = self.expand(dynamics, next, power_of_two_near(h)).ok();
+        }
+        let derivative = match next_proposal {
+            Some(_) => self.polynomials[next].first_derivative(),
+            None => {
+                self.statistics.evaluations += 1;
+                dynamics.derivative(point.t, &point.state)
+            }
+        };
+        let allowance = self.allowance(h);
+        allowance.check(dynamics, &point, &derivative)?;
+        let largest = tau.abs().largest();
+        if h > LONG_STEP * self.length || proposal.is_of_low_degree(largest, HALF) {
+            self.check_within(dynamics, end, &allowance)?;
+        }
+        Ok(next_proposal)
+    }
+
+    fn allowance<S: Scalar>(&self, h: f64) -> Allowance<S> {
+        Allowance {
+            h: S::from_f64(h),
+            order: number(2 * HALF),
+            tolerance: self.method.tolerance::<S>(),
+        }
+    }
+
+    /// The check at times within a step.
+    fn check_within<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        end: f64,
+        allowance: &Allowance<S>,
     ) -> Result<(), usize>
     where
         X: VectorSpace<S>,
     {
-        let time = self.clock.time();
-        let h = end.0 - time;
-        self.check_at(dynamics, end, h.abs())?;
-        if h.abs() > LONG_STEP * self.length || self.is_of_low_degree(dynamics, end.1, end.2) {
-            for i in 1..=INNER_CHECKS {
-                let t = time + h * (f64::from(i) / f64::from(INNER_CHECKS + 1));
-                let (tau, state) = self.at(t);
-                self.check_at(dynamics, (t, tau, &state), h.abs())?;
-            }
+        let polynomial = &self.polynomials[self.present];
+        let begin = polynomial.time;
+        for i in 1..=INNER_CHECKS {
+            let t = begin + (end - begin) * (f64::from(i) / f64::from(INNER_CHECKS + 1));
+            let (state, slope) = polynomial.state_and_derivative(polynomial.argument(t));
+            let point = Point {
+                t: S::from_f64(t),
+                state: state.reduced(dynamics),
+                slope,
+            };
+            self.statistics.evaluations += 1;
+            let derivative = dynamics.derivative(point.t, &point.state);
+            allowance.check(dynamics, &point, &derivative)?;
         }
         Ok(())
     }
-
-    /// Whether the terms of half the order hardly count at τ: then the tolerance says little about the length of the
-    /// step, and much may happen within it that the series does not see, such as a pulse.
-    fn is_of_low_degree<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
-        &self,
-        dynamics: &D,
-        tau: S,
-        state: &Compensated<X>,
-    ) -> bool
-    where
-        X: VectorSpace<S>,
-    {
-        let tolerance = self.method.tolerance::<S>();
-        let scale = dynamics.error_scale(state.value());
-        let power = Scalar::powf(tau.abs().largest(), number(HALF));
-        let mut middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
-        middle.all(|term| largest_ratio(tolerance, term, &scale) * power < NEGLIGIBLE_TERM)
-    }
-
-    /// The check at one time, for a step of length `h`. Rounding explains a difference, and the tolerance does.
-    fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        (t, tau, state): (f64, S, &Compensated<X>),
-        h: f64,
-    ) -> Result<(), usize>
-    where
-        X: VectorSpace<S>,
-    {
-        let (t, state, h) = (S::from_f64(t), state.reduced(dynamics), S::from_f64(h));
-        let derivative = dynamics.derivative(t, &state);
-        self.statistics.evaluations += 1;
-        let mut residual = self.coefficients.derivative(tau);
-        let unit = S::one() / S::from_f64(self.unit);
-        residual = residual.map(|component| component * unit);
-        residual.add_scaled(-S::one(), &derivative);
-        let tolerance = self.method.tolerance::<S>();
-        let [relative, absolute] = [tolerance.relative, tolerance.absolute]
-            .map(|tolerance| S::from_f64(tolerance * RESIDUAL_PER_ORDER * number(Self::ORDER)));
-        let rounding = S::from_f64(RESIDUAL_ROUNDING * S::machine_epsilon());
-        let scale = dynamics.error_scale(&state);
-        let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
-        allowed.add_scaled(rounding, &state.map(Scalar::abs));
-        allowed.add_scaled(rounding * h, &derivative.map(Scalar::abs));
-        let residual = residual.map(|component| (component * h).abs());
-        if first_beyond(&residual, &allowed).is_none() {
-            return Ok(());
-        }
-        self.allow_condition(dynamics, (t, &state), &derivative, (h, &mut allowed));
-        first_beyond(&residual, &allowed).map_or(Ok(()), Err)
-    }
-
-    /// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
-    /// some rounding errors.
-    #[cold]
-    fn allow_condition<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        (t, state): (S, &X),
-        derivative: &X,
-        (h, allowed): (S, &mut X),
-    ) where
-        X: VectorSpace<S>,
-    {
-        for alternation in [1.0, -1.0] {
-            let epsilon = MOVED_EPSILONS * S::machine_epsilon();
-            let mut sign = 1.0;
-            let moved = state.map(|x| {
-                sign *= alternation;
-                x + x.abs() * S::from_f64(sign * epsilon)
-            });
-            let mut change = dynamics.derivative(t + t * S::from_f64(epsilon), &moved);
-            self.statistics.evaluations += 1;
-            change.add_scaled(-S::one(), derivative);
-            allowed.add_scaled(h * S::from_f64(CHANGES), &change.map(Scalar::abs));
-        }
-    }
-}
-
-/// The first component that is not at most what is allowed; one that is not finite is not.
-fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
-    let mut pairs = residual.components().zip(allowed.components());
-    pairs.position(|(residual, allowed)| {
-        let excess = (residual - allowed).largest();
-        excess.is_nan() || excess > 0.0
-    })
-}
-
-/// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
-/// (1997), section 4.2.2, theorem B).
-pub(super) fn difference(x: f64, y: f64) -> [f64; 2] {
-    let high = x - y;
-    let part = high - x;
-    [high, (x - (high - part)) - (y + part)]
 }
 
 /// The error of a step that is too small.
@@ -295,12 +255,6 @@ fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
-/// The largest component over its tolerance.
-fn largest_ratio<S: Scalar, X: VectorSpace<S>>(tolerance: Tolerance, vector: &X, scale: &X) -> f64 {
-    let scales = [scale.clone(), scale.clone()];
-    tolerance.ratios(vector, &scales, 0.0).fold(0.0, f64::max)
-}
-
 /// The power of two below a positive number and within a factor of 2 of it, within the range of exponents that leaves
 /// room for squares.
 fn power_of_two_near(x: f64) -> f64 {
@@ -311,18 +265,15 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Stepper<S, X> for TaylorSt
     const DENSE_OUTPUT: bool = true;
 
     fn time(&self) -> f64 {
-        self.clock.time()
+        self.polynomial().time
     }
 
     fn state(&self) -> &X {
-        self.state.value()
+        self.polynomial().from.value()
     }
 
     fn previous_time(&self) -> f64 {
-        self.last
-            .as_ref()
-            .map_or(self.clock, |(clock, ..)| *clock)
-            .time()
+        self.last().unwrap_or(self.polynomial()).time
     }
 
     fn statistics(&self) -> Statistics {
@@ -334,61 +285,71 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
     Advance<S, D> for TaylorStepper<X, HALF>
 {
     fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError> {
-        let Some(remaining) = remaining(&self.clock, target)? else {
+        let time = self.polynomial().time;
+        let remaining = target - time;
+        if !remaining.is_finite() {
+            return Err(IntegrationError::NonFiniteTime { time: target });
+        }
+        if remaining == 0.0 {
             return Ok(());
-        };
-        self.last = None;
-        let time = self.clock.time();
+        }
+        self.has_last = false;
         let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
-        let mut proposed = self.expand(dynamics)?.min(longest);
-        let mut component = 0;
+        let proposal = self.proposal(dynamics)?;
+        let mut step = (proposal.step * self.polynomial().unit).min(longest);
+        let mut rejected = None;
         loop {
-            let lands = LANDING * proposed >= remaining.abs();
-            if !lands && proposed <= least {
-                let (here, tolerance) = ((time, self.state.value()), self.method.tolerance::<S>());
-                return Err(too_small(dynamics, here, proposed, component, tolerance));
+            let lands = LANDING * step >= remaining.abs();
+            if !lands && step <= least {
+                let (here, tolerance) =
+                    (self.polynomial().from.value(), self.method.tolerance::<S>());
+                let component = rejected.unwrap_or(0);
+                return Err(too_small(
+                    dynamics,
+                    (time, here),
+                    step,
+                    component,
+                    tolerance,
+                ));
             }
             let end = if lands {
                 target
             } else {
-                time + proposed.copysign(remaining)
-            };
-            let (tau, state) = self.at(end);
-            let checked = match state.value().first_non_finite() {
-                None => self.check(dynamics, (end, tau, &state)),
-                Some((index, _)) => Err(index),
+                time + step.copysign(remaining)
             };
             let length = (end - time).abs();
-            if let Err(index) = checked {
-                component = index;
-                self.statistics.rejected += 1;
-                proposed = length / SHORTENING;
-                continue;
+            match self.check(dynamics, end, proposal, !lands && rejected.is_none()) {
+                Ok(proposal) => {
+                    if step.is_normal() {
+                        self.unit = power_of_two_near(step);
+                    }
+                    self.present = 1 - self.present;
+                    self.proposal = proposal;
+                    self.length = length;
+                    self.has_last = true;
+                    self.statistics.steps += 1;
+                    return Ok(());
+                }
+                Err(component) => {
+                    rejected = Some(component);
+                    self.statistics.rejected += 1;
+                    step = length / SHORTENING;
+                }
             }
-            let previous = core::mem::replace(&mut self.state, state);
-            self.last = Some((self.clock, previous, self.unit));
-            self.clock = Clock::new(end);
-            self.length = length;
-            if proposed.is_normal() {
-                self.unit = power_of_two_near(proposed);
-            }
-            self.statistics.steps += 1;
-            return Ok(());
         }
     }
 
     fn interpolate(&mut self, _: &D, t: f64) -> X {
-        let Some((clock, from, unit)) = &self.last else {
-            return self.state.value().clone();
-        };
-        let [high, low] = difference(t, clock.time()).map(S::from_f64);
-        let tau = (high + low) / S::from_f64(*unit);
-        from.plus(self.coefficients.change(tau)).into_value()
+        match self.last() {
+            Some(polynomial) => Interpolant::<S, X>::at(polynomial, t),
+            None => self.polynomial().from.value().clone(),
+        }
     }
 
     fn restart(&mut self, _: &D) {
-        self.last = None;
+        self.has_last = false;
+        self.proposal = None;
     }
 
     fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {

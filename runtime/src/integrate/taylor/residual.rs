@@ -1,0 +1,84 @@
+//! The residual of a Taylor polynomial in the differential equations.
+
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::tolerance::Tolerance;
+use crate::limits::taylor::{CHANGES, MOVED_EPSILONS, RESIDUAL_PER_ORDER, RESIDUAL_ROUNDING};
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// A time within a step, the reduced state of the polynomial there, and its derivative.
+pub(super) struct Point<S, X> {
+    pub(super) t: S,
+    pub(super) state: X,
+    pub(super) slope: X,
+}
+
+/// What a residual may be in a step.
+pub(super) struct Allowance<S> {
+    /// The length of the step.
+    pub(super) h: S,
+    /// The order of the polynomial.
+    pub(super) order: f64,
+    pub(super) tolerance: Tolerance,
+}
+
+impl<S: Scalar> Allowance<S> {
+    /// An error with the component at which the derivative of the motion is not that of the polynomial: the motion is
+    /// then not the one that the series at its beginning says. Rounding explains a difference, and the tolerance does.
+    #[inline]
+    pub(super) fn check<D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        point: &Point<S, D::State>,
+        derivative: &D::State,
+    ) -> Result<(), usize> {
+        let Tolerance { relative, absolute } = self.tolerance;
+        let [relative, absolute] = [relative, absolute]
+            .map(|tolerance| S::from_f64(tolerance * RESIDUAL_PER_ORDER * self.order));
+        let rounding = S::from_f64(RESIDUAL_ROUNDING * S::machine_epsilon());
+        let scale = dynamics.error_scale(&point.state);
+        let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
+        allowed.add_scaled(rounding, &point.state.map(Scalar::abs));
+        allowed.add_scaled(rounding * self.h, &derivative.map(Scalar::abs));
+        let mut residual = point.slope.clone();
+        residual.add_scaled(-S::one(), derivative);
+        let residual = residual.map(|component| (component * self.h).abs());
+        if first_beyond(&residual, &allowed).is_none() {
+            return Ok(());
+        }
+        self.allow_condition(dynamics, point, derivative, &mut allowed);
+        first_beyond(&residual, &allowed).map_or(Ok(()), Err)
+    }
+
+    /// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
+    /// some rounding errors.
+    #[cold]
+    fn allow_condition<D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        point: &Point<S, D::State>,
+        derivative: &D::State,
+        allowed: &mut D::State,
+    ) {
+        for alternation in [1.0, -1.0] {
+            let epsilon = MOVED_EPSILONS * S::machine_epsilon();
+            let mut sign = 1.0;
+            let moved = point.state.map(|x| {
+                sign *= alternation;
+                x + x.abs() * S::from_f64(sign * epsilon)
+            });
+            let mut change = dynamics.derivative(point.t + point.t * S::from_f64(epsilon), &moved);
+            change.add_scaled(-S::one(), derivative);
+            allowed.add_scaled(self.h * S::from_f64(CHANGES), &change.map(Scalar::abs));
+        }
+    }
+}
+
+/// The first component that is not at most what is allowed; one that is not finite is not.
+fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
+    let mut pairs = residual.components().zip(allowed.components());
+    pairs.position(|(residual, allowed)| {
+        let excess = (residual - allowed).largest();
+        excess.is_nan() || excess > 0.0
+    })
+}
