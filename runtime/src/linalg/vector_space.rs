@@ -26,6 +26,14 @@ pub trait VectorSpace<S: Scalar>: Clone {
     #[must_use]
     fn map(&self, function: impl FnMut(S) -> S) -> Self;
 
+    /// The state whose components are `function` of those of this one and of another one.
+    #[inline]
+    #[must_use]
+    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
+        let mut others = other.components();
+        self.map(|component| function(component, others.next().unwrap_or(S::zero())))
+    }
+
     /// The components, in an order that never changes.
     fn components(&self) -> impl Iterator<Item = S> + '_;
 
@@ -37,8 +45,14 @@ pub trait VectorSpace<S: Scalar>: Clone {
     }
 
     /// The index and the value of the first component that is not finite.
+    #[inline]
     #[must_use]
     fn first_non_finite(&self) -> Option<(usize, S)> {
+        // Mostly there is none: a sum without branches tells.
+        let zeros = self.components().map(|component| component * S::zero());
+        if zeros.fold(S::zero(), |sum, zero| sum + zero).is_finite() {
+            return None;
+        }
         self.components()
             .enumerate()
             .find(|(_, component)| !component.is_finite())
@@ -56,6 +70,11 @@ impl<S: Scalar, const D: usize> VectorSpace<S> for SVector<S, D> {
     #[inline]
     fn map(&self, function: impl FnMut(S) -> S) -> Self {
         nalgebra::Matrix::map(self, function)
+    }
+
+    #[inline]
+    fn zip_map(&self, other: &Self, function: impl FnMut(S, S) -> S) -> Self {
+        nalgebra::Matrix::zip_map(self, other, function)
     }
 
     #[inline]

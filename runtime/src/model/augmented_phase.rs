@@ -72,6 +72,16 @@ impl<S: Scalar, const N: usize, const K: usize> VectorSpace<S> for AugmentedPhas
     }
 
     #[inline]
+    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
+        let Self { q, v, controller } = self;
+        Self {
+            q: VectorSpace::zip_map(q, &other.q, &mut function),
+            v: VectorSpace::zip_map(v, &other.v, &mut function),
+            controller: VectorSpace::zip_map(controller, &other.controller, &mut function),
+        }
+    }
+
+    #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
         let motion = self.q.iter().chain(self.v.iter());
         motion.chain(self.controller.iter()).copied()

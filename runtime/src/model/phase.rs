@@ -69,6 +69,14 @@ impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
     }
 
     #[inline]
+    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
+        Self {
+            q: VectorSpace::zip_map(&self.q, &other.q, &mut function),
+            v: VectorSpace::zip_map(&self.v, &other.v, &mut function),
+        }
+    }
+
+    #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
         self.q.iter().chain(self.v.iter()).copied()
     }

@@ -65,6 +65,16 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         sum.map(|component| component * tau)
     }
 
+    /// dx/dτ.
+    #[inline]
+    #[must_use]
+    pub fn derivative<S: Scalar>(&self, tau: S) -> X
+    where
+        X: VectorSpace<S>,
+    {
+        self.change_and_derivative(tau).1
+    }
+
     /// x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative.
     #[inline]
     #[must_use]

@@ -40,9 +40,9 @@ impl<S: Scalar> Allowance<S> {
         let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
         allowed.add_scaled(rounding, &point.state.map(Scalar::abs));
         allowed.add_scaled(rounding * self.h, &derivative.map(Scalar::abs));
-        let mut residual = point.slope.clone();
-        residual.add_scaled(-S::one(), derivative);
-        let residual = residual.map(|component| (component * self.h).abs());
+        let residual = point.slope.zip_map(derivative, |polynomial, motion| {
+            ((polynomial - motion) * self.h).abs()
+        });
         if first_beyond(&residual, &allowed).is_none() {
             return Ok(());
         }
@@ -76,9 +76,13 @@ impl<S: Scalar> Allowance<S> {
 
 /// The first component that is not at most what is allowed; one that is not finite is not.
 fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
-    let mut pairs = residual.components().zip(allowed.components());
-    pairs.position(|(residual, allowed)| {
-        let excess = (residual - allowed).largest();
-        excess.is_nan() || excess > 0.0
-    })
+    let excess = residual.zip_map(allowed, |residual, allowed| residual - allowed);
+    let is_beyond = |excess: S| excess.largest() > 0.0 || excess.largest().is_nan();
+    if !excess
+        .components()
+        .fold(false, |any, excess| any | is_beyond(excess))
+    {
+        return None;
+    }
+    excess.components().position(is_beyond)
 }

@@ -30,9 +30,9 @@ where
 /// The largest component over its tolerance.
 #[inline]
 pub(super) fn weighted_norm<S: Scalar, X: VectorSpace<S>>(vector: &X, weights: &X) -> f64 {
-    let pairs = vector.components().zip(weights.components());
-    let ratios = pairs.map(|(component, weight)| (component.abs() * weight).largest());
-    ratios.fold(0.0, f64::max)
+    let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
+    let largest = ratios.components().map(Scalar::largest);
+    largest.fold(0.0, f64::max)
 }
 
 /// What the coefficients of a polynomial say about the length of a step.

@@ -179,12 +179,11 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         if needed && h.is_normal() {
             next_proposal = self.expand(dynamics, next, power_of_two_near(h)).ok();
         }
-        let derivative = match next_proposal {
-            Some(_) => self.polynomials[next].first_derivative(),
-            None => {
-                self.statistics.evaluations += 1;
-                dynamics.derivative(point.t, &point.state)
-            }
+        let derivative = if next_proposal.is_some() {
+            self.polynomials[next].first_derivative()
+        } else {
+            self.statistics.evaluations += 1;
+            dynamics.derivative(point.t, &point.state)
         };
         let allowance = self.allowance(h);
         allowance.check(dynamics, &point, &derivative)?;
