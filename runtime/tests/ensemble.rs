@@ -112,7 +112,7 @@ fn a_motion_has_the_bits_that_it_has_alone() {
     for (found, (start, end)) in together.iter().zip(motions()) {
         let found = found.as_ref().unwrap();
         let alone = method
-            .ensemble::<1>()
+            .ensemble::<2>()
             .collect(&DoublePendulum.dynamics(), [(start, end)]);
         assert_eq!(found, alone[0].as_ref().unwrap());
         assert_eq!(found.reason, StopReason::Completed);
