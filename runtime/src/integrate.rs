@@ -15,7 +15,9 @@ mod runge_kutta;
 mod dormand_prince;
 mod tolerance;
 mod taylor;
+mod event;
 mod stop_condition;
+mod reacting;
 mod observer;
 mod outcome;
 #[cfg(feature = "alloc")]
@@ -37,6 +39,7 @@ pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
+pub use event::{Crossing, Event, MetConditions, Occurrence, Reaction, Watched, ZeroCrossing};
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
@@ -45,9 +48,7 @@ pub use running_integration::{RunningIntegration, Step, Steps};
 pub use sample::{InitialValue, Sample};
 pub use singularity::Singularity;
 pub use stepper::{Advance, Statistics, Stepper};
-pub use stop_condition::{
-    Crossing, MetConditions, Predicate, StopCondition, Unconditional, ZeroCrossing,
-};
+pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
 pub use taylor::{
     Convolutions, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,

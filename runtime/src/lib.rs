@@ -57,12 +57,12 @@ pub use model::emitted as __private;
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
     Advance, ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Convolutions, Crossing,
-    DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver, Dynamics, InitialValue,
+    DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver, Dynamics, Event, InitialValue,
     IntegrationError, IntegrationMethod, Integrator, Interpolant, MetConditions, ObservationKind,
-    Observer, Outcome, Predicate, Progress, RungeKutta, RungeKuttaStepper, RunningIntegration,
-    Sample, Series, Singularity, Statistics, Step, Stepper, Steps, StopCondition, StopReason,
-    Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, Unconditional, Unobserved,
-    ZeroCrossing,
+    Observer, Occurrence, Outcome, Predicate, Progress, Reaction, RungeKutta, RungeKuttaStepper,
+    RunningIntegration, Sample, Series, Singularity, Statistics, Step, Stepper, Steps,
+    StopCondition, StopReason, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
+    Unconditional, Unobserved, Watched, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
@@ -73,8 +73,8 @@ pub use linalg::{Factorization, IntoVector, LaneStates, VectorSpace};
 pub use model::{
     AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, ExternalFunctions,
     FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, MotionSeries,
-    OperationCount, Operations, Outputs, OutputsWith, Phase, Plant, State, WithController,
-    WithInputs,
+    OperationCount, Operations, Outputs, OutputsWith, OwnedEquations, Phase, Plant, State,
+    WithController, WithInputs,
 };
 pub use nalgebra;
 pub use num_traits;

@@ -36,7 +36,7 @@ pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 /// An angle up to this is not reduced by whole periods: its rounding error is that of π or twice as much.
 pub(crate) const SMALL_ANGLE: f64 = 8.0;
 
-/// Location of events: stop conditions within a step.
+/// Location of events within a step.
 pub(crate) mod events {
     /// The resolution of time, in machine epsilons of the time and of the
     /// step: the value that SUNDIALS uses for the same purpose.
@@ -46,8 +46,33 @@ pub(crate) mod events {
     /// It trades evaluations, logarithmic in the step, for the shortest flight that is seen.
     pub(crate) const DEPARTURE_GROWTH: f64 = 4.0;
 
-    /// Halvings of a step. Between its ends are fewer than 2⁶⁴ numbers unless one of them is near zero.
-    pub(crate) const BISECTIONS: usize = 64;
+    /// Divisions of a bracket, of which there are at most one more than by bisection. Between its ends are fewer than 2⁶⁴
+    /// numbers unless one of them is near zero.
+    pub(crate) const DIVISIONS: usize = 66;
+
+    /// The parts of a step at whose ends event functions are evaluated, for methods with dense output. By judgement; an
+    /// adaptive step is a fraction of the fastest oscillation of the motion.
+    pub(crate) const PARTS: u32 = 8;
+
+    /// How far a state is moved to see the rounding errors of event functions, in machine epsilons.
+    pub(crate) const MOVED_EPSILONS: f64 = 4.0;
+
+    /// The parts of the last step over which a state is extrapolated to see in which direction an event function goes,
+    /// each if the one before shows nothing but rounding errors.
+    pub(crate) const EXTRAPOLATIONS: [f64; 3] = [1.0 / 1024.0, 1.0 / 32.0, 1.0];
+
+    /// The rounding errors that an event function has to exceed after a reaction to count again.
+    pub(crate) const COOLDOWN: f64 = 4.0;
+
+    /// An event that occurs again within this many resolutions of time may be one of a series that accumulates.
+    pub(crate) const SHORT_TIME: f64 = 1024.0;
+
+    /// The same in lengths of the last step, for an event function that has not left its rounding errors in between.
+    pub(crate) const SHORT_PART: f64 = 0.125;
+
+    /// How many occurrences of one event there may be in a row, each within a short time after the one before: a ball whose
+    /// bounces become ever shorter is then at rest.
+    pub(crate) const OCCURRENCES: f64 = 8.0;
 }
 
 /// Fixed steps.

@@ -3,11 +3,12 @@
 //! The derive macro, the traits of models, the integrators, and the vectors and matrices of their signatures.
 
 pub use crate::{
-    Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies,
+    Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, Event,
     ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
-    Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Observer, Outcome,
-    Outputs, OutputsWith, Phase, Plant, Progress, RungeKutta, RunningIntegration, Sample, Scalar,
-    State, Statistics, Step, Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
+    Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Observer, Occurrence,
+    Outcome, Outputs, OutputsWith, Phase, Plant, Progress, Reaction, RungeKutta,
+    RunningIntegration, Sample, Scalar, State, Statistics, Step, Stepper, StopReason, Taylor,
+    VectorSpace, WithController, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 

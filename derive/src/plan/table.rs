@@ -107,8 +107,9 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 7] = [
+const PROVIDED: [&str; 8] = [
     "dynamics",
+    "into_dynamics",
     "taylor_series",
     "inputs",
     "with_inputs",

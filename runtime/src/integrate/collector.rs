@@ -1,6 +1,8 @@
 //! What a driver collects on the way.
 
 use super::dynamics::Dynamics;
+#[cfg(feature = "alloc")]
+use super::event::Occurrence;
 use super::sample::Sample;
 use crate::scalar::Scalar;
 
@@ -9,6 +11,11 @@ pub(crate) trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
     /// A sample.
     fn sample(&mut self, sample: &Sample<D::State>) {
         let _ = sample;
+    }
+
+    /// An event of that index, and where it occurred.
+    fn event(&mut self, event: usize, there: &Sample<D::State>) {
+        let _ = (event, there);
     }
 
     /// The last step of `stepper`, which is part of the motion until `end`.
@@ -22,13 +29,21 @@ pub(crate) struct Uncollected;
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Uncollected {}
 
-/// The samples.
+/// The samples and the events.
 #[cfg(feature = "alloc")]
-pub(crate) struct Samples<X>(pub(crate) alloc::vec::Vec<Sample<X>>);
+pub(crate) struct Samples<X> {
+    pub(crate) samples: alloc::vec::Vec<Sample<X>>,
+    pub(crate) events: alloc::vec::Vec<Occurrence<X>>,
+}
 
 #[cfg(feature = "alloc")]
 impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Samples<D::State> {
     fn sample(&mut self, sample: &Sample<D::State>) {
-        self.0.push(sample.clone());
+        self.samples.push(sample.clone());
+    }
+
+    fn event(&mut self, event: usize, there: &Sample<D::State>) {
+        let Sample { t, x } = there.clone();
+        self.events.push(Occurrence { event, t, x });
     }
 }

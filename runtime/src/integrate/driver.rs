@@ -4,6 +4,7 @@
 //! observer, and the outcome. Nothing here allocates but [`Driver::sample`], which collects. Errors are values; the
 //! sample times are visited in order, each once.
 
+mod events;
 mod run;
 
 pub(crate) use run::check_times;
@@ -20,9 +21,11 @@ use super::error::IntegrationError;
 use super::integrator::Integrator;
 use super::observer::{Observer, Unobserved};
 use super::outcome::Outcome;
+#[cfg(feature = "alloc")]
+use super::reacting::{React, Unreacting};
 use super::running_integration::RunningIntegration;
 use super::sample::InitialValue;
-use super::stop_condition::{Crossing, Predicate, StopCondition, Unconditional, ZeroCrossing};
+use super::stop_condition::{Predicate, StopCondition, Unconditional};
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
 use crate::limits::MAX_STEPS;
@@ -62,11 +65,10 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// # Restarting after a stop
+/// # Events and reactions
 ///
-/// Change the state at which the integration stopped, or the model, and integrate from there. The zero at the new
-/// initial time is not reported again. Where a velocity is reversed, give the direction of the crossing: a ball
-/// bounces where its height falls through zero.
+/// An event has a function, whose zeros are located within a step, and the direction in which it crosses zero. A reaction
+/// changes the state or the model there, and the integration goes on: a ball bounces where its height falls through zero.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -80,30 +82,27 @@ use crate::scalar::Scalar;
 /// struct Ball { m: f64, g: f64 }
 ///
 /// let ball = Ball { m: 0.1, g: 10.0 };
-/// let method = Dop853::new();
-/// let mut state = State::new(0.0, [5.0], [0.0]);
-/// let mut bounces = 0;
-/// loop {
-///     let driver = method.driver().stop_at_crossing(
-///         Crossing::Falling,
-///         |_, x: &Phase<f64, 1>| x.q[Ball::HEIGHT],
-///     );
-///     let outcome = driver.run_until(&ball.dynamics(), state, 2.995)?;
-///     state = outcome.last.state();
-///     if outcome.reason != StopReason::Condition {
-///         break;
-///     }
-///     state.v[Ball::HEIGHT] *= -0.5;
-///     bounces += 1;
-/// }
+/// let start = State::new(0.0, [5.0], [0.0]);
+/// let driver = Dop853::new()
+///     .driver()
+///     .events(Event::falling(), |_, x: &Phase<f64, 1>| x.q[Ball::HEIGHT]);
+/// let bounce = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
+///     x.v[Ball::HEIGHT] *= -0.5;
+///     Reaction::Changed
+/// };
+/// let motion = driver.sample_reacting(&mut ball.dynamics(), start, &[2.995, 10.0], bounce)?;
 /// // It falls for 1 s and flies for 1 s, ½ s, ¼ s, …: the ninth bounce is at t = 3 − 2⁻⁷.
-/// assert_eq!((bounces, state.t), (9, 2.995));
+/// assert_eq!(motion.events().iter().filter(|event| event.t < 2.995).count(), 9);
+/// // Then it is at rest.
+/// assert_eq!(motion.reason(), StopReason::Zeno);
+/// assert!((motion.last().t - 3.0).abs() < 1e-8);
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// The flights become ever shorter here (Zeno behaviour). Once one is shorter than the resolution of time, its end is
-/// not detected, and the ball falls through the floor: let it rest where its velocity is small, as by
-/// `if state.v[0].abs() < 1e-6`. An integration consumes its driver; one with the same settings is a `clone()`.
+/// The flights become ever shorter here (Zeno behaviour), which ends the integration. A reaction to an event that is to
+/// hold the ball on the floor changes the model.
+///
+/// An integration consumes its driver; one with the same settings is a `clone()`.
 #[derive(Clone, Debug)]
 pub struct Driver<I, C = Unconditional, O = Unobserved> {
     integrator: I,
@@ -161,34 +160,6 @@ impl<I, C, O> Driver<I, C, O> {
         self.with_condition(Predicate(condition))
     }
 
-    /// Stops where `function(t, x)` crosses zero in either direction; see
-    /// [`stop_at_crossing`](Self::stop_at_crossing).
-    #[must_use]
-    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, ZeroCrossing<F>, O> {
-        self.stop_at_crossing(Crossing::Either, function)
-    }
-
-    /// Stops where `function(t, x)` crosses zero in the direction `crossing`, or reaches it. For several event
-    /// functions, `function` returns an array of values and `crossing` is an array of the same length;
-    /// [`Outcome::met`] tells which of them stopped the integration. A closure names the type of the state, as under
-    /// [`stop_when`](Self::stop_when).
-    ///
-    /// A crossing is detected if the signs at the two ends of a step differ. It is located within the step by
-    /// bisection of the dense output, and the state is that just after it. A zero without a change of sign is not
-    /// detected, nor are two within one step: limit the step size of the method. Where the function is NaN, or
-    /// zero for a while, the last sign counts.
-    ///
-    /// A zero at the initial time is not a crossing. See
-    /// [how to restart](Driver#restarting-after-a-stop).
-    #[must_use]
-    pub fn stop_at_crossing<F, K>(
-        self,
-        crossing: K,
-        function: F,
-    ) -> Driver<I, ZeroCrossing<F, K>, O> {
-        self.with_condition(ZeroCrossing { function, crossing })
-    }
-
     fn with_condition<E>(self, condition: E) -> Driver<I, E, O> {
         Driver {
             integrator: self.integrator,
@@ -225,7 +196,7 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<Outcome<D::State>, IntegrationError>
     where
         I: Integrator<S, D>,
-        C: StopCondition<D::State>,
+        C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
         self.run_through(dynamics, initial, &[end])
@@ -245,7 +216,7 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<Outcome<D::State>, IntegrationError>
     where
         I: Integrator<S, D>,
-        C: StopCondition<D::State>,
+        C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
         let initial = initial.into_sample();
@@ -268,14 +239,36 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
     where
         I: Integrator<S, D>,
-        C: StopCondition<D::State>,
+        C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
-        let mut samples = Samples(alloc::vec::Vec::with_capacity(times.len()));
+        self.collect(&mut Unreacting(dynamics), initial, times)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn collect<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        system: &mut impl React<D, D::State>,
+        initial: impl InitialValue<D::State>,
+        times: &[f64],
+    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+    {
+        let mut samples = Samples {
+            samples: alloc::vec::Vec::with_capacity(times.len()),
+            events: alloc::vec::Vec::new(),
+        };
         let initial = initial.into_sample();
-        let (outcome, result) = self.run(dynamics, &initial, times, &mut samples);
-        let samples = samples.0;
-        let trajectory = Trajectory { samples, outcome };
+        let (outcome, result) = self.run_parts(system, &initial, times, &mut samples);
+        let Samples { samples, events } = samples;
+        let trajectory = Trajectory {
+            samples,
+            events,
+            outcome,
+        };
         match result {
             Ok(()) => Ok(trajectory),
             Err(error) => Err(PartialTrajectory::new(error, trajectory)),
@@ -322,7 +315,7 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator<S, D, Stepper = T>,
         T: DenseOutput<S, D>,
-        C: StopCondition<D::State>,
+        C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
         let mut segments = Segments::new();

@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 
 use super::stepper::Statistics;
 
-/// What a [`Driver`](crate::Driver) calls at every sample and at the end of every step: a closure that
+/// What a [`Driver`](crate::Driver) calls at every sample, at every event and at the end of every step: a closure that
 /// takes a [`Progress`], or a type of your own.
 pub trait Observer<X> {
     /// Called with the present state; [`ControlFlow::Break`] stops the integration.
@@ -71,8 +71,11 @@ impl<X> Observer<X> for Unobserved {
 pub enum ObservationKind {
     /// One of the sample times. The samples within a step come before its end.
     Sample,
-    /// The end of a step.
+    /// The end of a step, or of the part of it that counts: up to where the integration stops, or where a reaction has
+    /// changed the state, which is then the changed one.
     Step,
+    /// An event, of that index. The state is the one before any reaction.
+    Event(usize),
 }
 
 /// The progress of an integration.

@@ -1,16 +1,20 @@
 //! How an integration ended.
 
+use super::event::MetConditions;
 use super::sample::Sample;
 use super::stepper::Statistics;
-use super::stop_condition::MetConditions;
 
 /// Why an integration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
     /// The final time was reached.
     Completed,
-    /// A stop condition was met.
+    /// A stop condition was met, a terminal event occurred, or a reaction ended it.
     Condition,
+    /// An event has occurred again and again in too short a time (Zeno behaviour): a ball whose bounces have become so
+    /// short is at rest. More than eight times in a row the event came, and the method began anew, within 1024 times what
+    /// is resolved, 100 ε (|t| + h) after steps of the length h.
+    Zeno,
     /// The observer stopped it.
     Observer,
     /// The steps that the driver allows at a time were taken ([`Driver::max_steps`](crate::Driver::max_steps)). It can go
@@ -27,8 +31,10 @@ pub struct Outcome<X> {
     pub last: Sample<X>,
     /// Why it is the last.
     pub reason: StopReason,
-    /// Which stop conditions were met there; none unless they are the reason.
+    /// Which stop conditions were met there, or which events occurred; none unless they are the reason.
     pub met: MetConditions,
+    /// Which events have occurred at any time. An observer sees each of them, and a trajectory lists them.
+    pub occurred: MetConditions,
     /// Its cost.
     pub statistics: Statistics,
 }
@@ -40,6 +46,7 @@ impl<X> Outcome<X> {
             last,
             reason: StopReason::Error,
             met: MetConditions::default(),
+            occurred: MetConditions::default(),
             statistics: Statistics::default(),
         }
     }

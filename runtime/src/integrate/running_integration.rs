@@ -7,6 +7,7 @@ use super::error::IntegrationError;
 use super::integrator::Integrator;
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
+use super::reacting::Unreacting;
 use super::sample::Sample;
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stop_condition::StopCondition;
@@ -176,7 +177,7 @@ where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     I: Integrator<S, D>,
-    C: StopCondition<D::State>,
+    C: StopCondition<S, D>,
     O: Observer<D::State>,
 {
     /// Integrates until the time `end`, which may lie before the present one, until a condition or the observer stops,
@@ -221,9 +222,13 @@ where
     fn advance(&mut self, end: f64, steps: u64) -> Result<Outcome<D::State>, IntegrationError> {
         check_times(self.time(), &[end])?;
         let (dynamics, stepper) = (self.dynamics, &mut self.stepper);
-        let (outcome, result) =
-            self.driver
-                .advance(dynamics, stepper, &[end], steps, &mut Uncollected);
+        let (outcome, result) = self.driver.advance(
+            &mut Unreacting(dynamics),
+            stepper,
+            &[end],
+            steps,
+            &mut Uncollected,
+        );
         result?;
         let Sample { t, x } = &outcome.last;
         if *t - self.time() != 0.0 {
@@ -250,7 +255,7 @@ where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     I: Integrator<S, D>,
-    C: StopCondition<D::State>,
+    C: StopCondition<S, D>,
     O: Observer<D::State>,
 {
     type Item = Result<Step<D::State>, IntegrationError>;

@@ -5,16 +5,17 @@ use core::fmt;
 
 use super::dense_solution::DenseSolution;
 use super::error::IntegrationError;
+use super::event::{MetConditions, Occurrence};
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
 use super::stepper::Statistics;
-use super::stop_condition::MetConditions;
 use crate::number_format::Readable;
 
 /// The samples of a motion, in the order of the requested times, and its outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory<X> {
     pub(super) samples: Vec<Sample<X>>,
+    pub(super) events: Vec<Occurrence<X>>,
     pub(super) outcome: Outcome<X>,
 }
 
@@ -29,6 +30,12 @@ impl<X> Trajectory<X> {
     #[must_use]
     pub fn into_samples(self) -> Vec<Sample<X>> {
         self.samples
+    }
+
+    /// The events that occurred, in the order of time, simultaneous ones in the order of their indices.
+    #[must_use]
+    pub fn events(&self) -> &[Occurrence<X>] {
+        &self.events
     }
 
     /// The number of samples.
@@ -56,10 +63,16 @@ impl<X> Trajectory<X> {
         self.outcome.reason
     }
 
-    /// Which stop conditions were met at its end.
+    /// Which stop conditions were met at its end, or which events occurred there.
     #[must_use]
     pub fn met(&self) -> MetConditions {
         self.outcome.met
+    }
+
+    /// How the integration ended.
+    #[must_use]
+    pub fn outcome(&self) -> &Outcome<X> {
+        &self.outcome
     }
 
     /// Its cost.

@@ -112,14 +112,7 @@ where
 
     #[inline]
     fn reduced(&self, x: &Phase<S, N>, compensation: &Phase<S, N>) -> Phase<S, N> {
-        let mut reduced = *x;
-        for (i, angle) in reduced.q.iter_mut().enumerate() {
-            let period = M::PERIODS[i];
-            if period > 0 && !M::IGNORABLE[i] && is_large(*angle) {
-                *angle = less_whole_periods(*angle, compensation.q[i], period);
-            }
-        }
-        reduced
+        reduced::<M, S, N>(x, compensation)
     }
 
     #[inline]
@@ -159,6 +152,26 @@ where
     fn component_name(&self, index: usize) -> ComponentName {
         component_name::<M, N>(index)
     }
+}
+
+/// The phase with angles less whole periods.
+#[inline]
+pub(super) fn reduced<M, S, const N: usize>(
+    x: &Phase<S, N>,
+    compensation: &Phase<S, N>,
+) -> Phase<S, N>
+where
+    M: GeneralizedCoordinates<N> + ?Sized,
+    S: Scalar,
+{
+    let mut reduced = *x;
+    for (i, angle) in reduced.q.iter_mut().enumerate() {
+        let period = M::PERIODS[i];
+        if period > 0 && !M::IGNORABLE[i] && is_large(*angle) {
+            *angle = less_whole_periods(*angle, compensation.q[i], period);
+        }
+    }
+    reduced
 }
 
 /// |qᵢ| and |q̇ᵢ|, but 1 for an angle, which is periodic, and max(1, |q̇ᵢ|) for an ignorable coordinate, whose

@@ -5,6 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::equations_of_motion::EquationsOfMotion;
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::linearization::Linearization;
+use super::owned_equations::OwnedEquations;
 use super::state::State;
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
@@ -83,6 +84,14 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         Self: Sized,
     {
         EquationsOfMotion::new(self)
+    }
+
+    /// The equations of motion together with the model, so that a reaction to an event can change its parameters.
+    fn into_dynamics(self) -> OwnedEquations<Self, S, N>
+    where
+        Self: Sized,
+    {
+        OwnedEquations::new(self)
     }
 }
 

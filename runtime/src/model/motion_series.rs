@@ -2,6 +2,7 @@
 
 use super::equations_of_motion::EquationsOfMotion;
 use super::lagrangian::Lagrangian;
+use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{Series, TaylorCoefficients};
@@ -30,6 +31,24 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
 impl<M, S, const N: usize> Series<S> for EquationsOfMotion<'_, M, S, N>
 where
     M: MotionSeries<N, S> + ?Sized,
+    S: Scalar,
+{
+    #[inline]
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Phase<S, N>,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    ) {
+        self.model
+            .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
+    }
+}
+
+impl<M, S, const N: usize> Series<S> for OwnedEquations<M, S, N>
+where
+    M: MotionSeries<N, S>,
     S: Scalar,
 {
     #[inline]

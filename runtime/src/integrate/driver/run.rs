@@ -1,17 +1,17 @@
 //! What a driver does before the first step, and how it goes on.
 
-use core::marker::PhantomData;
-
 use super::Driver;
 use crate::integrate::collector::Collector;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::integration::{Integration, check_singularity};
+use crate::integrate::event::Reaction;
+use crate::integrate::integration::{Beginning, Integration, Interruption, check_singularity};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
-use crate::integrate::outcome::Outcome;
+use crate::integrate::outcome::{Outcome, StopReason};
+use crate::integrate::reacting::{React, Unreacting};
 use crate::integrate::sample::Sample;
-use crate::integrate::stepper::{Stepper, checked_state};
+use crate::integrate::stepper::{Advance as _, Stepper as _, checked_state};
 use crate::integrate::stop_condition::StopCondition;
 use crate::limits::MIN_SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
@@ -27,14 +27,30 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
         I: Integrator<S, D>,
-        C: StopCondition<D::State>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+    {
+        self.run_parts(&mut Unreacting(dynamics), initial, times, collector)
+    }
+
+    /// The same, with reactions to events.
+    pub(crate) fn run_parts<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        system: &mut impl React<D, D::State>,
+        initial: &Sample<D::State>,
+        times: &[f64],
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
         let checked = check_times(initial.t, times);
-        match checked.and_then(|()| self.begin(dynamics, initial)) {
+        match checked.and_then(|()| self.begin(system.dynamics(), initial)) {
             Ok(mut stepper) => {
                 let steps = self.max_steps;
-                self.advance(dynamics, &mut stepper, times, steps, collector)
+                self.advance(system, &mut stepper, times, steps, collector)
             }
             Err(error) => (Outcome::at(initial.clone()), Err(error)),
         }
@@ -43,7 +59,7 @@ impl<I, C, O> Driver<I, C, O> {
     /// Goes on through `times`, which are checked, with at most so many more steps.
     pub(crate) fn advance<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
-        dynamics: &D,
+        system: &mut impl React<D, D::State>,
         stepper: &mut I::Stepper,
         times: &[f64],
         steps: u64,
@@ -51,28 +67,82 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
         I: Integrator<S, D>,
-        C: StopCondition<D::State>,
+        C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
         let (t, x) = (stepper.time(), stepper.state().clone());
         let mut outcome = Outcome::at(Sample { t, x });
-        let mut integration = Integration {
-            dynamics,
-            start: t,
-            end: times.last().copied().unwrap_or(t),
-            waiting: times,
-            min_pivot: self.min_pivot::<S, D>(),
-            step_limit: stepper.statistics().attempts().saturating_add(steps),
-            stepper,
-            condition: &mut self.condition,
-            evaluated_until: None,
-            observer: &mut self.observer,
-            collector,
-            outcome: &mut outcome,
-            scalar: PhantomData,
-        };
-        let result = integration.complete();
+        let result = self.advance_parts(system, stepper, (times, steps), collector, &mut outcome);
+        let result = result.map(|reason| outcome.reason = reason);
         (outcome, result)
+    }
+
+    /// One part after the other, with a reaction between them.
+    fn advance_parts<S: Scalar, D: Dynamics<S> + ?Sized, R: React<D, D::State>>(
+        &mut self,
+        system: &mut R,
+        stepper: &mut I::Stepper,
+        (mut waiting, steps): (&[f64], u64),
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+        outcome: &mut Outcome<D::State>,
+    ) -> Result<StopReason, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+    {
+        let Sample { t: start, x } = outcome.last.clone();
+        let mut memory = self.condition.begin(system.dynamics(), start, &x);
+        let end = waiting.last().copied().unwrap_or(start);
+        let min_pivot = self.min_pivot::<S, D>();
+        let step_limit = stepper.statistics().attempts().saturating_add(steps);
+        let (mut beginning, mut is_visited) = (Beginning::Initial, true);
+        loop {
+            let mut part = Integration {
+                dynamics: system.dynamics(),
+                stepper: &mut *stepper,
+                start,
+                end,
+                waiting: &mut waiting,
+                min_pivot,
+                step_limit,
+                condition: &mut self.condition,
+                memory: &mut memory,
+                reacts: R::REACTS,
+                is_visited,
+                observer: &mut self.observer,
+                collector: &mut *collector,
+                outcome: &mut *outcome,
+            };
+            let occurring = match part.run(beginning)? {
+                Interruption::Stop(reason) => return Ok(reason),
+                Interruption::Reaction(occurring) => occurring,
+            };
+            is_visited = part.is_visited;
+            part.record_until(occurring.t);
+            let mut x = outcome.last.x.clone();
+            let reaction = system.react(occurring, &mut x);
+            if reaction == Reaction::Unchanged {
+                beginning = Beginning::Unchanged;
+                continue;
+            }
+            let dynamics = system.dynamics();
+            let step = stepper.time() - stepper.previous_time();
+            stepper.restart_at(dynamics, occurring.t, x.clone())?;
+            let condition = &mut self.condition;
+            let accumulating = condition.restart(&mut memory, dynamics, occurring, &x, step);
+            outcome.last.x = x;
+            outcome.statistics = stepper.statistics();
+            if reaction == Reaction::Stop {
+                outcome.met = occurring.events;
+                return Ok(StopReason::Condition);
+            }
+            if accumulating.any() {
+                outcome.met = accumulating;
+                return Ok(StopReason::Zeno);
+            }
+            (is_visited, beginning) = (true, Beginning::Changed);
+        }
     }
 
     /// Checks the settings and the initial value. The singularity comes before the derivative: where M is

@@ -4,9 +4,9 @@ use core::iter::Fuse;
 
 use super::Ensemble;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::event::MetConditions;
 use crate::integrate::outcome::{Outcome, StopReason};
 use crate::integrate::sample::Sample;
-use crate::integrate::stop_condition::MetConditions;
 use crate::integrate::taylor::{Series, TaylorLanes};
 use crate::linalg::{LaneStates, VectorSpace};
 use crate::scalar::Lanes;
@@ -137,6 +137,7 @@ where
             last: Sample { t, x },
             reason,
             met: MetConditions::default(),
+            occurred: MetConditions::default(),
             statistics,
         }))
     }

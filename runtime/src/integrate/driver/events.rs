@@ -1,0 +1,128 @@
+//! Events, and integrations with reactions to them.
+
+use super::Driver;
+use crate::integrate::collector::Uncollected;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::event::{Crossing, Reaction, Watched, ZeroCrossing};
+use crate::integrate::integrator::Integrator;
+use crate::integrate::observer::Observer;
+use crate::integrate::outcome::Outcome;
+use crate::integrate::reacting::Reacting;
+use crate::integrate::sample::InitialValue;
+use crate::integrate::stop_condition::StopCondition;
+#[cfg(feature = "alloc")]
+use crate::integrate::trajectory::{PartialTrajectory, Trajectory};
+use crate::scalar::Scalar;
+
+impl<I, C, O> Driver<I, C, O> {
+    /// Stops where `function(t, x)` crosses zero in either direction; see
+    /// [`stop_at_crossing`](Self::stop_at_crossing).
+    #[must_use]
+    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, ZeroCrossing<F>, O> {
+        self.stop_at_crossing(Crossing::Either, function)
+    }
+
+    /// Stops where `function(t, x)` crosses zero in the direction `crossing`, or reaches it: a terminal
+    /// [event](Self::events). For several event functions, `function` returns an array of values and `crossing` is an
+    /// array of the same length; [`Outcome::met`] tells which of them stopped the integration. A closure names the type
+    /// of the state, as under [`stop_when`](Self::stop_when).
+    #[must_use]
+    pub fn stop_at_crossing<F, W: Watched>(
+        self,
+        crossing: W,
+        function: F,
+    ) -> Driver<I, ZeroCrossing<F, W>, O> {
+        self.events(crossing, function)
+    }
+
+    /// Watches for events, at which `function(t, x)` crosses zero. `events` is an [`Event`] or, for a function that
+    /// returns an array of values, an array of the same length. Each says in which direction the function crosses zero,
+    /// and whether the integration stops there. The others are seen by the observer, are listed in a
+    /// [`Trajectory`](crate::Trajectory), and may be reacted to ([`run_reacting`](Self::run_reacting)). A closure names
+    /// the type of the state, as under [`stop_when`](Self::stop_when).
+    ///
+    /// The function is evaluated at the ends of steps and, where a method has dense output, of eighths of steps
+    /// ([`event_samples`](Driver::event_samples)). Where the signs at two neighbouring times differ, a zero is located
+    /// between them, to the resolution of time, and the state is that just after it. A zero without a change of sign is
+    /// not detected, nor are two between neighbouring times. Where the function is NaN, or zero for a while, the last sign
+    /// counts. From zero there is no crossing: a function that reaches zero and stays there is reported once.
+    ///
+    /// A zero at the initial time is not a crossing, so that an integration can go on from where an event has stopped one.
+    #[must_use]
+    pub fn events<F, W: Watched>(self, events: W, function: F) -> Driver<I, ZeroCrossing<F, W>, O> {
+        self.with_condition(ZeroCrossing {
+            function,
+            events,
+            parts: None,
+        })
+    }
+
+    /// Integrates from `initial` until the time `end`, as [`run_until`](Self::run_until) does, and calls
+    /// `reaction(event, t, x, dynamics)` at each [event](Self::events) that is not terminal. It may change the state, and
+    /// the dynamics: those of a model that [own it](crate::Lagrangian::into_dynamics) are prepared again when it is
+    /// changed.
+    ///
+    /// Events come in the order of time, simultaneous ones in the order of their indices, before the first of which the
+    /// observer has seen them all. From a changed state the method begins anew. The zero to which the reaction was is not
+    /// reported again: its event function counts again as soon as it has left its rounding errors. A sample at the time
+    /// of a reaction has the state before it.
+    ///
+    /// Where the reactions to an event come more and more often, as the bounces of a ball do before it is at rest, the
+    /// integration ends with [`StopReason::Zeno`].
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn run_reacting<S: Scalar, D: Dynamics<S> + ?Sized, F>(
+        mut self,
+        dynamics: &mut D,
+        initial: impl InitialValue<D::State>,
+        end: f64,
+        reaction: F,
+    ) -> Result<Outcome<D::State>, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+        F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
+    {
+        let initial = initial.into_sample();
+        let mut system = Reacting { dynamics, reaction };
+        let (outcome, result) = self.run_parts(&mut system, &initial, &[end], &mut Uncollected);
+        result.map(|()| outcome)
+    }
+
+    /// The motion from `initial` at each of `times`, with reactions to events as under
+    /// [`run_reacting`](Self::run_reacting).
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the samples up to then.
+    #[cfg(feature = "alloc")]
+    pub fn sample_reacting<S: Scalar, D: Dynamics<S> + ?Sized, F>(
+        mut self,
+        dynamics: &mut D,
+        initial: impl InitialValue<D::State>,
+        times: &[f64],
+        reaction: F,
+    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+        F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
+    {
+        self.collect(&mut Reacting { dynamics, reaction }, initial, times)
+    }
+}
+
+impl<I, F, W, O> Driver<I, ZeroCrossing<F, W>, O> {
+    /// Sets the number of equal parts of each step at whose ends event functions are evaluated: 8 by default, and 1 for
+    /// methods without dense output.
+    #[must_use]
+    pub fn event_samples(mut self, parts: u32) -> Self {
+        self.condition.parts = Some(parts);
+        self
+    }
+}

@@ -1,0 +1,136 @@
+//! Events: zeros of functions of time and state within the steps of an integration.
+//!
+//! Comes in: the last step of any method. Goes out: where in it which events occur, in the order of time. What happens
+//! then is the driver's business. Nothing here allocates.
+//!
+//! L. F. Shampine & S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000)
+//! 43–54, show that the error of an integration which restarts at an event is of the order of the method.
+
+mod detection;
+mod last_step;
+mod location;
+mod memory;
+mod sampling;
+mod functions;
+mod met_conditions;
+
+pub(crate) use detection::{Detection, Occurring};
+pub use functions::{Watched, ZeroCrossing};
+pub(crate) use last_step::LastStep;
+pub use met_conditions::MetConditions;
+
+/// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Crossing {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// In one direction or the other.
+    Either,
+}
+
+impl Crossing {
+    /// Whether zero is crossed or reached between two values. From zero there is no crossing, and NaN has no sign.
+    pub(crate) fn between(self, before: f64, after: f64) -> bool {
+        let rises = before < 0.0 && after >= 0.0;
+        let falls = before > 0.0 && after <= 0.0;
+        match self {
+            Self::Rising => rises,
+            Self::Falling => falls,
+            Self::Either => rises || falls,
+        }
+    }
+
+    /// The same between the initial time and the next distinguishable time. For either direction, a change
+    /// of sign there is taken for the zero at the initial time.
+    pub(crate) fn after_start(self, before: f64, after: f64) -> bool {
+        self != Self::Either && self.between(before, after)
+    }
+}
+
+/// What is watched for: that an event function crosses zero, in which direction, and whether the integration stops
+/// there.
+///
+/// ```
+/// use lagrangian::{Crossing, Event};
+///
+/// let floor = Event::falling().terminal();
+/// assert_eq!(floor.crossing(), Crossing::Falling);
+/// assert!(floor.is_terminal());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Event {
+    crossing: Crossing,
+    is_terminal: bool,
+}
+
+impl Event {
+    /// The function crosses zero in the direction given, or reaches it from that side.
+    #[must_use]
+    pub const fn new(crossing: Crossing) -> Self {
+        Self {
+            crossing,
+            is_terminal: false,
+        }
+    }
+
+    /// The function crosses zero in one direction or the other.
+    #[must_use]
+    pub const fn either() -> Self {
+        Self::new(Crossing::Either)
+    }
+
+    /// The function rises through zero.
+    #[must_use]
+    pub const fn rising() -> Self {
+        Self::new(Crossing::Rising)
+    }
+
+    /// The function falls through zero.
+    #[must_use]
+    pub const fn falling() -> Self {
+        Self::new(Crossing::Falling)
+    }
+
+    /// The integration stops there.
+    #[must_use]
+    pub const fn terminal(mut self) -> Self {
+        self.is_terminal = true;
+        self
+    }
+
+    /// The direction.
+    #[must_use]
+    pub const fn crossing(self) -> Crossing {
+        self.crossing
+    }
+
+    /// Whether the integration stops there.
+    #[must_use]
+    pub const fn is_terminal(self) -> bool {
+        self.is_terminal
+    }
+}
+
+/// What is to happen after the reaction to an event ([`Driver::run_reacting`](crate::Driver::run_reacting)).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reaction {
+    /// Nothing was changed: the integration goes on as if nothing had happened. Changes of the state are dropped.
+    Unchanged,
+    /// The state or the dynamics were changed: the method begins anew from there.
+    Changed,
+    /// The integration ends there.
+    Stop,
+}
+
+/// An event that occurred: which, when, and the state there, before any reaction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Occurrence<X> {
+    /// The index of the event.
+    pub event: usize,
+    /// The time.
+    pub t: f64,
+    /// The state.
+    pub x: X,
+}

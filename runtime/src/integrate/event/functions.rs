@@ -1,0 +1,166 @@
+//! Event functions that are closures.
+
+use super::memory::Memory;
+use super::{Crossing, Detection, Event, LastStep, MetConditions, Occurring, sampling};
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::stepper::Advance;
+use crate::scalar::Scalar;
+
+/// The values of one event function or of several.
+pub trait Values: Copy {
+    /// As many zeros.
+    const ZERO: Self;
+
+    /// The values.
+    fn as_slice(&self) -> &[f64];
+
+    /// The values, to be set.
+    fn as_mut_slice(&mut self) -> &mut [f64];
+}
+
+impl Values for f64 {
+    const ZERO: Self = 0.0;
+
+    fn as_slice(&self) -> &[f64] {
+        core::slice::from_ref(self)
+    }
+
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        core::slice::from_mut(self)
+    }
+}
+
+impl<const K: usize> Values for [f64; K] {
+    const ZERO: Self = {
+        assert!(K <= 64, "at most 64 conditions at a time");
+        [0.0; K]
+    };
+
+    fn as_slice(&self) -> &[f64] {
+        self
+    }
+
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        self
+    }
+}
+
+/// What is watched for: a direction or an [`Event`], or an array of them for an array of values.
+pub trait Watched {
+    /// The values of the event functions.
+    type Values: Values;
+
+    /// The event of an index; the last one beyond it.
+    fn event(&self, index: usize) -> Event;
+}
+
+impl Watched for Event {
+    type Values = f64;
+
+    fn event(&self, _: usize) -> Event {
+        *self
+    }
+}
+
+impl Watched for Crossing {
+    type Values = f64;
+
+    fn event(&self, _: usize) -> Event {
+        Event::new(*self).terminal()
+    }
+}
+
+impl<W: Watched<Values = f64>, const K: usize> Watched for [W; K] {
+    type Values = [f64; K];
+
+    fn event(&self, index: usize) -> Event {
+        let watched = self.get(index).or(self.last());
+        watched.map_or(Event::either(), |watched| watched.event(0))
+    }
+}
+
+/// Event functions of time and state, which may be those of the dynamics.
+pub(super) trait EventFunction<S: Scalar, D: Dynamics<S> + ?Sized> {
+    /// Their values.
+    type Values: Values;
+
+    /// The values at a time and a state.
+    fn values(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Values;
+
+    /// What is watched for.
+    fn event(&self, index: usize) -> Event;
+
+    /// The parts of a step at whose ends the functions are evaluated, if it is set.
+    fn parts(&self) -> Option<u32>;
+}
+
+/// The condition that an event function of time and state crosses zero, or one of several: `events` is a
+/// [`Crossing`] or an [`Event`] for one value, or an array of them for an array of values.
+#[derive(Clone, Copy, Debug)]
+pub struct ZeroCrossing<F, W = Crossing> {
+    /// The event function.
+    pub(crate) function: F,
+    /// What is watched for.
+    pub(crate) events: W,
+    /// The parts of a step at whose ends the function is evaluated, if it is set.
+    pub(crate) parts: Option<u32>,
+}
+
+impl<S, D, F, W> EventFunction<S, D> for ZeroCrossing<F, W>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    W: Watched,
+    F: FnMut(f64, &D::State) -> W::Values,
+{
+    type Values = W::Values;
+
+    fn values(&mut self, _: &D, t: f64, x: &D::State) -> W::Values {
+        (self.function)(t, x)
+    }
+
+    fn event(&self, index: usize) -> Event {
+        self.events.event(index)
+    }
+
+    fn parts(&self) -> Option<u32> {
+        self.parts
+    }
+}
+
+impl<S, D, F, W> Detection<S, D> for ZeroCrossing<F, W>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    W: Watched,
+    F: FnMut(f64, &D::State) -> W::Values,
+{
+    type Memory = Memory<W::Values>;
+
+    fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory {
+        Memory::new(t, self.values(dynamics, t, x))
+    }
+
+    fn next<T: Advance<S, D>>(
+        &mut self,
+        memory: &mut Self::Memory,
+        step: &mut LastStep<'_, S, D, T>,
+    ) -> Option<Occurring> {
+        sampling::next(self, memory, step)
+    }
+
+    fn is_terminal(&self, event: usize) -> bool {
+        self.events.event(event).is_terminal()
+    }
+
+    fn restart(
+        &mut self,
+        memory: &mut Self::Memory,
+        dynamics: &D,
+        occurring: Occurring,
+        x: &D::State,
+        step: f64,
+    ) -> MetConditions {
+        sampling::restart(self, memory, dynamics, occurring, x, step)
+    }
+}

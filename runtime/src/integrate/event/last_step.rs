@@ -1,0 +1,75 @@
+//! The step that was just taken, as events are looked for within it.
+
+use core::marker::PhantomData;
+
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::sample::Sample;
+use crate::integrate::stepper::Advance;
+use crate::limits::events::TIME_RESOLUTION;
+use crate::scalar::Scalar;
+
+/// The last step of a stepper.
+#[derive(Debug)]
+pub struct LastStep<'a, S, D: ?Sized, T> {
+    dynamics: &'a D,
+    stepper: &'a mut T,
+    scalar: PhantomData<S>,
+}
+
+impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D, T> {
+    pub(crate) fn new(dynamics: &'a D, stepper: &'a mut T) -> Self {
+        Self {
+            dynamics,
+            stepper,
+            scalar: PhantomData,
+        }
+    }
+
+    pub(crate) fn dynamics(&self) -> &'a D {
+        self.dynamics
+    }
+
+    pub(crate) fn begin(&self) -> f64 {
+        self.stepper.previous_time()
+    }
+
+    pub(crate) fn end(&self) -> f64 {
+        self.stepper.time()
+    }
+
+    /// Whether `a` comes before `b` in the course of the integration.
+    pub(crate) fn comes_before(&self, a: f64, b: f64) -> bool {
+        if self.end() >= self.begin() {
+            a < b
+        } else {
+            a > b
+        }
+    }
+
+    /// The sample at a time within the step.
+    pub(crate) fn at(&mut self, t: f64) -> Sample<D::State> {
+        let x = if t - self.stepper.time() == 0.0 {
+            self.stepper.state().clone()
+        } else {
+            self.stepper.interpolate(self.dynamics, t)
+        };
+        Sample { t, x }
+    }
+
+    /// The shortest time that is safely distinguishable at `t`.
+    pub(crate) fn resolution(&self, t: f64) -> f64 {
+        let step = self.end() - self.begin();
+        TIME_RESOLUTION * f64::EPSILON * (t.abs() + step.abs())
+    }
+
+    /// The first time after `t` within the step that is safely distinguishable from it; at most the end of the step.
+    pub(crate) fn after(&self, t: f64) -> f64 {
+        let end = self.end();
+        let resolution = self.resolution(t);
+        if resolution < (end - t).abs() {
+            t + resolution.copysign(end - self.begin())
+        } else {
+            end
+        }
+    }
+}

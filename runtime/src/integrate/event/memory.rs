@@ -1,0 +1,177 @@
+//! What is known of event functions between evaluations.
+
+use super::LastStep;
+use super::functions::Values;
+use super::met_conditions::MetConditions;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::stepper::Advance;
+use crate::limits::events::{
+    DEPARTURE_GROWTH, OCCURRENCES, SHORT_PART, SHORT_TIME, TIME_RESOLUTION,
+};
+use crate::scalar::Scalar;
+
+/// What is known of event functions up to a time.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<V> {
+    /// The time up to which events were looked for.
+    pub(super) until: f64,
+    /// The last values that had a sign; 0 where there was none yet, or where a function has reached zero.
+    pub(super) signs: V,
+    /// The time from which the method began, or began anew.
+    start: f64,
+    /// Whether nothing was evaluated since then.
+    pub(super) is_leaving: bool,
+    /// While a function stays at zero after the start, the distance from it of the next evaluation.
+    departure: f64,
+    /// After a reaction to an event, the value that its function has to exceed to count: the event cools down.
+    pub(super) hysteresis: V,
+    /// The events whose functions have not exceeded that value on the way from zero to zero.
+    pub(super) within_rounding: MetConditions,
+    /// The time of the last reaction to each event.
+    reactions: V,
+    /// How many times each event has occurred in a row, within a short time.
+    in_a_row: V,
+}
+
+/// Whether a number is positive or negative: not zero and not NaN.
+pub(super) fn has_sign(value: f64) -> bool {
+    !value.is_nan() && value != 0.0
+}
+
+impl<V: Values> Memory<V> {
+    /// The memory at the initial time, where the functions have these values.
+    pub(super) fn new(start: f64, values: V) -> Self {
+        let mut reactions = V::ZERO;
+        reactions.as_mut_slice().fill(f64::NAN);
+        Self {
+            until: start,
+            signs: values,
+            start,
+            is_leaving: true,
+            departure: 0.0,
+            hysteresis: V::ZERO,
+            within_rounding: MetConditions::default(),
+            reactions,
+            in_a_row: V::ZERO,
+        }
+    }
+
+    /// Begins anew at `start`, where the functions have these signs.
+    pub(super) fn begin_anew(&mut self, start: f64, signs: V, hysteresis: V) {
+        *self = Self {
+            hysteresis,
+            reactions: self.reactions,
+            in_a_row: self.in_a_row,
+            ..Self::new(start, signs)
+        };
+    }
+
+    /// Whether a value of an event function says anything: during the cooldown it may be a rounding error.
+    pub(super) fn counts(&self, event: usize, value: f64) -> bool {
+        let least = self.hysteresis.as_slice().get(event);
+        least.is_none_or(|least| *least == 0.0 || value.abs() > *least)
+    }
+
+    /// Takes the sign of a value, if it has one that counts.
+    pub(super) fn see(&mut self, event: usize, value: f64) {
+        if !has_sign(value) || !self.counts(event, value) {
+            return;
+        }
+        if let Some(sign) = self.signs.as_mut_slice().get_mut(event) {
+            *sign = value;
+        }
+        if let Some(least) = self.hysteresis.as_mut_slice().get_mut(event) {
+            *least = 0.0;
+        }
+    }
+
+    /// Notes a reaction to an event, in steps of about this length; whether there were too many in too short a time, or
+    /// without leaving the rounding errors of the event function.
+    /// `is_left` tells whether the function leaves zero.
+    pub(super) fn is_accumulating(
+        &mut self,
+        event: usize,
+        t: f64,
+        step: f64,
+        is_left: bool,
+    ) -> bool {
+        let short = SHORT_TIME * TIME_RESOLUTION * f64::EPSILON * (t.abs() + step.abs());
+        let pair = (self.reactions.as_mut_slice().get_mut(event))
+            .zip(self.in_a_row.as_mut_slice().get_mut(event));
+        let Some((last, in_a_row)) = pair else {
+            return false;
+        };
+        let is_within = self.within_rounding.contains(event);
+        let short = if is_within {
+            short.max(SHORT_PART * step.abs())
+        } else {
+            short
+        };
+        if (t - *last).abs() <= short {
+            *in_a_row += 1.0;
+        } else {
+            *in_a_row = 0.0;
+        }
+        *last = t;
+        *in_a_row >= OCCURRENCES || (*in_a_row > 0.0 && !is_left)
+    }
+
+    /// The next time at which the functions are to be evaluated; none at the end of the step. Regular times are the ends
+    /// of `parts` of the step.
+    ///
+    /// There may be a zero at the initial time, such as the one at which the integration stopped before, and rounding may
+    /// put the initial value on either side of it: so the first time is one that is distinguishable from it (K. L.
+    /// Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180, 1980; the time
+    /// is that of SUNDIALS: A. C. Hindmarsh et al., ACM Trans. Math. Softw. **31** (2005) 363–396). A difference of nearly
+    /// equal numbers, such as a height above a floor that is not at 0, is rounded to zero for a while, and a flight that
+    /// ends within the first step must not be missed: while a function is zero, each time is four times as far.
+    pub(super) fn next_time<S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>>(
+        &mut self,
+        step: &LastStep<'_, S, D, T>,
+        parts: u32,
+    ) -> Option<f64> {
+        let (begin, end) = (step.begin(), step.end());
+        if !step.comes_before(self.until, end) {
+            return None;
+        }
+        if self.is_leaving {
+            let after = step.after(self.start);
+            if after - end != 0.0 {
+                return Some(after);
+            }
+            self.is_leaving = false;
+        }
+        let mut next = end;
+        for part in (1..parts).rev() {
+            let time = begin + (end - begin) * (f64::from(part) / f64::from(parts));
+            if !step.comes_before(self.until, time) {
+                break;
+            }
+            next = time;
+        }
+        let time = self.start + self.departure.copysign(end - begin);
+        if self.departure > 0.0
+            && step.comes_before(self.until, time)
+            && step.comes_before(time, next)
+        {
+            next = time;
+        }
+        Some(next)
+    }
+
+    /// Notes that no event has occurred up to a time with these values.
+    pub(super) fn pass(&mut self, time: f64, values: &V) {
+        for (i, value) in values.as_slice().iter().enumerate() {
+            self.see(i, *value);
+        }
+        let is_signed = self.signs.as_slice().iter().all(|sign| has_sign(*sign));
+        let is_departing = self.is_leaving || self.departure > 0.0;
+        self.departure = if is_departing && !is_signed {
+            DEPARTURE_GROWTH * (time - self.start).abs()
+        } else {
+            0.0
+        };
+        self.is_leaving = false;
+        self.until = time;
+    }
+}

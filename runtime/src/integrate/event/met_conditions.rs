@@ -1,0 +1,39 @@
+//! Sets of conditions and events.
+
+/// Which stop conditions are met, or which events occur: a set of indices below 64.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MetConditions(u64);
+
+impl MetConditions {
+    /// The set of the indices at which the iterator is true.
+    pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {
+        let bits = (0..u64::BITS).zip(conditions);
+        Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
+    }
+
+    /// Whether any condition is.
+    #[must_use]
+    pub fn any(self) -> bool {
+        self.0 != 0
+    }
+
+    /// Whether the condition of that index is.
+    #[must_use]
+    pub fn contains(self, index: usize) -> bool {
+        let shifted = u32::try_from(index)
+            .ok()
+            .and_then(|i| self.0.checked_shr(i));
+        shifted.is_some_and(|bits| bits & 1 == 1)
+    }
+
+    /// The indices, from the lowest.
+    pub fn indices(self) -> impl Iterator<Item = usize> {
+        (0..64).filter(move |i| self.contains(*i))
+    }
+
+    /// The union of two sets.
+    #[must_use]
+    pub(crate) fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}

@@ -1,0 +1,169 @@
+//! Detection of events by sampling: where the signs of an event function at two neighbouring times differ, it has
+//! crossed zero between them.
+
+use super::functions::{EventFunction, Values};
+use super::location::Bracket;
+use super::memory::Memory;
+use super::met_conditions::MetConditions;
+use super::{LastStep, Occurring};
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::stepper::Advance;
+use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, MOVED_EPSILONS, PARTS};
+use crate::linalg::VectorSpace;
+use crate::scalar::Scalar;
+
+/// The next events within the last step.
+pub(super) fn next<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T: Advance<S, D>>(
+    source: &mut G,
+    memory: &mut Memory<G::Values>,
+    step: &mut LastStep<'_, S, D, T>,
+) -> Option<Occurring> {
+    let usual = if T::DENSE_OUTPUT { PARTS } else { 1 };
+    let parts = source.parts().unwrap_or(usual).max(1);
+    while let Some(time) = memory.next_time(step, parts) {
+        let sample = step.at(time);
+        let values = source.values(step.dynamics(), time, &sample.x);
+        if crossings(source, memory, &values).any() {
+            return Some(locate(source, memory, step, (time, values)));
+        }
+        memory.pass(time, &values);
+    }
+    None
+}
+
+/// The events whose functions have crossed zero where they have these values.
+fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
+    source: &G,
+    memory: &Memory<G::Values>,
+    values: &G::Values,
+) -> MetConditions {
+    let pairs = memory.signs.as_slice().iter().zip(values.as_slice());
+    let crossed = pairs.enumerate().map(|(i, (before, after))| {
+        let crossing = source.event(i).crossing();
+        let crosses = if memory.is_leaving {
+            crossing.after_start(*before, *after)
+        } else {
+            crossing.between(*before, *after)
+        };
+        crosses && memory.counts(i, *after)
+    });
+    MetConditions::of(crossed)
+}
+
+/// The first events up to a time at which some have occurred. The time is that just after the zero; events within the
+/// resolution of time occur together.
+fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T: Advance<S, D>>(
+    source: &mut G,
+    memory: &mut Memory<G::Values>,
+    step: &mut LastStep<'_, S, D, T>,
+    (mut time, mut values): (f64, G::Values),
+) -> Occurring {
+    let mut events = crossings(source, memory, &values);
+    let (mut before, mut signs) = (memory.until, memory.signs);
+    let mut bracket = Bracket::new(before, time);
+    loop {
+        let first = events.indices().next().unwrap_or(0);
+        let of = |values: &G::Values| values.as_slice().get(first).copied().unwrap_or(f64::NAN);
+        let Some(middle) = bracket.divide((before, of(&signs)), (time, of(&values))) else {
+            break;
+        };
+        let sample = step.at(middle);
+        let found = source.values(step.dynamics(), middle, &sample.x);
+        let crossed = crossings(source, memory, &found);
+        if crossed.any() {
+            (time, values, events) = (middle, found, crossed);
+        } else {
+            (before, signs) = (middle, found);
+            for (i, value) in found.as_slice().iter().enumerate() {
+                memory.see(i, *value);
+            }
+        }
+    }
+    let sample = step.at(step.after(time));
+    let after = source.values(step.dynamics(), sample.t, &sample.x);
+    events = events.or(crossings(source, memory, &after));
+    let noise = rounding(source, step.dynamics(), (sample.t, &sample.x), &after);
+    let hysteresis = memory.hysteresis.as_slice().iter();
+    memory.within_rounding = MetConditions::of(hysteresis.map(|least| *least > 0.0));
+    memory.pass(sample.t, &after);
+    let noise = noise.as_slice().iter();
+    let signs = memory.signs.as_mut_slice().iter_mut().zip(noise);
+    let signs = signs.zip(after.as_slice()).enumerate();
+    for (_, ((sign, noise), value)) in signs.filter(|(i, _)| events.contains(*i)) {
+        // What has reached zero has no sign until it leaves it.
+        if value.is_nan() || value.abs() <= *noise {
+            *sign = 0.0;
+        }
+    }
+    Occurring { t: time, events }
+}
+
+/// By how much the values change when the state is moved by some rounding errors.
+fn rounding<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
+    source: &mut G,
+    dynamics: &D,
+    (t, x): (f64, &D::State),
+    values: &G::Values,
+) -> G::Values {
+    let epsilon = S::from_f64(MOVED_EPSILONS * S::machine_epsilon());
+    let mut noise = G::Values::ZERO;
+    for alternation in [1.0, -1.0] {
+        let mut sign = S::one();
+        let moved = x.map(|component| {
+            sign *= S::from_f64(alternation);
+            component + component * sign * epsilon
+        });
+        let there = source.values(dynamics, t, &moved);
+        let pairs = there.as_slice().iter().zip(values.as_slice());
+        for (noise, (there, here)) in noise.as_mut_slice().iter_mut().zip(pairs) {
+            *noise = noise.max((there - here).abs());
+        }
+    }
+    noise
+}
+
+/// The sign of an event function after a reaction is that of its rate, taken along the derivative of the changed state.
+/// Where the function leaves zero, its values count as soon as they exceed their rounding errors: this is the cooldown.
+/// If it has come back by then, the event occurs again. (F. Biscani & D. Izzo, *Revisiting high-order Taylor methods for
+/// astrodynamics and celestial mechanics*, Mon. Not. R. Astron. Soc. **504** (2021) 2614, take for the cooldown the error
+/// of the event function over its rate, a time; a value does not depend on how the rate changes.)
+pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
+    source: &mut G,
+    memory: &mut Memory<G::Values>,
+    dynamics: &D,
+    Occurring { t, events }: Occurring,
+    x: &D::State,
+    step: f64,
+) -> MetConditions {
+    let mut signs = source.values(dynamics, t, x);
+    let noise = rounding(source, dynamics, (t, x), &signs);
+    let rate = dynamics.derivative(S::from_f64(t), &dynamics.reduced(x, &x.zeroed()));
+    let mut along = |distance: f64| {
+        let mut there = x.clone();
+        there.add_scaled(S::from_f64(distance), &rate);
+        source.values(dynamics, t + distance, &there)
+    };
+    let mut hysteresis = G::Values::ZERO;
+    let mut accumulating = [false; 64];
+    for event in events.indices() {
+        let at = |values: &G::Values| values.as_slice().get(event).copied().unwrap_or(0.0);
+        let rounding = COOLDOWN * at(&noise);
+        let changes = EXTRAPOLATIONS.map(|part| part * step);
+        let mut changes = changes
+            .into_iter()
+            .map(|distance| at(&along(distance)) - at(&along(-distance)));
+        let change = changes.find(|change| change.abs() > rounding);
+        let least = at(&signs).abs() + rounding;
+        if let Some(sign) = signs.as_mut_slice().get_mut(event) {
+            *sign = change.unwrap_or(0.0);
+        }
+        if let Some(hysteresis) = hysteresis.as_mut_slice().get_mut(event) {
+            *hysteresis = least;
+        }
+        if let Some(is_accumulating) = accumulating.get_mut(event) {
+            *is_accumulating = memory.is_accumulating(event, t, step, change.is_some());
+        }
+    }
+    memory.begin_anew(t, signs, hysteresis);
+    MetConditions::of(accumulating.into_iter())
+}

@@ -1,0 +1,131 @@
+//! Equations of motion whose model may change.
+
+use super::equations_of_motion::{
+    component_name, error_scale, reduced, singularity, vanishing_inertia,
+};
+use super::lagrangian::Lagrangian;
+use super::phase::Phase;
+use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::scalar::Scalar;
+
+/// Lagrange's equations as first-order equations, together with their model, so that a reaction to an event can change
+/// its parameters; made by [`Lagrangian::into_dynamics`].
+///
+/// A crane drops its load, and the pendulum goes on with less mass and on a shorter rope:
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Crane { m: f64, g: f64, l: f64 }
+///
+/// let mut crane = Crane { m: 900.0, g: 9.81, l: 12.0 }.into_dynamics();
+/// let driver = Dop853::new()
+///     .driver()
+///     .events(Event::rising(), |_, x: &Phase<f64, 1>| x.q[Crane::THETA] - 0.1);
+/// let start = State::new(0.0, [-0.2], [0.0]);
+/// let end = driver.run_reacting(&mut crane, start, 10.0, |_, _, _, crane| {
+///     crane.change(|crane| (crane.m, crane.l) = (100.0, 11.0));
+///     Reaction::Changed
+/// })?;
+/// assert!(end.occurred.contains(0));
+/// assert_eq!(crane.model().m, 100.0);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Debug)]
+pub struct OwnedEquations<M, S, const N: usize>
+where
+    M: Lagrangian<N, S>,
+    S: Scalar,
+{
+    pub(super) model: M,
+    pub(super) prepared: M::Prepared,
+}
+
+impl<M, S, const N: usize> OwnedEquations<M, S, N>
+where
+    M: Lagrangian<N, S>,
+    S: Scalar,
+{
+    pub(crate) fn new(model: M) -> Self {
+        let prepared = model.prepare();
+        Self { model, prepared }
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &M {
+        &self.model
+    }
+
+    /// Changes the model, and prepares it again. A method of integration that holds on to these equations has to begin
+    /// anew: a reaction returns [`Reaction::Changed`](crate::Reaction::Changed).
+    pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R {
+        let result = change(&mut self.model);
+        self.prepared = self.model.prepare();
+        result
+    }
+
+    /// The model, back.
+    #[must_use]
+    pub fn into_model(self) -> M {
+        self.model
+    }
+}
+
+impl<M, S, const N: usize> Clone for OwnedEquations<M, S, N>
+where
+    M: Lagrangian<N, S> + Clone,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model.clone(),
+            prepared: self.prepared.clone(),
+        }
+    }
+}
+
+impl<M, S, const N: usize> Dynamics<S> for OwnedEquations<M, S, N>
+where
+    M: Lagrangian<N, S>,
+    S: Scalar,
+{
+    type State = Phase<S, N>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+        Phase {
+            q: x.v,
+            v: self.model.accelerations_prepared(&x.at(t), &self.prepared),
+        }
+    }
+
+    #[inline]
+    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
+        error_scale::<M, S, N>(x)
+    }
+
+    #[inline]
+    fn reduced(&self, x: &Phase<S, N>, compensation: &Phase<S, N>) -> Phase<S, N> {
+        reduced::<M, S, N>(x, compensation)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
+        singularity(&self.model, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        vanishing_inertia(&self.model, &x.at(t))
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        component_name::<M, N>(index)
+    }
+}
