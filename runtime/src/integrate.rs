@@ -50,6 +50,7 @@ pub use singularity::Singularity;
 pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
+pub use taylor::recurrences;
 pub use taylor::{
     Convolutions, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
 };

@@ -66,7 +66,7 @@ pub use integrate::{
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
-pub use integrate::{Ensemble, TaylorLanes};
+pub use integrate::{Ensemble, TaylorLanes, recurrences};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{Factorization, IntoVector, LaneStates, VectorSpace};

@@ -10,6 +10,7 @@ mod ensemble;
 mod lanes;
 mod paired_convolutions;
 mod residual;
+pub mod recurrences;
 mod series;
 mod step_size;
 mod stepper;
