@@ -14,6 +14,7 @@ mod compensated;
 mod runge_kutta;
 mod dormand_prince;
 mod tolerance;
+mod typical_sizes;
 mod taylor;
 mod event;
 mod stop_condition;
@@ -58,3 +59,4 @@ pub use taylor::{Ensemble, TaylorLanes};
 pub(crate) use taylor::{OnlineConvolutions, PairedConvolutions};
 #[cfg(feature = "alloc")]
 pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};
+pub use typical_sizes::{TypicalSizes, WithSizes};

@@ -62,14 +62,14 @@ pub use integrate::{
     Observer, Occurrence, Outcome, Predicate, Progress, Reaction, RungeKutta, RungeKuttaStepper,
     RunningIntegration, Sample, Series, Singularity, Statistics, Step, Stepper, Steps,
     StopCondition, StopReason, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
-    Unconditional, Unobserved, Watched, ZeroCrossing,
+    TypicalSizes, Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
 pub use integrate::{Ensemble, TaylorLanes, recurrences};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
-pub use linalg::{Factorization, IntoVector, LaneStates, VectorSpace};
+pub use linalg::{ErrorTolerance, Factorization, IntoVector, LaneStates, VectorSpace};
 pub use model::{
     AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, ExternalFunctions,
     FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, MotionSeries,

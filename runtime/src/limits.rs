@@ -36,6 +36,16 @@ pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 /// An angle up to this is not reduced by whole periods: its rounding error is that of π or twice as much.
 pub(crate) const SMALL_ANGLE: f64 = 8.0;
 
+/// An error of a velocity counts by the displacement that it causes in so many of the times in which a motion goes on, a
+/// little more than a period.
+pub(crate) const VELOCITY_TIMES: f64 = 8.0;
+
+/// A time in comparison with which every motion is fast, and whose inverse is one in comparison with which it is slow.
+pub(crate) const LONGEST_TIME_SCALE: f64 = 1e100;
+
+/// A motion with a longer time scale is at rest.
+pub(crate) const USABLE_TIME_SCALE: f64 = 1e50;
+
 /// Location of events within a step.
 pub(crate) mod events {
     /// The resolution of time, in machine epsilons of the time and of the
@@ -105,6 +115,10 @@ pub(crate) mod dormand_prince {
 
     /// The error estimate is of the order of hᵖ with this p.
     pub(crate) const ORDER: f64 = 8.0;
+
+    /// The least time scale that is believed before the first step, in relation to the remaining time. It is shorter
+    /// where a coordinate is nearly zero and its absolute tolerance, too.
+    pub(crate) const LEAST_TIME_SCALE: f64 = 1e-9;
 
     /// The weight of the third-order error estimate in (10.17) of section II.10.
     pub(crate) const THIRD_ORDER_WEIGHT: f64 = 0.01;

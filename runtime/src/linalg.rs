@@ -4,9 +4,11 @@ mod factorization;
 mod into_vector;
 pub(crate) mod lane_select;
 mod pivoting;
+mod error_tolerance;
 mod vector_space;
 mod lane_states;
 
+pub use error_tolerance::ErrorTolerance;
 pub use factorization::Factorization;
 pub use into_vector::IntoVector;
 pub use lane_states::LaneStates;

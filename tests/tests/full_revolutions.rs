@@ -1,5 +1,6 @@
 //! The size of an angle means nothing, and neither does the place of an ignorable coordinate.
 
+use lagrangian::ErrorTolerance;
 use lagrangian::prelude::*;
 
 /// Two angles of which det M ≥ 1 wherever they are.
@@ -78,7 +79,7 @@ struct Top {
     weight: f64,
 }
 
-/// What errors are compared with: the speed of an ignorable coordinate, 1 for an angle.
+/// What errors are compared with: how far an ignorable coordinate moves in a time near the step, 1 for an angle.
 #[test]
 fn sizes_do_not_depend_on_where_an_ignorable_coordinate_is() {
     let top = Top {
@@ -88,8 +89,15 @@ fn sizes_do_not_depend_on_where_an_ignorable_coordinate_is() {
     };
     for psi in [0.0, 1e6] {
         let state = State::new(0.0, [0.0, 7.5, psi], [0.3, 0.0, -20.0]);
-        let sizes = top.dynamics().error_scale(&Phase::from(state));
-        assert_eq!(sizes.q, SVector::from([1.0, 1.0, 20.0]));
+        let tolerance = ErrorTolerance {
+            relative: 1.0,
+            absolute: 0.0,
+            rate: 2.0,
+        };
+        let sizes = top
+            .dynamics()
+            .allowed_error(&Phase::from(state), &tolerance);
+        assert_eq!(sizes.q, SVector::from([0.15, 1.0, 10.0]));
         assert_eq!(sizes.v, SVector::from([0.3, 0.0, 20.0]));
     }
 }

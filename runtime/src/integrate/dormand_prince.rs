@@ -28,10 +28,22 @@ const ALL_STAGES: usize = 16;
 
 /// The Dormand–Prince method 8(5,3) with step-size control and dense output of order 7.
 ///
-/// A step is accepted when the root mean square over the components of
-/// errorᵢ / (absolute + relative · scaleᵢ) is at most 1. The scale of a component is the larger of
-/// |xᵢ| before and after the step, and 1 for a coordinate that is an angle
-/// ([`Dynamics::error_scale`]).
+/// # Tolerances
+///
+/// A step is accepted when the root mean square over the components of errorᵢ / (absoluteᵢ + relative · sizeᵢ) is at most
+/// 1 (Hairer, Nørsett & Wanner, II.4). It depends neither on the unit of time nor on how far an angle has turned:
+///
+/// - The size of a component is the larger of |xᵢ| before and after the step. That of a coordinate that is an angle is 1,
+///   and that of another ignorable coordinate is |q̇ᵢ| T.
+/// - The absolute tolerance of a coordinate is `absolute` in its units, or `absolute` times its size if one is given by
+///   [`Dynamics::with_sizes`](crate::Dynamics::with_sizes). That of a velocity is the same over T: an error of a velocity
+///   counts by the displacement that it causes in the time T.
+/// - T is 8 times the longest step so far, and at the start 8 times the time in which the coordinates change by their
+///   size. So it belongs to the motion, and is no setting. (Multiplying errors of velocities by the present step, as is
+///   usual for constrained systems, would forgive large ones where steps are short, as near a collision: E. Hairer &
+///   G. Wanner, *Solving Ordinary Differential Equations II*, 2nd edition (1996), VII.)
+///
+/// For a state without velocities, such as a plain vector, every component is a coordinate.
 ///
 /// The default of both tolerances is 10⁻¹⁰. One of them may be zero. Without an absolute tolerance an
 /// integration may start from rest, but steps become ever smaller where a component comes near to zero and is not
@@ -85,14 +97,16 @@ impl Dop853 {
         }
     }
 
-    /// Sets the tolerance of the error of a step relative to the scale of a component.
+    /// Sets the tolerance of the error of a step relative to the [size](Self#tolerances) of a component.
     #[must_use]
     pub fn relative_tolerance(mut self, relative: f64) -> Self {
         self.tolerance.relative = relative;
         self
     }
 
-    /// Sets the tolerance of the error of a step in the units of a component.
+    /// Sets the tolerance of the error of a step in the units of a coordinate; by coordinate with
+    /// [`Dynamics::with_sizes`](crate::Dynamics::with_sizes). For a velocity it is divided by a
+    /// [time of the motion](Self#tolerances).
     #[must_use]
     pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
         self.tolerance.absolute = absolute;

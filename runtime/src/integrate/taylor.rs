@@ -35,11 +35,12 @@ use crate::scalar::Scalar;
 /// The Taylor series method of order 2·`HALF`, with steps that are chosen from the last coefficients, and the
 /// polynomials as dense output.
 ///
-/// The last two terms of the polynomial, at the end of a step, are about absolute + relative · scaleᵢ for each
-/// component. The scale of a component is the size that it reaches within the step, and 1 for a coordinate that is an
-/// angle ([`Dynamics::error_scale`](crate::Dynamics::error_scale)). Without a tolerance that is set, both are the machine
+/// The last two terms of the polynomial, at the end of a step, are about absoluteᵢ + relative · sizeᵢ for each
+/// component. The size of a component is what it reaches within the step, and for the rest the tolerances mean what they
+/// mean for [`Dop853`](crate::Dop853#tolerances): they depend neither on the unit of time nor on how far an angle has
+/// turned, and sizes can be given by coordinate. Without a tolerance that is set, both are the machine
 /// epsilon of the scalar: the method costs little more at full accuracy. A relative tolerance alone does not depend on
-/// units.
+/// any unit.
 ///
 /// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative
 /// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial
@@ -117,7 +118,7 @@ impl<const HALF: usize> Taylor<HALF> {
         }
     }
 
-    /// Sets the tolerance of the last terms relative to the scale of a component. The absolute one is 0 unless it is set.
+    /// Sets the tolerance of the last terms relative to the size of a component. The absolute one is 0 unless it is set.
     #[must_use]
     pub fn relative_tolerance(mut self, relative: f64) -> Self {
         let absolute = self.tolerance.map_or(0.0, |tolerance| tolerance.absolute);
@@ -125,7 +126,8 @@ impl<const HALF: usize> Taylor<HALF> {
         self
     }
 
-    /// Sets the tolerance of the last terms in the units of a component. The relative one is 0 unless it is set.
+    /// Sets the tolerance of the last terms in the units of a coordinate; that of a velocity is divided by a
+    /// [time of the motion](crate::Dop853#tolerances). The relative one is 0 unless it is set.
     #[must_use]
     pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
         let relative = self.tolerance.map_or(0.0, |tolerance| tolerance.relative);

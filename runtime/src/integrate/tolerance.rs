@@ -1,8 +1,10 @@
 //! The tolerances of adaptive methods.
 
+use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use crate::linalg::VectorSpace;
+use crate::limits::{LONGEST_TIME_SCALE, USABLE_TIME_SCALE, VELOCITY_TIMES};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// The tolerances of the error of a step.
@@ -23,48 +25,106 @@ impl Tolerance {
         }
     }
 
-    /// A component over its tolerance at the larger of two scales, in the worst of its lanes.
-    /// A component that is zero counts as 0; any other one with the tolerance zero counts as `unscaled`.
+    /// The tolerances of a motion with this time scale, a positive number.
     #[inline]
-    fn ratio<S: Scalar>(self, component: S, [before, after]: [S; 2], unscaled: f64) -> f64 {
-        let size = component.abs();
-        let relative = S::from_f64(self.relative);
-        let allowed = S::from_f64(self.absolute) + relative * before.max(after);
-        if allowed.smallest() > 0.0 {
-            return (size / allowed).largest();
-        }
-        let without = is_zero(allowed);
-        let ratio = (size / one_if_zero(allowed) * (S::one() - without)).largest();
-        if (size * without).largest() > 0.0 {
-            ratio.max(unscaled)
-        } else {
-            ratio
+    pub(crate) fn over<S: Scalar>(self, time_scale: S) -> ErrorTolerance<S> {
+        ErrorTolerance {
+            relative: self.relative,
+            absolute: self.absolute,
+            rate: S::one() / (S::from_f64(VELOCITY_TIMES) * time_scale),
         }
     }
 
-    /// The reciprocals of the tolerances at these scales; 0 where the tolerance is 0.
+    /// The time in which a motion goes on, from its state and its derivative: that in which its coordinates change by
+    /// their size. None for a state of which the unit of time counts as natural; infinite at rest.
+    pub(crate) fn time_scale<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        x: &D::State,
+        derivative: &D::State,
+    ) -> Option<f64> {
+        let rates = self.rates(dynamics, x, derivative)?;
+        Some(time_scale(rates.map(Scalar::largest)))
+    }
+
+    /// Of a motion the rate at which its coordinates change by their size; first without ignorable ones that move, since
+    /// how fast those are does not matter, then with them.
+    pub(crate) fn rates<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        x: &D::State,
+        derivative: &D::State,
+    ) -> Option<[S; 2]> {
+        let largest = S::from_f64(self.relative.max(self.absolute));
+        // The size of an ignorable coordinate that moves is what it does over this time.
+        let rate_over = |time_scale| {
+            let allowed = dynamics.allowed_error(x, &self.over(S::from_f64(time_scale)));
+            derivative.rate(&allowed.map(|allowed| allowed / largest))
+        };
+        Some([
+            rate_over(LONGEST_TIME_SCALE)?,
+            rate_over(1.0 / LONGEST_TIME_SCALE)?,
+        ])
+    }
+
+    /// The reciprocals of the errors that are allowed; 0 where none is.
     #[inline]
-    pub(crate) fn weights<S: Scalar, X: VectorSpace<S>>(self, scale: &X) -> X {
-        let [relative, absolute] = [self.relative, self.absolute].map(S::from_f64);
-        scale.map(|scale| {
-            let allowed = absolute + relative * scale;
+    pub(crate) fn weights<S: Scalar, X: VectorSpace<S>>(allowed: &X) -> X {
+        allowed.map(|allowed| {
             if allowed.smallest() > 0.0 {
                 return S::one() / allowed;
             }
             (S::one() - is_zero(allowed)) / one_if_zero(allowed)
         })
     }
+}
 
-    /// The ratios of all components.
-    #[inline]
-    pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(
-        self,
-        vector: &X,
-        [before, after]: &[X; 2],
-        unscaled: f64,
-    ) -> impl Iterator<Item = f64> {
-        let scales = before.components().zip(after.components());
-        let scaled = vector.components().zip(scales);
-        scaled.map(move |(component, (a, b))| self.ratio(component, [a, b], unscaled))
+/// The time scale that belongs to the rates of a motion; infinite at rest.
+pub(crate) fn time_scale([rate, with_ignorable]: [f64; 2]) -> f64 {
+    let is_rest = |rate: f64| rate * USABLE_TIME_SCALE < 1.0;
+    let rate = if is_rest(rate) { with_ignorable } else { rate };
+    if rate < USABLE_TIME_SCALE && !is_rest(rate) {
+        1.0 / rate
+    } else {
+        f64::INFINITY
     }
+}
+
+/// A component over the larger of two errors that are allowed, in the worst of its lanes.
+/// A component that is zero counts as 0; any other one of which no error is allowed as `unscaled`.
+#[inline]
+fn ratio<S: Scalar>(component: S, allowed: S, unscaled: f64) -> f64 {
+    let size = component.abs();
+    if allowed.smallest() > 0.0 {
+        return (size / allowed).largest();
+    }
+    let without = is_zero(allowed);
+    let ratio = (size / one_if_zero(allowed) * (S::one() - without)).largest();
+    if (size * without).largest() > 0.0 {
+        ratio.max(unscaled)
+    } else {
+        ratio
+    }
+}
+
+/// The ratios of all components to the errors that are allowed.
+#[inline]
+pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(
+    vector: &X,
+    allowed: &X,
+    unscaled: f64,
+) -> impl Iterator<Item = f64> {
+    let pairs = vector.components().zip(allowed.components());
+    pairs.map(move |(component, allowed)| ratio(component, allowed, unscaled))
+}
+
+/// The same, to the larger of the errors that are allowed before and after a step.
+#[inline]
+pub(crate) fn ratios_over_step<S: Scalar, X: VectorSpace<S>>(
+    vector: &X,
+    [before, after]: &[X; 2],
+) -> impl Iterator<Item = f64> {
+    let allowed = before.components().zip(after.components());
+    let pairs = vector.components().zip(allowed);
+    pairs.map(|(component, (a, b))| ratio(component, a.max(b), f64::INFINITY))
 }

@@ -6,6 +6,7 @@
 
 use nalgebra::SVector;
 
+use super::error_tolerance::ErrorTolerance;
 use crate::scalar::Scalar;
 
 /// A state that can be integrated: an element of a vector space over the scalars `S`.
@@ -22,7 +23,7 @@ pub trait VectorSpace<S: Scalar>: Clone {
     /// Adds `factor · other` to this state (axpy).
     fn add_scaled(&mut self, factor: S, other: &Self);
 
-    /// The state whose components are `function` of the components of this one.
+    /// The state whose components are `function` of the components of this one, which is called in their order.
     #[must_use]
     fn map(&self, function: impl FnMut(S) -> S) -> Self;
 
@@ -36,6 +37,23 @@ pub trait VectorSpace<S: Scalar>: Clone {
 
     /// The components, in an order that never changes.
     fn components(&self) -> impl Iterator<Item = S> + '_;
+
+    /// The error of a step that is allowed in each component: absolute + relative · |xᵢ| by default. A state with
+    /// velocities allows absolute · rate + relative · |q̇ᵢ| for them.
+    #[inline]
+    #[must_use]
+    fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
+        self.map(|component| tolerance.of_coordinate(component.abs()))
+    }
+
+    /// Of a derivative: 1 over the time in which coordinates change by `sizes`, the largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ).
+    /// None for a state without velocities, of which the unit of time counts as natural.
+    #[inline]
+    #[must_use]
+    fn rate(&self, sizes: &Self) -> Option<S> {
+        let _ = sizes;
+        None
+    }
 
     /// The origin of the space.
     #[inline]

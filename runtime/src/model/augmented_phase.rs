@@ -6,8 +6,8 @@ use super::phase::Phase;
 use super::state::State;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
-use crate::integrate::{InitialValue, Sample};
-use crate::linalg::{IntoVector, LaneStates, VectorSpace};
+use crate::integrate::{InitialValue, Sample, TypicalSizes};
+use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
@@ -86,6 +86,17 @@ impl<S: Scalar, const N: usize, const K: usize> VectorSpace<S> for AugmentedPhas
         let motion = self.q.iter().chain(self.v.iter());
         motion.chain(self.controller.iter()).copied()
     }
+
+    #[inline]
+    fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
+        let Phase { q, v } = self.phase().allowed_error(tolerance);
+        let controller = self.controller.map(|z| tolerance.of_coordinate(z.abs()));
+        Self { q, v, controller }
+    }
+
+    fn rate(&self, sizes: &Self) -> Option<S> {
+        self.phase().rate(&sizes.phase())
+    }
 }
 
 impl<const L: usize, const N: usize, const K: usize> LaneStates<L>
@@ -142,6 +153,20 @@ where
         let controller = controller.into_vector();
         let x = AugmentedPhase { q, v, controller };
         Sample { t, x }
+    }
+}
+
+/// Of the coordinates, and of the states of the controller.
+impl<S: Scalar, const N: usize, const K: usize> TypicalSizes<AugmentedPhase<S, N, K>>
+    for ([f64; N], [f64; K])
+{
+    fn into_state(self) -> AugmentedPhase<S, N, K> {
+        let sizes = SVector::from(self.0.map(S::from_f64));
+        AugmentedPhase {
+            q: sizes,
+            v: sizes,
+            controller: SVector::from(self.1.map(S::from_f64)),
+        }
     }
 }
 

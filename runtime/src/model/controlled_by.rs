@@ -2,12 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::equations_of_motion::{component_name, error_scale, singularity, vanishing_inertia};
+use super::equations_of_motion::{allowed_error, component_name, singularity, vanishing_inertia};
 use super::inputs::Inputs;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{ComponentName, Dynamics, Singularity};
-use crate::linalg::IntoVector;
+use crate::linalg::{ErrorTolerance, IntoVector};
 use crate::scalar::Scalar;
 
 /// A system under the static feedback u = law(t, q, q̇); made by
@@ -77,8 +77,8 @@ where
     }
 
     #[inline]
-    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
-        error_scale::<M, S, N>(x)
+    fn allowed_error(&self, x: &Phase<S, N>, tolerance: &ErrorTolerance<S>) -> Phase<S, N> {
+        allowed_error::<M, S, N>(x, tolerance)
     }
 
     #[inline]

@@ -11,7 +11,7 @@ use super::state::State;
 use super::whole_periods::{is_large, less_whole_periods};
 use crate::integrate::{ComponentName, Dynamics, Singularity};
 use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
-use crate::linalg::Factorization;
+use crate::linalg::{ErrorTolerance, Factorization};
 use crate::scalar::Scalar;
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
@@ -106,8 +106,8 @@ where
     }
 
     #[inline]
-    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
-        error_scale::<M, S, N>(x)
+    fn allowed_error(&self, x: &Phase<S, N>, tolerance: &ErrorTolerance<S>) -> Phase<S, N> {
+        allowed_error::<M, S, N>(x, tolerance)
     }
 
     #[inline]
@@ -174,26 +174,30 @@ where
     reduced
 }
 
-/// |qᵢ| and |q̇ᵢ|, but 1 for an angle, which is periodic, and max(1, |q̇ᵢ|) for an ignorable coordinate, whose
-/// value does not matter.
+/// The allowed errors of coordinates of sizes |qᵢ| and of velocities of sizes |q̇ᵢ|. The size of an angle, which is
+/// periodic, is 1, and that of another ignorable coordinate, whose value does not matter, is |q̇ᵢ| over the rate.
 #[inline]
-pub(crate) fn error_scale<M, S, const N: usize>(x: &Phase<S, N>) -> Phase<S, N>
+pub(crate) fn allowed_error<M, S, const N: usize>(
+    x: &Phase<S, N>,
+    tolerance: &ErrorTolerance<S>,
+) -> Phase<S, N>
 where
     M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
-    let mut sizes = Phase {
-        q: x.q.map(Scalar::abs),
-        v: x.v.map(Scalar::abs),
-    };
-    for (i, size) in sizes.q.iter_mut().enumerate() {
+    let size = |i: usize| {
         if M::ANGLES[i] {
-            *size = S::one();
+            S::one()
         } else if M::IGNORABLE[i] {
-            *size = sizes.v[i].max(S::one());
+            x.v[i].abs() / tolerance.rate
+        } else {
+            x.q[i].abs()
         }
+    };
+    Phase {
+        q: SVector::from_fn(|i, _| tolerance.of_coordinate(size(i))),
+        v: x.v.map(|v| tolerance.of_velocity(v.abs())),
     }
-    sizes
 }
 
 /// The coordinate with the smallest relative pivot, if that is below `min_pivot`.

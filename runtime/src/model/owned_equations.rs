@@ -1,11 +1,12 @@
 //! Equations of motion whose model may change.
 
 use super::equations_of_motion::{
-    component_name, error_scale, reduced, singularity, vanishing_inertia,
+    allowed_error, component_name, reduced, singularity, vanishing_inertia,
 };
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
 use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;
 
 /// Lagrange's equations as first-order equations, together with their model, so that a reaction to an event can change
@@ -107,8 +108,8 @@ where
     }
 
     #[inline]
-    fn error_scale(&self, x: &Phase<S, N>) -> Phase<S, N> {
-        error_scale::<M, S, N>(x)
+    fn allowed_error(&self, x: &Phase<S, N>, tolerance: &ErrorTolerance<S>) -> Phase<S, N> {
+        allowed_error::<M, S, N>(x, tolerance)
     }
 
     #[inline]

@@ -5,8 +5,9 @@ use nalgebra::SVector;
 use super::state::State;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
-use crate::integrate::{InitialValue, Sample};
-use crate::linalg::{IntoVector, LaneStates, VectorSpace};
+use crate::integrate::{InitialValue, Sample, TypicalSizes};
+use crate::linalg::lane_select::{is_zero, one_if_zero};
+use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: the state that
@@ -80,6 +81,30 @@ impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
     fn components(&self) -> impl Iterator<Item = S> + '_ {
         self.q.iter().chain(self.v.iter()).copied()
     }
+
+    #[inline]
+    fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
+        Self {
+            q: self.q.map(|q| tolerance.of_coordinate(q.abs())),
+            v: self.v.map(|v| tolerance.of_velocity(v.abs())),
+        }
+    }
+
+    fn rate(&self, sizes: &Self) -> Option<S> {
+        Some(rate(self, sizes))
+    }
+}
+
+/// The largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ), where sᵢ is the size of a coordinate, as far as it is not zero.
+fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>) -> S {
+    let largest = |slopes: &SVector<S, N>| {
+        let pairs = slopes.iter().zip(sizes.q.iter());
+        pairs.fold(S::zero(), |most, (slope, size)| {
+            let sized = S::one() - is_zero(*size);
+            most.max(slope.abs() / one_if_zero(*size) * sized)
+        })
+    };
+    largest(&derivative.q).max(largest(&derivative.v).sqrt())
 }
 
 impl<const L: usize, const N: usize> LaneStates<L> for Phase<Lanes<L>, N> {
@@ -147,6 +172,13 @@ impl<S: Scalar, const N: usize> From<&State<S, N>> for Sample<Phase<S, N>> {
 impl<S: Scalar, const N: usize> From<Sample<Phase<S, N>>> for State<S, N> {
     fn from(sample: Sample<Phase<S, N>>) -> Self {
         sample.state()
+    }
+}
+
+impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {
+    fn into_state(self) -> Phase<S, N> {
+        let sizes = SVector::from(self.map(S::from_f64));
+        Phase { q: sizes, v: sizes }
     }
 }
 

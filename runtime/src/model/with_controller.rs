@@ -3,12 +3,12 @@
 use nalgebra::SVector;
 
 use super::augmented_phase::AugmentedPhase;
-use super::equations_of_motion::{component_name, error_scale, singularity, vanishing_inertia};
+use super::equations_of_motion::{allowed_error, component_name, singularity, vanishing_inertia};
 use super::inputs::Inputs;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{ComponentName, Dynamics, Singularity};
-use crate::linalg::IntoVector;
+use crate::linalg::{ErrorTolerance, IntoVector};
 use crate::scalar::Scalar;
 
 /// A system under the dynamic feedback (u, ż) = law(t, q, q̇, z) of a controller with `K` states z; made by
@@ -86,9 +86,9 @@ where
     }
 
     #[inline]
-    fn error_scale(&self, x: &Self::State) -> Self::State {
-        let Phase { q, v } = error_scale::<M, S, N>(&x.phase());
-        let controller = x.controller.map(Scalar::abs);
+    fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
+        let Phase { q, v } = allowed_error::<M, S, N>(&x.phase(), tolerance);
+        let controller = x.controller.map(|z| tolerance.of_coordinate(z.abs()));
         AugmentedPhase { q, v, controller }
     }
 

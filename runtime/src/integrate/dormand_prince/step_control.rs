@@ -7,12 +7,12 @@ use crate::integrate::compensated::Clock;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::runge_kutta::combination;
-use crate::integrate::tolerance::Tolerance;
+use crate::integrate::tolerance::{Tolerance, ratios, ratios_over_step};
 use crate::limits::dormand_prince::{
     MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, NEGLIGIBLE, ORDER, PROBE, SAFETY,
     SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
-use crate::linalg::VectorSpace;
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// The sum of the squares of ratios, and their number.
@@ -37,15 +37,14 @@ pub(super) struct Attempt {
 pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
     stages: &[X; ALL_STAGES],
     h: f64,
-    scales: &[X; 2],
-    tolerance: Tolerance,
+    allowed: &[X; 2],
 ) -> f64 {
-    let zero = scales[0].zeroed();
+    let zero = allowed[0].zeroed();
     let fifth = combination(&FIFTH_ORDER_ERROR, stages, &zero);
     let mut third = combination(&WEIGHTS, stages, &zero);
     third.add_scaled(-S::one(), &combination(&THIRD_ORDER, stages, &zero));
-    let (fifth, components) = squares(tolerance.ratios(&fifth, scales, f64::INFINITY));
-    let (third, _) = squares(tolerance.ratios(&third, scales, f64::INFINITY));
+    let (fifth, components) = squares(ratios_over_step(&fifth, allowed));
+    let (third, _) = squares(ratios_over_step(&third, allowed));
     let denominator = fifth + THIRD_ORDER_WEIGHT * third;
     if denominator == 0.0 {
         return 0.0;
@@ -61,15 +60,25 @@ pub(super) struct StepControl {
     rejected: bool,
     /// The number of attempts in a row with negligible steps.
     stalled: u32,
+    /// The time in which the motion goes on: that at its start, or the longest step so far. A time scale that
+    /// followed the present step would allow ever larger errors of velocities where steps become short, as near a
+    /// collision.
+    time_scale: f64,
 }
 
 impl StepControl {
-    pub(super) fn new(step: f64) -> Self {
+    pub(super) fn new(step: f64, time_scale: Option<f64>) -> Self {
         Self {
             step,
             rejected: false,
             stalled: 0,
+            time_scale: time_scale.unwrap_or(0.0),
         }
+    }
+
+    /// The time scale over a step `h`.
+    pub(super) fn time_scale(&self, h: f64) -> f64 {
+        self.time_scale.max(h.abs())
     }
 
     /// Whether steps have been negligible for so long that the integration makes no progress. It happens near t = 0,
@@ -97,6 +106,7 @@ impl StepControl {
             self.rejected = true;
             return false;
         }
+        self.time_scale = self.time_scale(h);
         let step = h / shortening.clamp(1.0 / MAX_GROWTH, MAX_SHRINKAGE);
         // A step that was shortened to land on a time does not shorten the one planned before.
         let planned = if self.rejected { step.min(h) } else { step };
@@ -114,31 +124,37 @@ impl StepControl {
 /// `longest`, whose sign is the direction. It costs one evaluation.
 ///
 /// An explicit Euler step estimates the second derivative; the step is such that h⁸ times the
-/// larger of the derivatives is 0.01 (II.4, "Starting Step Size"). A component that is zero and has no
+/// larger of the derivatives is 0.01 (II.4, "Starting Step Size"), in the unit of time of the motion where the system
+/// tells it, so that the step does not depend on that of its equations. A component that is zero and has no
 /// absolute tolerance does not count.
 pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
-    clock: Clock,
-    x: &D::State,
-    slope: &D::State,
+    (clock, x, slope): (Clock, &D::State, &D::State),
     longest: f64,
+    time_scale: Option<f64>,
     tolerance: Tolerance,
 ) -> f64 {
-    let size = dynamics.error_scale(x);
-    let scales = [size.clone(), size.clone()];
-    let norm = |vector: &D::State| Scalar::sqrt(squares(tolerance.ratios(vector, &scales, 0.0)).0);
-    let (zeroth, first) = (norm(&size), norm(slope));
+    let unit = time_scale.unwrap_or(1.0);
+    let sizes = Tolerance {
+        relative: 1.0,
+        absolute: 0.0,
+    };
+    let [size, allowed] = [sizes, tolerance]
+        .map(|tolerance| dynamics.allowed_error(x, &tolerance.over(S::from_f64(unit))));
+    let norm = |vector: &D::State| Scalar::sqrt(squares(ratios(vector, &allowed, 0.0)).0);
+    let (zeroth, first) = (norm(&size), norm(slope) * unit);
     let probe = PROBE * zeroth / first;
     let scaled = first > NEGLIGIBLE && zeroth > NEGLIGIBLE && probe.is_normal();
     let probe = if scaled { probe } else { SMALL_STEP };
-    let probe = probe.min(longest.abs());
+    let most = longest.abs() / unit;
+    let probe = probe.min(most);
 
-    let euler = probe.copysign(longest);
+    let euler = (probe * unit).copysign(longest);
     let mut ahead = dynamics.reduced(x, &x.zeroed());
     ahead.add_scaled(S::from_f64(euler), slope);
     let mut change = dynamics.derivative(S::from_f64(clock.after(euler)), &ahead);
     change.add_scaled(-S::one(), slope);
-    let steepest = (norm(&change) / probe).max(first);
+    let steepest = (norm(&change) * unit / probe).max(first);
     let step = if steepest <= ZERO_DERIVATIVE {
         (probe * SHORTENED_PROBE).max(SMALL_STEP)
     } else if steepest.is_finite() {
@@ -146,7 +162,7 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     } else {
         probe
     };
-    step.min(MAX_PROBES * probe).min(longest.abs())
+    (step.min(MAX_PROBES * probe) * unit).min(longest.abs())
 }
 
 /// The error of a step size that is too small to advance the time at (t, x), where `stages` are those of the last
@@ -157,7 +173,7 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     (time, x): (f64, &D::State),
     step: f64,
     stages: &[D::State; ALL_STAGES],
-    tolerance: Tolerance,
+    tolerance: ErrorTolerance<S>,
 ) -> IntegrationError {
     if let Some(singularity) = dynamics.vanishing_inertia(S::from_f64(time), x) {
         return IntegrationError::VanishingInertia {
@@ -166,10 +182,9 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
             singularity,
         };
     }
-    let size = dynamics.error_scale(x);
-    let scales = [size.clone(), size];
+    let allowed = dynamics.allowed_error(x, &tolerance);
     let error = combination(&FIFTH_ORDER_ERROR, stages, &x.zeroed());
-    let ratios = tolerance.ratios(&error, &scales, f64::INFINITY);
+    let ratios = ratios(&error, &allowed, f64::INFINITY);
     let worst =
         ratios.enumerate().fold(
             (0, -1.0),

@@ -2,7 +2,7 @@
 
 use super::coefficients::{MATRIX, NODES, WEIGHTS};
 use super::dense_output::{DensePolynomial, Dop853Interpolant};
-use super::step_control::{self, Attempt, StepControl, too_small};
+use super::step_control::{self, Attempt, StepControl, initial_step, too_small};
 use super::{ALL_STAGES, Dop853, STAGES};
 use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dense_output::DenseOutput;
@@ -12,7 +12,7 @@ use crate::integrate::runge_kutta::{combination, stage};
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, remaining,
 };
-use crate::limits::dormand_prince as limits;
+use crate::limits::dormand_prince::{self as limits, LEAST_TIME_SCALE};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -93,6 +93,7 @@ impl<X> Dop853Stepper<X> {
         &mut self,
         dynamics: &D,
         h: f64,
+        time_scale: f64,
     ) -> (Compensated<X>, Attempt)
     where
         X: VectorSpace<S>,
@@ -103,37 +104,37 @@ impl<X> Dop853Stepper<X> {
         self.evaluate(dynamics, (self.clock, &from), h, 1..STAGES);
         let slope = combination(&WEIGHTS, &self.stages, &from.zeroed());
         let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
-        let scales = [
-            dynamics.error_scale(self.state.value()),
-            dynamics.error_scale(state.value()),
-        ];
-        let error = step_control::error(&self.stages, h, &scales, self.method.tolerance);
+        let tolerance = self.method.tolerance.over(S::from_f64(time_scale));
+        let allowed = [self.state.value(), state.value()]
+            .map(|state| dynamics.allowed_error(state, &tolerance));
+        let error = step_control::error(&self.stages, h, &allowed);
         let finite = checked_state(dynamics, self.clock.after(h), state.value());
         (state, Attempt { error, finite })
     }
 
-    /// The size of the first step, in the direction of `remaining`.
+    /// The size of the first step, in the direction of `remaining`, and the time scale of the motion.
     fn first_step<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         remaining: f64,
-    ) -> f64
+    ) -> StepControl
     where
         X: VectorSpace<S>,
     {
         let longest = self.limited(remaining.abs());
+        let (x, slope) = (self.state.value(), &self.stages[STAGES]);
+        let tolerance = self.method.tolerance;
+        let time_scale = tolerance.time_scale(dynamics, x, slope);
+        let time_scale =
+            time_scale.map(|time| time.clamp(LEAST_TIME_SCALE * remaining.abs(), remaining.abs()));
         if let Some(step) = self.method.initial_step {
-            return step.min(longest);
+            return StepControl::new(step.min(longest), time_scale);
         }
         self.statistics.evaluations += 1;
-        step_control::initial_step(
-            dynamics,
-            self.clock,
-            self.state.value(),
-            &self.stages[STAGES],
-            longest.copysign(remaining),
-            self.method.tolerance,
-        )
+        let longest = longest.copysign(remaining);
+        let from = (self.clock, x, slope);
+        let step = initial_step(dynamics, from, longest, time_scale, tolerance);
+        StepControl::new(step, time_scale)
     }
 
     fn limited(&self, step: f64) -> f64 {
@@ -173,7 +174,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
         };
         let mut control = match self.control {
             Some(control) => control,
-            None => StepControl::new(self.first_step(dynamics, remaining)),
+            None => self.first_step(dynamics, remaining),
         };
         self.last = None;
         loop {
@@ -184,7 +185,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             } else {
                 proposed.copysign(remaining)
             };
-            let (state, attempt) = self.attempt(dynamics, h);
+            let (state, attempt) = self.attempt(dynamics, h, control.time_scale(h));
             let stalls = control.stalls(h, remaining);
             if !stalls && control.accepts(&attempt, h.abs()) {
                 self.accept(dynamics, state, h, lands.then_some(target));
@@ -198,7 +199,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             if stalls || control.step() <= least.max(f64::MIN_POSITIVE) {
                 attempt.finite?;
                 let here = (self.clock.time(), self.state.value());
-                let (step, tolerance) = (control.step(), self.method.tolerance);
+                let step = control.step();
+                let time_scale = S::from_f64(control.time_scale(step));
+                let tolerance = self.method.tolerance.over(time_scale);
                 return Err(too_small(dynamics, here, step, &self.stages, tolerance));
             }
         }

@@ -14,6 +14,7 @@ use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Statistics;
+use crate::integrate::tolerance::time_scale;
 use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP, SHORTENING};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
@@ -55,6 +56,8 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
     previous: ([f64; L], Compensated<X>, [f64; L]),
     /// The lengths of the last steps, 0 before the first.
     length: [f64; L],
+    /// The times in which the motions go on: those at their starts, or the longest steps so far.
+    time_scale: [f64; L],
     /// Whether a lane has been set since the last step.
     is_new: [bool; L],
     statistics: [Statistics; L],
@@ -76,6 +79,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             previous: ([t; L], state.clone(), [1.0; L]),
             state,
             length: [0.0; L],
+            time_scale: [1.0 / FIRST_UNIT; L],
             is_new: [true; L],
             statistics: [Statistics::default(); L],
             errors: [None; L],
@@ -231,6 +235,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.previous = (self.time, previous, self.unit);
         for lane in lanes(moving) {
             self.length[lane] = (targets[lane] - self.time[lane]).abs();
+            self.time_scale[lane] = self.time_scale[lane].max(self.length[lane]);
             self.time[lane] = targets[lane];
             self.statistics[lane].steps += 1;
             if proposed[lane].is_normal() {
@@ -261,18 +266,23 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
         let derivative = self.derivative(dynamics);
         let tolerance = self.method.tolerance::<Lanes<L>>();
-        let scale = dynamics.error_scale(self.state.value());
+        let state = self.state.value();
+        let rates = tolerance.rates(dynamics, state, &derivative);
+        let allowed = dynamics.allowed_error(state, &tolerance.over(Lanes([1.0; L])));
         let largest = tolerance.relative.max(tolerance.absolute);
-        let ratios = largest_ratios(tolerance, &derivative, &scale);
+        let ratios = largest_ratios(&derivative, &allowed);
         for lane in lanes(&core::mem::replace(&mut self.is_new, [false; L])) {
             self.statistics[lane].evaluations += 1;
             if let Some(error) = self.setting_error(dynamics, lane, &derivative) {
                 self.fail(lane, error);
             }
-            let rate = ratios.0[lane] * largest;
-            if rate.is_normal() {
-                self.unit[lane] = power_of_two_near(FIRST_UNIT / rate);
-            }
+            let time = match rates {
+                Some(rates) => time_scale(rates.map(|rates| rates.0[lane])),
+                None => 1.0 / (ratios.0[lane] * largest),
+            };
+            let usable = Some(time).filter(|time| time.is_normal());
+            self.time_scale[lane] = usable.unwrap_or(1.0 / FIRST_UNIT);
+            self.unit[lane] = power_of_two_near(FIRST_UNIT * self.time_scale[lane]);
         }
     }
 

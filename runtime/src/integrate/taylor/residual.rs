@@ -1,9 +1,8 @@
 //! The residual of a Taylor polynomial in the differential equations.
 
 use crate::integrate::dynamics::Dynamics;
-use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{CHANGES, MOVED_EPSILONS, RESIDUAL_PER_ORDER, RESIDUAL_ROUNDING};
-use crate::linalg::VectorSpace;
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// A time within a step, the reduced state of the polynomial there, and its derivative.
@@ -19,7 +18,7 @@ pub(super) struct Allowance<S> {
     pub(super) h: S,
     /// The order of the polynomial.
     pub(super) order: f64,
-    pub(super) tolerance: Tolerance,
+    pub(super) tolerance: ErrorTolerance<S>,
 }
 
 impl<S: Scalar> Allowance<S> {
@@ -32,12 +31,15 @@ impl<S: Scalar> Allowance<S> {
         point: &Point<S, D::State>,
         derivative: &D::State,
     ) -> Result<(), usize> {
-        let Tolerance { relative, absolute } = self.tolerance;
-        let [relative, absolute] = [relative, absolute]
-            .map(|tolerance| S::from_f64(tolerance * RESIDUAL_PER_ORDER * self.order));
-        let rounding = S::from_f64(RESIDUAL_ROUNDING * S::machine_epsilon());
-        let scale = dynamics.error_scale(&point.state);
-        let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
+        let rounding = RESIDUAL_ROUNDING * S::machine_epsilon();
+        let several = RESIDUAL_PER_ORDER * self.order;
+        let tolerance = ErrorTolerance {
+            relative: self.tolerance.relative * several + rounding,
+            absolute: self.tolerance.absolute * several,
+            ..self.tolerance
+        };
+        let rounding = S::from_f64(rounding);
+        let mut allowed = dynamics.allowed_error(&point.state, &tolerance);
         allowed.add_scaled(rounding, &point.state.map(Scalar::abs));
         allowed.add_scaled(rounding * self.h, &derivative.map(Scalar::abs));
         let residual = point.slope.zip_map(derivative, |polynomial, motion| {

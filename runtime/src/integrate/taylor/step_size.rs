@@ -6,25 +6,29 @@ use super::interpolant::TaylorInterpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::NEGLIGIBLE_TERM;
-use crate::linalg::VectorSpace;
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// The reciprocal tolerances of the components, of the sizes that they reach within a step of about the unit.
+/// The reciprocal tolerances of the components, of the sizes that they reach within a step of this length.
 #[inline]
 pub(super) fn weights<S, D, const HALF: usize>(
     polynomial: &TaylorInterpolant<D::State, HALF>,
     dynamics: &D,
-    tolerance: Tolerance,
+    tolerance: &ErrorTolerance<S>,
+    length: f64,
 ) -> D::State
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
 {
+    let tau = S::from_f64(length / polynomial.unit);
+    let mut power = S::one();
     let mut reached = polynomial.from.value().map(Scalar::abs);
     for coefficient in polynomial.coefficients.higher().iter().take(2) {
-        reached.add_scaled(S::one(), &coefficient.map(Scalar::abs));
+        power *= tau;
+        reached.add_scaled(power, &coefficient.map(Scalar::abs));
     }
-    tolerance.weights(&dynamics.error_scale(&reached))
+    Tolerance::weights(&dynamics.allowed_error(&reached, tolerance))
 }
 
 /// The largest component over its tolerance.

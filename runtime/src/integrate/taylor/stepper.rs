@@ -13,7 +13,7 @@ use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{
     FIRST_UNIT, INNER_CHECKS, LANDING, LONG_STEP, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES,
 };
-use crate::linalg::VectorSpace;
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// Takes the steps of a [`Taylor`] method.
@@ -34,6 +34,8 @@ pub struct TaylorStepper<X, const HALF: usize> {
     proposal: Option<Proposal>,
     /// The length of the last step, 0 before the first.
     length: f64,
+    /// The time in which the motion goes on: that at its start, or the longest step so far.
+    time_scale: f64,
     /// Whether the other polynomial is that of the last step.
     has_last: bool,
     statistics: Statistics,
@@ -51,22 +53,27 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     {
         let derivative = checked_derivative(dynamics, t, &x)?;
         let tolerance = method.tolerance::<S>();
-        let weights = tolerance.weights(&dynamics.error_scale(&x));
-        let largest = tolerance.relative.max(tolerance.absolute);
-        let rate = weighted_norm(&derivative, &weights) * largest;
-        let unit = if rate.is_normal() {
-            power_of_two_near(FIRST_UNIT / rate)
+        let time_scale = tolerance.time_scale(dynamics, &x, &derivative);
+        let time_scale = time_scale.unwrap_or_else(|| {
+            let allowed = dynamics.allowed_error(&x, &tolerance.over(S::one()));
+            let weights = Tolerance::weights(&allowed);
+            let largest = tolerance.relative.max(tolerance.absolute);
+            1.0 / (weighted_norm(&derivative, &weights) * largest)
+        });
+        let time_scale = if time_scale.is_normal() {
+            time_scale
         } else {
-            1.0
+            1.0 / FIRST_UNIT
         };
         let polynomial = TaylorInterpolant::at_rest(t, x);
         Ok(Self {
             method,
             polynomials: [polynomial.clone(), polynomial],
             present: 0,
-            unit,
+            unit: power_of_two_near(FIRST_UNIT * time_scale),
             proposal: None,
             length: 0.0,
+            time_scale,
             has_last: false,
             statistics: Statistics {
                 evaluations: 1,
@@ -85,17 +92,19 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.has_last.then(|| &self.polynomials[1 - self.present])
     }
 
-    /// Computes the coefficients of one of the polynomials, in a unit in which they are finite; or a component that is
-    /// not finite.
+    /// Computes the coefficients of one of the polynomials, in a unit in which they are finite, for a step of about this
+    /// length; or a component that is not finite.
     fn expand<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         index: usize,
         mut unit: f64,
+        length: f64,
     ) -> Result<Proposal, usize>
     where
         X: VectorSpace<S>,
     {
+        let tolerance = self.tolerance(length);
         let polynomial = &mut self.polynomials[index];
         let t = S::from_f64(polynomial.time);
         let from = polynomial.from.reduced(dynamics);
@@ -108,7 +117,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             let mut last = polynomial.coefficients.higher().iter().rev().take(2);
             non_finite = last.find_map(VectorSpace::first_non_finite);
             if non_finite.is_none() {
-                let weights = weights(polynomial, dynamics, self.method.tolerance::<S>());
+                let weights = weights(polynomial, dynamics, &tolerance, length.min(2.0 * unit));
                 let proposal = Proposal::of(&polynomial.coefficients, &weights);
                 // It is 0 where a coefficient over its tolerance is not finite.
                 if proposal.step > 0.0 {
@@ -132,7 +141,12 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         if let Some(proposal) = self.proposal {
             return Ok(proposal);
         }
-        let component = match self.expand(dynamics, self.present, self.unit) {
+        let length = if self.length > 0.0 {
+            self.length
+        } else {
+            FIRST_UNIT * self.time_scale
+        };
+        let component = match self.expand(dynamics, self.present, self.unit, length) {
             Ok(proposal) => {
                 self.proposal = Some(proposal);
                 return Ok(proposal);
@@ -177,7 +191,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.polynomials[next].from = state;
         let mut next_proposal = None;
         if needed && h.is_normal() {
-            next_proposal = self.expand(dynamics, next, power_of_two_near(h)).ok();
+            next_proposal = self.expand(dynamics, next, power_of_two_near(h), h).ok();
         }
         let derivative = if next_proposal.is_some() {
             self.polynomials[next].first_derivative()
@@ -198,8 +212,14 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Allowance {
             h: S::from_f64(h),
             order: number(2 * HALF),
-            tolerance: self.method.tolerance::<S>(),
+            tolerance: self.tolerance(h),
         }
+    }
+
+    /// The tolerances, by which an error of a velocity counts by the displacement that it causes in some time scales.
+    fn tolerance<S: Scalar>(&self, length: f64) -> ErrorTolerance<S> {
+        let time_scale = S::from_f64(self.time_scale.max(length));
+        self.method.tolerance::<S>().over(time_scale)
     }
 
     /// The check at times within a step.
@@ -326,6 +346,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                     self.present = 1 - self.present;
                     self.proposal = proposal;
                     self.length = length;
+                    self.time_scale = self.time_scale.max(length);
                     self.has_last = true;
                     self.statistics.steps += 1;
                     return Ok(());

@@ -57,13 +57,12 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let tolerance = self.method.tolerance::<Lanes<L>>();
-        let scale = dynamics.error_scale(state.value());
+        let allowed = dynamics.allowed_error(state.value(), &self.tolerance());
         let power = power(tau.abs(), HALF);
         let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
         let mut most = Lanes::from_f64(0.0);
         for term in middle {
-            most = Scalar::max(most, largest_ratios(tolerance, term, &scale) * power);
+            most = Scalar::max(most, largest_ratios(term, &allowed) * power);
         }
         most.0.map(|ratio| ratio < NEGLIGIBLE_TERM)
     }
@@ -88,13 +87,13 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         residual.add_scaled(Lanes::from_f64(-1.0), &derivative);
         let residual = residual.map(|component| (component * h).abs());
 
-        let tolerance = self.method.tolerance::<Lanes<L>>();
-        let [relative, absolute] = [tolerance.relative, tolerance.absolute].map(|tolerance| {
-            Lanes::<L>::from_f64(tolerance * RESIDUAL_PER_ORDER * number(Self::ORDER))
-        });
-        let rounding = Lanes::from_f64(RESIDUAL_ROUNDING * f64::EPSILON);
-        let scale = dynamics.error_scale(&reduced);
-        let mut allowed = scale.map(|scale| absolute + (relative + rounding) * scale);
+        let mut tolerance = self.tolerance();
+        let several = RESIDUAL_PER_ORDER * number(Self::ORDER);
+        let rounding = RESIDUAL_ROUNDING * f64::EPSILON;
+        tolerance.relative = tolerance.relative * several + rounding;
+        tolerance.absolute *= several;
+        let rounding = Lanes::from_f64(rounding);
+        let mut allowed = dynamics.allowed_error(&reduced, &tolerance);
         allowed.add_scaled(rounding, &reduced.map(Scalar::abs));
         allowed.add_scaled(rounding * h, &derivative.map(Scalar::abs));
 

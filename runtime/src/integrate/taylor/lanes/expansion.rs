@@ -3,9 +3,8 @@
 use super::{TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
-use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{UNIT_CHANGE, UNIT_CHANGES};
-use crate::linalg::LaneStates;
+use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES};
+use crate::linalg::{ErrorTolerance, LaneStates};
 use crate::scalar::{Lanes, Scalar};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
@@ -22,7 +21,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (Lanes(self.time), Lanes(self.unit));
             dynamics.series(t, &from, unit, &mut self.coefficients);
-            let proposed = self.proposed(&self.scale(dynamics));
+            let proposed = self.proposed(&self.allowed(dynamics));
             for lane in lanes(&waiting) {
                 self.statistics[lane].evaluations += 1;
                 // It is 0 where a coefficient over its tolerance is not finite.
@@ -67,12 +66,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 
     /// The steps at which the last two terms meet the tolerance, in units; 0 where they are not finite. Where they are
     /// zero, the terms before count, as in [`TaylorStepper`](super::TaylorStepper).
-    fn proposed(&self, scale: &X) -> [f64; L] {
-        let tolerance = self.method.tolerance::<Lanes<L>>();
+    fn proposed(&self, allowed: &X) -> [f64; L] {
         let higher = self.coefficients.higher();
         let mut logarithm = [f64::INFINITY; L];
         for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
-            let ratios = largest_ratios(tolerance, coefficient, scale);
+            let ratios = largest_ratios(coefficient, allowed);
             let order = number(Self::ORDER - position);
             let mut found = true;
             for (logarithm, ratio) in logarithm.iter_mut().zip(ratios.0) {
@@ -91,31 +89,44 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         logarithm.map(Scalar::exp)
     }
 
-    /// The scales to which the relative tolerance refers, of what the components reach within a step of about the unit.
-    fn scale<D>(&self, dynamics: &D) -> X
+    /// The errors that are allowed, of the sizes that the components reach within a step like the last.
+    fn allowed<D>(&self, dynamics: &D) -> X
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        let tau = Lanes::from_fn(|lane| {
+            let length = if self.length[lane] > 0.0 {
+                self.length[lane].min(2.0 * self.unit[lane])
+            } else {
+                FIRST_UNIT * self.time_scale[lane]
+            };
+            length / self.unit[lane]
+        });
+        let mut power = Lanes::from_f64(1.0);
         let mut reached = self.state.value().map(Scalar::abs);
         for coefficient in self.coefficients.higher().iter().take(2) {
-            reached.add_scaled(Lanes::from_f64(1.0), &coefficient.map(Scalar::abs));
+            power *= tau;
+            reached.add_scaled(power, &coefficient.map(Scalar::abs));
         }
-        dynamics.error_scale(&reached)
+        dynamics.allowed_error(&reached, &self.tolerance())
+    }
+
+    /// The tolerances, by which an error of a velocity counts by the displacement that it causes in some time scales.
+    pub(super) fn tolerance(&self) -> ErrorTolerance<Lanes<L>> {
+        let time_scale = Lanes(self.time_scale);
+        self.method.tolerance::<Lanes<L>>().over(time_scale)
     }
 }
 
 /// The largest component over its tolerance in each lane; NaN where one is not finite, and a component that has no
 /// tolerance does not count.
 pub(super) fn largest_ratios<X: LaneStates<L>, const L: usize>(
-    tolerance: Tolerance,
     vector: &X,
-    scale: &X,
+    allowed: &X,
 ) -> Lanes<L> {
-    let [relative, absolute] = [tolerance.relative, tolerance.absolute].map(Lanes::<L>::from_f64);
     let mut largest = Lanes::from_f64(0.0);
     let mut finite = Lanes::from_f64(0.0);
-    for (component, scale) in vector.components().zip(scale.components()) {
-        let allowed = absolute + relative * scale;
+    for (component, allowed) in vector.components().zip(allowed.components()) {
         let ratio = component.abs() / allowed;
         let ratio = Lanes::from_fn(|lane| {
             if allowed.0[lane] > 0.0 {
