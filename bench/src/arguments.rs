@@ -41,6 +41,10 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) taylor: bool,
 
+    /// With `--taylor`: our references, in double-double, are computed again, which takes some minutes.
+    #[arg(long, requires = "taylor")]
+    pub(crate) confirm: bool,
+
     /// Work and precision of integrators, and the figure in the documentation.
     #[arg(long, group = "task")]
     pub(crate) work_precision: bool,

@@ -54,6 +54,8 @@ fn integrated<const N: usize, M: Contestant<N>>(
         "Taylor 12" => taylor(model, Taylor::order_12(), integration),
         "Taylor 16" => taylor(model, Taylor::order_16(), integration),
         "Taylor 24" => taylor(model, Taylor::new(), integration),
+        "Taylor 16, own steps" => ensemble(model, Taylor::order_16(), integration),
+        "Taylor 24, own steps" => ensemble(model, Taylor::new(), integration),
         "Taylor 40 in double-double" => {
             by::<DoubleDouble, _, _, N>(model, &Taylor::order_40(), integration)
         }
@@ -85,6 +87,32 @@ fn taylor<const N: usize, const HALF: usize, M: Contestant<N>>(
     } else {
         by::<Lanes<LANES>, _, _, N>(model, &method, integration)
     }
+}
+
+/// In lanes with steps of their own.
+fn ensemble<const N: usize, const HALF: usize, M: Contestant<N>>(
+    model: &M,
+    method: Taylor<HALF>,
+    integration: &Integration,
+) -> Result<Integrated, String> {
+    let one = |row: &Vec<f64>| state::<f64, N>(std::slice::from_ref(row));
+    let starts: Vec<State<f64, N>> = integration.starts.iter().map(one).collect();
+    let (outcomes, seconds) = fewest_seconds(integration.at_least, || {
+        let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
+        let motions = starts.iter().map(|start| (*start, integration.end));
+        let outcomes = method.ensemble::<LANES>().collect(&dynamics, motions);
+        let outcomes: Result<Vec<_>, _> = outcomes.into_iter().collect();
+        outcomes.map_err(|error| error.to_string())
+    })?;
+    let steps = outcomes.iter().map(|outcome| outcome.statistics.steps);
+    let states = outcomes
+        .iter()
+        .flat_map(|outcome| rows::<f64, N>(&outcome.last.x));
+    Ok(Integrated {
+        seconds,
+        steps: steps.max().unwrap_or(0),
+        states: states.collect(),
+    })
 }
 
 /// A scalar that holds the numbers of some motions.

@@ -15,7 +15,10 @@ pub(crate) const END: f64 = 1000.0;
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct Trajectory {
     pub(crate) start: Vec<f64>,
+    /// By the equations by hand, whose constants are folded in doubles.
     pub(crate) end: Vec<f64>,
+    /// By the declared model, whose parameters are doubles.
+    pub(crate) declared_end: Vec<f64>,
 }
 
 #[derive(Deserialize)]
@@ -31,7 +34,16 @@ impl Trajectory {
         let trajectory = file.trajectories.remove(&model.to_string());
         let components = 2 * model.degrees();
         trajectory
-            .filter(|Self { start, end }| [start, end].iter().all(|x| x.len() == components))
+            .filter(|trajectory| {
+                let Self {
+                    start,
+                    end,
+                    declared_end,
+                } = trajectory;
+                [start, end, declared_end]
+                    .iter()
+                    .all(|state| state.len() == components)
+            })
             .ok_or_else(|| format!("{model} has no reference trajectory"))
     }
 

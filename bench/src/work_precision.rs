@@ -12,8 +12,6 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::process::Command;
 
-use lagrangian_bench::Integration;
-
 use crate::arguments::Arguments;
 use crate::cargo::{build, build_solvers};
 use crate::contest::{self, Entry, Rounds};
@@ -115,7 +113,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
 impl Sides {
     fn panel(&self, model: Model, quick: bool) -> Result<Panel, String> {
         let trajectory = Trajectory::of(&self.folders, model)?;
-        let starts = [trajectory.start];
+        let starts = [trajectory.start.clone()];
         let mut contestants =
             vec![build(&self.folders, model, Calls::Integrate, Flags::Native)?.start()?];
         let mut there = vec![Side::Ours];
@@ -128,13 +126,6 @@ impl Sides {
             contestants.push(Contestant::start(Command::new(solvers).arg(&model_name))?);
             there.push(Side::Solvers);
         }
-        let truth = contestants[0].integrate(&Integration {
-            method: crate::taylor::DOUBLE_DOUBLE.to_owned(),
-            tolerance: None,
-            starts: starts.to_vec(),
-            end: END,
-            at_least: 0.0,
-        })?;
         let mut entries = Vec::new();
         let mut names = Vec::new();
         for method in METHODS {
@@ -163,7 +154,7 @@ impl Sides {
             let point = Point {
                 tolerance: entry.integration.tolerance.unwrap_or(f64::NAN),
                 seconds: result.seconds,
-                error: error(&result.states[0], &truth.states[0]),
+                error: error(&result.states[0], &trajectory.declared_end),
             };
             if let Some(curve) = curves.last_mut() {
                 curve.points.push(point);
