@@ -1,11 +1,12 @@
 """The final states at t = 1000, by heyoka in quadruple precision. Usage: references.py NAME...
 
-It writes them into trajectories.json, rounded to doubles. Twenty links take most of an hour. `-- --taylor` compares all with our
-Taylor method in double-double, which shares nothing with this but the starts.
+It writes them into trajectories.json, rounded to doubles. Twenty links take an hour. `-- --taylor` compares all with
+our Taylor method in double-double, which shares nothing with this but the starts.
 """
 
 import json
 import pathlib
+import re
 import sys
 
 import heyoka as hy
@@ -13,6 +14,15 @@ import heyoka as hy
 from systems import by_hand, degrees
 
 FILE = pathlib.Path(__file__).with_name("trajectories.json")
+
+
+def write(trajectories):
+    """Each list of numbers in one line."""
+    text = json.dumps(trajectories, indent=1)
+    text = re.sub(r"\[[^\[\]]*\]", lambda numbers: " ".join(numbers[0].split()), text)
+    FILE.write_text(text + "\n")
+
+
 hy.llvm_state.set_diskcache_enabled(False)
 for name in sys.argv[1:]:
     trajectories = json.loads(FILE.read_text())
@@ -24,4 +34,4 @@ for name in sys.argv[1:]:
     integrator = hy.taylor_adaptive_f128(equations, start, tol=hy.real128(1e-28), compact_mode=n > 3)
     integrator.propagate_until(hy.real128(1000.0))
     trajectory["end"] = [float(value) for value in integrator.state]
-    FILE.write_text(json.dumps(trajectories, indent=1) + "\n")
+    write(trajectories)
