@@ -192,6 +192,10 @@ pub(crate) mod taylor {
     /// As for DOP853, unless set there.
     pub(crate) const MIN_STEP: f64 = super::dormand_prince::MIN_STEP;
 
+    /// The bytes that the terms of pairs of factors may take on the stack when they are stored for each pair; a chain of
+    /// 30 links needs as many. Beyond, each factor is stored once.
+    pub(crate) const LARGEST_PAIRED_CONVOLUTIONS: usize = 1 << 19;
+
     /// As for DOP853.
     pub(crate) const LANDING: f64 = super::dormand_prince::LANDING;
 }

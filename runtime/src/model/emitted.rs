@@ -6,6 +6,7 @@ use super::linearization::Linearization;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{Convolutions, OnlineConvolutions, PairedConvolutions, TaylorCoefficients};
+use crate::limits::taylor::LARGEST_PAIRED_CONVOLUTIONS;
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
@@ -104,13 +105,19 @@ pub fn taylor_series<
         v: accelerations * unit,
     };
     let higher = coefficients.higher_mut();
-    if const { size_of::<S>() <= size_of::<f64>() } {
+    if const { pair_by_pair::<S, PAIRS, HALF>() } {
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF>::new();
         expand(unit, first, higher, pairs, convolutions, term);
     } else {
         let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
         expand(unit, first, higher, pairs, convolutions, term);
     }
+}
+
+/// Whether the terms are stored for each pair: where vector registers hold several numbers, and the stack has room.
+const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
+    let size = size_of::<PairedConvolutions<S, PAIRS, 1, HALF>>();
+    size_of::<S>() <= size_of::<f64>() && size <= LARGEST_PAIRED_CONVOLUTIONS
 }
 
 /// The coefficients of the motion from that of order 1, one order after the other.

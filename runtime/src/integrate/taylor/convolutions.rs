@@ -2,9 +2,6 @@
 
 use crate::scalar::Scalar;
 
-/// How many terms a loop of constant length takes: a vector register of 256 bits holds as many `f64`.
-const CHUNK: usize = 4;
-
 /// Convolutions order after order, as each order is known only after the one before (relaxed multiplication: J. van der
 /// Hoeven, *Relax, but Don't be Too Lazy*, Journal of Symbolic Computation **34** (2002) 479–542).
 pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize> {
@@ -15,18 +12,19 @@ pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize>
     fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]);
 }
 
+/// As many orders are summed at once: each term that is loaded is in as many products, and the sums stay in registers.
+const ORDERS: usize = 4;
+
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order after order.
 ///
-/// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀. As soon as the factors of order k are known, they are
-/// multiplied by those of lower orders, and the products added to the sums of higher orders: loops of constant length
-/// without a reduction, for which the compiler uses vector registers. A product of two terms of order above `HALF`
-/// is of no order below 2·`HALF`, so that half of the terms and half of the sums are enough.
+/// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀.
 #[derive(Clone, Debug)]
+#[repr(align(64))] // Lanes are loaded from whole cache lines.
 pub struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, const HALF: usize> {
-    /// The sums of the next order, of the one after it, and so on.
-    sums: [[S; HALF]; PAIRS],
     /// The terms of order 1, 2, … of each factor.
-    terms: [[S; HALF]; FACTORS],
+    terms: [[[S; 2]; HALF]; FACTORS],
+    /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
+    sums: [[S; ORDERS]; PAIRS],
     order: usize,
 }
 
@@ -38,8 +36,8 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     #[must_use]
     pub fn new() -> Self {
         Self {
-            sums: [[S::zero(); HALF]; PAIRS],
-            terms: [[S::zero(); HALF]; FACTORS],
+            terms: [[[S::zero(); 2]; HALF]; FACTORS],
+            sums: [[S::zero(); ORDERS]; PAIRS],
             order: 1,
         }
     }
@@ -48,43 +46,110 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     #[inline]
     #[must_use]
     pub fn sums(&self) -> [S; PAIRS] {
-        core::array::from_fn(|pair| self.sums[pair][0])
+        let place = (self.order - 1) % ORDERS;
+        core::array::from_fn(|pair| self.sums[pair][place])
     }
 
     /// Goes on to the next order, given the terms of the present one, and the indices of the factors that are paired.
     #[inline]
     pub fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
-        let place = self.order - 1;
-        // Beyond are sums of no order that is asked for, and terms that are 0.
-        let reach = self.order.min((2 * HALF).saturating_sub(self.order + 1));
-        let chunks = reach.div_ceil(CHUNK);
-        for (sums, [first, second]) in self.sums.iter_mut().zip(pairs) {
-            let (x, y) = (factors[*first], factors[*second]);
-            let (of_x, of_y) = (&self.terms[*first], &self.terms[*second]);
-            for chunk in 0..chunks {
-                let start = chunk * CHUNK;
-                if start + CHUNK < HALF {
-                    for i in start..start + CHUNK {
-                        sums[i] = x.mul_add(of_y[i], y.mul_add(of_x[i], sums[i + 1]));
-                    }
-                } else {
-                    for i in start..HALF - 1 {
-                        sums[i] = x.mul_add(of_y[i], y.mul_add(of_x[i], sums[i + 1]));
-                    }
-                    sums[HALF - 1] = x.mul_add(of_y[HALF - 1], y * of_x[HALF - 1]);
-                }
-            }
-            if let Some(sum) = sums.get_mut(place) {
-                *sum = x.mul_add(y, *sum);
-            }
-        }
+        let known = self.order;
         for (terms, factor) in self.terms.iter_mut().zip(factors) {
-            if let Some(term) = terms.get_mut(place) {
+            if let Some(term) = terms.as_flattened_mut().get_mut(known - 1) {
                 *term = *factor;
             }
         }
         self.order += 1;
+        let place = known % ORDERS;
+        match place {
+            0 => self.each(pairs, known, |sums, x, y| *sums = products(x, y)),
+            _ if known < ORDERS => {
+                self.each(pairs, known, |sums, x, y| sums[place] = product(x, y));
+            }
+            1 => self.each(pairs, known, |sums, x, y| {
+                sums[1] = with_last::<S, 1>(x, y, sums[1])
+            }),
+            2 => self.each(pairs, known, |sums, x, y| {
+                sums[2] = with_last::<S, 2>(x, y, sums[2])
+            }),
+            _ => self.each(pairs, known, |sums, x, y| {
+                sums[3] = with_last::<S, 3>(x, y, sums[3])
+            }),
+        }
     }
+
+    /// Changes the sums of each pair, given the terms that are known.
+    #[inline]
+    fn each(
+        &mut self,
+        pairs: &[[usize; 2]; PAIRS],
+        known: usize,
+        change: impl Fn(&mut [S; ORDERS], &[S], &[S]),
+    ) {
+        let known = known.min(2 * HALF);
+        let mut last = None;
+        for (sums, pair) in self.sums.iter_mut().zip(pairs) {
+            // A block of pairs is filled by repeating one.
+            if last == Some(pair) {
+                continue;
+            }
+            last = Some(pair);
+            let [x, y] = pair.map(|factor| &self.terms[factor].as_flattened()[..known]);
+            change(sums, x, y);
+        }
+    }
+}
+
+/// The sums of the products whose orders add up to n + 1, …, n + 4, of the n terms that are known, a multiple of 4.
+#[inline]
+fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
+    let mut sums = [S::zero(); ORDERS];
+    let (Some((x_first, x)), Some((_, before))) = (x.split_first_chunk(), y.split_last()) else {
+        return sums;
+    };
+    let x_first: &[S; ORDERS] = x_first;
+    let known = y.len();
+    for (i, x) in x_first.iter().enumerate() {
+        for (sum, y) in sums.iter_mut().zip(&y[known - 1 - i..]) {
+            *sum = x.mul_add(*y, *sum);
+        }
+    }
+    let windows = before.windows(ORDERS + 1).rev().step_by(2);
+    for ([x_i, x_j], y) in x.as_chunks::<2>().0.iter().zip(windows) {
+        for (sum, y) in sums.iter_mut().zip(&y[1..]) {
+            *sum = x_i.mul_add(*y, *sum);
+        }
+        for (sum, y) in sums.iter_mut().zip(y) {
+            *sum = x_j.mul_add(*y, *sum);
+        }
+    }
+    sums
+}
+
+/// The sum of the products whose orders add up to one more than the number of terms.
+#[inline]
+fn product<S: Scalar>(x: &[S], y: &[S]) -> S {
+    let products = x.iter().zip(y.iter().rev());
+    products.fold(S::zero(), |sum, (x, y)| x.mul_add(*y, sum))
+}
+
+/// A sum and those of its products that have one of the last terms.
+#[inline]
+fn with_last<S: Scalar, const LAST: usize>(x: &[S], y: &[S], sum: S) -> S {
+    let ends = (
+        x.first_chunk(),
+        x.last_chunk(),
+        y.first_chunk(),
+        y.last_chunk(),
+    );
+    let (Some(x_first), Some(x_last), Some(y_first), Some(y_last)) = ends else {
+        return sum;
+    };
+    let _: [&[S; LAST]; 4] = [x_first, x_last, y_first, y_last];
+    (0..LAST).fold(sum, |sum, i| {
+        let sum = x_first[i].mul_add(y_last[LAST - 1 - i], sum);
+        x_last[i].mul_add(y_first[LAST - 1 - i], sum)
+    })
 }
 
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize> Default
