@@ -67,13 +67,13 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
                 self.each(pairs, known, |sums, x, y| sums[place] = product(x, y));
             }
             1 => self.each(pairs, known, |sums, x, y| {
-                sums[1] = with_last::<S, 1>(x, y, sums[1])
+                sums[1] = with_last::<S, 1>(x, y, sums[1]);
             }),
             2 => self.each(pairs, known, |sums, x, y| {
-                sums[2] = with_last::<S, 2>(x, y, sums[2])
+                sums[2] = with_last::<S, 2>(x, y, sums[2]);
             }),
             _ => self.each(pairs, known, |sums, x, y| {
-                sums[3] = with_last::<S, 3>(x, y, sums[3])
+                sums[3] = with_last::<S, 3>(x, y, sums[3]);
             }),
         }
     }
