@@ -76,6 +76,7 @@ pub use model::{
     OperationCount, Operations, Outputs, OutputsWith, OwnedEquations, Phase, Plant, State,
     WithController, WithInputs,
 };
+pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use nalgebra;
 pub use num_traits;
 pub use scalar::{DoubleDouble, Lanes, Scalar};

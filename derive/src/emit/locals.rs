@@ -10,7 +10,16 @@ use crate::lower::scope::Scope;
 use crate::plan::PARAMETERS;
 
 /// The names of variables where Taylor coefficients are computed.
-const SERIES: [&str; 5] = ["unit", "coefficients", "invariants", "term", "convolutions"];
+const SERIES: [&str; 8] = [
+    "unit",
+    "coefficients",
+    "invariants",
+    "term",
+    "convolutions",
+    "series_of_inputs",
+    "higher_inputs",
+    "term_of_inputs",
+];
 
 /// Gives every local variable of one method a name of its own.
 pub(crate) struct Locals<'a> {

@@ -30,15 +30,15 @@ impl SymbolReader for TermSymbols {
             Symbol::Time => quote!(term.t),
             Symbol::Coordinate(i) => element(&quote!(term.q), i),
             Symbol::Velocity(i) => element(&quote!(term.v), i),
+            Symbol::Input(i) => element(&quote!(term_of_inputs), i),
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
             Symbol::Order => quote!(term.order),
             Symbol::ReciprocalOrder => quote!(term.reciprocal_order),
             Symbol::Convolution(i) => element(&quote!(term.convolutions), i),
             // The rest does not depend on the order.
-            Symbol::Invariant(i)
-            | Symbol::Parameter(i)
-            | Symbol::Input(i)
-            | Symbol::Argument(i) => element(&quote!(invariants), i),
+            Symbol::Invariant(i) | Symbol::Parameter(i) | Symbol::Argument(i) => {
+                element(&quote!(invariants), i)
+            }
         }
     }
 }
@@ -52,24 +52,47 @@ impl Emitter<'_> {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let signatures = self.signatures();
         let (state, prepared) = (signatures.state(), &signatures.prepared);
-        let body = self.series(method);
-        let items = quote! {
-            fn taylor_series<const HALF: usize>(
-                &self,
-                state: #state,
-                prepared: &#prepared,
-                unit: #scalar,
-                coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+        let signature = quote! {
+            prepared: &#prepared,
+            unit: #scalar,
+            coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+        };
+        let interface = quote!(#root::MotionSeries<#n, #scalar>);
+        if !self.has_inputs() {
+            let body = self.series(method, InputsFrom::Fields);
+            let items = quote! {
+                fn taylor_series<const HALF: usize>(&self, state: #state, #signature) { #body }
+            };
+            return self.implement(&interface, &items);
+        }
+        let (u, inputs) = (self.model.inputs as usize, signatures.inputs());
+        let taking_inputs = quote!(#root::MotionSeriesWith<#n, #u, #scalar>);
+        let body = self.series(method, InputsFrom::Argument);
+        let with_inputs = quote! {
+            fn taylor_series_with<const HALF: usize>(
+                &self, state: #state, series_of_inputs: &[#inputs], #signature
             ) {
+                let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
+                let inputs = &inputs;
                 #body
             }
         };
-        self.implement(&quote!(#root::MotionSeries<#n, #scalar>), &items)
+        let held = quote! {
+            fn taylor_series<const HALF: usize>(&self, state: #state, #signature) {
+                let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
+                <Self as #taking_inputs>::taylor_series_with(
+                    self, state, &held, prepared, unit, coefficients,
+                );
+            }
+        };
+        let with_inputs = self.implement(&taking_inputs, &with_inputs);
+        let held = self.implement(&interface, &held);
+        quote!(#with_inputs #held)
     }
 
-    fn series(&self, method: &TaylorMethod) -> TokenStream {
+    fn series(&self, method: &TaylorMethod, inputs: InputsFrom) -> TokenStream {
         let (root, scalar) = (&self.declaration.root, &self.scalar);
-        self.with_writer(&method.initial, InputsFrom::Fields, &[], |writer| {
+        self.with_writer(&method.initial, inputs, &[], |writer| {
             let (statements, accelerations) = writer.accelerations(&method.accelerations);
             let (more, invariants) = writer.compute(&method.invariants);
             let term = self.term(method, writer);
@@ -77,13 +100,16 @@ impl Emitter<'_> {
             let (pairs, lanes) = in_blocks(&method.program.convolutions);
             let count_of_pairs = pairs.len();
             let count = invariants.len();
+            let next_inputs = self
+                .has_inputs()
+                .then(|| quote!(let term_of_inputs = higher_inputs.next();));
             quote! {
                 #statements
                 let accelerations = #accelerations;
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::taylor_series::<_, #n, #factors, #count_of_pairs, #lanes, HALF>(
-                    state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #term },
+                    state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #next_inputs #term },
                 );
             }
         })

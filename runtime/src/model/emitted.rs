@@ -64,6 +64,30 @@ fn select_if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     computed.select(otherwise(), definite)
 }
 
+/// The coefficients of inputs of order 0, and those of order 1 and more in turn. Those that are not given are 0.
+#[inline]
+pub fn orders<S: Scalar, const U: usize>(
+    series: &[SVector<S, U>],
+) -> (SVector<S, U>, HigherOrders<'_, S, U>) {
+    let zero = SVector::from_element(S::zero());
+    let (initial, higher) = series.split_first().unwrap_or((&zero, &[]));
+    (*initial, HigherOrders(higher.iter()))
+}
+
+/// The coefficients of inputs from some order on.
+#[derive(Clone, Debug)]
+pub struct HigherOrders<'a, S: Scalar, const U: usize>(core::slice::Iter<'a, SVector<S, U>>);
+
+impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
+    /// Those of the next order.
+    #[inline]
+    #[allow(clippy::should_implement_trait)] // It has no end.
+    pub fn next(&mut self) -> SVector<S, U> {
+        let next = self.0.next().copied();
+        next.unwrap_or_else(|| SVector::from_element(S::zero()))
+    }
+}
+
 /// What the recurrence for the Taylor coefficients of order k reads.
 #[derive(Clone, Copy, Debug)]
 pub struct Term<S: Scalar, const N: usize, const PAIRS: usize> {

@@ -2,10 +2,12 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::driven_by::DrivenBy;
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::lagrangian::Lagrangian;
 use super::linearization::Linearization;
 use super::linearization::below_zeros;
+use super::signals::Signals;
 use super::state::State;
 use crate::scalar::Scalar;
 
@@ -90,6 +92,44 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
             model: self,
             inputs: inputs.into(),
         }
+    }
+
+    /// The same system under inputs that are functions of time, one [`Signal`](crate::Signal) for each: an array of signals
+    /// of one type, or a tuple of different ones. [`Taylor`](crate::Taylor) integrates it, since signals have Taylor series;
+    /// so do all other methods.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    /// use lagrangian::{Constant, Sinusoid, Sum};
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     taylor,
+    ///     coordinates(x),
+    ///     kinetic = 0.5 * m * dot(x).powi(2),
+    ///     potential = 0.5 * k * (x - shift).powi(2),
+    ///     force(x = push),
+    /// )]
+    /// struct Oscillator {
+    ///     m: f64,
+    ///     k: f64,
+    ///     #[lagrangian(input)]
+    ///     push: f64,
+    ///     #[lagrangian(input)]
+    ///     shift: f64,
+    /// }
+    ///
+    /// let oscillator = Oscillator { m: 1.0, k: 4.0, push: 0.0, shift: 0.0 };
+    /// let push = Sinusoid { amplitude: 3.0, angular_frequency: 1.0, phase: 0.0 };
+    /// let driven = oscillator.driven_by((push, Constant(0.5)));
+    /// let start = State::new(0.0, [0.5], [1.0]);
+    /// let end = Taylor::new().integrate_to(&driven, start, 20.0)?;
+    /// // ẍ = −4 (x − ½) + 3 sin t.
+    /// assert!((end.x.q[0] - 0.5 - 20.0_f64.sin()).abs() < 1e-13);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    fn driven_by<I: Signals<S, U>>(&self, signals: I) -> DrivenBy<'_, Self, I, S, N, U> {
+        DrivenBy::new(self, signals)
     }
 }
 

@@ -1,6 +1,9 @@
 //! The Taylor series of motions.
 
+use nalgebra::SVector;
+
 use super::equations_of_motion::EquationsOfMotion;
+use super::inputs::{Inputs, WithInputs};
 use super::lagrangian::Lagrangian;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
@@ -26,6 +29,47 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         unit: S,
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     );
+}
+
+/// A model with inputs whose declaration has the clause `taylor`: the same recurrences, in which the inputs are functions
+/// of time.
+#[diagnostic::on_unimplemented(
+    message = "the Taylor series of the motions of `{Self}` under inputs is not known",
+    note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
+)]
+pub trait MotionSeriesWith<const N: usize, const U: usize, S: Scalar = f64>:
+    Inputs<N, U, S> + MotionSeries<N, S>
+{
+    /// The Taylor polynomial of the motion through a state under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
+    /// the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
+    fn taylor_series_with<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        inputs: &[SVector<S, U>],
+        prepared: &Self::Prepared,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    );
+}
+
+/// Under inputs that are held.
+impl<M, S, const N: usize, const U: usize> MotionSeries<N, S> for WithInputs<'_, M, S, U>
+where
+    M: MotionSeriesWith<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    #[inline]
+    fn taylor_series<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    ) {
+        let held = [self.inputs];
+        self.model
+            .taylor_series_with(state, &held, prepared, unit, coefficients);
+    }
 }
 
 impl<M, S, const N: usize> Series<S> for EquationsOfMotion<'_, M, S, N>

@@ -1,7 +1,7 @@
 //! Taylor series of the values of a program (Moore, Interval Analysis, 1966, chapter 11; Griewank and Walther,
 //! Evaluating Derivatives, 2nd edition 2008, section 13.2).
 //!
-//! Input: a program of coordinates, velocities and time. Output: the program once more, for the terms of order 0,
+//! Input: a program of coordinates, velocities, inputs and time. Output: the program once more, for the terms of order 0,
 //! and a recurrence for those of any order k ≥ 1. In the recurrence a product is
 //! wₖ = Σ xᵢ yₖ₋ᵢ = x₀ yₖ + xₖ y₀ + Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ, and every other operation is made of such products. The last
 //! sum, over orders below k, is a [convolution](Convolution), which a loop accumulates; what is left is linear in the
@@ -16,7 +16,7 @@ use crate::{Rational, Symbol};
 
 /// The program for the Taylor coefficients of the accelerations.
 ///
-/// Coefficient k of the coordinates, velocities and time is what the [recurrence](Self::recurrence) reads as these
+/// Coefficient k of the coordinates, velocities, inputs and time is what the [recurrence](Self::recurrence) reads as these
 /// symbols.
 #[derive(Clone, Debug)]
 pub struct TaylorProgram {
@@ -187,7 +187,7 @@ impl Builder {
         let varies = |symbol: &Symbol| {
             matches!(
                 symbol,
-                Symbol::Time | Symbol::Coordinate(_) | Symbol::Velocity(_)
+                Symbol::Time | Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::Input(_)
             )
         };
         match operand {

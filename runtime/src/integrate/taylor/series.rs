@@ -7,7 +7,9 @@ use crate::scalar::Scalar;
 /// A system of differential equations with recurrences for the Taylor coefficients of its solutions.
 #[diagnostic::on_unimplemented(
     message = "the Taylor series of `{Self}` is not known",
-    note = "a model has one with the clause `taylor` in its declaration, unless it is under a control law; \
+    note = "a model has one with the clause `taylor` in its declaration, but not under a control law, which is known at single \
+            states only: inputs that are functions of time are signals, `model.driven_by([signal])`, inputs that are held are \
+            `model.with_inputs([value])`; other systems implement `Series` with the blocks of `recurrences`; \
             `Dop853` integrates all others"
 )]
 pub trait Series<S: Scalar = f64>: Dynamics<S> {
