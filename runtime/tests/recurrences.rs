@@ -145,8 +145,9 @@ fn motions_by_hand_are_those_of_the_derived_model() {
     let derived = Taylor::new()
         .integrate_to(&Derived.dynamics(), start, 20.0)
         .unwrap();
-    assert_close(by_hand.x[0], derived.x.q[0], 1e-13);
-    assert_close(by_hand.x[1], derived.x.v[0], 1e-13);
+    // Relative to an angle of five turns: rounding errors grow along the motion.
+    assert_close(by_hand.x[0] / derived.x.q[0], 1.0, 1e-14);
+    assert_close(by_hand.x[1] / derived.x.v[0], 1.0, 1e-14);
 }
 
 #[test]

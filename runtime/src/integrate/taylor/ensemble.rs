@@ -79,7 +79,7 @@ use crate::scalar::{Lanes, Scalar};
 /// assert!(highest > 0.99 && highest < 1.0 + 1e-13);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ensemble<const L: usize, const HALF: usize = 12> {
+pub struct Ensemble<const L: usize, const HALF: usize = 14> {
     method: Taylor<HALF>,
     max_steps: u64,
     singularity_tolerance: Option<f64>,
