@@ -76,6 +76,8 @@ pub use model::{
     OperationCount, Operations, Outputs, OutputsWith, OwnedEquations, Phase, Plant, State,
     WithController, WithInputs,
 };
+#[cfg(feature = "num-dual")]
+pub use model::{ByParameters, StateTransition};
 pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use nalgebra;
 pub use num_traits;

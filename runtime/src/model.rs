@@ -5,6 +5,8 @@ mod generalized_coordinates;
 mod state;
 mod phase;
 mod linearization;
+#[cfg(feature = "num-dual")]
+mod state_transition;
 mod operations;
 mod lagrangian;
 mod motion_series;
@@ -41,4 +43,6 @@ pub use phase::Phase;
 pub use plant::Plant;
 pub use signals::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use state::State;
+#[cfg(feature = "num-dual")]
+pub use state_transition::{ByParameters, StateTransition};
 pub use with_controller::WithController;

@@ -63,8 +63,9 @@ pub use lanes::Lanes;
 /// | `num_dual::Dual2_64`, `HyperDual64` | second derivatives, in one direction or two | feature `num-dual` |
 ///
 /// Dual numbers differentiate with respect to whatever has a derivative part: a parameter, an initial
-/// value, the time, an input. An integration on dual numbers differentiates its steps; an adaptive
-/// method chooses their sizes by the values alone. The sensitivity of a motion to a mass and a stiffness:
+/// value, the time, an input. An integration on dual numbers differentiates its steps. [`Taylor`](crate::Taylor) chooses
+/// their sizes by the derivative parts, too, [`Dop853`](crate::Dop853) by the values alone. The derivatives by all initial
+/// values at once are [`StateTransition`](crate::StateTransition). The sensitivity of a motion to a mass and a stiffness:
 ///
 #[cfg_attr(feature = "num-dual", doc = "```")]
 #[cfg_attr(not(feature = "num-dual"), doc = "```ignore")]
@@ -145,6 +146,17 @@ pub trait Scalar:
     fn in_lane(self, lane: usize) -> f64 {
         let _ = lane;
         self.largest()
+    }
+
+    /// How many derivative parts the number has.
+    const DERIVATIVES: usize = 0;
+
+    /// A derivative part; 0 for a number that does not have as many. With it, adaptive steps see derivatives where the
+    /// values rest.
+    #[inline]
+    fn derivative_part(self, index: usize) -> f64 {
+        let _ = index;
+        0.0
     }
 
     /// The distance from 1 to the next larger number, by which rounding errors are estimated.

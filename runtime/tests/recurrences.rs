@@ -1,9 +1,6 @@
 //! The building blocks of Taylor series: against the functions themselves, in double-doubles, and in equations of motion
 //! written by hand.
 
-mod common;
-
-use common::assert_close;
 use lagrangian::prelude::*;
 use lagrangian::recurrences::{
     ArcCosine, ArcSine, ArcTangent, ArcTangent2, Exponential, HyperbolicSineCosine,

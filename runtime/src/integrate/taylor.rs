@@ -46,7 +46,8 @@ use crate::scalar::Scalar;
 /// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial
 /// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that
 /// acts for a shorter time, such as a pulse, set [`max_step`](Self::max_step) to less than its duration. With dual
-/// numbers steps are chosen by the values alone: set it where the value rests and its derivative does not.
+/// numbers the derivative parts count, too, relative to their largest component, so that a derivative is as accurate
+/// where the value rests.
 ///
 /// It integrates what has a [`Series`]: a model with the clause `taylor` in its declaration.
 ///

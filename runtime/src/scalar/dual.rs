@@ -13,10 +13,19 @@ macro_rules! forwarded {
     )*};
 }
 
-/// Implements [`Scalar`] for a type of dual numbers, given a function that tells whether all derivative parts are zero.
+/// Implements [`Scalar`] for a type of dual numbers, given a function that tells whether all derivative parts are zero,
+/// their number, and the part of an index.
 macro_rules! dual_scalar {
-    ([$($generics:tt)*] $dual:ty, $is_constant:expr) => {
+    ([$($generics:tt)*] $dual:ty, $is_constant:expr, $derivatives:expr, $part:expr) => {
         impl<$($generics)*> Scalar for $dual {
+            const DERIVATIVES: usize = $derivatives;
+
+            #[inline]
+            fn derivative_part(self, index: usize) -> f64 {
+                let part: fn(&Self, usize) -> Option<f64> = $part;
+                part(&self, index).unwrap_or(0.0)
+            }
+
             forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt }
 
             #[inline]
@@ -95,7 +104,17 @@ fn vanish<'a>(derivatives: impl IntoIterator<Item = &'a f64>) -> bool {
         .all(|derivative| derivative.abs() <= 0.0)
 }
 
-dual_scalar! { [] Dual64, |x| vanish([&x.eps]) }
-dual_scalar! { [] Dual2_64, |x| vanish([&x.v1, &x.v2]) }
-dual_scalar! { [] HyperDual64, |x| vanish([&x.eps1, &x.eps2, &x.eps1eps2]) }
-dual_scalar! { [const N: usize] DualSVec64<N>, |x| x.eps.0.as_ref().is_none_or(vanish) }
+dual_scalar! {
+    [] Dual64, |x| vanish([&x.eps]), 1, |x, index| [x.eps].get(index).copied()
+}
+dual_scalar! {
+    [] Dual2_64, |x| vanish([&x.v1, &x.v2]), 2, |x, index| [x.v1, x.v2].get(index).copied()
+}
+dual_scalar! {
+    [] HyperDual64, |x| vanish([&x.eps1, &x.eps2, &x.eps1eps2]),
+    3, |x, index| [x.eps1, x.eps2, x.eps1eps2].get(index).copied()
+}
+dual_scalar! {
+    [const N: usize] DualSVec64<N>, |x| x.eps.0.as_ref().is_none_or(vanish),
+    N, |x, index| x.eps.0.as_ref().and_then(|parts| parts.get(index).copied())
+}

@@ -39,6 +39,73 @@ pub(super) fn weighted_norm<S: Scalar, X: VectorSpace<S>>(vector: &X, weights: &
     largest.fold(0.0, f64::max)
 }
 
+/// The norm of a term, in which derivative parts count by their size relative to those of the motion.
+struct Norm<'a, S, X, const HALF: usize> {
+    coefficients: &'a TaylorCoefficients<X, HALF>,
+    weights: &'a X,
+    tolerance: &'a ErrorTolerance<S>,
+}
+
+impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
+    #[inline]
+    fn of(&self, term: &X) -> f64 {
+        let norm = weighted_norm(term, self.weights);
+        if S::DERIVATIVES == 0 {
+            return norm;
+        }
+        (0..S::DERIVATIVES).fold(norm, |norm, part| norm.max(self.of_derivative(term, part)))
+    }
+
+    /// The derivative parts of one index, which are a vector that moves with the linearized motion: over the tolerance
+    /// and the size of that vector, both in the units of the weights.
+    fn of_derivative(&self, term: &X, part: usize) -> f64 {
+        let change = self.size(term, part);
+        let coefficients = self.coefficients;
+        let lower = coefficients.higher().iter().take(2);
+        let lower = lower.fold(self.size(coefficients.initial(), part), |size, term| {
+            size.max(self.size(term, part))
+        });
+        let size = if lower > 0.0 {
+            lower
+        } else {
+            let higher = coefficients.higher().iter();
+            higher.fold(0.0, |size, term| self.size(term, part).max(size))
+        };
+        if change <= 0.0 {
+            return 0.0;
+        }
+        let ratio = change / (self.relative() * size);
+        if ratio.is_nan() { f64::INFINITY } else { ratio }
+    }
+
+    /// The largest derivative part of an index, in units of the sizes of the components.
+    fn size(&self, vector: &X, part: usize) -> f64 {
+        let pairs = vector.components().zip(self.weights.components());
+        pairs.fold(0.0, |size: f64, (component, weight)| {
+            // A component that is zero and has no absolute tolerance is of size 1.
+            let weight = match weight.largest() {
+                weight if weight > 0.0 => weight * self.relative(),
+                _ => 1.0,
+            };
+            let derivative = component.derivative_part(part).abs() * weight;
+            if derivative.is_nan() {
+                f64::INFINITY
+            } else {
+                size.max(derivative)
+            }
+        })
+    }
+
+    /// The tolerance of derivative parts.
+    fn relative(&self) -> f64 {
+        if self.tolerance.relative > 0.0 {
+            self.tolerance.relative
+        } else {
+            self.tolerance.absolute.min(1.0)
+        }
+    }
+}
+
 /// What the coefficients of a polynomial say about the length of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Proposal {
@@ -56,10 +123,16 @@ impl Proposal {
     pub(super) fn of<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
         coefficients: &TaylorCoefficients<X, HALF>,
         weights: &X,
+        tolerance: &ErrorTolerance<S>,
     ) -> Self {
+        let norm = Norm {
+            coefficients,
+            weights,
+            tolerance,
+        };
         let mut logarithm = f64::INFINITY;
         for (position, term) in coefficients.higher().iter().rev().enumerate().take(HALF) {
-            let norm = weighted_norm(term, weights);
+            let norm = norm.of(term);
             if norm > 0.0 {
                 let order = number(2 * HALF - position);
                 logarithm = logarithm.min(-Scalar::ln(norm) / order);
@@ -71,7 +144,7 @@ impl Proposal {
         let middle = coefficients.higher().iter().take(HALF).rev().take(2);
         Self {
             step: Scalar::exp(logarithm),
-            middle: middle.fold(0.0, |norm, term| weighted_norm(term, weights).max(norm)),
+            middle: middle.fold(0.0, |most, term| norm.of(term).max(most)),
         }
     }
 

@@ -118,7 +118,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             non_finite = last.find_map(VectorSpace::first_non_finite);
             if non_finite.is_none() {
                 let weights = weights(polynomial, dynamics, &tolerance, length.min(2.0 * unit));
-                let proposal = Proposal::of(&polynomial.coefficients, &weights);
+                let proposal = Proposal::of(&polynomial.coefficients, &weights, &tolerance);
                 // It is 0 where a coefficient over its tolerance is not finite.
                 if proposal.step > 0.0 {
                     return Ok(proposal);

@@ -1,0 +1,162 @@
+//! Derivatives of a motion by its initial values and by parameters. Needs the feature `num-dual`.
+
+use nalgebra::{SMatrix, SVector};
+use num_dual::DualSVec64;
+
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::{Dynamics, IntegrationError, Integrator, Sample};
+
+/// The derivatives of a motion at a time by the `K` derivative parts of its numbers: by the initial coordinates and
+/// velocities, numbers 0 to 2 `N` − 1, and by whatever else is given the ones from 2 `N` on, such as parameters.
+///
+/// They are those of the steps of the integration, by dual numbers: the variational equations, solved by the same method.
+///
+/// ```
+/// use lagrangian::StateTransition;
+/// use lagrangian::prelude::*;
+/// use num_dual::DualSVec64;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     taylor,
+///     coordinates(x),
+///     kinetic = 0.5 * m * dot(x).powi(2),
+///     potential = 0.5 * k * x.powi(2),
+/// )]
+/// struct Oscillator<T: Scalar> { m: T, k: T }
+///
+/// // By x(0), ẋ(0) and, as the third, the stiffness.
+/// type Dual = DualSVec64<3>;
+/// let oscillator = Oscillator { m: Dual::from_re(1.0), k: Dual::from_re(4.0).derivative(2) };
+/// let start = State::new(0.0, [1.0], [0.0]);
+/// let transition = StateTransition::over(&Taylor::new(), &oscillator.dynamics(), &start, 10.0)?;
+///
+/// let matrix = transition.matrix::<2>();
+/// let (sine, cosine) = 20.0_f64.sin_cos();
+/// assert!((matrix - Matrix2::new(cosine, 0.5 * sine, -2.0 * sine, cosine)).norm() < 1e-13);
+/// let by_stiffness = transition.by_parameters::<1>();
+/// // x = cos √k t.
+/// assert!((by_stiffness.q[0] + 10.0 / 4.0 * sine).abs() < 1e-13);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// For several times, [`initial`](Self::initial) is the initial value of a sampled motion, and [`of`](Self::of) takes its
+/// samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateTransition<const N: usize, const K: usize> {
+    /// The state at that time.
+    pub state: State<f64, N>,
+    /// ∂qᵢ/∂(number j) in row i, column j.
+    pub q: SMatrix<f64, N, K>,
+    /// ∂q̇ᵢ/∂(number j) in row i, column j.
+    pub v: SMatrix<f64, N, K>,
+}
+
+impl<const N: usize, const K: usize> StateTransition<N, K> {
+    /// The derivatives over the motion from `initial` to the time `end`, which may lie before it. The final time is not
+    /// moved with the numbers.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn over<I, D>(
+        method: &I,
+        dynamics: &D,
+        initial: &State<f64, N>,
+        end: f64,
+    ) -> Result<Self, IntegrationError>
+    where
+        D: Dynamics<DualSVec64<K>, State = Phase<DualSVec64<K>, N>> + ?Sized,
+        I: Integrator<DualSVec64<K>, D> + Clone,
+    {
+        let end = method.integrate_to(dynamics, Self::initial(initial), end)?;
+        Ok(Self::of(&end))
+    }
+
+    /// An initial value whose numbers 0 to 2 `N` − 1 are its coordinates and velocities.
+    ///
+    /// `K` is 2 `N`, and more with parameters:
+    ///
+    /// ```compile_fail,E0080
+    /// # use lagrangian::{State, StateTransition};
+    /// let initial = StateTransition::<1, 1>::initial(&State::new(0.0, [1.0], [0.0]));
+    /// ```
+    #[must_use]
+    pub fn initial(state: &State<f64, N>) -> Sample<Phase<DualSVec64<K>, N>> {
+        const {
+            assert!(
+                K >= 2 * N,
+                "a state transition is by all coordinates and velocities: `K` is 2 `N`, and more with parameters"
+            );
+        }
+        let number = |value, index| DualSVec64::from_re(value).derivative(index);
+        let x = Phase {
+            q: SVector::from_fn(|i, _| number(state.q[i], i)),
+            v: SVector::from_fn(|i, _| number(state.v[i], N + i)),
+        };
+        Sample { t: state.t, x }
+    }
+
+    /// The derivatives at a sample.
+    #[must_use]
+    pub fn of(sample: &Sample<Phase<DualSVec64<K>, N>>) -> Self {
+        let Phase { q, v } = sample.x;
+        let gradients = |of: &SVector<DualSVec64<K>, N>| {
+            SMatrix::from_fn(|i, j| of[i].eps.0.map_or(0.0, |gradient| gradient[j]))
+        };
+        Self {
+            state: State {
+                t: sample.t,
+                q: q.map(|coordinate| coordinate.re),
+                v: v.map(|velocity| velocity.re),
+            },
+            q: gradients(&q),
+            v: gradients(&v),
+        }
+    }
+
+    /// The state-transition matrix Φ = ∂x(t)/∂x(0), where x = (q, q̇). It has `D` = 2 `N` rows and columns.
+    ///
+    /// In canonical variables it is symplectic, Φᵀ J Φ = J; with the momenta p = M q̇ + … these are found by the
+    /// derivatives of p at both ends.
+    #[must_use]
+    pub fn matrix<const D: usize>(&self) -> SMatrix<f64, D, D> {
+        const {
+            assert!(
+                D == 2 * N,
+                "the state-transition matrix has twice as many rows and columns as there are coordinates: `D` is 2 `N`, \
+                 as in `matrix::<4>()` for two"
+            );
+        }
+        SMatrix::from_fn(|i, j| match i.checked_sub(N) {
+            None => self.q[(i, j)],
+            Some(i) => self.v[(i, j)],
+        })
+    }
+
+    /// The derivatives of the state by the `P` = `K` − 2 `N` parameters, a phase for each, `q` and `v` in the columns of
+    /// two matrices.
+    #[must_use]
+    pub fn by_parameters<const P: usize>(&self) -> ByParameters<N, P> {
+        const {
+            assert!(
+                P + 2 * N == K,
+                "the numbers from 2 `N` on are parameters: `P` is `K` − 2 `N`"
+            );
+        }
+        ByParameters {
+            q: SMatrix::from_fn(|i, j| self.q[(i, 2 * N + j)]),
+            v: SMatrix::from_fn(|i, j| self.v[(i, 2 * N + j)]),
+        }
+    }
+}
+
+/// The derivatives of a state by parameters; given by [`StateTransition::by_parameters`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ByParameters<const N: usize, const P: usize> {
+    /// ∂qᵢ/∂pⱼ in row i, column j.
+    pub q: SMatrix<f64, N, P>,
+    /// ∂q̇ᵢ/∂pⱼ in row i, column j.
+    pub v: SMatrix<f64, N, P>,
+}
