@@ -22,14 +22,10 @@ struct Cubic;
 
 /// The largest error of a motion of eccentricity ½ after the time 8, at which Kepler's equation is solved in
 /// double-doubles: t = E − ½ sin E.
-fn kepler<S: Scalar, I: Integrator<S, D>, D>(
-    method: &I,
-    dynamics: &D,
-    number: impl Fn(DoubleDouble) -> S,
-) -> f64
+fn kepler<S: Scalar, I, D>(method: &I, dynamics: &D, number: impl Fn(DoubleDouble) -> S) -> f64
 where
     D: Dynamics<S, State = Phase<S, 2>>,
-    I: Clone,
+    I: Integrator<S, D> + Clone,
 {
     let [time, eccentricity, one] = [8.0, 0.5, 1.0].map(DoubleDouble::from_f64);
     let start = Phase {
