@@ -25,6 +25,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     names::check_constants(declaration, diagnostics);
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
+    check_events(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);
     }
@@ -85,6 +86,26 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
                 output.name
             );
             diagnostics.error(&output.name, message);
+        }
+    }
+}
+
+fn check_events(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let mut seen = BTreeSet::new();
+    for event in &declaration.clauses.events {
+        if !seen.insert(unraw(&event.name)) {
+            let message = format!(
+                "the event `{}` is declared twice: give one of them another name",
+                event.name
+            );
+            diagnostics.error(&event.name, message);
+        }
+        if !event.indices.is_empty() || !event.iterations.is_empty() {
+            let message = format!(
+                "several events of one name are a vector: write `{} = (0..5).map(|i| …).collect()`",
+                event.name
+            );
+            diagnostics.error(&event.name, message);
         }
     }
 }

@@ -5,6 +5,7 @@ mod methods;
 mod constants;
 mod inputs;
 mod outputs;
+mod events;
 mod external_functions;
 mod item_names;
 mod signatures;
@@ -36,6 +37,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.outputs(),
         emitter.functions(),
         emitter.taylor_series(),
+        emitter.events(),
     ]
     .into_iter()
     .collect()

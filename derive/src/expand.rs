@@ -81,10 +81,11 @@ fn implement(
         defects::report_at_energy(declaration, message, diagnostics);
         return None;
     }
-    let mut taylor = None;
+    let (mut taylor, mut event_series) = (None, None);
     if let Some(clause) = &declaration.clauses.taylor {
-        match methods.taylor_method(model.coordinates as usize) {
-            Ok(method) => taylor = Some(method),
+        let series = methods.taylor_method(model.coordinates as usize);
+        match series.and_then(|series| Ok((series, methods.event_series()?))) {
+            Ok((series, events)) => (taylor, event_series) = (Some(series), events),
             Err(reason) => {
                 defects::report_no_series(reason, clause, diagnostics);
                 return None;
@@ -97,7 +98,7 @@ fn implement(
         &model,
         &equations,
         &methods,
-        taylor.as_ref(),
+        (taylor.as_ref(), event_series.as_ref()),
         most_scopes,
     );
     let items = items(&emitter);

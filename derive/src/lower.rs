@@ -33,6 +33,8 @@ pub(crate) struct Lowered {
     pub(crate) quantities: Quantities,
     /// The shapes of the outputs, in their order; of those with errors, that of a scalar.
     pub(crate) outputs: Vec<Shape>,
+    /// The same of the events, which are outputs behind the others.
+    pub(crate) events: Vec<Shape>,
 }
 
 /// Resolves a declaration.
@@ -54,6 +56,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let complete = lowerer.diagnostics.is_empty() && lowerer.scope.unknown().next().is_none();
     let shape = |output: &Option<Value>| output.as_ref().map_or(Shape::Scalar, Value::shape);
     let outputs = parts.outputs.iter().map(shape).collect();
+    let events = parts.events.iter().map(shape).collect();
     let coordinates = lowerer.coordinates;
     let mut graph = lowerer.graph;
     let model = parts.complete().filter(|_| complete).map(|parts| Model {
@@ -62,7 +65,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         energies: parts.energies,
         dissipation: parts.dissipation,
         forces: parts.forces,
-        outputs: components(&mut graph, &parts.outputs),
+        outputs: components(&mut graph, &[parts.outputs, parts.events].concat()),
         graph,
     });
     Lowered {
@@ -70,6 +73,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         scope: lowerer.scope,
         quantities,
         outputs,
+        events,
     }
 }
 
@@ -89,6 +93,7 @@ struct Parts {
     dissipation: Option<Expression>,
     forces: Option<Vec<Expression>>,
     outputs: Vec<Option<Value>>,
+    events: Vec<Option<Value>>,
 }
 
 struct CompleteParts {
@@ -96,6 +101,7 @@ struct CompleteParts {
     dissipation: Expression,
     forces: Vec<Expression>,
     outputs: Vec<Value>,
+    events: Vec<Value>,
 }
 
 impl Parts {
@@ -105,6 +111,7 @@ impl Parts {
             dissipation: self.dissipation?,
             forces: self.forces?,
             outputs: self.outputs.into_iter().collect::<Option<_>>()?,
+            events: self.events.into_iter().collect::<Option<_>>()?,
         })
     }
 }
@@ -121,16 +128,9 @@ impl Lowerer<'_> {
         let lagrangian = self.total(&clauses.lagrangian);
         let dissipation = self.total(&clauses.dissipation);
         let forces = self.forces(declaration);
-        let outputs = clauses
-            .outputs
-            .iter()
-            .map(|output| {
-                // An output with indices has been refused.
-                let whole = output.indices.is_empty() && output.iterations.is_empty();
-                let expression = whole.then_some(&output.expression)?;
-                self.lower(expression, ExpressionContext::Observation)
-            })
-            .collect();
+        let outputs = self.observed(&clauses.outputs, ExpressionContext::Observation);
+        let events = self.observed(&clauses.events, ExpressionContext::Energy);
+        self.check_events(&clauses.events, &events);
         let energies = if clauses.lagrangian.is_empty() {
             self.natural(&clauses.kinetic, kinetic, potential)
         } else {
@@ -144,6 +144,35 @@ impl Lowerer<'_> {
             dissipation,
             forces,
             outputs,
+            events,
+        }
+    }
+
+    /// The values of outputs or events. One with indices has been refused.
+    fn observed(
+        &mut self,
+        named: &[NamedExpression],
+        context: ExpressionContext,
+    ) -> Vec<Option<Value>> {
+        let values = named.iter().map(|named| {
+            let whole = named.indices.is_empty() && named.iterations.is_empty();
+            let expression = whole.then_some(&named.expression)?;
+            self.lower(expression, context)
+        });
+        values.collect()
+    }
+
+    /// An event is a scalar or a vector.
+    fn check_events(&mut self, events: &[NamedExpression], values: &[Option<Value>]) {
+        for (event, value) in events.iter().zip(values) {
+            let shape = value.as_ref().map(Value::shape);
+            if let Some(shape @ Shape::Array { columns: 2.., .. }) = shape {
+                let message = format!(
+                    "this is {shape}, and an event is a scalar, or several as a vector: write one of its \
+                     components or columns"
+                );
+                self.diagnostics.error(&event.expression, message);
+            }
         }
     }
 

@@ -40,7 +40,10 @@ pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
-pub use event::{Crossing, Event, MetConditions, Occurrence, Reaction, Watched, ZeroCrossing};
+pub use event::{
+    Crossing, DeclaredEvents, Event, EventDynamics, MetConditions, Occurrence, Reaction,
+    SingleNumber, StepPolynomial, Watched, ZeroCrossing,
+};
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};

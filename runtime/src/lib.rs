@@ -57,12 +57,13 @@ pub use model::emitted as __private;
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
     Advance, ButcherTableau, CLASSICAL_FOURTH_ORDER, ComponentName, Convolutions, Crossing,
-    DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver, Dynamics, Event, InitialValue,
-    IntegrationError, IntegrationMethod, Integrator, Interpolant, MetConditions, ObservationKind,
-    Observer, Occurrence, Outcome, Predicate, Progress, Reaction, RungeKutta, RungeKuttaStepper,
-    RunningIntegration, Sample, Series, Singularity, Statistics, Step, Stepper, Steps,
-    StopCondition, StopReason, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
-    TypicalSizes, Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
+    DeclaredEvents, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver, Dynamics, Event,
+    EventDynamics, InitialValue, IntegrationError, IntegrationMethod, Integrator, Interpolant,
+    MetConditions, ObservationKind, Observer, Occurrence, Outcome, Predicate, Progress, Reaction,
+    RungeKutta, RungeKuttaStepper, RunningIntegration, Sample, Series, SingleNumber, Singularity,
+    Statistics, Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason, Taylor,
+    TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes, Unconditional, Unobserved,
+    Watched, WithSizes, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
@@ -71,7 +72,7 @@ pub use integrate::{Ensemble, TaylorLanes, recurrences};
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{ErrorTolerance, Factorization, IntoVector, LaneStates, VectorSpace};
 pub use model::{
-    AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, ExternalFunctions,
+    AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, Events, ExternalFunctions,
     FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian, Linearization, MotionSeries,
     OperationCount, Operations, Outputs, OutputsWith, OwnedEquations, Phase, Plant, State,
     WithController, WithInputs,

@@ -80,6 +80,27 @@ pub(crate) mod events {
     /// The same in lengths of the last step, for an event function that has not left its rounding errors in between.
     pub(crate) const SHORT_PART: f64 = 0.125;
 
+    /// The most coefficients of a polynomial whose roots are isolated: those of order 64, beyond which no method goes.
+    pub(crate) const MOST_COEFFICIENTS: usize = 65;
+
+    /// The errors of the coefficients of an event's polynomial, in machine epsilons: values below what they make are zero,
+    /// and an extremum of that size is a double root.
+    pub(crate) const UNCERTAINTY: f64 = 8.0;
+
+    /// An interval of this length, in steps, is not divided further: roots in it are one.
+    pub(crate) const LEAST_WIDTH: f64 = 1e-12;
+
+    /// The least part of a step over which the series of an event function is used: it does not converge there, as that of
+    /// a square root at 0.
+    pub(crate) const LEAST_WINDOW: f64 = 1.0 / 1024.0;
+
+    /// A value of an event function that differs from that of its polynomial by more than this part of the terms shows a
+    /// corner. Larger than the rounding errors of `f32`.
+    pub(crate) const NEAR: f64 = 1e-5;
+
+    /// The intervals that are looked at for one root, at most. A simple root takes some ten, a multiple one some hundred.
+    pub(crate) const ISOLATION_STEPS: usize = 1024;
+
     /// How many occurrences of one event there may be in a row, each within a short time after the one before: a ball whose
     /// bounces become ever shorter is then at rest.
     pub(crate) const OCCURRENCES: f64 = 8.0;

@@ -4,7 +4,7 @@
 
 pub use crate::{
     Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, Event,
-    ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
+    Events, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
     Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Observer, Occurrence,
     Outcome, Outputs, OutputsWith, Phase, Plant, Progress, Reaction, RungeKutta,
     RunningIntegration, Sample, Scalar, State, Statistics, Step, Stepper, StopReason, Taylor,

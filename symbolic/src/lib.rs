@@ -45,6 +45,7 @@ pub use program::taylor::{AccelerationOperands, Convolution, TaylorProgram};
 pub use program::verify::Fault;
 pub use validation::{
     AccelerationProgram, LinearizationProgram, Method, Programs, SeriesCheck, Validator,
+    ValueSeriesCheck,
 };
 
 /// No part of the interface.

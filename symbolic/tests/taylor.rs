@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{
     AccelerationOperands, AccelerationProgram, Equations, Kinetics, Model, Operation, Program,
-    SeriesCheck, Staged, TaylorProgram,
+    SeriesCheck, Staged, TaylorProgram, ValueSeriesCheck,
 };
 use lagrangian_symbolic_testing::systems::{
     Chain, cardan_rates, cart_pole, charged, driven_pendulum, euler_rates, indefinite, polar,
@@ -108,6 +108,54 @@ fn a_recurrence_with_an_error_anywhere_is_found_out() {
                 !accelerations.agree_with(&wrong),
                 "{what}: convolution {index}"
             );
+        }
+    }
+}
+
+/// The series of values along any motion, such as those of event functions: here of the energies and the forcing.
+fn values() -> Vec<(&'static str, Program)> {
+    // In the energy of the symmetric top sin² ψ + cos² ψ is 1, whatever the rate of ψ.
+    let systems = systems().into_iter();
+    let systems = systems.filter(|(what, _)| *what != "symmetric top");
+    let systems = systems.map(|(what, mut model)| {
+        let equations = Equations::derive(&mut model).unwrap();
+        let mut values = equations.forcing.clone();
+        values.extend([equations.energy, equations.lagrangian]);
+        (what, Program::schedule(&model.graph, &[&values]))
+    });
+    systems.collect()
+}
+
+fn series_of_values(program: &Program) -> TaylorProgram {
+    let outputs = AccelerationOperands::Solved(&program.groups[0].outputs);
+    TaylorProgram::of(program, outputs).unwrap()
+}
+
+#[test]
+fn series_of_values_with_an_error_anywhere_are_found_out() {
+    for (what, program) in values() {
+        let right = series_of_values(&program);
+        assert!(ValueSeriesCheck::new(&program, &right).agrees(), "{what}");
+        for index in 0..right.recurrence.groups[0].instructions.len() {
+            let mut wrong = right.clone();
+            let operation = &mut wrong.recurrence.groups[0].instructions[index].operation;
+            *operation = match operation.clone() {
+                Operation::Add(x, y) => Operation::Subtract(x, y),
+                Operation::Subtract(x, y) => Operation::Add(x, y),
+                Operation::Multiply(x, y) => Operation::Divide(x, y),
+                Operation::Negate(x) => Operation::Add(x.clone(), x),
+                other => panic!("{what}: {other:?} is no operation on terms"),
+            };
+            let agrees = ValueSeriesCheck::new(&program, &wrong).agrees();
+            assert!(!agrees, "{what}: {index}");
+        }
+        for index in 0..right.convolutions.len() {
+            let mut wrong = right.clone();
+            let factors = right.factors();
+            let pair = &mut wrong.convolutions[index];
+            pair.1 = (pair.1 + 1) % factors;
+            let agrees = ValueSeriesCheck::new(&program, &wrong).agrees();
+            assert!(factors == 1 || !agrees, "{what}: convolution {index}");
         }
     }
 }

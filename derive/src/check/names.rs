@@ -6,7 +6,8 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
 use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_SYSTEMS,
+    CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS,
+    CONSTANTS_OF_SYSTEMS,
 };
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
@@ -64,16 +65,21 @@ pub(super) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Each coordinate and each input becomes a constant of the type, beside those that are always there.
+/// Each coordinate, each input and each event becomes a constant of the type, beside those that are always there.
 pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut taken = constants(declaration);
     let coordinates = declaration.clauses.coordinates.iter();
     let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
     let inputs = declaration.fields_with(Role::Input);
     let inputs = inputs.map(|field| (&field.name, "input"));
-    for (name, quantity) in coordinates.chain(inputs) {
+    let events = declaration.clauses.events.iter();
+    let events = events.map(|event| (&event.name, "event"));
+    for (name, quantity) in coordinates.chain(inputs).chain(events) {
         let constant = constant_name(name);
-        let kind = format!("the index of `{name}`");
+        let kind = match quantity {
+            "event" => format!("the index of the event `{name}`"),
+            _ => format!("the index of `{name}`"),
+        };
         // The same name twice is reported as such.
         if let Some(holder) = taken.insert(constant.clone(), kind.clone())
             && holder != kind
@@ -90,8 +96,9 @@ pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagn
 fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
     let has_inputs = declaration.fields_with(Role::Input).next().is_some();
     let has_functions = !declaration.clauses.functions.is_empty();
+    let has_events = !declaration.clauses.events.is_empty();
     let every = "a constant of every model";
-    let all: [(&[&str], bool, &str); 4] = [
+    let all: [(&[&str], bool, &str); 5] = [
         (&CONSTANTS, true, every),
         (&CONSTANTS_OF_SYSTEMS, true, every),
         (
@@ -103,6 +110,11 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
             &CONSTANTS_OF_FUNCTIONS,
             has_functions,
             "a constant of every model with external functions",
+        ),
+        (
+            &CONSTANTS_OF_EVENTS,
+            has_events,
+            "a constant of every model with events",
         ),
     ];
     let all = all.into_iter().filter(|(_, there, _)| *there);

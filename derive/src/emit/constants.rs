@@ -33,6 +33,7 @@ impl Emitter<'_> {
             quote!(#[doc = #text] #visibility const #constant: #ty = #value;)
         });
         let inputs = self.input_constants();
+        let events = self.event_constants();
         // A lifetime of the struct stands in its impl but once.
         let lifetimes = self.declaration.generics.lifetimes().next().is_some();
         let lints = lifetimes.then(|| quote!(#[allow(single_use_lifetimes)]));
@@ -44,6 +45,7 @@ impl Emitter<'_> {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #(#indices)*
                 #inputs
+                #events
                 /// The equations of motion as they were derived.
                 #visibility const EQUATIONS: &'static str = #equations;
                 /// The operation counts of the methods.

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use lagrangian_symbolic::{Energies, Expression, Letters, Names, OperationCount};
 
 use super::emitter::Emitter;
+use super::events::names;
 use crate::limits::LONGEST_FORMULA;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
@@ -40,7 +41,7 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
     text
 }
 
-/// Definitions, energies, momenta, M, Q and f as text, one formula a line.
+/// Definitions, energies, momenta, M, Q, f and the functions of events as text, one formula a line.
 pub(crate) fn equations(emitter: &Emitter<'_>) -> String {
     let mut page = Page::new(emitter);
     page.coordinates();
@@ -49,6 +50,7 @@ pub(crate) fn equations(emitter: &Emitter<'_>) -> String {
     page.momenta();
     page.mass_matrix();
     page.forces();
+    page.events();
     page.text
 }
 
@@ -149,6 +151,16 @@ impl<'a> Page<'a> {
                     self.line(&name, *entry);
                 }
             }
+        }
+    }
+
+    fn events(&mut self) {
+        let lowered = self.emitter.lowered;
+        let before = lowered.outputs.iter().map(|shape| shape.count()).sum();
+        let functions = self.emitter.model.outputs.iter().skip(before);
+        let names = names(self.emitter.declaration, &lowered.events);
+        for (name, function) in names.zip(functions) {
+            self.line(&format!("g[{name}]"), *function);
         }
     }
 

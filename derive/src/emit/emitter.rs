@@ -7,7 +7,7 @@ use quote::{ToTokens as _, quote};
 use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, Methods, TaylorMethod};
+use crate::plan::{EmittedMethod, EventSeries, Methods, TaylorMethod};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -20,6 +20,8 @@ pub(crate) struct Emitter<'a> {
     pub(crate) methods: &'a Methods,
     /// With the clause `taylor`.
     pub(crate) taylor: Option<&'a TaylorMethod>,
+    /// The same for its events, if they have series.
+    pub(crate) event_series: Option<&'a EventSeries>,
     pub(crate) scalar: Scalar<'a>,
     /// See [`MOST_SCOPES`](crate::limits::MOST_SCOPES).
     pub(crate) most_scopes: usize,
@@ -32,7 +34,7 @@ impl<'a> Emitter<'a> {
         model: &'a Model,
         equations: &'a Equations,
         methods: &'a Methods,
-        taylor: Option<&'a TaylorMethod>,
+        (taylor, event_series): (Option<&'a TaylorMethod>, Option<&'a EventSeries>),
         most_scopes: usize,
     ) -> Self {
         Self {
@@ -42,6 +44,7 @@ impl<'a> Emitter<'a> {
             equations,
             methods,
             taylor,
+            event_series,
             scalar: Scalar::of(declaration),
             most_scopes,
         }

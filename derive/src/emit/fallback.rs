@@ -10,12 +10,13 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::editor;
+use super::events;
 use super::external_functions::{of_checks, signatures, values};
 use super::inputs::{Indices, input_indices};
 use super::outputs::results;
 use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::lower::Lowered;
-use crate::plan::constants::{CONSTANTS, CONSTANTS_OF_INPUTS};
+use crate::plan::constants::{CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS};
 use crate::plan::{EmittedMethod, Interface, MethodRow};
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
@@ -35,6 +36,7 @@ pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream
         fallback.outputs(),
         fallback.functions(),
         fallback.taylor_series(),
+        fallback.events(),
     ]
     .into_iter()
     .collect()
@@ -47,6 +49,8 @@ struct Fallback<'a> {
     coordinates: Vec<(&'a Coordinate, Range<usize>)>,
     /// The same of inputs.
     inputs: Vec<(&'a Ident, Indices)>,
+    /// The names of their constants, and of those that every model has.
+    taken: BTreeSet<String>,
     /// How many coordinates there are. Where the declaration does not say it, a parameter of the impls:
     /// then states of any dimension fit.
     dimension: TokenStream,
@@ -61,6 +65,9 @@ impl<'a> Fallback<'a> {
         let scope = &lowered.scope;
         let declared = &declaration.clauses.coordinates;
         let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
+        if !lowered.events.is_empty() {
+            taken.extend(CONSTANTS_OF_EVENTS.map(str::to_owned));
+        }
         if !lowered.quantities.inputs.is_empty() {
             taken.extend(CONSTANTS_OF_INPUTS.map(str::to_owned));
         }
@@ -88,6 +95,7 @@ impl<'a> Fallback<'a> {
             lowered,
             coordinates,
             inputs,
+            taken,
             dimension,
             dimension_parameter,
             unknown,
@@ -146,6 +154,7 @@ impl<'a> Fallback<'a> {
                 #(#visibility const #indices;)*
             }
         });
+        let events = self.event_constants();
         quote! {
             impl #generics #name #arguments #conditions {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
@@ -153,6 +162,7 @@ impl<'a> Fallback<'a> {
                 #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
                 #(#indices)*
                 #inputs
+                #events
                 #mentions
             }
         }
@@ -319,6 +329,35 @@ impl<'a> Fallback<'a> {
                 ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
             }
         }
+    }
+
+    /// The constants of events, unless the names of some are taken.
+    fn event_constants(&self) -> TokenStream {
+        let mut taken = self.taken.clone();
+        let events = self.declaration.clauses.events.iter();
+        let mut names = events.map(|event| constant_name(&event.name));
+        if names.all(|name| taken.insert(name)) {
+            events::constants(self.declaration, &self.lowered.events)
+        } else {
+            TokenStream::new()
+        }
+    }
+
+    fn events(&self) -> TokenStream {
+        if self.lowered.events.is_empty() {
+            return TokenStream::new();
+        }
+        let root = &self.declaration.root;
+        let (n, scalar) = (&self.dimension, &self.scalar);
+        let count = events::count(&self.lowered.events);
+        let methods =
+            self.methods_where(InputsFrom::Fields, |row| row.interface == Interface::Events);
+        let items = quote! {
+            const EVENTS: &'static [&'static str] = &[""; #count];
+            type EventValues = [#scalar; #count];
+            #methods
+        };
+        self.implement(&quote!(#root::Events<#n, #scalar>), Some(scalar), &items)
     }
 
     fn taylor_series(&self) -> TokenStream {

@@ -78,6 +78,7 @@ impl Signatures<'_> {
             ResultType::Linearization => quote!(#root::Linearization<#scalar, #n>),
             ResultType::Invariants => prepared.clone(),
             ResultType::Outputs => quote!(Self::Outputs),
+            ResultType::EventValues => quote!(Self::EventValues),
         }
     }
 
@@ -103,6 +104,7 @@ impl Signatures<'_> {
         } = self;
         match (interface, inputs) {
             (Interface::Lagrangian, InputsFrom::Fields) => quote!(#root::Lagrangian::<#n, #scalar>),
+            (Interface::Events, _) => quote!(#root::Events::<#n, #scalar>),
             (Interface::Energies, _) => quote!(#root::Energies::<#n, #scalar>),
             (Interface::Lagrangian, InputsFrom::Argument) | (Interface::Inputs, _) => {
                 quote!(#root::Inputs::<#n, #u, #scalar>)

@@ -3,7 +3,7 @@
 //! The emitted code computes the accelerations of order 0, and in a closure those of any order k from the terms of
 //! order k and the convolutions of lower ones. The loop over the orders is in the runtime.
 
-use lagrangian_symbolic::{Convolution, Symbol};
+use lagrangian_symbolic::{Convolution, Symbol, TaylorProgram};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -117,29 +117,7 @@ impl Emitter<'_> {
 
     /// The accelerations of order k, and the factors of the convolutions.
     fn term(&self, method: &TaylorMethod, writer: &Writer<'_>) -> TokenStream {
-        let locals = Locals::new(
-            &self.model.graph,
-            &self.lowered.scope,
-            &self.lowered.quantities,
-        );
-        let symbols = TermSymbols;
-        let mut body = Body::new(
-            &method.program.recurrence,
-            self.model.graph.passes,
-            locals,
-            &self.scalar,
-            &symbols,
-            Vec::new(),
-            self.most_scopes,
-        );
-        let mut groups = method
-            .program
-            .recurrence
-            .groups
-            .iter()
-            .map(|group| body.group(group));
-        let (statements, computed) = groups.next().unwrap_or_default();
-        let (more, factors) = groups.next().unwrap_or_default();
+        let [(statements, computed), (more, factors)] = self.recurrence(&method.program);
         let vector = writer.vector(&computed);
         let accelerations = match method.accelerations {
             AccelerationOutputs::Symbolic { .. } => vector,
@@ -152,11 +130,36 @@ impl Emitter<'_> {
             (accelerations, [#(#factors),*])
         }
     }
+
+    /// The statements and the results of the two groups of a recurrence.
+    pub(super) fn recurrence(
+        &self,
+        taylor: &TaylorProgram,
+    ) -> [(TokenStream, Vec<TokenStream>); 2] {
+        let locals = Locals::new(
+            &self.model.graph,
+            &self.lowered.scope,
+            &self.lowered.quantities,
+        );
+        let symbols = TermSymbols;
+        let mut body = Body::new(
+            &taylor.recurrence,
+            self.model.graph.passes,
+            locals,
+            &self.scalar,
+            &symbols,
+            Vec::new(),
+            self.most_scopes,
+        );
+        let groups = taylor.recurrence.groups.iter();
+        let mut groups = groups.map(|group| body.group(group));
+        core::array::from_fn(|_| groups.next().unwrap_or_default())
+    }
 }
 
 /// The pairs of the convolutions in blocks, and the number of pairs in a block, the last of which is filled by repeating
 /// the last pair.
-fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
+pub(super) fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
     let blocks = convolutions.len().div_ceil(LARGEST_BLOCK).max(1);
     let registers = convolutions.len().div_ceil(blocks).div_ceil(REGISTER);
     let lanes = (registers * REGISTER).max(1);

@@ -96,7 +96,7 @@ impl Writer<'_> {
                 let matrix = self.matrix(&elements);
                 quote!(#statements #matrix)
             }
-            MethodOutputs::Invariants(values) => {
+            MethodOutputs::Invariants(values) | MethodOutputs::Events(values) => {
                 let (statements, values) = self.compute(values);
                 quote!(#statements [#(#values),*])
             }

@@ -190,7 +190,7 @@ impl Lowerer<'_> {
             && self.has_acceleration(value)
         {
             let message = format!(
-                "`{name}` contains accelerations, which energies and forces cannot: \
+                "`{name}` contains accelerations, which energies, forces and events cannot: \
                  use it under `output`"
             );
             return self.reject(name, message);

@@ -10,3 +10,5 @@ pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 4] =
 pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
 /// The constants of a model with external functions.
 pub(crate) const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
+/// The constants of a model with events.
+pub(crate) const CONSTANTS_OF_EVENTS: [&str; 1] = ["EVENTS"];

@@ -28,6 +28,8 @@ pub(crate) struct Methods {
     pub(crate) energies: Option<[Method; 2]>,
     pub(crate) input_jacobian: Method,
     pub(crate) outputs: Method,
+    /// Where events are declared.
+    pub(crate) event_functions: Option<Method>,
     /// The declared derivatives of external functions.
     pub(crate) functions: Vec<FunctionDerivative>,
 }
@@ -61,6 +63,7 @@ impl Methods {
             EmittedMethod::PotentialEnergy => energies.map(|[_, potential]| potential),
             EmittedMethod::InputJacobian => Some(&self.input_jacobian),
             EmittedMethod::Outputs => Some(&self.outputs),
+            EmittedMethod::EventFunctions => self.event_functions.as_ref(),
         }
     }
 
@@ -108,6 +111,7 @@ impl Methods {
             energies: energies.map(|energies| energies.map(scalar)),
             input_jacobian: input_jacobian.schedule(model),
             outputs: Method::declared_outputs(model, shapes),
+            event_functions: Method::event_functions(model, shapes),
             functions: function_derivatives(model),
         }
     }
@@ -183,5 +187,12 @@ impl Method {
             rest = others;
         }
         Self::schedule(model, &layout, MethodOutputs::Declared(outputs))
+    }
+
+    /// What is behind the outputs of these shapes.
+    fn event_functions(model: &Model, shapes: &[Shape]) -> Option<Self> {
+        let before = shapes.iter().map(|shape| shape.count()).sum();
+        let events = model.outputs.get(before..)?;
+        (!events.is_empty()).then(|| Self::single(model, events, MethodOutputs::Events))
     }
 }

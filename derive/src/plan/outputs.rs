@@ -135,6 +135,8 @@ pub(crate) enum MethodOutputs {
     Vector(OutputSlice),
     /// Column by column.
     SquareMatrix(OutputSlice),
+    /// The values of the event functions.
+    Events(OutputSlice),
     /// What depends on the parameters alone.
     Invariants(OutputSlice),
     Accelerations(AccelerationOutputs),

@@ -11,6 +11,7 @@ pub(crate) enum Interface {
     Energies,
     Inputs,
     Outputs,
+    Events,
 }
 
 /// What a method returns.
@@ -29,6 +30,8 @@ pub(crate) enum ResultType {
     Invariants,
     /// The struct of the declared outputs.
     Outputs,
+    /// One value for each event.
+    EventValues,
 }
 
 /// What a method takes besides the state and the inputs.
@@ -104,13 +107,15 @@ table! {
     PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     false, false;
     InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     true,  false;
     Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     true,  false;
+    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     false, false;
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 8] = [
+const PROVIDED: [&str; 9] = [
     "dynamics",
     "into_dynamics",
     "taylor_series",
+    "event_series",
     "inputs",
     "with_inputs",
     "input_matrix",

@@ -1,6 +1,6 @@
 //! The Taylor series of the accelerations.
 
-use lagrangian_symbolic::{AccelerationOperands, SeriesCheck, TaylorProgram};
+use lagrangian_symbolic::{AccelerationOperands, SeriesCheck, TaylorProgram, ValueSeriesCheck};
 
 use super::method::Method;
 use super::methods::Methods;
@@ -42,7 +42,7 @@ impl Methods {
         };
         let taylor =
             TaylorProgram::of(program, operands).ok_or(NoTaylorSeries::ExternalFunctions)?;
-        let programs = self.programs();
+        let programs = self.programs(&[]);
         let preparation = programs.preparation;
         let check = SeriesCheck::new(preparation, programs.accelerations, &taylor, coordinates);
         if !check.agrees() {
@@ -59,5 +59,45 @@ impl Methods {
             },
             program: taylor,
         })
+    }
+}
+
+/// The program for the Taylor coefficients of the event functions along a motion.
+pub(crate) struct EventSeries {
+    /// The values, and the invariants of the recurrence.
+    pub(crate) initial: Method,
+    pub(crate) values: OutputSlice,
+    pub(crate) invariants: OutputSlice,
+    pub(crate) program: TaylorProgram,
+}
+
+impl Methods {
+    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions.
+    pub(crate) fn event_series(&self) -> Result<Option<EventSeries>, NoTaylorSeries> {
+        let Some(method) = &self.event_functions else {
+            return Ok(None);
+        };
+        let MethodOutputs::Events(values) = &method.outputs else {
+            return Err(NoTaylorSeries::Wrong);
+        };
+        let program = &method.program;
+        let operands = AccelerationOperands::Solved(values.operands(program));
+        let Some(taylor) = TaylorProgram::of(program, operands) else {
+            return Ok(None);
+        };
+        if !ValueSeriesCheck::new(program, &taylor).agrees() {
+            return Err(NoTaylorSeries::Wrong);
+        }
+        let last = taylor.initial.groups.len().saturating_sub(1);
+        Ok(Some(EventSeries {
+            values: values.clone(),
+            invariants: OutputSlice::of_group(&taylor.initial, last),
+            initial: Method {
+                count: taylor.initial.count(),
+                program: taylor.initial.clone(),
+                outputs: method.outputs.clone(),
+            },
+            program: taylor,
+        }))
     }
 }

@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 
 use lagrangian_symbolic as symbolic;
 use lagrangian_symbolic::{
-    AccelerationProgram, Equations, LinearizationProgram, Model, Passes, Programs, Validator,
+    AccelerationProgram, Equations, LinearizationProgram, Model, Passes, Program, Programs,
+    Validator,
 };
 
 use crate::plan::Methods;
@@ -23,7 +24,7 @@ impl Methods {
         equations: &mut Equations,
         shapes: &[Shape],
     ) -> BTreeSet<symbolic::Method> {
-        let disagreements = validator.disagreements(self.programs());
+        let disagreements = validator.disagreements(self.programs(&self.observations()));
         if disagreements.is_empty() {
             return disagreements;
         }
@@ -36,8 +37,15 @@ impl Methods {
         disagreements
     }
 
+    /// What is observed: outputs, and then events.
+    pub(crate) fn observations(&self) -> Vec<&Program> {
+        let events = self.event_functions.iter();
+        let all = core::iter::once(&self.outputs).chain(events);
+        all.map(|method| &method.program).collect()
+    }
+
     /// The programs as they are validated.
-    pub(crate) fn programs(&self) -> Programs<'_> {
+    pub(crate) fn programs<'a>(&'a self, outputs: &'a [&'a Program]) -> Programs<'a> {
         let accelerations = &self.accelerations.program;
         let (state, inputs) = (&self.linearize.program, &self.input_jacobian.program);
         let energies = self.energies.as_ref();
@@ -63,7 +71,7 @@ impl Methods {
                 },
                 None => LinearizationProgram::System { state, inputs },
             },
-            outputs: &self.outputs.program,
+            outputs,
         }
     }
 }

@@ -24,6 +24,7 @@ pub(crate) struct Clauses {
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
     pub(crate) forces: Vec<Vec<NamedExpression>>,
     pub(crate) outputs: Vec<NamedExpression>,
+    pub(crate) events: Vec<NamedExpression>,
     /// The word `taylor`.
     pub(crate) taylor: Option<Ident>,
     /// The type of `scalar = …`.
@@ -44,7 +45,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 11] = [
+const KEYWORDS: [&str; 12] = [
     "coordinates",
     "function",
     "define",
@@ -54,6 +55,7 @@ const KEYWORDS: [&str; 11] = [
     "dissipation",
     "force",
     "output",
+    "event",
     "scalar",
     "taylor",
 ];
@@ -152,6 +154,7 @@ impl Clauses {
                 }
             }
             "output" => named_expressions(&keyword, input, &mut self.outputs)?,
+            "event" => named_expressions(&keyword, input, &mut self.events)?,
             "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),
             "potential" => self.potential.push(Clause::read(keyword, input)?),
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),

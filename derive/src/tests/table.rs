@@ -19,6 +19,7 @@ fn cart(potential: &TokenStream) -> TokenStream {
             potential = #potential,
             force(x = u),
             output(acceleration = dot(dot(x))),
+            event(centre = x, upright = [theta, dot(theta)]),
         )]
         struct Cart { mc: f64, m: f64, l: f64, g: f64, #[lagrangian(input)] u: f64 }
     }
@@ -55,6 +56,7 @@ fn expected(variant: Variant) -> Vec<(&'static str, String)> {
         Interface::Energies => vec![("Energies", name)],
         Interface::Inputs => vec![("Inputs", with)],
         Interface::Outputs => vec![("Outputs", name), ("OutputsWith", with)],
+        Interface::Events => vec![("Events", name)],
     }
 }
 

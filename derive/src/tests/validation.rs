@@ -104,7 +104,11 @@ fn what_is_derived_agrees() {
         let Derived {
             validator, methods, ..
         } = derive(model);
-        assert!(validator.disagreements(methods.programs()).is_empty());
+        assert!(
+            validator
+                .disagreements(methods.programs(&methods.observations()))
+                .is_empty()
+        );
     }
 }
 
@@ -223,7 +227,7 @@ fn every_altered_instruction_is_found() {
                 if (position < 40 || position % 7 == 0)
                     && differ(&all_values(&mut methods, method, slot), &expected)
                 {
-                    let found = validator.disagreements(methods.programs());
+                    let found = validator.disagreements(methods.programs(&methods.observations()));
                     let instruction = program.instructions().nth(position);
                     assert!(found.contains(&method), "{method:?} {instruction:?}");
                     count += 1;
@@ -259,7 +263,11 @@ fn what_disagrees_is_replaced() {
         assert!(found.contains(&symbolic::Method::Accelerations));
         assert!(found.contains(&symbolic::Method::Forcing));
         assert!(!found.contains(&symbolic::Method::MassMatrix));
-        assert!(validator.disagreements(methods.programs()).is_empty());
+        assert!(
+            validator
+                .disagreements(methods.programs(&methods.observations()))
+                .is_empty()
+        );
         assert!(methods.accelerations.outputs.pivots().is_none());
     }
 }

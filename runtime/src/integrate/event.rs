@@ -12,9 +12,14 @@ mod location;
 mod memory;
 mod sampling;
 mod functions;
+mod event_dynamics;
+mod polynomial;
+mod declared;
 mod met_conditions;
 
+pub use declared::DeclaredEvents;
 pub(crate) use detection::{Detection, Occurring};
+pub use event_dynamics::{EventDynamics, SingleNumber, StepPolynomial};
 pub use functions::{Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
 pub use met_conditions::MetConditions;

@@ -3,6 +3,7 @@
 use super::compensated::Clock;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
+use super::event::StepPolynomial;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -58,6 +59,12 @@ pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
 
     /// The cost so far.
     fn statistics(&self) -> Statistics;
+
+    /// What comes of the Taylor polynomial of the last step, where there is one: events are found by it.
+    fn visit_polynomial<V: StepPolynomial<S, X>>(&self, visitor: V) -> Option<V::Output> {
+        let _ = visitor;
+        None
+    }
 }
 
 /// A stepper of systems that have what its method needs.

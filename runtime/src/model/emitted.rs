@@ -184,6 +184,45 @@ fn expand<S: Scalar, const N: usize, const FACTORS: usize, const PAIRS: usize>(
     *last = next;
 }
 
+/// The Taylor coefficients of event functions along a motion: from `term`, which computes the terms of order k and the
+/// factors of the convolutions, and from the values.
+#[inline]
+pub fn event_series<
+    S: Scalar,
+    const N: usize,
+    const EVENTS: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const LANES: usize,
+    const HALF: usize,
+>(
+    unit: S,
+    motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    values: [S; EVENTS],
+    pairs: &[[usize; 2]; PAIRS],
+    mut term: impl FnMut(&Term<S, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
+) -> TaylorCoefficients<[S; EVENTS], HALF> {
+    let mut series = TaylorCoefficients::new(values);
+    let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+    let mut order = S::zero();
+    let mut t = unit;
+    for (coefficient, of_motion) in series.higher_mut().iter_mut().zip(motion.higher()) {
+        order += S::one();
+        let (terms, factors) = term(&Term {
+            q: of_motion.q,
+            v: of_motion.v,
+            t,
+            order,
+            reciprocal_order: S::one() / order,
+            convolutions: convolutions.sums(),
+        });
+        convolutions.advance(&factors, pairs);
+        *coefficient = terms;
+        t = S::zero();
+    }
+    series
+}
+
 /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.
 #[inline]
 pub fn linearization<S: Scalar, const N: usize, const K: usize>(

@@ -76,6 +76,12 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl DoubleDouble {
+    /// 0.
+    pub(crate) const ZERO: Self = Self {
+        high: 0.0,
+        low: 0.0,
+    };
+
     /// The number nearest to the sum of two `f64`.
     #[inline]
     #[must_use]

@@ -17,6 +17,8 @@ macro_rules! forwarded {
 /// their number, and the part of an index.
 macro_rules! dual_scalar {
     ([$($generics:tt)*] $dual:ty, $is_constant:expr, $derivatives:expr, $part:expr) => {
+        impl<$($generics)*> crate::SingleNumber for $dual {}
+
         impl<$($generics)*> Scalar for $dual {
             const DERIVATIVES: usize = $derivatives;
 

@@ -110,8 +110,8 @@ pub struct Programs<'a> {
     pub accelerations: AccelerationProgram<'a>,
     /// Derivatives of q̈.
     pub linearization: LinearizationProgram<'a>,
-    /// Quantities for observers.
-    pub outputs: &'a Program,
+    /// Quantities for observers, as one program or one after the other.
+    pub outputs: &'a [&'a Program],
 }
 
 /// The same as tapes.
@@ -161,7 +161,7 @@ impl Tapes {
             forcing: Tape::of_program(programs.forcing),
             generalized_forces: Tape::of_program(programs.generalized_forces),
             inverse_dynamics: Tape::of_program(programs.inverse_dynamics),
-            outputs: Tape::of_program(programs.outputs),
+            outputs: Tape::of_programs(programs.outputs.iter().copied()),
             linearization: linearization.map(Tape::of_program),
             linearization_outputs,
             preparation: Tape::of_program(programs.preparation),

@@ -86,7 +86,7 @@ impl Lowerer<'_> {
         if context == ExpressionContext::Energy && self.has_acceleration(derivative) {
             return self.reject(
                 call,
-                "`dot` of what contains velocities contains accelerations, which energies and forces cannot: \
+                "`dot` of what contains velocities contains accelerations, which energies, forces and events cannot: \
                  use it under `output`",
             );
         }

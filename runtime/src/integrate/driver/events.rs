@@ -4,7 +4,7 @@ use super::Driver;
 use crate::integrate::collector::Uncollected;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::{Crossing, Reaction, Watched, ZeroCrossing};
+use crate::integrate::event::{Crossing, DeclaredEvents, Event, Reaction, Watched, ZeroCrossing};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
@@ -53,6 +53,50 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn events<F, W: Watched>(self, events: W, function: F) -> Driver<I, ZeroCrossing<F, W>, O> {
         self.with_condition(ZeroCrossing {
             function,
+            events,
+            parts: None,
+        })
+    }
+
+    /// Watches for events that the model declares, each by its index: `[(Ball::FLOOR, Event::falling())]`. They are
+    /// numbered in the order in which they stand here.
+    ///
+    /// Under the [`Taylor`](crate::Taylor) method, with the clause `taylor` in the declaration, the function of an event is
+    /// a polynomial within a step, and all its zeros are found: two that are next to each other, and one without a change
+    /// of sign, which counts as reaching zero from its side. What is smaller than 8 machine epsilons times the sum of the
+    /// magnitudes of its terms is zero. With other methods, and where an event depends on an external function, the
+    /// functions are sampled as under [`events`](Self::events).
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     taylor,
+    ///     coordinates(x, y),
+    ///     event(floor = y, apex = dot(y)),
+    ///     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    ///     potential = m * g * y,
+    /// )]
+    /// struct Stone { m: f64, g: f64 }
+    ///
+    /// let stone = Stone { m: 0.2, g: 10.0 };
+    /// let start = State::new(0.0, [0.0, 0.0], [1.0, 20.0]);
+    /// let driver = Taylor::new()
+    ///     .driver()
+    ///     .declared_events([(Stone::FLOOR, Event::falling().terminal()), (Stone::APEX, Event::falling())]);
+    /// let flight = driver.sample(&stone.dynamics(), start, &[10.0])?;
+    /// assert_eq!(flight.events().len(), 2);
+    /// assert!((flight.events()[0].t - 2.0).abs() < 1e-15);
+    /// assert!((flight.last().x.q[Stone::X] - 4.0).abs() < 1e-14);
+    /// # Ok::<(), PartialTrajectory<_>>(())
+    /// ```
+    #[must_use]
+    pub fn declared_events<const K: usize>(
+        self,
+        events: [(usize, Event); K],
+    ) -> Driver<I, DeclaredEvents<K>, O> {
+        self.with_condition(DeclaredEvents {
             events,
             parts: None,
         })
@@ -120,6 +164,16 @@ impl<I, C, O> Driver<I, C, O> {
 impl<I, F, W, O> Driver<I, ZeroCrossing<F, W>, O> {
     /// Sets the number of equal parts of each step at whose ends event functions are evaluated: 8 by default, and 1 for
     /// methods without dense output.
+    #[must_use]
+    pub fn event_samples(mut self, parts: u32) -> Self {
+        self.condition.parts = Some(parts);
+        self
+    }
+}
+
+impl<I, O, const K: usize> Driver<I, DeclaredEvents<K>, O> {
+    /// Sets the number of equal parts of each step at whose ends event functions are evaluated where they have no series:
+    /// 8 by default, and 1 for methods without dense output.
     #[must_use]
     pub fn event_samples(mut self, parts: u32) -> Self {
         self.condition.parts = Some(parts);

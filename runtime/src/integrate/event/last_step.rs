@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::StepPolynomial;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::sample::Sample;
 use crate::integrate::stepper::Advance;
@@ -44,6 +45,14 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         } else {
             a > b
         }
+    }
+
+    /// What comes of the Taylor polynomial of the step, if it is one.
+    pub(crate) fn polynomial<V: StepPolynomial<S, D::State>>(
+        &self,
+        visitor: V,
+    ) -> Option<V::Output> {
+        self.stepper.visit_polynomial(visitor)
     }
 
     /// The sample at a time within the step.

@@ -27,6 +27,14 @@ pub struct Memory<V> {
     pub(super) hysteresis: V,
     /// The events whose functions have not exceeded that value on the way from zero to zero.
     pub(super) within_rounding: MetConditions,
+    /// The values at the events that occurred last.
+    pub(super) at_event: V,
+    /// Of polynomials: where the present part of the step begins.
+    pub(super) window: f64,
+    /// Of polynomials: the part of the step from where on the sign behind the last root is certain.
+    pub(super) resume: V,
+    /// The events to which the reaction was from which the method began anew: their functions are zero there.
+    pub(super) at_zero: MetConditions,
     /// The time of the last reaction to each event.
     reactions: V,
     /// How many times each event has occurred in a row, within a short time.
@@ -51,6 +59,10 @@ impl<V: Values> Memory<V> {
             departure: 0.0,
             hysteresis: V::ZERO,
             within_rounding: MetConditions::default(),
+            at_event: V::ZERO,
+            window: start,
+            resume: V::ZERO,
+            at_zero: MetConditions::default(),
             reactions,
             in_a_row: V::ZERO,
         }
@@ -62,6 +74,7 @@ impl<V: Values> Memory<V> {
             hysteresis,
             reactions: self.reactions,
             in_a_row: self.in_a_row,
+            at_event: self.at_event,
             ..Self::new(start, signs)
         };
     }
@@ -157,6 +170,14 @@ impl<V: Values> Memory<V> {
             next = time;
         }
         Some(next)
+    }
+
+    /// Notes that all events up to a time are known.
+    pub(super) fn arrive(&mut self, time: f64) {
+        self.until = time;
+        self.is_leaving = false;
+        self.departure = 0.0;
+        self.at_zero = MetConditions::default();
     }
 
     /// Notes that no event has occurred up to a time with these values.

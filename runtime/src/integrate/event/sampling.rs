@@ -79,6 +79,7 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T: Advance
             }
         }
     }
+    memory.at_event = values;
     let sample = step.at(step.after(time));
     let after = source.values(step.dynamics(), sample.t, &sample.x);
     events = events.or(crossings(source, memory, &after));
@@ -145,8 +146,16 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>
     };
     let mut hysteresis = G::Values::ZERO;
     let mut accumulating = [false; 64];
+    let mut at_zero = [false; 64];
     for event in events.indices() {
         let at = |values: &G::Values| values.as_slice().get(event).copied().unwrap_or(0.0);
+        // A reaction may have moved the zero.
+        if at(&signs).abs() > COOLDOWN * (at(&memory.at_event).abs() + at(&noise)) {
+            continue;
+        }
+        if let Some(at_zero) = at_zero.get_mut(event) {
+            *at_zero = true;
+        }
         let rounding = COOLDOWN * at(&noise);
         let changes = EXTRAPOLATIONS.map(|part| part * step);
         let mut changes = changes
@@ -165,5 +174,6 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>
         }
     }
     memory.begin_anew(t, signs, hysteresis);
+    memory.at_zero = MetConditions::of(at_zero.into_iter());
     MetConditions::of(accumulating.into_iter())
 }

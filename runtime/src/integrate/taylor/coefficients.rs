@@ -49,6 +49,50 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.pairs.as_flattened_mut()
     }
 
+    /// The greater of the last two terms at τ, over the sum of the magnitudes of all, in the worst component.
+    pub(crate) fn last_terms<S: Scalar>(&self, tau: f64) -> f64
+    where
+        X: VectorSpace<S>,
+    {
+        let tau = S::from_f64(tau.abs());
+        let sizes = |x: &X| x.map(Scalar::abs);
+        let (mut sum, mut power) = (self.initial.zeroed(), S::one());
+        let mut last = [sum.clone(), sum.clone()];
+        for coefficient in self.higher() {
+            power *= tau;
+            let size = sizes(coefficient).map(|x| x * power);
+            sum.add_scaled(S::one(), &size);
+            let [_, before] = last;
+            last = [before, size];
+        }
+        let ratios = last.iter().flat_map(|last| {
+            let pairs = last.components().zip(sum.components());
+            pairs.map(|(last, sum)| (last / sum).largest())
+        });
+        ratios.fold(0.0, f64::max)
+    }
+
+    /// The coefficients about τ.
+    pub(crate) fn shifted<S: Scalar>(&self, tau: S) -> Self
+    where
+        X: VectorSpace<S>,
+    {
+        let mut shifted = self.clone();
+        let order = Self::ORDER;
+        for i in 0..order {
+            for j in (i..order).rev() {
+                if let Some([lower, upper]) = shifted.higher_mut().get_mut(j.saturating_sub(1)..=j)
+                    && j > 0
+                {
+                    lower.add_scaled(tau, upper);
+                } else if let Some(first) = shifted.higher().first().cloned() {
+                    shifted.initial.add_scaled(tau, &first);
+                }
+            }
+        }
+        shifted
+    }
+
     /// x(τ) − x(0), by Horner's rule.
     #[inline]
     #[must_use]

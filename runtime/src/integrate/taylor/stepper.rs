@@ -8,6 +8,7 @@ use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::event::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{
@@ -297,6 +298,11 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Stepper<S, X> for TaylorSt
 
     fn statistics(&self) -> Statistics {
         self.statistics
+    }
+
+    fn visit_polynomial<V: StepPolynomial<S, X>>(&self, visitor: V) -> Option<V::Output> {
+        let last = self.last()?;
+        Some(visitor.visit(last.time, last.unit, &last.coefficients))
     }
 }
 

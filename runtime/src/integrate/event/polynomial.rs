@@ -1,0 +1,455 @@
+//! The real roots of a polynomial in the unit interval, one after the other.
+//!
+//! The signs of its Bernstein coefficients on an interval bound the number of roots there (Descartes' rule of signs: G. E.
+//! Collins & A. G. Akritas, *Polynomial Real Root Isolation Using Descarte's Rule of Signs*, SYMSAC 1976; F. Rouillier &
+//! P. Zimmermann, *Efficient isolation of polynomial's real roots*, J. Comput. Appl. Math. **162** (2004) 33–50).
+//! Intervals are halved until the number is known. The arithmetic is that of double-doubles, so that a sign is as certain
+//! as the coefficients: what is smaller than their rounding errors has none.
+
+use super::location::Bracket;
+use crate::limits::events::{ISOLATION_STEPS, LEAST_WIDTH, MOST_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::scalar::DoubleDouble;
+
+/// The polynomial Σ aₖ uᵏ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Polynomial {
+    coefficients: [DoubleDouble; MOST_COEFFICIENTS],
+    /// How many of them there are.
+    count: usize,
+    /// Their machine epsilon.
+    epsilon: f64,
+}
+
+/// A root.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Root {
+    /// Where it is; the upper of two neighbouring numbers.
+    pub(super) at: f64,
+    /// The sign before it.
+    pub(super) before: f64,
+    /// The sign behind it: the same where the polynomial touches zero.
+    pub(super) behind: f64,
+    /// From where on that sign is certain.
+    pub(super) until: f64,
+}
+
+/// The changes of sign in a sequence.
+#[derive(Clone, Copy, Default)]
+struct Variations {
+    first: f64,
+    last: f64,
+    count: u32,
+    /// Whether some terms have no certain sign.
+    is_uncertain: bool,
+}
+
+impl Variations {
+    fn push(&mut self, value: f64, least: f64) {
+        if value.abs() > least {
+            let sign = value.signum();
+            if self.count == 0 && self.last == 0.0 {
+                self.first = sign;
+            }
+            self.count += u32::from(self.last * sign < 0.0);
+            self.last = sign;
+        } else {
+            self.is_uncertain = true;
+        }
+    }
+}
+
+impl Polynomial {
+    /// The polynomial with these coefficients, which have relative errors of this machine epsilon; none if there are too
+    /// many, or one is not finite.
+    pub(super) fn new(
+        coefficients: impl Iterator<Item = DoubleDouble>,
+        epsilon: f64,
+    ) -> Option<Self> {
+        let mut polynomial = Self {
+            epsilon,
+            ..Self::ZERO
+        };
+        for coefficient in coefficients {
+            if !coefficient.to_f64().is_finite() {
+                return None;
+            }
+            *polynomial.coefficients.get_mut(polynomial.count)? = coefficient;
+            polynomial.count += 1;
+        }
+        Some(polynomial)
+    }
+
+    /// The polynomial 0.
+    pub(super) const ZERO: Self = Self {
+        coefficients: [DoubleDouble::ZERO; MOST_COEFFICIENTS],
+        count: 0,
+        epsilon: 0.0,
+    };
+
+    /// The greater of the last two terms over the sum of all.
+    pub(super) fn last_terms(&self) -> f64 {
+        let sizes = self.coefficients().iter().rev().map(|a| a.to_f64().abs());
+        let sum: f64 = sizes.clone().sum();
+        let last = sizes.take(2).fold(0.0, f64::max);
+        if sum > 0.0 { last / sum } else { 0.0 }
+    }
+
+    fn coefficients(&self) -> &[DoubleDouble] {
+        self.coefficients.get(..self.count).unwrap_or_default()
+    }
+
+    fn coefficients_mut(&mut self) -> &mut [DoubleDouble] {
+        self.coefficients.get_mut(..self.count).unwrap_or_default()
+    }
+
+    /// The polynomial over u, without its constant.
+    pub(super) fn over_argument(mut self) -> Self {
+        self.coefficients_mut().rotate_left(1);
+        self.count = self.count.saturating_sub(1);
+        self
+    }
+
+    /// Whether the constant exceeds all that the other terms are in the unit interval.
+    pub(super) fn has_one_sign(&self) -> bool {
+        let mut sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
+        let constant = sizes.next().unwrap_or(0.0);
+        constant > sizes.sum::<f64>() * (1.0 + UNCERTAINTY * self.epsilon)
+    }
+
+    /// The value at `u`, by Horner's rule.
+    fn value(&self, u: f64) -> f64 {
+        let (u, zero) = (DoubleDouble::from(u), DoubleDouble::from(0.0));
+        let coefficients = self.coefficients().iter().rev();
+        coefficients.fold(zero, |sum, a| sum * u + *a).to_f64()
+    }
+
+    /// Whether the value at `u` is this one, but for a small part of the terms.
+    pub(super) fn is_near(&self, u: f64, value: f64) -> bool {
+        let sum: f64 = self.coefficients().iter().map(|a| a.to_f64().abs()).sum();
+        (self.value(u) - value).abs() <= NEAR * sum
+    }
+
+    /// The derivative at `u`.
+    fn slope(&self, u: f64) -> f64 {
+        let (u, zero) = (DoubleDouble::from(u), DoubleDouble::from(0.0));
+        let coefficients = self.coefficients().iter().enumerate().skip(1).rev();
+        let sum = coefficients.fold(zero, |sum, (k, a)| sum * u + *a * number(k));
+        sum.to_f64()
+    }
+
+    /// What the errors of the coefficients make of a value up to `u`: one that is not larger has no sign.
+    fn uncertainty(&self, u: f64) -> f64 {
+        let coefficients = self.coefficients().iter().rev();
+        let sum = coefficients.fold(0.0, |sum, a| sum * u + a.to_f64().abs());
+        UNCERTAINTY * self.epsilon * sum
+    }
+
+    /// The sign just behind `u`, as it is before the next root.
+    pub(super) fn sign_behind(&self, u: f64, next: Option<Root>) -> f64 {
+        if let Some(root) = next {
+            return root.before;
+        }
+        let middle = 0.5 * (u + 1.0);
+        let value = self.value(middle);
+        if value.abs() > self.uncertainty(middle) {
+            value.signum()
+        } else {
+            0.0
+        }
+    }
+
+    /// The sign up to 1 behind the last root; `otherwise` if there is none.
+    pub(super) fn last_sign(&self, from: f64, otherwise: f64) -> f64 {
+        let value = self.value(1.0);
+        if value.abs() > self.uncertainty(1.0) {
+            return value.signum();
+        }
+        let (mut root, mut last) = (from, 0.0);
+        for _ in 0..MOST_COEFFICIENTS {
+            let Some(next) = self.next_root(root, last) else {
+                break;
+            };
+            (root, last) = (next.until, next.behind);
+        }
+        if last == 0.0 { otherwise } else { last }
+    }
+
+    /// The first root behind `from`, up to 1. The sign behind `from` is given where it is that behind another root.
+    pub(super) fn next_root(&self, from: f64, mut sign: f64) -> Option<Root> {
+        if self.has_one_sign() {
+            return None;
+        }
+        let (mut left, mut width) = (from, 1.0 - from);
+        // Up to where the sign was certain.
+        let mut until = from;
+        for _ in 0..ISOLATION_STEPS {
+            if left >= 1.0 {
+                break;
+            }
+            let right = (left + width).min(1.0);
+            width = right - left;
+            let [values, slopes] = self.variations(left, right);
+            let settled =
+                width <= LEAST_WIDTH || self.uncertainty(right) <= 2.0 * self.uncertainty(left);
+            if values.is_uncertain && !settled {
+                width *= 0.5;
+                continue;
+            }
+            if sign * values.first < 0.0 {
+                let middle = 0.5 * (left + right);
+                let opposite = |u: &f64| sign * self.value(*u) < 0.0;
+                let end = [left, middle].into_iter().find(opposite);
+                return Some(self.crossing(until, end.unwrap_or(right), right, sign));
+            }
+            if values.count == 1 {
+                return Some(self.crossing(left, right, right, values.first));
+            }
+            if values.count > 1 {
+                if slopes.count == 1 {
+                    let root = self.at_extremum(left, right, values.first, slopes.first);
+                    if root.is_some() {
+                        return root;
+                    }
+                } else if width > LEAST_WIDTH {
+                    width *= 0.5;
+                    continue;
+                } else {
+                    return Some(Root {
+                        at: right,
+                        before: values.first,
+                        behind: values.last,
+                        until: right,
+                    });
+                }
+            }
+            if values.last != 0.0 {
+                (sign, until) = (values.last, right);
+            }
+            left = right;
+            width *= 2.0;
+        }
+        None
+    }
+
+    /// The first root in an interval that has one extremum, by its value: two roots, one that is double to within the
+    /// errors of the coefficients, or none.
+    fn at_extremum(&self, a: f64, b: f64, sign: f64, slope: f64) -> Option<Root> {
+        let at = bisect(a, b, |u| slope * self.slope(u));
+        let value = sign * self.value(at);
+        let least = self.uncertainty(at);
+        if value < -least && at > a {
+            Some(self.crossing(a, at, at, sign))
+        } else if value <= least {
+            Some(Root {
+                at,
+                before: sign,
+                behind: sign,
+                until: self.certain(at, b, sign),
+            })
+        } else {
+            None
+        }
+    }
+
+    /// The root between two arguments, at the first of which the polynomial has this sign; the other one is certain at
+    /// the latest at `end`.
+    fn crossing(&self, a: f64, b: f64, end: f64, sign: f64) -> Root {
+        let at = bisect(a, b, |u| sign * self.value(u));
+        Root {
+            at,
+            before: sign,
+            behind: -sign,
+            until: self.certain(at, end, -sign),
+        }
+    }
+
+    /// The first argument between two at which a sign is certain; the second one at the latest.
+    fn certain(&self, a: f64, b: f64, sign: f64) -> f64 {
+        bisect(a, b, |u| self.uncertainty(u) - sign * self.value(u))
+    }
+
+    /// The variations of the Bernstein coefficients on an interval and of their differences, those of the derivative:
+    /// bᵢ = Σ C(i, k)/C(n, k) cₖ for p(a + (b − a) s) = Σ cₖ sᵏ.
+    fn variations(&self, a: f64, b: f64) -> [Variations; 2] {
+        let mut bernstein = *self;
+        let all = bernstein.coefficients_mut();
+        let degree = all.len().saturating_sub(1);
+        let (shift, width) = (DoubleDouble::from(a), DoubleDouble::from(b - a));
+        for i in 0..degree {
+            for j in (i..degree).rev() {
+                let upper = all[j + 1];
+                all[j] += shift * upper;
+            }
+        }
+        // (b − a)ᵏ/C(n, k).
+        let mut factor = DoubleDouble::from(1.0);
+        for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
+            factor = factor * width * number(k) / number(degree + 1 - k);
+            *coefficient *= factor;
+        }
+        for i in 1..=degree {
+            for j in (i..=degree).rev() {
+                let lower = all[j - 1];
+                all[j] += lower;
+            }
+        }
+        let least = self.uncertainty(b);
+        let (mut values, mut slopes) = (Variations::default(), Variations::default());
+        for coefficient in &*all {
+            values.push(coefficient.to_f64(), least);
+        }
+        for pair in all.windows(2) {
+            slopes.push((pair[1] - pair[0]).to_f64(), 0.0);
+        }
+        [values, slopes]
+    }
+}
+
+/// The first number behind the zero of a function that is positive at `a` and not at `b`.
+fn bisect(a: f64, b: f64, function: impl Fn(f64) -> f64) -> f64 {
+    let mut ends = [a, b].map(|u| (u, function(u)));
+    let mut bracket = Bracket::new(a, b);
+    while let Some(u) = bracket.divide(ends[0], ends[1]) {
+        let value = function(u);
+        ends[usize::from(value <= 0.0)] = (u, value);
+    }
+    ends[1].0
+}
+
+/// A small number.
+fn number(n: usize) -> DoubleDouble {
+    DoubleDouble::from(f64::from(u32::try_from(n).unwrap_or(u32::MAX)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Polynomial, Root};
+    use crate::scalar::DoubleDouble;
+
+    /// The product of c and of (u − r) for each root r, to all digits; as numbers with 16 digits.
+    fn with_roots(c: f64, roots: &[f64]) -> Polynomial {
+        let mut coefficients = vec![DoubleDouble::from(c)];
+        for root in roots {
+            let root = DoubleDouble::from(*root);
+            coefficients.insert(0, DoubleDouble::from(0.0));
+            for k in 0..coefficients.len() - 1 {
+                coefficients[k] = coefficients[k] - root * coefficients[k + 1];
+            }
+        }
+        let rounded = coefficients.iter().map(|a| DoubleDouble::from(a.to_f64()));
+        Polynomial::new(rounded, f64::EPSILON).unwrap()
+    }
+
+    fn roots(polynomial: &Polynomial) -> Vec<Root> {
+        let (mut from, mut sign) = (0.0, 0.0);
+        let mut roots: Vec<Root> = Vec::new();
+        while let Some(root) = polynomial.next_root(from, sign) {
+            assert!(
+                roots
+                    .last()
+                    .is_none_or(|last| last.behind * root.before > 0.0)
+            );
+            assert!(root.until > from && root.until >= root.at);
+            (from, sign) = (root.until, root.behind);
+            roots.push(root);
+            assert!(roots.len() < 100, "{roots:?}");
+        }
+        roots
+    }
+
+    /// Numbers between 0 and 1 (a linear congruential generator of Knuth, *The Art of Computer Programming* **2**).
+    fn random(state: &mut u64) -> f64 {
+        *state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(*state >> 32).unwrap()) / f64::from(u32::MAX)
+    }
+
+    #[test]
+    fn two_roots_next_to_each_other_are_found_and_a_double_one() {
+        for apart in [1e-7, 1e-6, 1e-3] {
+            let found = roots(&with_roots(1.0, &[0.3, 0.3 + apart]));
+            assert_eq!(found.len(), 2, "{apart}: {found:?}");
+            // The errors of the coefficients over the slope.
+            assert!((found[0].at - 0.3).abs() < 1e-16 / apart);
+            assert!((found[1].at - 0.3 - apart).abs() < 1e-16 / apart);
+            assert_eq!((found[0].before, found[1].behind), (1.0, 1.0));
+        }
+        let found = roots(&with_roots(-2.0, &[0.3, 0.3, 1.5, -0.2]));
+        assert_eq!(found.len(), 1);
+        assert!((found[0].at - 0.3).abs() < 1e-7);
+        assert_eq!((found[0].before, found[0].behind), (1.0, 1.0));
+        // Closer roots are one.
+        let found = roots(&with_roots(1.0, &[0.3, 0.3 + 1e-8]));
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].before, found[0].behind), (1.0, 1.0));
+        // Near zero, and not at it.
+        let mut lifted = with_roots(1.0, &[0.3, 0.3]);
+        lifted.coefficients[0] += DoubleDouble::from(1e-14);
+        assert_eq!(roots(&lifted), []);
+    }
+
+    #[test]
+    fn roots_of_random_polynomials_are_found() {
+        let state = &mut 7;
+        for degree in 1..=16 {
+            for _ in 0..60 {
+                let mut expected: Vec<f64> =
+                    (0..degree).map(|_| 3.0 * random(state) - 1.0).collect();
+                expected.sort_by(f64::total_cmp);
+                let gap = expected.windows(2).map(|pair| pair[1] - pair[0]);
+                let gap = gap.fold(1.0, f64::min);
+                let polynomial = with_roots(random(state) - 0.5, &expected);
+                // Where the roots are too close for the errors of the coefficients, nothing can be said.
+                let slopes = expected.iter().map(|root| polynomial.slope(*root).abs());
+                let slope = slopes.fold(f64::INFINITY, f64::min);
+                let error = polynomial.uncertainty(2.0) / slope;
+                if error > 0.1 * gap {
+                    continue;
+                }
+                let far = |root: &f64| *root > error && (root - 1.0).abs() > error;
+                if !expected.iter().all(|root| far(&root.abs())) {
+                    continue;
+                }
+                let inside = expected.iter().filter(|root| (0.0..=1.0).contains(*root));
+                let found = roots(&polynomial);
+                let inside: Vec<&f64> = inside.collect();
+                assert_eq!(found.len(), inside.len(), "{expected:?} {found:?}");
+                for (found, expected) in found.iter().zip(inside) {
+                    assert!((found.at - expected).abs() <= error);
+                    assert!(found.before * found.behind < 0.0);
+                }
+            }
+        }
+    }
+
+    /// Multiple roots are one crossing or one touch each; what is zero everywhere has none.
+    #[test]
+    fn clusters_are_one_root() {
+        for (multiplicity, crosses) in [(2, false), (3, true), (4, false), (5, true), (7, true)] {
+            let found = roots(&with_roots(1.0, &vec![0.4; multiplicity]));
+            let crossings = found.iter().filter(|root| root.before * root.behind < 0.0);
+            assert_eq!(
+                crossings.count() % 2 == 1,
+                crosses,
+                "{multiplicity}: {found:?}"
+            );
+            assert!(found.len() <= 2, "{multiplicity}: {found:?}");
+            for root in found {
+                assert!((root.at - 0.4).abs() < 0.02, "{multiplicity}: {root:?}");
+            }
+        }
+        assert_eq!(roots(&with_roots(0.0, &[0.4])), []);
+        assert!(with_roots(1.0, &[3.0]).has_one_sign());
+        assert!(!with_roots(1.0, &[0.999]).has_one_sign());
+    }
+
+    #[test]
+    fn a_root_at_the_ends_is_one_behind_the_first_and_not_behind_the_last() {
+        assert_eq!(roots(&with_roots(1.0, &[0.0, 0.5])).len(), 1);
+        assert_eq!(roots(&with_roots(1.0, &[0.5, 1.0 + 1e-9])).len(), 1);
+        assert_eq!(roots(&with_roots(1.0, &[0.5, 1.0 - 1e-9])).len(), 2);
+        let over = with_roots(1.0, &[0.0, 0.25]).over_argument();
+        assert!((roots(&over)[0].at - 0.25).abs() < 1e-15);
+    }
+}

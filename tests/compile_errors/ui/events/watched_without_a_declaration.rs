@@ -1,0 +1,23 @@
+use lagrangian::Lanes;
+use lagrangian::prelude::*;
+
+#[derive(Lagrangian)]
+#[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2))]
+struct Silent {
+    m: f64,
+}
+
+#[derive(Lagrangian)]
+#[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), event(wall = x))]
+struct Declaring {
+    m: f64,
+}
+
+fn main() {
+    let start = State::new(0.0, [1.0], [-1.0]);
+    let driver = Dop853::new().driver().declared_events([(0, Event::falling())]);
+    let _ = driver.clone().run_until(&Silent { m: 1.0 }.dynamics(), start, 1.0);
+    // Two motions at once have no common events.
+    let start = State::new(Lanes([0.0; 2]), [Lanes([1.0, 2.0])], [Lanes([-1.0; 2])]);
+    let _ = driver.run_until(&Declaring { m: 1.0 }.dynamics(), start, 1.0);
+}
