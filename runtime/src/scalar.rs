@@ -63,9 +63,9 @@ pub use lanes::Lanes;
 /// | `num_dual::Dual2_64`, `HyperDual64` | second derivatives, in one direction or two | feature `num-dual` |
 ///
 /// Dual numbers differentiate with respect to whatever has a derivative part: a parameter, an initial
-/// value, the time, an input. An integration on dual numbers differentiates its steps. [`Taylor`](crate::Taylor) chooses
-/// their sizes by the derivative parts, too, [`Dop853`](crate::Dop853) by the values alone. The derivatives by all initial
-/// values at once are [`StateTransition`](crate::StateTransition). The sensitivity of a motion to a mass and a stiffness:
+/// value, the time, an input. An integration on dual numbers differentiates its steps; adaptive methods choose their
+/// sizes by the derivative parts, too. The derivatives by all initial values at once are a `StateTransition`. The
+/// sensitivity of a motion to a mass and a stiffness:
 ///
 #[cfg_attr(feature = "num-dual", doc = "```")]
 #[cfg_attr(not(feature = "num-dual"), doc = "```ignore")]

@@ -80,6 +80,27 @@ fn derivatives_where_the_values_rest() {
     }
 }
 
+/// The same by Dormand and Prince's method, with a tolerance of each kind.
+#[test]
+fn derivatives_where_the_values_rest_by_steps() {
+    let model = oscillator();
+    let rest = State::new(0.0, [0.0], [0.0]);
+    let (sine, cosine) = 20.0_f64.sin_cos();
+    let method = Dop853::new();
+    for method in [
+        method.relative_tolerance(1e-12).absolute_tolerance(1e-12),
+        method.relative_tolerance(1e-12).absolute_tolerance(0.0),
+        method.relative_tolerance(0.0).absolute_tolerance(1e-12),
+    ] {
+        let transition = StateTransition::over(&method, &model.dynamics(), &rest, 10.0).unwrap();
+        let found = transition.matrix::<2>();
+        let expected = Matrix2::new(cosine, 0.5 * sine, -2.0 * sine, cosine);
+        assert!((found - expected).amax() < 1e-9, "{found} {expected}");
+        let by_load = transition.by_parameters::<3>().q[2];
+        assert!((by_load - (1.0 - cosine) / 4.0).abs() < 1e-9);
+    }
+}
+
 /// Derivatives of very different sizes are each as accurate as they can be.
 #[test]
 fn derivatives_do_not_depend_on_their_units() {

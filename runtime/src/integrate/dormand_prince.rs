@@ -6,6 +6,7 @@
 
 mod coefficients;
 mod dense_output;
+mod derivative_parts;
 mod step_control;
 mod stepper;
 

@@ -2,6 +2,7 @@
 
 use super::coefficients::{MATRIX, NODES, WEIGHTS};
 use super::dense_output::{DensePolynomial, Dop853Interpolant};
+use super::derivative_parts::Attempted;
 use super::step_control::{self, Attempt, StepControl, initial_step, too_small};
 use super::{ALL_STAGES, Dop853, STAGES};
 use crate::integrate::compensated::{Clock, Compensated};
@@ -108,6 +109,14 @@ impl<X> Dop853Stepper<X> {
         let allowed = [self.state.value(), state.value()]
             .map(|state| dynamics.allowed_error(state, &tolerance));
         let error = step_control::error(&self.stages, h, &allowed);
+        let attempted = Attempted {
+            stages: &self.stages,
+            h,
+            ends: [self.state.value(), state.value()],
+            allowed: &allowed,
+            tolerance: self.method.tolerance,
+        };
+        let error = attempted.error(error);
         let finite = checked_state(dynamics, self.clock.after(h), state.value());
         (state, Attempt { error, finite })
     }
