@@ -384,6 +384,44 @@ fn a_lane_with_an_error_stays_where_it_is() {
     assert_close(stepper.state(0)[0], 2.0, 1e-15);
 }
 
+/// The same in polar coordinates with a force that is an input.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(r, phi),
+    kinetic = 0.5 * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
+    potential = 0.5 * r.powi(2),
+    force(r = push),
+)]
+struct Pushed {
+    #[lagrangian(input)]
+    push: f64,
+}
+
+/// Under inputs, and with typical sizes, a singular lane is that lane alone, too.
+#[test]
+fn singularities_are_those_of_a_lane_in_all_systems() {
+    use lagrangian::Constant;
+
+    fn check<D: Series<Lanes<4>, State = Phase<Lanes<4>, 2>>>(dynamics: &D) {
+        let motions = (0..8).map(|i| {
+            let r = if i % 4 == 1 { 0.0 } else { 1.0 };
+            (State::new(0.0, [r, 0.0], [0.0, 1.0]), 1.0)
+        });
+        let found = Taylor::new().ensemble::<4>().collect(dynamics, motions);
+        for (i, result) in found.into_iter().enumerate() {
+            let singular = matches!(result, Err(IntegrationError::SingularConfiguration { .. }));
+            assert_eq!(singular, i % 4 == 1, "{i} {result:?}");
+        }
+    }
+    let pushed = Pushed { push: 0.0 };
+    check(&pushed.driven_by([Constant(0.1)]));
+    check(&pushed.with_inputs([Lanes([0.1; 4])]).dynamics());
+    let dynamics = Polar.dynamics();
+    check(&dynamics.with_sizes([1.0, 1.0]));
+    check(&dynamics);
+}
+
 /// Dynamics by hand, whose state is a vector.
 #[test]
 fn systems_that_are_no_models_have_ensembles() {

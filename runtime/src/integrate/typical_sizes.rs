@@ -72,6 +72,21 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
         self.dynamics.vanishing_inertia(t, x)
     }
 
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Self::State,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        self.dynamics.singularity_in_lane(lane, t, x, min_pivot)
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
+        self.dynamics.vanishing_inertia_in_lane(lane, t, x)
+    }
+
     fn component_name(&self, index: usize) -> ComponentName {
         self.dynamics.component_name(index)
     }

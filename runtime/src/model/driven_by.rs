@@ -3,7 +3,8 @@
 use nalgebra::SVector;
 
 use super::equations_of_motion::{
-    allowed_error, component_name, reduced, singularity, vanishing_inertia,
+    allowed_error, component_name, reduced, singularity, singularity_in_lane, vanishing_inertia,
+    vanishing_inertia_in_lane,
 };
 use super::inputs::Inputs;
 use super::motion_series::MotionSeriesWith;
@@ -85,6 +86,21 @@ where
 
     fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
         vanishing_inertia(self.model, &x.at(t))
+    }
+
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Phase<S, N>,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        singularity_in_lane(self.model, lane, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Phase<S, N>) -> Option<Singularity> {
+        vanishing_inertia_in_lane(self.model, lane, &x.at(t))
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

@@ -128,10 +128,7 @@ where
         x: &Phase<S, N>,
         min_pivot: f64,
     ) -> Option<Singularity> {
-        let pivots = self.model.relative_pivots(&x.at(t));
-        let pivots = pivots.map(|pivot| pivot.in_lane(lane));
-        let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
-        (!regular).then(|| report::<M, f64, N>(&pivots, &in_lane(lane, &x.at(t))))
+        singularity_in_lane(self.model, lane, &x.at(t), min_pivot)
     }
 
     fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
@@ -139,14 +136,7 @@ where
     }
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Phase<S, N>) -> Option<Singularity> {
-        let state = x.at(t);
-        let (coordinate, ratio) =
-            least_inertia(self.model, &state, |inertia| inertia.in_lane(lane))?;
-        Some(named::<M, f64, N>(
-            coordinate,
-            ratio,
-            &in_lane(lane, &state),
-        ))
+        vanishing_inertia_in_lane(self.model, lane, &x.at(t))
     }
 
     fn component_name(&self, index: usize) -> ComponentName {
@@ -222,6 +212,23 @@ where
     }
 }
 
+/// The same in one lane.
+pub(super) fn singularity_in_lane<M, S, const N: usize>(
+    model: &M,
+    lane: usize,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let pivots = model.relative_pivots(state);
+    let pivots = pivots.map(|pivot| pivot.in_lane(lane));
+    let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
+    (!regular).then(|| report::<M, f64, N>(&pivots, &in_lane(lane, state)))
+}
+
 /// The report of the smallest relative pivot.
 #[cold]
 fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
@@ -277,6 +284,21 @@ where
 {
     let (coordinate, ratio) = least_inertia(model, state, Scalar::smallest)?;
     Some(named::<M, S, N>(coordinate, ratio, state))
+}
+
+/// The same in one lane.
+#[cold]
+pub(super) fn vanishing_inertia_in_lane<M, S, const N: usize>(
+    model: &M,
+    lane: usize,
+    state: &State<S, N>,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let (coordinate, ratio) = least_inertia(model, state, |inertia| inertia.in_lane(lane))?;
+    Some(named::<M, f64, N>(coordinate, ratio, &in_lane(lane, state)))
 }
 
 /// That coordinate, and its inertia relative to that elsewhere.
