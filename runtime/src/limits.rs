@@ -134,9 +134,6 @@ pub(crate) mod dormand_prince {
     /// A step is at most this much longer than the one before (FAC2).
     pub(crate) const MAX_GROWTH: f64 = 6.0;
 
-    /// The error estimate is of the order of hᵖ with this p.
-    pub(crate) const ORDER: f64 = 8.0;
-
     /// The least time scale that is believed before the first step, in relation to the remaining time. It is shorter
     /// where a coordinate is nearly zero and its absolute tolerance, too.
     pub(crate) const LEAST_TIME_SCALE: f64 = 1e-9;

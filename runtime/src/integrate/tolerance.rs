@@ -118,13 +118,32 @@ pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(
     pairs.map(move |(component, allowed)| ratio(component, allowed, unscaled))
 }
 
-/// The same, to the larger of the errors that are allowed before and after a step.
+/// The sums of the squares of the ratios of some vectors to the larger of the errors that are allowed before and after a
+/// step, and the number of components.
 #[inline]
-pub(crate) fn ratios_over_step<S: Scalar, X: VectorSpace<S>>(
-    vector: &X,
+pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>, const K: usize>(
+    vectors: [&X; K],
     [before, after]: &[X; 2],
-) -> impl Iterator<Item = f64> {
-    let allowed = before.components().zip(after.components());
-    let pairs = vector.components().zip(allowed);
-    pairs.map(|(component, (a, b))| ratio(component, a.max(b), f64::INFINITY))
+) -> ([f64; K], f64) {
+    let allowed = before.zip_map(after, Scalar::max);
+    let least = allowed.components().fold(f64::INFINITY, |least, allowed| {
+        let allowed = allowed.smallest();
+        if allowed > 0.0 { least } else { 0.0 }
+    });
+    let count = allowed.components().fold(0.0, |count, _| count + 1.0);
+    if least > 0.0 {
+        let weights = allowed.map(|allowed| S::one() / allowed);
+        let sums = vectors.map(|vector| {
+            let ratios = vector.zip_map(&weights, |component, weight| component * weight);
+            let squares = ratios.map(|ratio| ratio * ratio);
+            let squares = squares.components();
+            squares.fold(0.0, |sum, square| sum + square.largest())
+        });
+        return (sums, count);
+    }
+    let sums = vectors.map(|vector| {
+        let ratios = ratios(vector, &allowed, f64::INFINITY);
+        ratios.fold(0.0, |sum, ratio| sum + ratio * ratio)
+    });
+    (sums, count)
 }

@@ -175,11 +175,12 @@ where
     M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
+    let time = S::one() / tolerance.rate;
     let size = |i: usize| {
         if M::ANGLES[i] {
             S::one()
         } else if M::IGNORABLE[i] {
-            x.v[i].abs() / tolerance.rate
+            x.v[i].abs() * time
         } else {
             x.q[i].abs()
         }

@@ -7,13 +7,19 @@ use crate::integrate::compensated::Clock;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::runge_kutta::combination;
-use crate::integrate::tolerance::{Tolerance, ratios, ratios_over_step};
+use crate::integrate::tolerance::{Tolerance, ratios, squares_over_step};
 use crate::limits::dormand_prince::{
-    MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, NEGLIGIBLE, ORDER, PROBE, SAFETY,
+    MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, NEGLIGIBLE, PROBE, SAFETY,
     SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
+
+/// The root of the order of the error, which is 8.
+#[inline]
+fn root(x: f64) -> f64 {
+    Scalar::sqrt(Scalar::sqrt(Scalar::sqrt(x)))
+}
 
 /// The sum of the squares of ratios, and their number.
 #[inline]
@@ -43,8 +49,7 @@ pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
     let fifth = combination(&FIFTH_ORDER_ERROR, stages, &zero);
     let mut third = combination(&WEIGHTS, stages, &zero);
     third.add_scaled(-S::one(), &combination(&THIRD_ORDER, stages, &zero));
-    let (fifth, components) = squares(ratios_over_step(&fifth, allowed));
-    let (third, _) = squares(ratios_over_step(&third, allowed));
+    let ([fifth, third], components) = squares_over_step([&fifth, &third], allowed);
     let denominator = fifth + THIRD_ORDER_WEIGHT * third;
     if denominator == 0.0 {
         return 0.0;
@@ -100,7 +105,7 @@ impl StepControl {
             self.rejected = true;
             return false;
         }
-        let shortening = Scalar::powf(attempt.error, 1.0 / ORDER) / SAFETY;
+        let shortening = root(attempt.error) / SAFETY;
         if attempt.error > 1.0 {
             self.step = h / shortening.min(MAX_SHRINKAGE);
             self.rejected = true;
@@ -158,7 +163,7 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     let step = if steepest <= ZERO_DERIVATIVE {
         (probe * SHORTENED_PROBE).max(SMALL_STEP)
     } else if steepest.is_finite() {
-        Scalar::powf(PROBE / steepest, 1.0 / ORDER)
+        root(PROBE / steepest)
     } else {
         probe
     };

@@ -9,7 +9,7 @@ use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dense_output::DenseOutput;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::runge_kutta::{combination, stage};
+use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, remaining,
 };
@@ -79,13 +79,12 @@ impl<X> Dop853Stepper<X> {
         X: VectorSpace<S>,
     {
         let (clock, x) = from;
-        let rows = NODES.iter().zip(MATRIX).enumerate();
-        for (i, (node, row)) in rows.take(stages.end).skip(stages.start) {
-            let (done, rest) = self.stages.split_at_mut(i);
-            if let Some(next) = rest.first_mut() {
-                *next = stage(dynamics, clock.after(node * h), x, h, row, done);
-                self.statistics.evaluations += 1;
-            }
+        for i in stages {
+            let mut at = x.clone();
+            at.add_scaled(S::from_f64(h), &stage_slope(i, &self.stages));
+            let t = S::from_f64(clock.after(NODES[i] * h));
+            self.stages[i] = dynamics.derivative(t, &at);
+            self.statistics.evaluations += 1;
         }
     }
 
@@ -149,6 +148,34 @@ impl<X> Dop853Stepper<X> {
     fn limited(&self, step: f64) -> f64 {
         self.method.max_step.map_or(step, |most| step.min(most))
     }
+}
+
+/// The sum Σⱼ aᵢⱼ kⱼ of a stage. Each is a function of its own, in which coefficients are constants: straight-line code
+/// that keeps its sums in registers.
+#[inline]
+fn stage_slope<S: Scalar, X: VectorSpace<S>>(stage: usize, stages: &[X; ALL_STAGES]) -> X {
+    match stage {
+        1 => row::<S, X, 1>(stages),
+        2 => row::<S, X, 2>(stages),
+        3 => row::<S, X, 3>(stages),
+        4 => row::<S, X, 4>(stages),
+        5 => row::<S, X, 5>(stages),
+        6 => row::<S, X, 6>(stages),
+        7 => row::<S, X, 7>(stages),
+        8 => row::<S, X, 8>(stages),
+        9 => row::<S, X, 9>(stages),
+        10 => row::<S, X, 10>(stages),
+        11 => row::<S, X, 11>(stages),
+        13 => row::<S, X, 13>(stages),
+        14 => row::<S, X, 14>(stages),
+        15 => row::<S, X, 15>(stages),
+        _ => stages[0].zeroed(),
+    }
+}
+
+#[inline]
+fn row<S: Scalar, X: VectorSpace<S>, const STAGE: usize>(stages: &[X; ALL_STAGES]) -> X {
+    combination(const { MATRIX[STAGE] }, stages, &stages[0].zeroed())
 }
 
 impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
