@@ -27,12 +27,14 @@ mod dense_solution;
 mod trajectory;
 mod collector;
 mod integration;
+mod checkpoint;
 mod running_integration;
 mod driver;
 mod integrator;
 #[cfg(test)]
 mod order_conditions;
 
+pub use checkpoint::{Checkpoint, Resume};
 pub use dense_output::{DenseOutput, Interpolant};
 #[cfg(feature = "alloc")]
 pub use dense_solution::DenseSolution;
@@ -47,7 +49,9 @@ pub use event::{
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
-pub use runge_kutta::{ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaStepper};
+pub use runge_kutta::{
+    ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
+};
 pub use running_integration::{RunningIntegration, Step, Steps};
 pub use sample::{InitialValue, Sample};
 pub use singularity::Singularity;

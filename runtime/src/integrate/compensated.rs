@@ -12,6 +12,7 @@ use crate::scalar::Scalar;
 /// After n steps the rounding error of a plain sum has grown like n (like √n at best), that of a
 /// compensated sum not at all.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Compensated<X> {
     value: X,
     compensation: X,
@@ -88,6 +89,7 @@ impl<X> Compensated<X> {
 
 /// The time of a stepper, as a compensated sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Clock {
     time: f64,
     compensation: f64,

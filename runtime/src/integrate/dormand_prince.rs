@@ -13,6 +13,7 @@ mod stepper;
 pub use dense_output::Dop853Interpolant;
 pub use stepper::Dop853Stepper;
 
+use super::checkpoint::Resume;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::{IntegrationMethod, Integrator};
@@ -76,6 +77,7 @@ const ALL_STAGES: usize = 16;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dop853 {
     tolerance: Tolerance,
     initial_step: Option<f64>,
@@ -170,5 +172,18 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Integrator<S, D> for Dop853 {
 
     fn singularity_tolerance(&self) -> f64 {
         self.tolerance.relative
+    }
+}
+
+impl<S: Scalar, D: Dynamics<S> + ?Sized> Resume<S, D> for Dop853 {
+    type Memory = Dop853Stepper<D::State>;
+
+    fn memory(stepper: &Self::Stepper) -> Self::Memory {
+        stepper.clone()
+    }
+
+    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
+        self.check()?;
+        Ok(memory.under(*self))
     }
 }

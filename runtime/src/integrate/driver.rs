@@ -10,6 +10,7 @@ mod run;
 pub(crate) use run::check_times;
 
 #[cfg(feature = "alloc")]
+use super::checkpoint::{Checkpoint, Resume};
 use super::collector::Samples;
 use super::collector::Uncollected;
 #[cfg(feature = "alloc")]
@@ -24,7 +25,8 @@ use super::outcome::Outcome;
 #[cfg(feature = "alloc")]
 use super::reacting::{React, Unreacting};
 use super::running_integration::RunningIntegration;
-use super::sample::InitialValue;
+use super::sample::{InitialValue, Sample};
+use super::stepper::Stepper;
 use super::stop_condition::{Predicate, StopCondition, Unconditional};
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
@@ -343,6 +345,26 @@ impl<I, C, O> Driver<I, C, O> {
     {
         let initial = initial.into_sample();
         let stepper = self.begin(dynamics, &initial)?;
+        Ok(RunningIntegration::new(self, dynamics, stepper))
+    }
+
+    /// The integration that goes on from a checkpoint, to the last bit as if it had not stopped if the dynamics and the
+    /// settings are the same.
+    ///
+    /// # Errors
+    ///
+    /// If a setting is invalid, or the state is not finite or singular.
+    pub fn resume<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        checkpoint: Checkpoint<I::Memory>,
+    ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
+    where
+        I: Resume<S, D>,
+    {
+        let stepper = self.integrator.recall(checkpoint.memory)?;
+        let (t, x) = (stepper.time(), stepper.state().clone());
+        self.check_state(dynamics, &Sample { t, x })?;
         Ok(RunningIntegration::new(self, dynamics, stepper))
     }
 }

@@ -4,6 +4,7 @@
 //! Ordinary Differential Equations I*, 2nd edition (1993), II.1. The adaptive method of order 8 is
 //! [`Dop853`](crate::Dop853).
 
+use super::checkpoint::Resume;
 use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
@@ -120,6 +121,14 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
         Self { tableau, step }
     }
 
+    fn check(&self) -> Result<(), IntegrationError> {
+        if self.step.is_finite() && self.step > 0.0 {
+            Ok(())
+        } else {
+            Err(IntegrationError::InvalidStep { step: self.step })
+        }
+    }
+
     /// The increment h Σ bᵢ kᵢ over a step h from (t, x), where x is reduced.
     #[inline]
     fn increment<S: Scalar, D: Dynamics<S> + ?Sized>(
@@ -150,9 +159,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
     type Stepper = RungeKuttaStepper<D::State, STAGES>;
 
     fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
-        if !(self.step.is_finite() && self.step > 0.0) {
-            return Err(IntegrationError::InvalidStep { step: self.step });
-        }
+        self.check()?;
         checked_derivative(dynamics, t, &x)?;
         let clock = Clock::new(t);
         let state = Compensated::new(x);
@@ -184,6 +191,41 @@ pub struct RungeKuttaStepper<X, const STAGES: usize> {
     /// Where the last step began.
     previous: (Clock, Compensated<X>),
     statistics: Statistics,
+}
+
+/// What is stored of a [`RungeKuttaStepper`]: all but its method.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RungeKuttaMemory<X> {
+    clock: Clock,
+    state: Compensated<X>,
+    previous: (Clock, Compensated<X>),
+    statistics: Statistics,
+}
+
+impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Resume<S, D> for RungeKutta<STAGES> {
+    type Memory = RungeKuttaMemory<D::State>;
+
+    fn memory(stepper: &Self::Stepper) -> Self::Memory {
+        let stepper = stepper.clone();
+        RungeKuttaMemory {
+            clock: stepper.clock,
+            state: stepper.state,
+            previous: stepper.previous,
+            statistics: stepper.statistics,
+        }
+    }
+
+    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
+        self.check()?;
+        Ok(RungeKuttaStepper {
+            method: *self,
+            clock: memory.clock,
+            state: memory.state,
+            previous: memory.previous,
+            statistics: memory.statistics,
+        })
+    }
 }
 
 impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {

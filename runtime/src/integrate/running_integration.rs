@@ -1,5 +1,6 @@
 //! Integrations in progress, as values that are stepped by hand.
 
+use super::checkpoint::{Checkpoint, Resume};
 use super::collector::Uncollected;
 use super::driver::{Driver, check_times};
 use super::dynamics::Dynamics;
@@ -123,6 +124,16 @@ where
     /// What takes the steps; its dense output is [`DenseOutput::interpolant`](crate::DenseOutput::interpolant).
     pub fn stepper_mut(&mut self) -> &mut I::Stepper {
         &mut self.stepper
+    }
+
+    /// The whole state of the integration, from which it can go on later.
+    pub fn checkpoint(&self) -> Checkpoint<I::Memory>
+    where
+        I: Resume<S, D>,
+    {
+        Checkpoint {
+            memory: I::memory(&self.stepper),
+        }
     }
 
     /// The state at a time within the last step: by dense output, or for a method that has none as accurately as a step.

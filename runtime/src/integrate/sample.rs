@@ -15,6 +15,7 @@
 /// assert_eq!(decay.x[0], 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sample<X> {
     /// Time.
     pub t: f64,

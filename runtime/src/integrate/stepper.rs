@@ -97,6 +97,7 @@ pub trait Advance<S: Scalar, D: Dynamics<S> + ?Sized>: Stepper<S, D::State> {
 
 /// The cost of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,

@@ -26,6 +26,7 @@ pub(crate) use paired_convolutions::PairedConvolutions;
 pub use series::Series;
 pub use stepper::TaylorStepper;
 
+use super::checkpoint::Resume;
 use super::error::IntegrationError;
 use super::integrator::{IntegrationMethod, Integrator};
 use super::tolerance::Tolerance;
@@ -70,6 +71,7 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Taylor<const HALF: usize = 14> {
     /// The machine epsilon of the scalar unless set.
     tolerance: Option<Tolerance>,
@@ -184,5 +186,18 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Integrator<S, D> for T
 
     fn singularity_tolerance(&self) -> f64 {
         self.tolerance::<S>().relative.max(SINGULARITY_TOLERANCE)
+    }
+}
+
+impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Resume<S, D> for Taylor<HALF> {
+    type Memory = TaylorStepper<D::State, HALF>;
+
+    fn memory(stepper: &Self::Stepper) -> Self::Memory {
+        stepper.clone()
+    }
+
+    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
+        self.check()?;
+        Ok(memory.under(*self))
     }
 }

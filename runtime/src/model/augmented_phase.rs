@@ -26,6 +26,14 @@ use crate::scalar::{Lanes, Scalar};
 ///
 /// Its components are the coordinates, the velocities, then the states of the controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>"
+    ))
+)]
 pub struct AugmentedPhase<S: Scalar, const N: usize, const K: usize> {
     /// Coordinates q.
     pub q: SVector<S, N>,

@@ -16,6 +16,14 @@ use crate::scalar::{Lanes, Scalar};
 /// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components
 /// are the coordinates, then the velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Phase<S: Scalar, const N: usize> {
     /// Coordinates q.
     pub q: SVector<S, N>,

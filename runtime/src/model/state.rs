@@ -14,6 +14,14 @@ use crate::scalar::Scalar;
 /// assert_eq!(state.q[1], 0.5);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>"
+    ))
+)]
 pub struct State<S: Scalar, const N: usize> {
     /// Time.
     pub t: S,

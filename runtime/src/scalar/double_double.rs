@@ -50,6 +50,7 @@ use super::arithmetic::arithmetic;
 /// # Ok::<(), core::num::ParseFloatError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DoubleDouble {
     high: f64,
     low: f64,

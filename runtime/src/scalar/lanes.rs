@@ -44,7 +44,10 @@ use super::{Scalar, arithmetic::arithmetic};
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lanes<const L: usize>(pub [f64; L]);
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Lanes<const L: usize>(
+    #[cfg_attr(feature = "serde", serde(with = "crate::array_as_tuple"))] pub [f64; L],
+);
 
 impl<const L: usize> Lanes<L> {
     /// The lanes 0, 1, … from a function of the index.

@@ -12,6 +12,7 @@ use crate::scalar::Scalar;
 ///
 /// In θ = (t − t₀)/h it is r₀ + θ (r₁ + (1 − θ) (r₂ + θ (r₃ + (1 − θ) (r₄ + …)))).
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct DensePolynomial<X> {
     start: X,
     coefficients: [X; 7],
@@ -86,6 +87,7 @@ impl<X> DensePolynomial<X> {
 
 /// The motion within a step of [`Dop853`](crate::Dop853), with an error of order 8 in the step.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dop853Interpolant<X> {
     pub(super) clock: Clock,
     pub(super) h: f64,

@@ -59,6 +59,7 @@ pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
 
 /// The size of the next step, a positive number.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct StepControl {
     step: f64,
     /// Whether the last attempt was rejected: the next step must then not be longer.

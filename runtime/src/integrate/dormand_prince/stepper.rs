@@ -21,6 +21,7 @@ use crate::scalar::Scalar;
 ///
 /// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dop853Stepper<X> {
     method: Dop853,
     clock: Clock,
@@ -35,6 +36,7 @@ pub struct Dop853Stepper<X> {
 
 /// The last step, as dense output needs it.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct LastStep<X> {
     clock: Clock,
     x: Compensated<X>,
@@ -43,6 +45,11 @@ struct LastStep<X> {
 }
 
 impl<X> Dop853Stepper<X> {
+    /// The same stepper under other settings.
+    pub(super) fn under(self, method: Dop853) -> Self {
+        Self { method, ..self }
+    }
+
     pub(super) fn new<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         method: Dop853,
         dynamics: &D,

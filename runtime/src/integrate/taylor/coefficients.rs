@@ -5,9 +5,18 @@ use crate::scalar::Scalar;
 
 /// The Taylor polynomial of order 2·`HALF` of a motion about a time t₀: x(t₀ + τ·unit) = Σ xₖ τᵏ.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TaylorCoefficients<X, const HALF: usize> {
     initial: X,
     /// The coefficients of order 1 and more.
+    #[cfg_attr(feature = "serde", serde(with = "crate::array_as_tuple"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(bound(
+            serialize = "X: serde::Serialize",
+            deserialize = "X: Clone + serde::Deserialize<'de>"
+        ))
+    )]
     pairs: [[X; 2]; HALF],
 }
 

@@ -8,6 +8,14 @@ use crate::scalar::Scalar;
 
 /// The motion within a step of a [`Taylor`](crate::Taylor) method: its polynomial, with the error of the step.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "X: serde::Serialize",
+        deserialize = "X: Clone + serde::Deserialize<'de>"
+    ))
+)]
 pub struct TaylorInterpolant<X, const HALF: usize> {
     /// The time about which it is.
     pub(super) time: f64,

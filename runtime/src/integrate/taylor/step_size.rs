@@ -108,6 +108,7 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
 
 /// What the coefficients of a polynomial say about the length of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Proposal {
     /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2). Where they are
     /// zero, as in every other term of an even motion, the terms before count, down to half the order. If those are

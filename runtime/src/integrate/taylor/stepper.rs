@@ -22,6 +22,14 @@ use crate::scalar::Scalar;
 /// The state is a compensated sum, so that its rounding errors do not grow over a long integration. Steps end at times
 /// that are numbers, so that the time has none.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "X: serde::Serialize",
+        deserialize = "X: Clone + serde::Deserialize<'de>"
+    ))
+)]
 pub struct TaylorStepper<X, const HALF: usize> {
     method: Taylor<HALF>,
     /// Two polynomials: about the present time and state, and of the last step.
@@ -43,6 +51,11 @@ pub struct TaylorStepper<X, const HALF: usize> {
 }
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
+    /// The same stepper under other settings.
+    pub(super) fn under(self, method: Taylor<HALF>) -> Self {
+        Self { method, ..self }
+    }
+
     pub(super) fn new<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         method: Taylor<HALF>,
         dynamics: &D,

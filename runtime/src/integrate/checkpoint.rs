@@ -1,0 +1,61 @@
+//! Checkpoints: integrations that are stored, and go on later.
+
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use crate::scalar::Scalar;
+
+/// The whole state of an integration in progress: time, state, what rounding has removed from them, and what the method
+/// remembers. Made by [`RunningIntegration::checkpoint`](crate::RunningIntegration::checkpoint); the integration goes on
+/// from it by [`Driver::resume`](crate::Driver::resume), to the last bit as if it had not stopped.
+///
+/// With the feature `serde` it is stored in any format that keeps the digits of numbers, where the components of the state
+/// can be. A format without infinite numbers, such as JSON, cannot hold one whose motion is a polynomial under the Taylor
+/// method, of which the next step is infinite.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let (dynamics, driver) = (pendulum.dynamics(), Dop853::new().driver());
+/// let mut integration = driver.clone().start(&dynamics, State::new(0.0, [0.5], [0.0]))?;
+/// // A step limit or a cancellation ends an integration where nothing is lost.
+/// let mut part = driver.clone().max_steps(7).start(&dynamics, State::new(0.0, [0.5], [0.0]))?;
+/// assert_eq!(part.advance_to(10.0)?.reason, StopReason::StepLimit);
+/// let checkpoint = part.checkpoint();
+///
+/// let mut resumed = driver.resume(&dynamics, checkpoint)?;
+/// integration.advance_to(10.0)?;
+/// resumed.advance_to(10.0)?;
+/// assert_eq!(resumed.state(), integration.state());
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Checkpoint<M> {
+    pub(super) memory: M,
+}
+
+/// A method whose integrations go on from checkpoints.
+pub trait Resume<S: Scalar, D: Dynamics<S> + ?Sized>: Integrator<S, D> {
+    /// What is stored of a stepper.
+    type Memory: Clone;
+
+    /// What is to be stored of a stepper.
+    fn memory(stepper: &Self::Stepper) -> Self::Memory;
+
+    /// The stepper that goes on from there, with the settings of this method.
+    ///
+    /// # Errors
+    ///
+    /// If a setting is invalid.
+    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError>;
+}
