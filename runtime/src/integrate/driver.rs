@@ -9,8 +9,8 @@ mod run;
 
 pub(crate) use run::check_times;
 
-#[cfg(feature = "alloc")]
 use super::checkpoint::{Checkpoint, Resume};
+#[cfg(feature = "alloc")]
 use super::collector::Samples;
 use super::collector::Uncollected;
 #[cfg(feature = "alloc")]
