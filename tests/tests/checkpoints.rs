@@ -37,7 +37,7 @@ fn by_bytes<M: Serialize + DeserializeOwned>(checkpoint: &Checkpoint<M>) -> Chec
 }
 
 /// Stored after every third step, in turn as a value, as text and as bytes; also within what the last step shows.
-fn interrupted_is_uninterrupted<S, D, I>(method: &I, dynamics: &D, initial: Sample<D::State>)
+fn interrupted_is_uninterrupted<S, D, I>(method: &I, dynamics: &D, initial: &Sample<D::State>)
 where
     S: Scalar,
     D: Dynamics<S>,
@@ -46,11 +46,11 @@ where
     I::Memory: Serialize + DeserializeOwned,
 {
     for end in [END, -END] {
-        let mut whole = method.driver().start(dynamics, initial.clone()).unwrap();
+        let mut whole = method.driver().start(dynamics, initial).unwrap();
         whole.advance_to(end).unwrap();
 
         let driver = method.driver().max_steps(3);
-        let mut running = driver.clone().start(dynamics, initial.clone()).unwrap();
+        let mut running = driver.clone().start(dynamics, initial).unwrap();
         let mut stops = 0;
         while running.advance_to(end).unwrap().reason == StopReason::StepLimit {
             let checkpoint = match stops % 3 {
@@ -87,12 +87,12 @@ where
 fn every_method_goes_on_from_checkpoints() {
     let dynamics = DoublePendulum.dynamics();
     let start = || Sample::from(State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
-    interrupted_is_uninterrupted::<f64, _, _>(&RungeKutta::classical(0.01), &dynamics, start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::new(), &dynamics, start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_12(), &dynamics, start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_16(), &dynamics, start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_40(), &dynamics, start());
+    interrupted_is_uninterrupted::<f64, _, _>(&RungeKutta::classical(0.01), &dynamics, &start());
+    interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, &start());
+    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::new(), &dynamics, &start());
+    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_12(), &dynamics, &start());
+    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_16(), &dynamics, &start());
+    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_40(), &dynamics, &start());
 }
 
 #[test]
@@ -108,20 +108,20 @@ fn every_scalar_goes_on_from_checkpoints() {
     let dynamics = DoublePendulum.dynamics();
     let doubled = start(|x| DoubleDouble::from_f64(x) / DoubleDouble::from_f64(3.0));
     let doubled = Sample { t: 0.0, ..doubled };
-    interrupted_is_uninterrupted::<DoubleDouble, _, _>(&Taylor::order_40(), &dynamics, doubled);
+    interrupted_is_uninterrupted::<DoubleDouble, _, _>(&Taylor::order_40(), &dynamics, &doubled);
     let dynamics = DoublePendulum.dynamics();
     let lanes = Sample {
         t: 0.0,
         ..start(|x| Lanes([x, 0.5 * x, x + 0.1, -x]))
     };
-    interrupted_is_uninterrupted::<Lanes<4>, _, _>(&Dop853::new(), &dynamics, lanes);
+    interrupted_is_uninterrupted::<Lanes<4>, _, _>(&Dop853::new(), &dynamics, &lanes);
     let dynamics = DoublePendulum.dynamics();
     #[allow(clippy::cast_possible_truncation)] // The digits of `f32` are the point.
     let single = start(|x| x as f32);
     let method = Dop853::new()
         .relative_tolerance(1e-6)
         .absolute_tolerance(1e-6);
-    interrupted_is_uninterrupted::<f32, _, _>(&method, &dynamics, single);
+    interrupted_is_uninterrupted::<f32, _, _>(&method, &dynamics, &single);
 }
 
 #[test]
@@ -138,7 +138,7 @@ fn the_states_of_a_controller_are_stored() {
     };
     let dynamics = cart.with_controller(law);
     let start = Sample { t: 0.0, x: phase };
-    interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, start);
+    interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, &start);
 }
 
 /// The settings are those of the driver that goes on.
