@@ -127,13 +127,13 @@ pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>, const K: usize>(
     [before, after]: &[X; 2],
 ) -> ([f64; K], f64) {
     let allowed = before.zip_map(after, Scalar::max);
-    let least = allowed.components().fold(f64::INFINITY, |least, allowed| {
-        let allowed = allowed.smallest();
-        if allowed > 0.0 { least } else { 0.0 }
-    });
+    // Infinite where no error is allowed, or nearly none.
+    let weights = allowed.map(|allowed| S::one() / allowed);
+    let usable = weights
+        .components()
+        .fold(true, |usable, weight| usable & weight.largest().is_finite());
     let count = allowed.components().fold(0.0, |count, _| count + 1.0);
-    if least > 0.0 {
-        let weights = allowed.map(|allowed| S::one() / allowed);
+    if usable {
         let sums = vectors.map(|vector| {
             let ratios = vector.zip_map(&weights, |component, weight| component * weight);
             let squares = ratios.map(|ratio| ratio * ratio);
