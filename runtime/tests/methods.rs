@@ -162,3 +162,50 @@ table! {
     taylor_12: fixed_taylor::<6>, order 12 from step 1.0, Taylor::order_12().relative_tolerance(1e-12), to 1e-9;
     taylor_16: fixed_taylor::<8>, order 16 from step 2.0, Taylor::order_16(), to 1e-12;
 }
+
+/// Tolerances of zero, NaN, or beyond the digits of the scalar are values: an error, a stop, or the digits that there are.
+#[test]
+fn tolerances_beyond_the_digits_end() {
+    fn ends<I>(method: &I)
+    where
+        I: Integrator<f64, Oscillator> + IntegrationMethod,
+    {
+        let start = (0.0, SVector::from(START));
+        let driver = method.driver().max_steps(5000);
+        match driver.run_until(&Oscillator, start, 5.0) {
+            Ok(outcome) if outcome.reason == StopReason::Completed => {
+                assert_close(outcome.last.x[0], 5.0_f64.cos(), 1e-14);
+            }
+            Ok(outcome) => assert_eq!(outcome.reason, StopReason::StepLimit),
+            Err(error) => assert!(
+                matches!(error, IntegrationError::StepTooSmall { .. }),
+                "{error}"
+            ),
+        }
+    }
+    for tolerance in [1e-17, 1e-30, 1e-300] {
+        ends(
+            &Dop853::new()
+                .relative_tolerance(tolerance)
+                .absolute_tolerance(tolerance),
+        );
+        ends(&Taylor::new().relative_tolerance(tolerance));
+        ends(&Taylor::order_12().absolute_tolerance(tolerance));
+    }
+    for (relative, absolute) in [
+        (0.0, 0.0),
+        (f64::NAN, 1e-9),
+        (-1.0, 1e-9),
+        (1e-9, f64::INFINITY),
+    ] {
+        let start = (0.0, SVector::from(START));
+        let taylor = Taylor::new()
+            .relative_tolerance(relative)
+            .absolute_tolerance(absolute);
+        let error = taylor.integrate_to(&Oscillator, start, 1.0).unwrap_err();
+        assert!(
+            matches!(error, IntegrationError::InvalidTolerance { .. }),
+            "{error}"
+        );
+    }
+}
