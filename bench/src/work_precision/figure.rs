@@ -89,8 +89,8 @@ impl Axis {
     /// The whole exponents on it, every so many.
     #[allow(clippy::cast_possible_truncation)] // Small whole numbers.
     fn ticks(self, every: usize) -> impl Iterator<Item = i32> {
-        let [from, to] = self.exponents.map(|exponent| exponent.round() as i32);
-        (from.min(to)..=from.max(to)).step_by(every)
+        let [from, to] = self.exponents;
+        (from.min(to).ceil() as i32..=from.max(to).floor() as i32).step_by(every)
     }
 }
 
@@ -98,8 +98,8 @@ impl Axis {
 pub(super) fn svg(panels: &[Panel]) -> String {
     let curves: Vec<Vec<(&Style, Vec<Point>)>> = panels.iter().map(gathered).collect();
     let points = || curves.iter().flatten().flat_map(|(_, points)| points);
-    let seconds = range(points().map(|point| point.seconds * 1e3));
-    let errors = range(points().map(|point| point.error.max(1e-16)));
+    let seconds = range(points().map(|point| point.seconds * 1e3), 0.5);
+    let errors = range(points().map(|point| point.error.max(1e-16)), 1.0);
     #[allow(clippy::cast_precision_loss)] // Some panels.
     let count = panels.len() as f64;
     let width = LEFT + count * PANEL + (count - 1.0) * GAP + 26.0;
@@ -159,13 +159,13 @@ fn gathered(panel: &Panel) -> Vec<(&'static Style, Vec<Point>)> {
     curves.filter(|(_, points)| !points.is_empty()).collect()
 }
 
-/// The exponents between which all values are.
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+/// The exponents between which all values are, in steps.
+fn range(values: impl Iterator<Item = f64>, step: f64) -> [f64; 2] {
     let logarithms = values.map(f64::log10);
     let [low, high] = logarithms.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
         [low.min(x), high.max(x)]
     });
-    [low.floor(), high.ceil()]
+    [(low / step).floor() * step, (high / step).ceil() * step]
 }
 
 fn legend(svg: &mut String) {
