@@ -44,12 +44,16 @@ pub(crate) fn build(
 ) -> Result<Built, String> {
     let name = match calls {
         Calls::Measure | Calls::MeasureWithRounding => format!("model-{model}"),
-        Calls::Integrate => format!("integrated-{model}"),
+        Calls::Integrate | Calls::IntegrateAlone => format!("integrated-{model}"),
+        Calls::IntegratePrecisely => format!("reference-{model}"),
         Calls::Taylor => format!("taylor-{model}"),
         Calls::Dop853 => format!("dop853-{model}"),
     };
     let main = source(model, calls);
-    let timed = calls != Calls::Integrate;
+    let timed = matches!(
+        calls,
+        Calls::Measure | Calls::MeasureWithRounding | Calls::Taylor | Calls::Dop853
+    );
     let package = package(folders, &name, &main, &[], timed)?;
     let start = Instant::now();
     cargo_build(folders, &package, flags, None)?;

@@ -19,6 +19,10 @@ pub(crate) enum Calls {
     MeasureWithRounding,
     /// Of a model with the clause `taylor`.
     Integrate,
+    /// Of such a model that takes long to compile.
+    IntegrateAlone,
+    /// Of such a model for its references.
+    IntegratePrecisely,
     /// Nothing: one integration, as a user writes it, of a model with the clause `taylor`.
     Taylor,
     /// The same without the clause.
@@ -30,7 +34,9 @@ impl Calls {
     fn clause(self) -> &'static str {
         match self {
             Self::Measure | Self::MeasureWithRounding | Self::Dop853 => "",
-            Self::Integrate | Self::Taylor => "    taylor,\n",
+            Self::Integrate | Self::IntegrateAlone | Self::IntegratePrecisely | Self::Taylor => {
+                "    taylor,\n"
+            }
         }
     }
 
@@ -40,6 +46,8 @@ impl Calls {
             Self::Measure => "measure",
             Self::MeasureWithRounding => "measure_with_rounding",
             Self::Integrate => "integrate",
+            Self::IntegrateAlone => "integrate_alone",
+            Self::IntegratePrecisely => "integrate_precisely",
             Self::Taylor => return once("Taylor", degrees),
             Self::Dop853 => return once("Dop853", degrees),
         };

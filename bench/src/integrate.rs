@@ -1,14 +1,14 @@
 //! Our side of a contest of integrators.
 
 use std::process::ExitCode;
-use std::thread;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, EquationsOfMotion, IntegrationMethod, Lanes, MotionSeries};
+use lagrangian::{DoubleDouble, EquationsOfMotion, Lanes, MotionSeries, OperationCount};
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::question::{EnergyErrors, Integrated, Integration, Question, answer_questions};
+use crate::energy_errors::energy_errors;
+use crate::question::{Integrated, Integration, Question, answer_questions};
 use crate::thread_time::fewest_seconds;
 
 /// How many motions are integrated at once.
@@ -16,28 +16,50 @@ pub const LANES: usize = 8;
 
 /// The scalars on which a model is integrated here.
 pub trait Contestant<const N: usize>:
-    MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + MotionSeries<N, DoubleDouble> + Sync
+    MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble> + Sync
 {
 }
 
 impl<M, const N: usize> Contestant<N> for M where
-    M: MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + MotionSeries<N, DoubleDouble> + Sync
+    M: MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble> + Sync
 {
 }
 
-/// The `main` of a model crate that is measured by integrating it.
-pub fn integrate<const N: usize, M: Contestant<N>>(
+/// The `main` of a model crate that is measured by integrating it, one motion at a time or several at once.
+pub fn integrate<const N: usize, M: Contestant<N>>(model: &M, _: OperationCount) -> ExitCode {
+    answer_questions(|question| match question {
+        Question::Integrate(integration) => value(&match integration.starts.len() {
+            1 => alone(model, &integration)?,
+            _ => together(model, &integration)?,
+        }),
+        Question::EnergyDrifts(states) => value(&drifts(model, &states)?),
+        Question::EnergyErrors(question) => value(&energy_errors(model, &question)?),
+    })
+}
+
+/// The same for models that take long to compile: one motion at a time.
+pub fn integrate_alone<const N: usize, M: MotionSeries<N> + Lagrangian<N, DoubleDouble>>(
     model: &M,
-    _: lagrangian::OperationCount,
+    _: OperationCount,
 ) -> ExitCode {
     answer_questions(|question| match question {
-        Question::Integrate(integration) => value(&integrated(model, &integration)?),
-        Question::EnergyDrifts(states) => {
-            let first = energy(model, states.first().ok_or("there are no states")?);
-            let drifts = states.iter().map(|row| drift(model, row, first));
-            value(&drifts.collect::<Vec<f64>>())
+        Question::Integrate(integration) => value(&alone(model, &integration)?),
+        Question::EnergyDrifts(states) => value(&drifts(model, &states)?),
+        Question::EnergyErrors(_) => Err("one motion at a time".to_owned()),
+    })
+}
+
+/// In double-double alone: references.
+pub fn integrate_precisely<const N: usize, M: MotionSeries<N, DoubleDouble>>(
+    model: &M,
+    _: OperationCount,
+) -> ExitCode {
+    answer_questions(|question| match question {
+        Question::Integrate(integration) => {
+            let method = Taylor::order_40();
+            value(&by::<DoubleDouble, _, _, N>(model, &method, &integration)?)
         }
-        Question::EnergyErrors(question) => value(&energy_errors(model, &question)?),
+        _ => Err("references alone".to_owned()),
     })
 }
 
@@ -45,19 +67,18 @@ fn value(answer: &impl Serialize) -> Result<Value, String> {
     serde_json::to_value(answer).map_err(|error| error.to_string())
 }
 
-/// The methods by their names.
-fn integrated<const N: usize, M: Contestant<N>>(
+/// One motion, by a method with this name.
+fn alone<const N: usize, M: MotionSeries<N>>(
     model: &M,
     integration: &Integration,
 ) -> Result<Integrated, String> {
     match integration.method.as_str() {
-        "Taylor 12" => taylor(model, Taylor::order_12(), integration),
-        "Taylor 16" => taylor(model, Taylor::order_16(), integration),
-        "Taylor 24" => taylor(model, Taylor::new(), integration),
-        "Taylor 16, own steps" => ensemble(model, Taylor::order_16(), integration),
-        "Taylor 24, own steps" => ensemble(model, Taylor::new(), integration),
-        "Taylor 40 in double-double" => {
-            by::<DoubleDouble, _, _, N>(model, &Taylor::order_40(), integration)
+        "Taylor" => by::<f64, _, _, N>(model, &taylor(Taylor::new(), integration), integration),
+        "Taylor 12" => {
+            by::<f64, _, _, N>(model, &taylor(Taylor::order_12(), integration), integration)
+        }
+        "Taylor 16" => {
+            by::<f64, _, _, N>(model, &taylor(Taylor::order_16(), integration), integration)
         }
         "Dop853" => {
             let mut method = Dop853::new();
@@ -72,20 +93,27 @@ fn integrated<const N: usize, M: Contestant<N>>(
     }
 }
 
-fn taylor<const N: usize, const HALF: usize, M: Contestant<N>>(
+/// Several motions at once.
+fn together<const N: usize, M: Contestant<N>>(
     model: &M,
-    mut method: Taylor<HALF>,
     integration: &Integration,
 ) -> Result<Integrated, String> {
-    if let Some(tolerance) = integration.tolerance {
-        method = method
-            .relative_tolerance(tolerance)
-            .absolute_tolerance(tolerance);
+    match integration.method.as_str() {
+        "Taylor" => by::<Lanes<LANES>, _, _, N>(model, &Taylor::new(), integration),
+        "Taylor 16" => by::<Lanes<LANES>, _, _, N>(model, &Taylor::order_16(), integration),
+        "Taylor, own steps" => ensemble(model, Taylor::new(), integration),
+        "Taylor 16, own steps" => ensemble(model, Taylor::order_16(), integration),
+        other => Err(format!("there is no method `{other}` for several motions")),
     }
-    if integration.starts.len() == 1 {
-        by::<f64, _, _, N>(model, &method, integration)
-    } else {
-        by::<Lanes<LANES>, _, _, N>(model, &method, integration)
+}
+
+/// At the tolerance that is asked for.
+fn taylor<const HALF: usize>(method: Taylor<HALF>, integration: &Integration) -> Taylor<HALF> {
+    match integration.tolerance {
+        Some(tolerance) => method
+            .relative_tolerance(tolerance)
+            .absolute_tolerance(tolerance),
+        None => method,
     }
 }
 
@@ -116,7 +144,7 @@ fn ensemble<const N: usize, const HALF: usize, M: Contestant<N>>(
 }
 
 /// A scalar that holds the numbers of some motions.
-trait Motions: Scalar {
+pub(crate) trait Motions: Scalar {
     const COUNT: usize;
 
     fn new(number: impl Fn(usize) -> f64) -> Self;
@@ -191,7 +219,7 @@ where
     })
 }
 
-fn state<S: Motions, const N: usize>(starts: &[Vec<f64>]) -> State<S, N> {
+pub(crate) fn state<S: Motions, const N: usize>(starts: &[Vec<f64>]) -> State<S, N> {
     let component = |index: usize| S::new(|motion| starts[motion][index]);
     State {
         t: S::zero(),
@@ -200,7 +228,7 @@ fn state<S: Motions, const N: usize>(starts: &[Vec<f64>]) -> State<S, N> {
     }
 }
 
-fn rows<S: Motions, const N: usize>(phase: &Phase<S, N>) -> Vec<Vec<f64>> {
+pub(crate) fn rows<S: Motions, const N: usize>(phase: &Phase<S, N>) -> Vec<Vec<f64>> {
     let row = |motion| {
         let components = phase.q.iter().chain(phase.v.iter());
         components
@@ -211,70 +239,26 @@ fn rows<S: Motions, const N: usize>(phase: &Phase<S, N>) -> Vec<Vec<f64>> {
 }
 
 /// In double-double, so that what rounds is the state alone.
-fn energy<const N: usize, M: Lagrangian<N, DoubleDouble>>(model: &M, row: &[f64]) -> DoubleDouble {
+pub(crate) fn energy<const N: usize, M: Lagrangian<N, DoubleDouble>>(
+    model: &M,
+    row: &[f64],
+) -> DoubleDouble {
     model.energy(&state::<DoubleDouble, N>(&[row.to_vec()]))
 }
 
-fn drift<const N: usize, M: Lagrangian<N, DoubleDouble>>(
+/// The drift of each state from the first.
+fn drifts<const N: usize, M: Lagrangian<N, DoubleDouble>>(
+    model: &M,
+    states: &[Vec<f64>],
+) -> Result<Vec<f64>, String> {
+    let first = energy(model, states.first().ok_or("there are no states")?);
+    Ok(states.iter().map(|row| drift(model, row, first)).collect())
+}
+
+pub(crate) fn drift<const N: usize, M: Lagrangian<N, DoubleDouble>>(
     model: &M,
     row: &[f64],
     initial: DoubleDouble,
 ) -> f64 {
     ((energy(model, row) - initial) / initial).to_f64()
-}
-
-/// All starts, as many at once as there are lanes, on two threads.
-fn energy_errors<const N: usize, M: Contestant<N>>(
-    model: &M,
-    question: &EnergyErrors,
-) -> Result<Vec<Vec<f64>>, String> {
-    let chunks: Vec<&[Vec<f64>]> = question.starts.chunks_exact(LANES).collect();
-    let halves = chunks.chunks(chunks.len().div_ceil(2).max(1));
-    let mut errors = vec![Vec::new(); question.times.len()];
-    thread::scope(|scope| {
-        let threads: Vec<_> = halves
-            .map(|half| {
-                scope.spawn(move || {
-                    let errors = half
-                        .iter()
-                        .map(|starts| together(model, starts, &question.times));
-                    errors.collect::<Result<Vec<_>, _>>()
-                })
-            })
-            .collect();
-        for thread in threads {
-            for rows in thread.join().map_err(|_| "a thread has panicked")?? {
-                for (errors, row) in errors.iter_mut().zip(rows) {
-                    errors.extend(row);
-                }
-            }
-        }
-        Ok(errors)
-    })
-}
-
-/// The errors of starts that fill the lanes, a row for each time.
-fn together<const N: usize, M: Contestant<N>>(
-    model: &M,
-    starts: &[Vec<f64>],
-    times: &[f64],
-) -> Result<Vec<Vec<f64>>, String> {
-    let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
-    let driver = Taylor::new().driver().max_steps(u64::MAX);
-    let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
-    let trajectory = driver
-        .sample(&dynamics, state::<Lanes<LANES>, N>(starts), times)
-        .map_err(|error| error.to_string())?;
-    let drifts = |phase| {
-        let rows = rows(phase);
-        let pairs = rows.iter().zip(&initial);
-        pairs
-            .map(|(row, initial)| drift(model, row, *initial))
-            .collect()
-    };
-    Ok(trajectory
-        .samples()
-        .iter()
-        .map(|sample| drifts(&sample.x))
-        .collect())
 }

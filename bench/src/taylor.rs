@@ -27,9 +27,16 @@ use crate::trajectories::{END, Trajectory, error};
 use crate::verdict::{Verdict, judge};
 
 /// Our default method, and the others that have a name.
-const DEFAULT: &str = "Taylor 24";
+const DEFAULT: &str = "Taylor";
 const METHODS: [&str; 3] = [DEFAULT, "Taylor 16", "Taylor 12"];
-const DOUBLE_DOUBLE: &str = "Taylor 40 in double-double";
+
+/// For what takes seconds, the lowest order, which is the slowest at this tolerance, is left out.
+fn methods(model: Model) -> &'static [&'static str] {
+    match model {
+        Model::Pendulum(10..) | Model::Arm => &METHODS[..2],
+        _ => &METHODS,
+    }
+}
 
 /// By how much our double-doubles and the quadruple precision may differ. The equations by hand fold constants, such as
 /// 1.3 · 9.81 · 0.4, in doubles, so that they are those of parameters that differ by 1e-16; twenty links enlarge
@@ -59,13 +66,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let mut verdicts = Vec::new();
     for &model in &arguments.models {
         let mut sheet = Sheet::new(&folders, python.as_ref().ok(), model, arguments.quick)?;
-        sheet.confirm_references(arguments.confirm)?;
+        sheet.confirm_references(&folders, arguments.confirm)?;
         sheet.single(&mut verdicts)?;
         if has_lagrangian(model) {
             lanes::compare(&mut sheet, &mut verdicts)?;
         }
         if model == Model::SymmetricTop {
-            angle::compare(&mut sheet, &mut verdicts)?;
+            angle::compare(&mut sheet, &folders, &mut verdicts)?;
         }
     }
     judge(&verdicts)
@@ -102,8 +109,13 @@ impl Sheet {
     ) -> Result<Self, String> {
         eprintln!("{model}: deriving, compiling, measuring");
         let mut contestants = Vec::new();
+        let calls = if has_lagrangian(model) {
+            Calls::Integrate
+        } else {
+            Calls::IntegrateAlone
+        };
         for flags in Flags::ALL {
-            contestants.push(build(folders, model, Calls::Integrate, flags)?.start()?);
+            contestants.push(build(folders, model, calls, flags)?.start()?);
         }
         if let Some(python) = python {
             contestants.push(python.start("heyoka_taylor.py", &[&model.to_string()])?);
@@ -116,22 +128,20 @@ impl Sheet {
         })
     }
 
-    /// Our method in double-double ends where heyoka's in quadruple precision does. Where asked for, it is
-    /// integrated again.
-    fn confirm_references(&mut self, again: bool) -> Result<(), String> {
+    /// Our method in double-double ends where heyoka's in quadruple precision does. Where asked for, it integrates again.
+    fn confirm_references(&self, folders: &Folders, again: bool) -> Result<(), String> {
         let Trajectory {
-            start,
-            end,
-            declared_end,
-        } = self.trajectory.clone();
-        let mut difference = error(&declared_end, &end);
+            end, declared_end, ..
+        } = &self.trajectory;
+        let mut difference = error(declared_end, end);
         println!(
             "\n{}: the references differ by {difference:.0e}",
             self.model
         );
         if again {
-            let truths = self.truths(&[start])?;
-            let changed = error(&truths[0], &declared_end);
+            let starts = self.trajectory.starts(1);
+            let truths = truths(folders, self.model, &starts)?;
+            let changed = error(&truths[0], declared_end);
             println!("  in double-double again, by {changed:.0e}");
             difference = difference.max(changed);
         }
@@ -145,29 +155,10 @@ impl Sheet {
         }
     }
 
-    /// Final states in double-double.
-    fn truths(&mut self, starts: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, String> {
-        let mut truth = |start: &Vec<f64>| {
-            let integrated = self.contestants[NATIVE].integrate(&Integration {
-                method: DOUBLE_DOUBLE.to_owned(),
-                tolerance: None,
-                starts: vec![start.clone()],
-                end: END,
-                at_least: 0.0,
-            })?;
-            integrated
-                .states
-                .into_iter()
-                .next()
-                .ok_or("no state".to_owned())
-        };
-        starts.iter().map(&mut truth).collect()
-    }
-
     /// One trajectory at a time.
     fn single(&mut self, verdicts: &mut Vec<Verdict>) -> Result<(), String> {
         let starts = [self.trajectory.start.clone()];
-        let entries = self.contest(&METHODS, heyoka_methods(self.model), &starts)?;
+        let entries = self.contest(methods(self.model), heyoka_methods(self.model), &starts)?;
         let lines = self.lines(&entries)?;
         print!("{}", table::table(&lines));
         self.judge_times(&entries, verdicts);
@@ -192,8 +183,8 @@ impl Sheet {
 
     /// Errors and drifts of one motion at rounding level are chance up to some factor, hence the limit.
     fn judge_errors(&self, lines: &[table::Line]) -> Vec<Verdict> {
-        let line = |name: &str| lines.iter().find(|line| line.name.ends_with(name));
-        let (Some(ours), Some(theirs)) = (line(DEFAULT), line("heyoka, hand")) else {
+        let line = |name: &str| lines.iter().find(|line| line.name == name);
+        let (Some(ours), Some(theirs)) = (line("lagrangian, Taylor"), line("heyoka, hand")) else {
             return Vec::new();
         };
         let verdict = |what: &str, ours: f64, theirs: f64| Verdict {
@@ -285,6 +276,24 @@ impl Sheet {
         }
         Ok(Some(largest))
     }
+}
+
+/// Final states in double-double.
+fn truths(folders: &Folders, model: Model, starts: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, String> {
+    let built = build(folders, model, Calls::IntegratePrecisely, Flags::Native)?;
+    let mut contestant = built.start()?;
+    let mut truth = |start: &Vec<f64>| {
+        let integrated = contestant.integrate(&Integration {
+            method: "Taylor 40".to_owned(),
+            tolerance: None,
+            starts: vec![start.clone()],
+            end: END,
+            at_least: 0.0,
+        })?;
+        let end = integrated.states.into_iter().next();
+        end.ok_or_else(|| "no state".to_owned())
+    };
+    starts.iter().map(&mut truth).collect()
 }
 
 /// The fewest seconds of a side's methods; not a number where it has none.

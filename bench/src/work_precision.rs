@@ -57,7 +57,7 @@ enum Side {
 const METHODS: [Method; 8] = [
     Method::new("Taylor, order 12", Side::Ours, "Taylor 12"),
     Method::new("Taylor, order 16", Side::Ours, "Taylor 16"),
-    Method::new("Taylor, order 24", Side::Ours, "Taylor 24"),
+    Method::new("Taylor, default order", Side::Ours, "Taylor"),
     Method::new("Dop853", Side::Ours, "Dop853"),
     Method::new("heyoka", Side::Heyoka, "hand"),
     Method::new("heyoka, fast math", Side::Heyoka, "hand, fast math"),

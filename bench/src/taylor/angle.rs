@@ -1,10 +1,11 @@
 //! What a cyclic angle that has turned far costs: θ(1000) of the symmetric top from ψ = 0 and from ψ = 10⁶.
 
 use crate::contest::Entry;
+use crate::folders::Folders;
 use crate::trajectories::END;
 use crate::verdict::Verdict;
 
-use super::{DEFAULT, HEYOKA, NATIVE, Sheet};
+use super::{DEFAULT, HEYOKA, NATIVE, Sheet, truths};
 
 /// θ and ψ in the state.
 const THETA: usize = 1;
@@ -14,10 +15,14 @@ const FAR: f64 = 1e6;
 /// The error of θ is taken over so many starts, root mean square: that of one may be small by chance.
 const STARTS: u32 = 8;
 
-pub(super) fn compare(sheet: &mut Sheet, verdicts: &mut Vec<Verdict>) -> Result<(), String> {
+pub(super) fn compare(
+    sheet: &mut Sheet,
+    folders: &Folders,
+    verdicts: &mut Vec<Verdict>,
+) -> Result<(), String> {
     let starts = sheet.trajectory.starts(STARTS);
     // ψ is cyclic: θ does not depend on it.
-    let truths = sheet.truths(&starts)?;
+    let truths = truths(folders, sheet.model, &starts)?;
     println!("  θ(1000), root of the mean square error over {STARTS} starts:");
     for (side, name, method) in [(NATIVE, "lagrangian", DEFAULT), (HEYOKA, "heyoka", "hand")] {
         if side >= sheet.contestants.len() {

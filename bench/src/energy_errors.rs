@@ -1,0 +1,65 @@
+//! How the energy is kept over long times.
+
+use std::thread;
+
+use lagrangian::prelude::*;
+use lagrangian::{IntegrationMethod, Lanes};
+
+use crate::integrate::{Contestant, LANES, drift, energy, rows, state};
+use crate::question::EnergyErrors;
+
+/// All starts, as many at once as there are lanes, on two threads.
+pub(crate) fn energy_errors<const N: usize, M: Contestant<N>>(
+    model: &M,
+    question: &EnergyErrors,
+) -> Result<Vec<Vec<f64>>, String> {
+    let chunks: Vec<&[Vec<f64>]> = question.starts.chunks_exact(LANES).collect();
+    let halves = chunks.chunks(chunks.len().div_ceil(2).max(1));
+    let mut errors = vec![Vec::new(); question.times.len()];
+    thread::scope(|scope| {
+        let threads: Vec<_> = halves
+            .map(|half| {
+                scope.spawn(move || {
+                    let errors = half
+                        .iter()
+                        .map(|starts| errors_together(model, starts, &question.times));
+                    errors.collect::<Result<Vec<_>, _>>()
+                })
+            })
+            .collect();
+        for thread in threads {
+            for rows in thread.join().map_err(|_| "a thread has panicked")?? {
+                for (errors, row) in errors.iter_mut().zip(rows) {
+                    errors.extend(row);
+                }
+            }
+        }
+        Ok(errors)
+    })
+}
+
+/// The errors of starts that fill the lanes, a row for each time.
+fn errors_together<const N: usize, M: Contestant<N>>(
+    model: &M,
+    starts: &[Vec<f64>],
+    times: &[f64],
+) -> Result<Vec<Vec<f64>>, String> {
+    let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
+    let driver = Taylor::new().driver().max_steps(u64::MAX);
+    let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
+    let trajectory = driver
+        .sample(&dynamics, state::<Lanes<LANES>, N>(starts), times)
+        .map_err(|error| error.to_string())?;
+    let drifts = |phase| {
+        let rows = rows(phase);
+        let pairs = rows.iter().zip(&initial);
+        pairs
+            .map(|(row, initial)| drift(model, row, *initial))
+            .collect()
+    };
+    Ok(trajectory
+        .samples()
+        .iter()
+        .map(|sample| drifts(&sample.x))
+        .collect())
+}
