@@ -113,7 +113,7 @@ impl<I, C, O> Driver<I, C, O> {
     /// of a reaction has the state before it.
     ///
     /// Where the reactions to an event come more and more often, as the bounces of a ball do before it is at rest, the
-    /// integration ends with [`StopReason::Zeno`].
+    /// integration ends with [`StopReason::Zeno`](crate::StopReason::Zeno).
     ///
     /// # Errors
     ///
