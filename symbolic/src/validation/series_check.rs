@@ -220,6 +220,6 @@ impl SeriesCheck {
 }
 
 /// An input as a function of time, from its value: some coefficients of every order that differ from input to input.
-fn input(value: f64) -> Jet {
+pub(super) fn input(value: f64) -> Jet {
     Jet([value, 0.5 - value, 0.25 + value, 0.75 * value])
 }

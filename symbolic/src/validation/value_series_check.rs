@@ -10,6 +10,7 @@ use crate::validation::jet::Jet;
 use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::Method;
+use crate::validation::series_check::input;
 use crate::validation::tape::Tape;
 use crate::validation::validator::unexplained;
 use crate::{Program, Symbol};
@@ -100,7 +101,7 @@ impl ValueSeriesCheck {
         let mut factors: Vec<Vec<f64>> = Vec::new();
         for (k, order) in (1..).zip([1.0, 2.0, 3.0]) {
             let term = |symbol: Symbol| match symbol {
-                Symbol::Time | Symbol::Coordinate(_) | Symbol::Velocity(_) => {
+                Symbol::Time | Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::Input(_) => {
                     along(point, symbol).0[k]
                 }
                 Symbol::Order => order,
@@ -140,6 +141,7 @@ fn along(point: RealPoint, symbol: Symbol) -> Jet {
             let (second, third) = higher(i);
             Jet([value, second, third / 2.0, value * third / 6.0])
         }
+        Symbol::Input(_) => input(value),
         _ => Jet::constant(value),
     }
 }
