@@ -498,3 +498,29 @@ fn the_density_of_samples_can_be_set() {
     assert_eq!(found(0), 0);
     assert_eq!(found(300), 2);
 }
+
+/// What a reaction does to the state and then disowns is dropped, also where another one at the same time changes it.
+#[test]
+fn an_unchanged_reaction_changes_nothing() {
+    under_each_method!(|method, error| {
+        let driver = method
+            .driver()
+            .events([Event::falling(); 2], |_, x: &Phase<f64, 1>| {
+                [x.q[0], x.q[0]]
+            });
+        let start = State::new(0.0, [1.0], [0.0]);
+        let bounce = |event, _, x: &mut Phase<f64, 1>, _: &mut _| {
+            if event == 0 {
+                x.q[0] += 1.0;
+                return Reaction::Unchanged;
+            }
+            x.v[0] = -x.v[0];
+            Reaction::Changed
+        };
+        let fall = (2.0 / BALL.g).sqrt();
+        let motion = driver
+            .run_reacting(&mut BALL.dynamics(), start, 2.0 * fall, bounce)
+            .unwrap();
+        assert_close(motion.last.x.q[0], 1.0, 10.0 * error);
+    });
+}

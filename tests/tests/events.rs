@@ -396,6 +396,63 @@ struct External {
     limit: f64,
 }
 
+/// An event with an input alone.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    event(beyond = x - limit),
+)]
+struct Limited {
+    #[lagrangian(input)]
+    limit: f64,
+}
+
+#[test]
+fn events_with_inputs_are_sampled() {
+    let model = Limited { limit: 0.75 };
+    let driver = Taylor::new()
+        .driver()
+        .declared_events([(Limited::BEYOND, Event::rising())]);
+    let start = State::new(0.0, [0.0], [1.0]);
+    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
+    close(times(motion.events(), 0)[0], 0.75, 1e-15);
+}
+
+/// Roots at the end of a step and behind the middle of the next one.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    event(twice = (t - first) * (t - second)),
+)]
+struct Twice {
+    first: f64,
+    second: f64,
+}
+
+#[test]
+fn roots_after_one_at_the_end_of_a_step_are_found() {
+    for second in [100.06, 100.09, 100.12] {
+        let model = Twice {
+            first: 100.0 - 1e-12,
+            second,
+        };
+        let driver = Taylor::new()
+            .max_step(0.125)
+            .driver()
+            .declared_events([(Twice::TWICE, Event::either())]);
+        let start = State::new(99.0, [0.0], [1.0]);
+        let motion = driver.sample(&model.dynamics(), start, &[101.0]).unwrap();
+        let found = times(motion.events(), 0);
+        assert_eq!(found.len(), 2, "{second}: {found:?}");
+        close(found[0], 100.0, 2e-12);
+        close(found[1], second, 1e-12);
+    }
+}
+
 #[test]
 fn events_with_external_functions_are_sampled() {
     let model = External {

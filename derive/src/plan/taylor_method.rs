@@ -1,6 +1,8 @@
 //! The Taylor series of the accelerations.
 
-use lagrangian_symbolic::{AccelerationOperands, SeriesCheck, TaylorProgram, ValueSeriesCheck};
+use lagrangian_symbolic::{
+    AccelerationOperands, SeriesCheck, Symbol, TaylorProgram, ValueSeriesCheck,
+};
 
 use super::method::Method;
 use super::methods::Methods;
@@ -72,7 +74,8 @@ pub(crate) struct EventSeries {
 }
 
 impl Methods {
-    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions.
+    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions or
+    /// read inputs, whose series the motion's coefficients do not contain.
     pub(crate) fn event_series(&self) -> Result<Option<EventSeries>, NoTaylorSeries> {
         let Some(method) = &self.event_functions else {
             return Ok(None);
@@ -81,6 +84,10 @@ impl Methods {
             return Err(NoTaylorSeries::Wrong);
         };
         let program = &method.program;
+        let is_input = |symbol: &Symbol| matches!(symbol, Symbol::Input(_));
+        if program.symbols().iter().any(is_input) {
+            return Ok(None);
+        }
         let operands = AccelerationOperands::Solved(values.operands(program));
         let Some(taylor) = TaylorProgram::of(program, operands) else {
             return Ok(None);

@@ -34,7 +34,7 @@ pub(crate) struct Reacting<'a, D: ?Sized, F> {
     pub(crate) reaction: F,
 }
 
-impl<D: ?Sized, X, F> React<D, X> for Reacting<'_, D, F>
+impl<D: ?Sized, X: Clone, F> React<D, X> for Reacting<'_, D, F>
 where
     F: FnMut(usize, f64, &mut X, &mut D) -> Reaction,
 {
@@ -47,8 +47,9 @@ where
     fn react(&mut self, occurring: Occurring, x: &mut X) -> Reaction {
         let mut all = Reaction::Unchanged;
         for event in occurring.events.indices() {
+            let before = x.clone();
             match (self.reaction)(event, occurring.t, x, self.dynamics) {
-                Reaction::Unchanged => {}
+                Reaction::Unchanged => *x = before,
                 Reaction::Changed => all = Reaction::Changed,
                 Reaction::Stop => return Reaction::Stop,
             }

@@ -240,11 +240,12 @@ where
             steps,
             &mut Uncollected,
         );
-        result?;
         let Sample { t, x } = &outcome.last;
+        let mut returned = Ok(());
         if *t - self.time() != 0.0 {
-            self.stepper.restart_at(dynamics, *t, x.clone())?;
+            returned = self.stepper.restart_at(dynamics, *t, x.clone());
         }
+        result.and(returned)?;
         Ok(outcome)
     }
 }

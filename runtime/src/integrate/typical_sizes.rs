@@ -50,7 +50,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
             .dynamics
             .allowed_error(x, &only(0.0, tolerance.absolute));
         let mut allowed =
-            absolute.map(|allowed| sizes.next().map_or(allowed, |size| allowed * size));
+            absolute.map(|allowed| sizes.next().map_or(allowed, |size| allowed * size.abs()));
         let relative = self
             .dynamics
             .allowed_error(x, &only(tolerance.relative, 0.0));

@@ -115,6 +115,9 @@ impl<I, C, O> Driver<I, C, O> {
     /// Where the reactions to an event come more and more often, as the bounces of a ball do before it is at rest, the
     /// integration ends with [`StopReason::Zeno`](crate::StopReason::Zeno).
     ///
+    /// With dual numbers, the time of an event has no derivative, and derivatives after a change of the state lack what the
+    /// shift of that time contributes.
+    ///
     /// # Errors
     ///
     /// Any of [`IntegrationError`].

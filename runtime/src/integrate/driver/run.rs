@@ -126,17 +126,21 @@ impl<I, C, O> Driver<I, C, O> {
                 beginning = Beginning::Unchanged;
                 continue;
             }
+            if reaction == Reaction::Stop {
+                outcome.last.x = x;
+                outcome.met = occurring.events;
+                return Ok(StopReason::Condition);
+            }
             let dynamics = system.dynamics();
             let step = stepper.time() - stepper.previous_time();
-            stepper.restart_at(dynamics, occurring.t, x.clone())?;
+            let changed = Sample { t: occurring.t, x };
+            self.check_state(dynamics, &changed)?;
+            let Sample { t, x } = changed;
+            stepper.restart_at(dynamics, t, x.clone())?;
             let condition = &mut self.condition;
             let accumulating = condition.restart(&mut memory, dynamics, occurring, &x, step);
             outcome.last.x = x;
             outcome.statistics = stepper.statistics();
-            if reaction == Reaction::Stop {
-                outcome.met = occurring.events;
-                return Ok(StopReason::Condition);
-            }
             if accumulating.any() {
                 outcome.met = accumulating;
                 return Ok(StopReason::Zeno);
@@ -155,18 +159,12 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator<S, D>,
     {
-        if let Some(tolerance) = self
-            .singularity_tolerance
-            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
-        {
-            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
-        }
         self.check_state(dynamics, initial)?;
         self.integrator
             .start(dynamics, initial.t, initial.x.clone())
     }
 
-    /// An error unless the state is finite and regular.
+    /// An error unless the settings are valid and the state is finite and regular.
     pub(crate) fn check_state<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
@@ -175,6 +173,12 @@ impl<I, C, O> Driver<I, C, O> {
     where
         I: Integrator<S, D>,
     {
+        if let Some(tolerance) = self
+            .singularity_tolerance
+            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
+        {
+            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
+        }
         checked_state(dynamics, initial.t, &initial.x)?;
         check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())
     }

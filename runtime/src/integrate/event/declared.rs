@@ -74,6 +74,7 @@ where
         while step.comes_before(memory.until, step.end()) {
             if step.comes_before(memory.window, step.begin()) {
                 memory.window = step.begin();
+                memory.resume = [0.0; K];
             }
             let Some((window, polynomials)) = self.window(memory.window, step) else {
                 return sampling::next(self, memory, step);
@@ -136,7 +137,8 @@ impl<const K: usize> DeclaredEvents<K> {
                 let pairs = values.iter().zip(&polynomials);
                 agree &= pairs
                     .into_iter()
-                    .all(|(value, polynomial)| polynomial.is_near(part, *value));
+                    // Where a function is not a number, or there is no such event, nothing is compared.
+                    .all(|(value, polynomial)| value.is_nan() || polynomial.is_near(part, *value));
             }
             if agree || (end - begin).abs() <= least {
                 return Some((Window { begin, end }, polynomials));

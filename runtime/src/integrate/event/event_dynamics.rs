@@ -8,8 +8,8 @@ use crate::scalar::{DoubleDouble, Scalar};
 /// [events](crate::Events).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no declared events",
-    note = "a model has some with the clause `event(name = expression)` in its declaration; under a control law, give \
-            functions to `Driver::events`"
+    note = "a model has some with the clause `event(name = expression)` in its declaration; under a control law, \
+            driven by signals or with sizes, give functions to `Driver::events`"
 )]
 pub trait EventDynamics<S: Scalar>: Dynamics<S> {
     /// One value for each event: an array.

@@ -154,13 +154,15 @@ impl<V: Values> Memory<V> {
             }
             self.is_leaving = false;
         }
+        let time = |part: f64| begin + (end - begin) * (part / f64::from(parts));
+        let passed = f64::from(parts) * ((self.until - begin) / (end - begin));
+        let passed = libm::floor(passed).max(0.0);
         let mut next = end;
-        for part in (1..parts).rev() {
-            let time = begin + (end - begin) * (f64::from(part) / f64::from(parts));
-            if !step.comes_before(self.until, time) {
-                break;
+        // Rounding may have put the part that was passed last on either side.
+        for part in [passed + 2.0, passed + 1.0, passed] {
+            if part > 0.0 && part < f64::from(parts) && step.comes_before(self.until, time(part)) {
+                next = time(part);
             }
-            next = time;
         }
         let time = self.start + self.departure.copysign(end - begin);
         if self.departure > 0.0

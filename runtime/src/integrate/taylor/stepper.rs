@@ -34,8 +34,8 @@ pub struct TaylorStepper<X, const HALF: usize> {
     method: Taylor<HALF>,
     /// Two polynomials: about the present time and state, and of the last step.
     polynomials: [TaylorInterpolant<X, HALF>; 2],
-    /// Which of them is the first one.
-    present: usize,
+    /// Whether the second one is about the present time.
+    exchanged: bool,
     /// The unit of time of the next series, a power of two near the size of the step: the coefficients of a series
     /// then neither overflow nor underflow.
     unit: f64,
@@ -83,7 +83,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(Self {
             method,
             polynomials: [polynomial.clone(), polynomial],
-            present: 0,
+            exchanged: false,
             unit: power_of_two_near(FIRST_UNIT * time_scale),
             proposal: None,
             length: 0.0,
@@ -98,12 +98,13 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
 
     /// The polynomial about the present time.
     fn polynomial(&self) -> &TaylorInterpolant<X, HALF> {
-        &self.polynomials[self.present]
+        &self.polynomials[usize::from(self.exchanged)]
     }
 
     /// The polynomial of the last step.
     pub(super) fn last(&self) -> Option<&TaylorInterpolant<X, HALF>> {
-        self.has_last.then(|| &self.polynomials[1 - self.present])
+        self.has_last
+            .then(|| &self.polynomials[usize::from(!self.exchanged)])
     }
 
     /// Computes the coefficients of one of the polynomials, in a unit in which they are finite, for a step of about this
@@ -160,7 +161,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         } else {
             FIRST_UNIT * self.time_scale
         };
-        let component = match self.expand(dynamics, self.present, self.unit, length) {
+        let component = match self.expand(dynamics, usize::from(self.exchanged), self.unit, length)
+        {
             Ok(proposal) => {
                 self.proposal = Some(proposal);
                 return Ok(proposal);
@@ -189,7 +191,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     where
         X: VectorSpace<S>,
     {
-        let (present, next) = (self.present, 1 - self.present);
+        let [present, next] = [self.exchanged, !self.exchanged].map(usize::from);
         let tau: S = self.polynomials[present].argument(end);
         let (state, slope) = self.polynomials[present].state_and_derivative(tau);
         if let Some((index, _)) = state.value().first_non_finite() {
@@ -246,7 +248,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     where
         X: VectorSpace<S>,
     {
-        let polynomial = &self.polynomials[self.present];
+        let polynomial = &self.polynomials[usize::from(self.exchanged)];
         let begin = polynomial.time;
         for i in 1..=INNER_CHECKS {
             let t = begin + (end - begin) * (f64::from(i) / f64::from(INNER_CHECKS + 1));
@@ -362,7 +364,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                     if step.is_normal() {
                         self.unit = power_of_two_near(step);
                     }
-                    self.present = 1 - self.present;
+                    self.exchanged = !self.exchanged;
                     self.proposal = proposal;
                     self.length = length;
                     self.time_scale = self.time_scale.max(length);

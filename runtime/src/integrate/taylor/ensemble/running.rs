@@ -65,7 +65,12 @@ where
             let method = self.ensemble.method;
             match &mut self.stepper {
                 Some(stepper) => stepper.set_lane(lane, initial.t, &initial.x),
-                stepper => *stepper = Some(TaylorLanes::new(method, initial.t, &initial.x)),
+                stepper => {
+                    // Lanes without a motion rest.
+                    self.ends = [initial.t; L];
+                    self.ends[lane] = end;
+                    *stepper = Some(TaylorLanes::new(method, initial.t, &initial.x));
+                }
             }
         }
         self.motions.iter().any(Option::is_some)
