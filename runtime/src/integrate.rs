@@ -8,6 +8,7 @@ mod dynamics;
 mod singularity;
 mod error;
 mod sample;
+mod step_polynomial;
 mod stepper;
 mod dense_output;
 mod compensated;
@@ -44,7 +45,7 @@ pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
 pub use event::{
     Crossing, DeclaredEvents, Event, EventDynamics, MetConditions, Occurrence, Reaction,
-    SingleNumber, StepPolynomial, Watched, ZeroCrossing,
+    SingleNumber, Watched, ZeroCrossing,
 };
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};
@@ -55,6 +56,7 @@ pub use runge_kutta::{
 pub use running_integration::{RunningIntegration, Step, Steps};
 pub use sample::{InitialValue, Sample};
 pub use singularity::Singularity;
+pub use step_polynomial::StepPolynomial;
 pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
@@ -66,4 +68,4 @@ pub use taylor::{Ensemble, TaylorLanes};
 pub(crate) use taylor::{OnlineConvolutions, PairedConvolutions};
 #[cfg(feature = "alloc")]
 pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};
-pub use typical_sizes::{TypicalSizes, WithSizes};
+pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};

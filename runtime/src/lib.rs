@@ -63,8 +63,8 @@ pub use integrate::{
     Dynamics, Event, EventDynamics, InitialValue, IntegrationError, IntegrationMethod, Integrator,
     Interpolant, MetConditions, ObservationKind, Observer, Occurrence, Outcome, Predicate,
     Progress, Reaction, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
-    RunningIntegration, Sample, Series, SingleNumber, Singularity, Statistics, Step,
-    StepPolynomial, Stepper, Steps, StopCondition, StopReason, Taylor, TaylorCoefficients,
+    RunningIntegration, Sample, Series, SetTypicalSizes, SingleNumber, Singularity, Statistics,
+    Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason, Taylor, TaylorCoefficients,
     TaylorInterpolant, TaylorStepper, TypicalSizes, Unconditional, Unobserved, Watched, WithSizes,
     ZeroCrossing,
 };

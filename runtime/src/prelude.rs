@@ -7,8 +7,8 @@ pub use crate::{
     Events, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
     Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Observer, Occurrence,
     Outcome, Outputs, OutputsWith, Phase, Plant, Progress, Reaction, RungeKutta,
-    RunningIntegration, Sample, Scalar, State, Statistics, Step, Stepper, StopReason, Taylor,
-    VectorSpace, WithController, WithInputs,
+    RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics, Step, Stepper,
+    StopReason, Taylor, VectorSpace, WithController, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 

@@ -377,49 +377,6 @@ fn a_reaction_changes_the_model_and_its_events() {
     close(ball.model().height, -4.0, 1e-15);
 }
 
-fn ramp<S: Scalar>(x: S) -> S {
-    x - S::from_f64(0.5)
-}
-
-/// Events with external functions and inputs are sampled.
-#[derive(Lagrangian, Clone, Debug)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    function(ramp(x) = ramp(x)),
-    kinetic = 0.5 * m * dot(x).powi(2),
-    event(outside = ramp(x), beyond = x - limit),
-)]
-struct External {
-    m: f64,
-    #[lagrangian(input)]
-    limit: f64,
-}
-
-/// An event with an input alone.
-#[derive(Lagrangian, Clone, Debug)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    kinetic = 0.5 * dot(x).powi(2),
-    event(beyond = x - limit),
-)]
-struct Limited {
-    #[lagrangian(input)]
-    limit: f64,
-}
-
-#[test]
-fn events_with_inputs_are_sampled() {
-    let model = Limited { limit: 0.75 };
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Limited::BEYOND, Event::rising())]);
-    let start = State::new(0.0, [0.0], [1.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
-    close(times(motion.events(), 0)[0], 0.75, 1e-15);
-}
-
 /// Roots at the end of a step and behind the middle of the next one.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
@@ -451,20 +408,4 @@ fn roots_after_one_at_the_end_of_a_step_are_found() {
         close(found[0], 100.0, 2e-12);
         close(found[1], second, 1e-12);
     }
-}
-
-#[test]
-fn events_with_external_functions_are_sampled() {
-    let model = External {
-        m: 1.0,
-        limit: 0.75,
-    };
-    let driver = Taylor::new().driver().declared_events([
-        (External::OUTSIDE, Event::either()),
-        (External::BEYOND, Event::either()),
-    ]);
-    let start = State::new(0.0, [0.0], [1.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
-    close(times(motion.events(), 0)[0], 0.5, 1e-15);
-    close(times(motion.events(), 1)[0], 0.75, 1e-15);
 }

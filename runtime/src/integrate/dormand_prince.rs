@@ -38,7 +38,7 @@ const ALL_STAGES: usize = 16;
 /// - The size of a component is the larger of |xᵢ| before and after the step. That of a coordinate that is an angle is 1,
 ///   and that of another ignorable coordinate is |q̇ᵢ| T.
 /// - The absolute tolerance of a coordinate is `absolute` in its units, or `absolute` times its size if one is given by
-///   [`Dynamics::with_sizes`](crate::Dynamics::with_sizes). That of a velocity is the same over T: an error of a velocity
+///   [`with_sizes`](crate::SetTypicalSizes::with_sizes). That of a velocity is the same over T: an error of a velocity
 ///   counts by the displacement that it causes in the time T.
 /// - T is 8 times the longest step so far, and at the start 8 times the time in which the coordinates change by their
 ///   size. So it belongs to the motion, and is no setting. (Multiplying errors of velocities by the present step, as is
@@ -108,7 +108,7 @@ impl Dop853 {
     }
 
     /// Sets the tolerance of the error of a step in the units of a coordinate; by coordinate with
-    /// [`Dynamics::with_sizes`](crate::Dynamics::with_sizes). For a velocity it is divided by a
+    /// [`with_sizes`](crate::SetTypicalSizes::with_sizes). For a velocity it is divided by a
     /// [time of the motion](Self#tolerances).
     #[must_use]
     pub fn absolute_tolerance(mut self, absolute: f64) -> Self {

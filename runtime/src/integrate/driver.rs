@@ -9,7 +9,6 @@ mod run;
 
 pub(crate) use run::check_times;
 
-use super::checkpoint::{Checkpoint, Resume};
 #[cfg(feature = "alloc")]
 use super::collector::Samples;
 use super::collector::Uncollected;
@@ -24,9 +23,7 @@ use super::observer::{Observer, Unobserved};
 use super::outcome::Outcome;
 #[cfg(feature = "alloc")]
 use super::reacting::{React, Unreacting};
-use super::running_integration::RunningIntegration;
-use super::sample::{InitialValue, Sample};
-use super::stepper::Stepper;
+use super::sample::InitialValue;
 use super::stop_condition::{Predicate, StopCondition, Unconditional};
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
@@ -107,7 +104,7 @@ use crate::scalar::Scalar;
 /// An integration consumes its driver; one with the same settings is a `clone()`.
 #[derive(Clone, Debug)]
 pub struct Driver<I, C = Unconditional, O = Unobserved> {
-    integrator: I,
+    pub(crate) integrator: I,
     max_steps: u64,
     singularity_tolerance: Option<f64>,
     condition: C,
@@ -328,43 +325,5 @@ impl<I, C, O> Driver<I, C, O> {
             Ok(()) => Ok(solution),
             Err(error) => Err(PartialSolution::new(error, solution)),
         }
-    }
-
-    /// An integration in progress, from `initial` on: it is stepped, asked and changed by hand.
-    ///
-    /// # Errors
-    ///
-    /// Any of [`IntegrationError`].
-    pub fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
-        self,
-        dynamics: &D,
-        initial: impl InitialValue<D::State>,
-    ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
-    where
-        I: Integrator<S, D>,
-    {
-        let initial = initial.into_sample();
-        let stepper = self.begin(dynamics, &initial)?;
-        Ok(RunningIntegration::new(self, dynamics, stepper))
-    }
-
-    /// The integration that goes on from a checkpoint, to the last bit as if it had not stopped if the dynamics and the
-    /// settings are the same.
-    ///
-    /// # Errors
-    ///
-    /// If a setting is invalid, or the state is not finite or singular.
-    pub fn resume<S: Scalar, D: Dynamics<S> + ?Sized>(
-        self,
-        dynamics: &D,
-        checkpoint: Checkpoint<I::Memory>,
-    ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
-    where
-        I: Resume<S, D>,
-    {
-        let stepper = self.integrator.recall(checkpoint.memory)?;
-        let (t, x) = (stepper.time(), stepper.state().clone());
-        self.check_state(dynamics, &Sample { t, x })?;
-        Ok(RunningIntegration::new(self, dynamics, stepper))
     }
 }

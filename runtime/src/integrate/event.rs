@@ -11,6 +11,7 @@ mod last_step;
 mod location;
 mod memory;
 mod sampling;
+mod event_function;
 mod functions;
 mod event_dynamics;
 mod polynomial;
@@ -19,7 +20,7 @@ mod met_conditions;
 
 pub use declared::DeclaredEvents;
 pub(crate) use detection::{Detection, Occurring};
-pub use event_dynamics::{EventDynamics, SingleNumber, StepPolynomial};
+pub use event_dynamics::{EventDynamics, SingleNumber};
 pub use functions::{Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
 pub use met_conditions::MetConditions;

@@ -9,10 +9,50 @@ use super::integrator::Integrator;
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
 use super::reacting::Unreacting;
-use super::sample::Sample;
+use super::sample::{InitialValue, Sample};
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stop_condition::StopCondition;
 use crate::scalar::Scalar;
+
+impl<I, C, O> Driver<I, C, O> {
+    /// An integration in progress, from `initial` on: it is stepped, asked and changed by hand.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn start<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        initial: impl InitialValue<D::State>,
+    ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
+    where
+        I: Integrator<S, D>,
+    {
+        let initial = initial.into_sample();
+        let stepper = self.begin(dynamics, &initial)?;
+        Ok(RunningIntegration::new(self, dynamics, stepper))
+    }
+
+    /// The integration that goes on from a checkpoint, to the last bit as if it had not stopped if the dynamics and the
+    /// settings are the same.
+    ///
+    /// # Errors
+    ///
+    /// If a setting is invalid, or the state is not finite or singular.
+    pub fn resume<S: Scalar, D: Dynamics<S> + ?Sized>(
+        self,
+        dynamics: &D,
+        checkpoint: Checkpoint<I::Memory>,
+    ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
+    where
+        I: Resume<S, D>,
+    {
+        let stepper = self.integrator.recall(checkpoint.memory)?;
+        let (t, x) = (stepper.time(), stepper.state().clone());
+        self.check_state(dynamics, &Sample { t, x })?;
+        Ok(RunningIntegration::new(self, dynamics, stepper))
+    }
+}
 
 /// An integration in progress, made by [`Driver::start`](crate::Driver::start).
 ///

@@ -3,7 +3,7 @@
 use super::compensated::Clock;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::StepPolynomial;
+use super::step_polynomial::StepPolynomial;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 

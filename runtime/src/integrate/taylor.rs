@@ -3,7 +3,7 @@
 //! R. E. Moore, *Interval Analysis* (1966), chapter 11; À. Jorba & M. Zou, *A Software Package for the Numerical
 //! Integration of ODEs by Means of High-Order Taylor Methods*, Experimental Mathematics **14** (2005) 99–117.
 
-mod coefficients;
+pub(super) mod coefficients;
 mod convolutions;
 mod interpolant;
 mod ensemble;

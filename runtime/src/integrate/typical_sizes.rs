@@ -6,18 +6,55 @@ use super::taylor::{Series, TaylorCoefficients};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// A system with a typical size of each component, made by [`Dynamics::with_sizes`].
+/// A system with a typical size of each component, made by [`with_sizes`](SetTypicalSizes::with_sizes).
 #[derive(Clone, Copy, Debug)]
 pub struct WithSizes<'a, D: ?Sized, X> {
     dynamics: &'a D,
     sizes: X,
 }
 
-impl<'a, D: ?Sized, X> WithSizes<'a, D, X> {
-    pub(super) fn new(dynamics: &'a D, sizes: X) -> Self {
-        Self { dynamics, sizes }
+/// Typical sizes of the coordinates of any system.
+pub trait SetTypicalSizes<S: Scalar = f64>: Dynamics<S> {
+    /// The same system with a typical size of each coordinate: the absolute tolerance of a coordinate is that of the
+    /// method times its size, 1 unless it is set, and so is that of its velocity.
+    ///
+    /// Tolerances are numbers then, and sizes have the units of the coordinates. An infinite size leaves a coordinate
+    /// and its velocity out.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    ///
+    /// /// A cart of kilometres on which a pendulum swings.
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     coordinates(x, theta),
+    ///     kinetic = m * dot(x).powi(2) + m * l * cos(theta) * dot(x) * dot(theta)
+    ///         + 0.5 * m * (l * dot(theta)).powi(2),
+    ///     potential = 0.5 * k * x.powi(2) - m * g * l * cos(theta),
+    /// )]
+    /// struct Cart { m: f64, l: f64, k: f64, g: f64 }
+    ///
+    /// let cart = Cart { m: 1.0, l: 1.0, k: 1e-4, g: 9.81 };
+    /// let mut sizes = [1.0; 2];
+    /// sizes[Cart::X] = 1000.0;
+    /// let dynamics = cart.dynamics();
+    /// let dynamics = dynamics.with_sizes(sizes);
+    /// let start = State::new(0.0, [700.0, 0.1], [0.0, 0.0]);
+    /// Dop853::new().integrate_to(&dynamics, start, 10.0)?;
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    fn with_sizes(
+        &self,
+        sizes: impl TypicalSizes<Self::State>,
+    ) -> WithSizes<'_, Self, Self::State> {
+        WithSizes {
+            dynamics: self,
+            sizes: sizes.into_state(),
+        }
     }
 }
+
+impl<S: Scalar, D: Dynamics<S> + ?Sized> SetTypicalSizes<S> for D {}
 
 /// Typical sizes: of all components of a state, or of the coordinates of a mechanical system, as an array.
 pub trait TypicalSizes<X> {

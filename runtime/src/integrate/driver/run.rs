@@ -151,7 +151,7 @@ impl<I, C, O> Driver<I, C, O> {
 
     /// Checks the settings and the initial value. The singularity comes before the derivative: where M is
     /// singular, the accelerations are not finite, and an error about them would say less.
-    pub(super) fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
+    pub(crate) fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
         initial: &Sample<D::State>,

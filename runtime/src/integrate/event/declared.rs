@@ -3,14 +3,14 @@
 //! Where a step is a Taylor polynomial, the series of an event function is one, too, and no root of it is missed. By other
 //! methods the functions are sampled.
 
-use super::functions::EventFunction;
+use super::event_function::EventFunction;
 use super::memory::Memory;
 use super::polynomial::{Polynomial, Root};
 use super::{
-    Detection, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber,
-    StepPolynomial, sampling,
+    Detection, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling,
 };
 use crate::integrate::sample::Sample;
+use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::Advance;
 use crate::integrate::taylor::TaylorCoefficients;
 use crate::limits::events::{LEAST_WINDOW, MOST_COEFFICIENTS, UNCERTAINTY};

@@ -47,18 +47,3 @@ impl SingleNumber for f64 {}
 impl SingleNumber for f32 {}
 
 impl SingleNumber for DoubleDouble {}
-
-/// What is done with the Taylor polynomial of a step.
-pub trait StepPolynomial<S: Scalar, X> {
-    /// What comes out.
-    type Output;
-
-    /// Called with the time about which the polynomial is, the unit of time, and the coefficients, of which that of order
-    /// 0 may be another state with the same derivatives.
-    fn visit<const HALF: usize>(
-        self,
-        t: f64,
-        unit: f64,
-        coefficients: &TaylorCoefficients<X, HALF>,
-    ) -> Self::Output;
-}

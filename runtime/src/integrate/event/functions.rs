@@ -1,49 +1,11 @@
 //! Event functions that are closures.
 
+use super::event_function::{EventFunction, Values};
 use super::memory::Memory;
 use super::{Crossing, Detection, Event, LastStep, MetConditions, Occurring, sampling};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
-
-/// The values of one event function or of several.
-pub trait Values: Copy {
-    /// As many zeros.
-    const ZERO: Self;
-
-    /// The values.
-    fn as_slice(&self) -> &[f64];
-
-    /// The values, to be set.
-    fn as_mut_slice(&mut self) -> &mut [f64];
-}
-
-impl Values for f64 {
-    const ZERO: Self = 0.0;
-
-    fn as_slice(&self) -> &[f64] {
-        core::slice::from_ref(self)
-    }
-
-    fn as_mut_slice(&mut self) -> &mut [f64] {
-        core::slice::from_mut(self)
-    }
-}
-
-impl<const K: usize> Values for [f64; K] {
-    const ZERO: Self = {
-        assert!(K <= 64, "at most 64 conditions at a time");
-        [0.0; K]
-    };
-
-    fn as_slice(&self) -> &[f64] {
-        self
-    }
-
-    fn as_mut_slice(&mut self) -> &mut [f64] {
-        self
-    }
-}
 
 /// What is watched for: a direction or an [`Event`], or an array of them for an array of values.
 pub trait Watched {
@@ -77,21 +39,6 @@ impl<W: Watched<Values = f64>, const K: usize> Watched for [W; K] {
         let watched = self.get(index).or(self.last());
         watched.map_or(Event::either(), |watched| watched.event(0))
     }
-}
-
-/// Event functions of time and state, which may be those of the dynamics.
-pub(super) trait EventFunction<S: Scalar, D: Dynamics<S> + ?Sized> {
-    /// Their values.
-    type Values: Values;
-
-    /// The values at a time and a state.
-    fn values(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Values;
-
-    /// What is watched for.
-    fn event(&self, index: usize) -> Event;
-
-    /// The parts of a step at whose ends the functions are evaluated, if it is set.
-    fn parts(&self) -> Option<u32>;
 }
 
 /// The condition that an event function of time and state crosses zero, or one of several: `events` is a

@@ -2,9 +2,9 @@
 
 use core::marker::PhantomData;
 
-use super::StepPolynomial;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::sample::Sample;
+use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::TIME_RESOLUTION;
 use crate::scalar::Scalar;

@@ -1,7 +1,7 @@
 //! What is known of event functions between evaluations.
 
 use super::LastStep;
-use super::functions::Values;
+use super::event_function::Values;
 use super::met_conditions::MetConditions;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;

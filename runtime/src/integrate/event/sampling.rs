@@ -1,7 +1,7 @@
 //! Detection of events by sampling: where the signs of an event function at two neighbouring times differ, it has
 //! crossed zero between them.
 
-use super::functions::{EventFunction, Values};
+use super::event_function::{EventFunction, Values};
 use super::location::Bracket;
 use super::memory::Memory;
 use super::met_conditions::MetConditions;

@@ -8,7 +8,7 @@ use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::StepPolynomial;
+use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{

@@ -1,0 +1,68 @@
+//! Declared events that have no series: they are sampled under the Taylor method, too.
+
+use lagrangian::prelude::*;
+
+/// The times of one event.
+fn times<X>(motion: &[Occurrence<X>], event: usize) -> Vec<f64> {
+    let events = motion.iter().filter(|occurrence| occurrence.event == event);
+    events.map(|occurrence| occurrence.t).collect()
+}
+
+fn ramp<S: Scalar>(x: S) -> S {
+    x - S::from_f64(0.5)
+}
+
+/// Events with external functions and inputs are sampled.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    function(ramp(x) = ramp(x)),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    event(outside = ramp(x), beyond = x - limit),
+)]
+struct External {
+    m: f64,
+    #[lagrangian(input)]
+    limit: f64,
+}
+
+/// An event with an input alone.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    event(beyond = x - limit),
+)]
+struct Limited {
+    #[lagrangian(input)]
+    limit: f64,
+}
+
+#[test]
+fn events_with_inputs_are_sampled() {
+    let model = Limited { limit: 0.75 };
+    let driver = Taylor::new()
+        .driver()
+        .declared_events([(Limited::BEYOND, Event::rising())]);
+    let start = State::new(0.0, [0.0], [1.0]);
+    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
+    assert!((times(motion.events(), 0)[0] - 0.75).abs() <= 1e-15);
+}
+
+#[test]
+fn events_with_external_functions_are_sampled() {
+    let model = External {
+        m: 1.0,
+        limit: 0.75,
+    };
+    let driver = Taylor::new().driver().declared_events([
+        (External::OUTSIDE, Event::either()),
+        (External::BEYOND, Event::either()),
+    ]);
+    let start = State::new(0.0, [0.0], [1.0]);
+    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
+    assert!((times(motion.events(), 0)[0] - 0.5).abs() <= 1e-15);
+    assert!((times(motion.events(), 1)[0] - 0.75).abs() <= 1e-15);
+}
