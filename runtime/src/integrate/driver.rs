@@ -128,7 +128,7 @@ impl<I> Driver<I> {
 impl<I, C, O> Driver<I, C, O> {
     /// Limits the number of steps, rejected ones included, of one call. Then the integration stops by
     /// [`StopReason::StepLimit`](crate::StopReason::StepLimit), and can go on: from the last state, or, as if it had not stopped, as a
-    /// [`RunningIntegration`].
+    /// [`RunningIntegration`](crate::RunningIntegration).
     #[must_use]
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.max_steps = steps;
