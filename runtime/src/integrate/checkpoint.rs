@@ -7,7 +7,8 @@ use crate::scalar::Scalar;
 
 /// The whole state of an integration in progress: time, state, what rounding has removed from them, and what the method
 /// remembers. Made by [`RunningIntegration::checkpoint`](crate::RunningIntegration::checkpoint); the integration goes on
-/// from it by [`Driver::resume`](crate::Driver::resume), to the last bit as if it had not stopped.
+/// from it by [`Driver::resume`](crate::Driver::resume), to the last bit as if it had not stopped. What was
+/// known of event functions is not stored: a zero at the time of the checkpoint, to rounding, is not reported.
 ///
 /// With the feature `serde` it is stored in any format that keeps the digits of numbers, where the components of the state
 /// can be. A format without infinite numbers, such as JSON, cannot hold one whose motion is a polynomial under the Taylor

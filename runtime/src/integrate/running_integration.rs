@@ -60,6 +60,10 @@ impl<I, C, O> Driver<I, C, O> {
 /// driver are with it. Between two steps it can be asked within the last one, and its state or its dynamics can be
 /// changed. Nothing is allocated.
 ///
+/// Each call looks for events anew from where it begins: a zero of an event function there, to rounding, is not reported,
+/// as at an initial time. To see every event, integrate through all times in one call, as
+/// [`Driver::run_through`](crate::Driver::run_through) does.
+///
 /// ```
 /// use lagrangian::prelude::*;
 ///
