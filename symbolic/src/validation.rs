@@ -16,6 +16,7 @@ mod lagrange;
 mod number;
 mod perturbation;
 mod programs;
+mod recurrence_tape;
 mod series_check;
 mod value_series_check;
 mod square_matrix;

@@ -81,6 +81,17 @@ fn recurrences_give_the_derivatives_of_the_accelerations() {
     }
 }
 
+/// Another operation on terms.
+fn mutated(what: &str, operation: Operation) -> Operation {
+    match operation {
+        Operation::Add(x, y) => Operation::Subtract(x, y),
+        Operation::Subtract(x, y) => Operation::Add(x, y),
+        Operation::Multiply(x, y) => Operation::Divide(x, y),
+        Operation::Negate(x) => Operation::Add(x.clone(), x),
+        other => panic!("{what}: {other:?} is no operation on terms"),
+    }
+}
+
 /// Every instruction and every convolution of a recurrence counts in the check.
 #[test]
 fn a_recurrence_with_an_error_anywhere_is_found_out() {
@@ -90,13 +101,7 @@ fn a_recurrence_with_an_error_anywhere_is_found_out() {
         for index in 0..right.recurrence.groups[0].instructions.len() {
             let mut wrong = right.clone();
             let operation = &mut wrong.recurrence.groups[0].instructions[index].operation;
-            *operation = match operation.clone() {
-                Operation::Add(x, y) => Operation::Subtract(x, y),
-                Operation::Subtract(x, y) => Operation::Add(x, y),
-                Operation::Multiply(x, y) => Operation::Divide(x, y),
-                Operation::Negate(x) => Operation::Add(x.clone(), x),
-                other => panic!("{what}: {other:?} is no operation on terms"),
-            };
+            *operation = mutated(what, operation.clone());
             assert!(!accelerations.agree_with(&wrong), "{what}: {index}");
         }
         for index in 0..right.convolutions.len() {
@@ -139,13 +144,7 @@ fn series_of_values_with_an_error_anywhere_are_found_out() {
         for index in 0..right.recurrence.groups[0].instructions.len() {
             let mut wrong = right.clone();
             let operation = &mut wrong.recurrence.groups[0].instructions[index].operation;
-            *operation = match operation.clone() {
-                Operation::Add(x, y) => Operation::Subtract(x, y),
-                Operation::Subtract(x, y) => Operation::Add(x, y),
-                Operation::Multiply(x, y) => Operation::Divide(x, y),
-                Operation::Negate(x) => Operation::Add(x.clone(), x),
-                other => panic!("{what}: {other:?} is no operation on terms"),
-            };
+            *operation = mutated(what, operation.clone());
             let agrees = ValueSeriesCheck::new(&program, &wrong).agrees();
             assert!(!agrees, "{what}: {index}");
         }

@@ -4,16 +4,15 @@
 //! recurrence is the same for all orders; in order 3 the factors of order 2 of every convolution count.
 
 use crate::identity::real_point::RealPoint;
-use crate::limits::{VALIDATED_POINTS, VALIDATION_ATTEMPTS};
 use crate::program::taylor::TaylorProgram;
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::jet::Jet;
 use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{AccelerationProgram, Method};
+use crate::validation::recurrence_tape::{Known, RecurrenceTape, agree, input};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
-use crate::validation::validator::unexplained;
 use crate::{Program, Symbol};
 
 /// The coefficients of the accelerations, of order 0 to 3.
@@ -23,13 +22,10 @@ type Coefficients = [Vec<f64>; 4];
 pub struct SeriesCheck {
     preparation: Tape,
     accelerations: Tape,
-    initial: Tape,
-    recurrence: Tape,
-    convolutions: Vec<[usize; 2]>,
+    taylor: RecurrenceTape,
     coordinates: usize,
     /// The number of pivots before q̈, unless M and f are computed.
     pivots: Option<usize>,
-    invariants: usize,
 }
 
 impl SeriesCheck {
@@ -45,42 +41,19 @@ impl SeriesCheck {
             AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
             AccelerationProgram::System(program) => (program, None),
         };
-        let last = taylor.initial.groups.last();
-        let pairs = taylor.convolutions.iter();
         Self {
             preparation: Tape::of_program(preparation),
             accelerations: Tape::of_program(accelerations),
-            initial: Tape::of_program(&taylor.initial),
-            recurrence: Tape::of_program(&taylor.recurrence),
-            convolutions: pairs.map(|pair| [pair.0, pair.1]).collect(),
+            taylor: RecurrenceTape::of(taylor),
             coordinates,
             pivots,
-            invariants: last.map_or(0, |group| group.outputs.len()),
         }
     }
 
     /// Whether the two agree at random points of the domain, and exist at most of them; true if there is none.
     #[must_use]
     pub fn agrees(&self) -> bool {
-        let (mut points, mut undefined) = (0, 0);
-        for number in 0..VALIDATION_ATTEMPTS {
-            let point = RealPoint::new(number);
-            let compare = |perturbation| self.compare(point, perturbation);
-            let Some(comparisons) = compare(Perturbation(None)) else {
-                continue;
-            };
-            points += 1;
-            if comparisons.iter().any(|x| !x.difference.is_finite()) {
-                undefined += 1;
-            }
-            if !unexplained(&comparisons, &compare).is_empty() {
-                return false;
-            }
-            if points == VALIDATED_POINTS {
-                break;
-            }
-        }
-        2 * undefined <= points
+        agree(&|point, perturbation| self.compare(point, perturbation))
     }
 
     /// The differences of the coefficients at a point; none outside of the domain.
@@ -177,8 +150,7 @@ impl SeriesCheck {
             Symbol::Invariant(i) => prepared[i as usize],
             _ => point.value(symbol),
         };
-        let outputs = self.initial.evaluate(&initial, perturbation);
-        let (outputs, invariants) = outputs.split_at(outputs.len() - self.invariants);
+        let (outputs, invariants) = self.taylor.initial(&initial, perturbation);
         let mut found = motion.clone();
         // The factors of order 1, 2, …
         let mut factors: Vec<Vec<f64>> = Vec::new();
@@ -190,21 +162,16 @@ impl SeriesCheck {
                 Symbol::Velocity(i) => motion[k - 1][i as usize] / order,
                 Symbol::Input(_) => input(point.value(symbol)).0[k],
                 Symbol::Acceleration(i) => accelerations[i as usize],
-                Symbol::Order => order,
-                Symbol::ReciprocalOrder => 1.0 / order,
-                Symbol::Convolution(i) => {
-                    let [first, second] = self.convolutions[i as usize];
-                    let products =
-                        (1..k).map(|j| factors[j - 1][first] * factors[k - j - 1][second]);
-                    products.sum()
-                }
-                Symbol::Invariant(i) => invariants[i as usize],
                 _ => f64::NAN,
+            };
+            let known = Known {
+                invariants: &invariants,
+                factors: &factors,
             };
             let unknown = vec![0.0; n];
             let evaluate = |accelerations: &[f64]| {
                 let symbol = |symbol| term(symbol, accelerations);
-                self.recurrence.evaluate(&symbol, perturbation)
+                self.taylor.terms(&known, &symbol, perturbation)
             };
             let mut terms = evaluate(&unknown);
             found[k] = terms[..n].to_vec();
@@ -217,9 +184,4 @@ impl SeriesCheck {
         }
         Some(found)
     }
-}
-
-/// An input as a function of time, from its value: some coefficients of every order that differ from input to input.
-pub(super) fn input(value: f64) -> Jet {
-    Jet([value, 0.5 - value, 0.25 + value, 0.75 * value])
 }
