@@ -5,6 +5,7 @@ mod common;
 use common::{Oscillator, assert_close};
 use lagrangian::prelude::*;
 use lagrangian::{DenseOutput, Interpolant, Partial, VectorSpace};
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 type X = SVector<f64, 2>;
@@ -317,4 +318,29 @@ fn errors_convert() {
         ends(partial),
         IntegrationError::NonFiniteDerivative { .. }
     ));
+}
+
+/// A solution is known until the time at which the observer has stopped, also at an event or a sample within a step.
+#[test]
+fn a_solution_that_the_observer_stops_is_known_until_then() {
+    for kind in [ObservationKind::Event(0), ObservationKind::Sample] {
+        let solution = Dop853::new()
+            .driver()
+            .events(Event::either(), |_, x: &SVector<f64, 2>| x[0])
+            .observe(|progress: &Progress<'_, SVector<f64, 2>>| {
+                if progress.kind == kind && progress.t > progress.start {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            })
+            .solve(&Oscillator, (0.0, SVector::from([1.0, 0.0])), 10.0)
+            .unwrap();
+        assert_eq!(solution.outcome().reason, StopReason::Observer);
+        let end = solution.last().t;
+        for part in [0.1, 0.5, 0.999, 1.0] {
+            let x = solution.at(part * end).unwrap();
+            assert_close(x[0], (part * end).cos(), 1e-8);
+        }
+    }
 }

@@ -1,10 +1,11 @@
-//! Systems whose Taylor series are written by hand, with the building blocks of the emitted ones.
+//! Systems whose Taylor series are written by hand, with building blocks.
 
 mod common;
 
 use common::assert_close;
 use lagrangian::prelude::*;
-use lagrangian::{Convolutions, Series, TaylorCoefficients};
+use lagrangian::recurrences::Square;
+use lagrangian::{ComponentName, Series, TaylorCoefficients};
 use nalgebra::SVector;
 
 /// ẋ = x², whose solution from 1 is 1/(1 − t), written with the building blocks.
@@ -21,27 +22,13 @@ impl<S: Scalar> Dynamics<S> for Riccati {
 impl<S: Scalar> Series<S> for Riccati {
     fn series<const HALF: usize>(
         &self,
-        _: S,
+        t: S,
         x: &Self::State,
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
-        *coefficients.initial_mut() = *x;
-        let mut squares = Convolutions::<S, 1, 1, HALF>::new();
-        let mut last = x[0];
-        let mut order = S::zero();
-        for coefficient in coefficients.higher_mut() {
-            let square = if order.smallest() > 0.0 {
-                let [sum] = squares.sums();
-                squares.advance(&[last], &[[0, 0]]);
-                sum + (x[0] + x[0]) * last
-            } else {
-                x[0] * x[0]
-            };
-            order += S::one();
-            last = square * unit / order;
-            *coefficient = SVector::from([last]);
-        }
+        let mut square = Square::<S, HALF>::new();
+        coefficients.solve(t, x, unit, |_, x| SVector::from([square.next(x[0])]));
     }
 }
 
@@ -66,4 +53,44 @@ fn a_pole_of_the_solution_names_its_component() {
     };
     assert_close(time, 1.0, 1e-6);
     assert!(component.is_some());
+}
+
+/// ẋ₀ = −x₀ beside ẋ₁ = x₁², which has a pole.
+struct DecayAndPole;
+
+impl<S: Scalar> Dynamics<S> for DecayAndPole {
+    type State = SVector<S, 2>;
+
+    fn derivative(&self, _: S, x: &Self::State) -> Self::State {
+        SVector::from([-x[0], x[1] * x[1]])
+    }
+}
+
+impl<S: Scalar> Series<S> for DecayAndPole {
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        let mut square = Square::<S, HALF>::new();
+        coefficients.solve(t, x, unit, |_, x| SVector::from([-x[0], square.next(x[1])]));
+    }
+}
+
+/// The component that limits the step is named, alone and in a lane.
+#[test]
+fn the_component_with_the_pole_is_named() {
+    let start = (0.0, SVector::from([1.0, 1.0]));
+    let alone = Taylor::new().integrate_to(&DecayAndPole, start, 2.0);
+    let in_lanes = Taylor::new()
+        .ensemble::<2>()
+        .collect(&DecayAndPole, [(start, 2.0)]);
+    for error in [alone.unwrap_err(), in_lanes[0].unwrap_err()] {
+        let IntegrationError::StepTooSmall { component, .. } = error else {
+            panic!("{error}");
+        };
+        assert_eq!(component, Some(ComponentName::Index(1)));
+    }
 }

@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::emitter::Emitter;
 use super::signatures::InputsFrom;
-use super::taylor_series::in_blocks;
+use super::taylor_series::indices_of;
 use crate::plan::{EventSeries, Interface};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
@@ -42,7 +42,7 @@ impl Emitter<'_> {
             let (statements, values) = writer.compute(&series.values);
             let (more, invariants) = writer.compute(&series.invariants);
             let [(of_terms, terms), (of_factors, factors)] = self.recurrence(&series.program);
-            let (pairs, lanes) = in_blocks(&series.program.convolutions);
+            let pairs: Vec<_> = series.program.convolutions.iter().map(indices_of).collect();
             let (count_of_pairs, count_of_factors) = (pairs.len(), series.program.factors());
             let (count, events) = (invariants.len(), values.len());
             quote! {
@@ -51,7 +51,7 @@ impl Emitter<'_> {
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::event_series::<
-                    _, #n, #events, #count_of_factors, #count_of_pairs, #lanes, HALF,
+                    _, #n, #events, #count_of_factors, #count_of_pairs, HALF,
                 >(unit, motion, values, &[#(#pairs),*], |term| {
                     #of_terms
                     let terms = [#(#terms),*];

@@ -159,16 +159,19 @@ impl Emitter<'_> {
 
 /// The pairs of the convolutions in blocks, and the number of pairs in a block, the last of which is filled by repeating
 /// the last pair.
-pub(super) fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
+fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
     let blocks = convolutions.len().div_ceil(LARGEST_BLOCK).max(1);
     let registers = convolutions.len().div_ceil(blocks).div_ceil(REGISTER);
     let lanes = (registers * REGISTER).max(1);
     let last = convolutions.last().into_iter();
     let filled = convolutions.len().next_multiple_of(lanes);
     let repeated = last.cycle().take(filled - convolutions.len());
-    let pairs = convolutions.iter().chain(repeated).map(|pair| {
-        let (first, second) = (pair.0, pair.1);
-        quote!([#first, #second])
-    });
-    (pairs.collect(), lanes)
+    let pairs = convolutions.iter().chain(repeated);
+    (pairs.map(indices_of).collect(), lanes)
+}
+
+/// The indices of the factors of a convolution.
+pub(super) fn indices_of(convolution: &Convolution) -> TokenStream {
+    let (first, second) = (convolution.0, convolution.1);
+    quote!([#first, #second])
 }

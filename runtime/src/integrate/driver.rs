@@ -317,9 +317,29 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
+        self.collect_steps(&mut Unreacting(dynamics), initial, end)
+    }
+
+    #[cfg(feature = "alloc")]
+    #[allow(clippy::type_complexity)] // The interpolant is that of the method's stepper.
+    fn collect_steps<S: Scalar, D: Dynamics<S> + ?Sized, T>(
+        &mut self,
+        system: &mut impl React<D, D::State>,
+        initial: impl InitialValue<D::State>,
+        end: f64,
+    ) -> Result<
+        DenseSolution<D::State, T::Interpolant, S>,
+        PartialSolution<D::State, T::Interpolant, S>,
+    >
+    where
+        I: Integrator<S, D, Stepper = T>,
+        T: DenseOutput<S, D>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+    {
         let mut segments = Segments::new();
         let initial = initial.into_sample();
-        let (outcome, result) = self.run(dynamics, &initial, &[end], &mut segments);
+        let (outcome, result) = self.run_parts(system, &initial, &[end], &mut segments);
         let solution = DenseSolution::new(initial, segments, outcome);
         match result {
             Ok(()) => Ok(solution),

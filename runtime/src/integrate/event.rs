@@ -11,7 +11,7 @@ mod last_step;
 mod location;
 mod memory;
 mod sampling;
-mod event_function;
+mod values;
 mod functions;
 mod event_dynamics;
 mod polynomial;
@@ -23,7 +23,9 @@ pub(crate) use detection::{Detection, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
 pub use functions::{Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
+pub(crate) use memory::Memory;
 pub use met_conditions::MetConditions;
+pub(crate) use sampling::restart;
 
 /// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

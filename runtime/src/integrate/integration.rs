@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::{Detection, LastStep, MetConditions, Occurring};
+use super::event::{Detection, LastStep, Memory, MetConditions, Occurring};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
@@ -26,7 +26,7 @@ pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S> + ?Sized, T, C: 
     /// The number of steps, rejected ones included, at which to stop.
     pub(crate) step_limit: u64,
     pub(crate) condition: &'a mut C,
-    pub(crate) memory: &'a mut C::Memory,
+    pub(crate) memory: &'a mut Memory<C::Values>,
     /// Whether events that do not stop the integration interrupt it.
     pub(crate) reacts: bool,
     /// Whether nothing is left to visit in the last step.
@@ -81,6 +81,10 @@ where
             Ok(()) => self.complete()?,
             Err(reason) => reason.into(),
         };
+        if !self.is_visited {
+            // The motion ends, or a reaction is called for, within the last step.
+            self.record_until(self.outcome.last.t);
+        }
         self.outcome.statistics = self.stepper.statistics();
         Ok(interruption)
     }
@@ -151,10 +155,10 @@ where
             let there = step.at(occurring.t);
             self.visit_event(occurring, there)?;
         }
-        self.is_visited = true;
         let end = self.stepper.time();
         self.samples_until(end)?;
         self.record_until(end);
+        self.is_visited = true;
         self.outcome.last = self.at(end);
         self.notify(ObservationKind::Step)?;
         self.check_condition()?;
@@ -174,8 +178,7 @@ where
             self.notify(ObservationKind::Event(event))?;
         }
         let mut events = occurring.events.indices();
-        if events.any(|event| self.condition.is_terminal(event)) {
-            self.record_until(occurring.t);
+        if events.any(|event| self.condition.event(event).is_terminal()) {
             self.notify(ObservationKind::Step)?;
             self.outcome.met = occurring.events;
             return Err(StopReason::Condition.into());
@@ -214,7 +217,7 @@ where
     }
 
     /// Passes the last step to the collector, which is part of the motion until `end`.
-    pub(crate) fn record_until(&mut self, end: f64) {
+    fn record_until(&mut self, end: f64) {
         self.collector.step(self.dynamics, self.stepper, end);
     }
 

@@ -1,7 +1,7 @@
 //! Stop conditions: predicates, and events.
 
 use super::dynamics::Dynamics;
-use super::event::{Detection, LastStep, MetConditions, Occurring};
+use super::event::{Detection, Event, LastStep, Memory, Occurring};
 use super::stepper::Advance;
 use crate::scalar::Scalar;
 
@@ -24,31 +24,22 @@ pub struct Predicate<F>(pub(crate) F);
 /// What conditions without events have of them: none.
 macro_rules! no_events {
     ($dynamics:ident) => {
-        type Memory = ();
+        type Values = [f64; 0];
 
-        fn begin(&mut self, _: &$dynamics, _: f64, _: &$dynamics::State) {}
+        fn values(&mut self, _: &$dynamics, _: f64, _: &$dynamics::State) -> [f64; 0] {
+            []
+        }
+
+        fn event(&self, _: usize) -> Event {
+            Event::either()
+        }
 
         fn next<T: Advance<S, $dynamics>>(
             &mut self,
-            (): &mut (),
+            _: &mut Memory<[f64; 0]>,
             _: &mut LastStep<'_, S, $dynamics, T>,
         ) -> Option<Occurring> {
             None
-        }
-
-        fn is_terminal(&self, _: usize) -> bool {
-            false
-        }
-
-        fn restart(
-            &mut self,
-            (): &mut (),
-            _: &$dynamics,
-            _: Occurring,
-            _: &$dynamics::State,
-            _: f64,
-        ) -> MetConditions {
-            MetConditions::default()
         }
     };
 }

@@ -16,8 +16,7 @@ mod step_size;
 mod stepper;
 
 pub use coefficients::TaylorCoefficients;
-pub use convolutions::Convolutions;
-pub(crate) use convolutions::OnlineConvolutions;
+pub(crate) use convolutions::{Convolutions, OnlineConvolutions};
 pub use ensemble::Ensemble;
 pub(crate) use ensemble::Running;
 pub use interpolant::TaylorInterpolant;

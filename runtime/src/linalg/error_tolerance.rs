@@ -14,6 +14,17 @@ pub struct ErrorTolerance<S = f64> {
     pub rate: S,
 }
 
+impl<S> ErrorTolerance<S> {
+    /// The tolerance of derivative parts relative to the tangent vector of which they are components.
+    pub(crate) fn of_derivatives(&self) -> f64 {
+        if self.relative > 0.0 {
+            self.relative
+        } else {
+            self.absolute.min(1.0)
+        }
+    }
+}
+
 impl<S: Scalar> ErrorTolerance<S> {
     /// The error that is allowed for a coordinate of a size: absolute + relative · size.
     #[inline]

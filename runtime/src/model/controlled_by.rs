@@ -2,12 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::equations_of_motion::{allowed_error, component_name, singularity, vanishing_inertia};
+use super::equations_of_motion::errors_of_the_model;
 use super::inputs::Inputs;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{ComponentName, Dynamics, Singularity};
-use crate::linalg::{ErrorTolerance, IntoVector};
+use crate::integrate::Dynamics;
+use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
 /// A system under the static feedback u = law(t, q, q̇); made by
@@ -76,21 +76,5 @@ where
         }
     }
 
-    #[inline]
-    fn allowed_error(&self, x: &Phase<S, N>, tolerance: &ErrorTolerance<S>) -> Phase<S, N> {
-        allowed_error::<M, S, N>(x, tolerance)
-    }
-
-    #[inline]
-    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), min_pivot)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
-        vanishing_inertia(self.model, &x.at(t))
-    }
-
-    fn component_name(&self, index: usize) -> ComponentName {
-        component_name::<M, N>(index)
-    }
+    errors_of_the_model!();
 }

@@ -185,7 +185,7 @@ fn expand<S: Scalar, const N: usize, const FACTORS: usize, const PAIRS: usize>(
 }
 
 /// The Taylor coefficients of event functions along a motion: from `term`, which computes the terms of order k and the
-/// factors of the convolutions, and from the values.
+/// factors of the convolutions, and from the values. Their sums are few, and have one layout on all scalars.
 #[inline]
 pub fn event_series<
     S: Scalar,
@@ -193,7 +193,6 @@ pub fn event_series<
     const EVENTS: usize,
     const FACTORS: usize,
     const PAIRS: usize,
-    const LANES: usize,
     const HALF: usize,
 >(
     unit: S,

@@ -90,6 +90,64 @@ where
     }
 }
 
+/// What the dynamics of a model say of allowed errors, of singularities and of the names of components, whatever sets the
+/// inputs: `self.model` is the model or a reference to it.
+macro_rules! errors_of_the_model {
+    () => {
+        #[inline]
+        fn allowed_error(
+            &self,
+            x: &$crate::Phase<S, N>,
+            tolerance: &$crate::ErrorTolerance<S>,
+        ) -> $crate::Phase<S, N> {
+            $crate::model::equations_of_motion::allowed_error::<M, S, N>(x, tolerance)
+        }
+
+        #[inline]
+        fn singularity(
+            &self,
+            t: S,
+            x: &$crate::Phase<S, N>,
+            min_pivot: f64,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::equations_of_motion::singularity;
+            singularity::<M, S, N>(&self.model, &x.at(t), min_pivot)
+        }
+
+        #[inline]
+        fn singularity_in_lane(
+            &self,
+            lane: usize,
+            t: S,
+            x: &$crate::Phase<S, N>,
+            min_pivot: f64,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::equations_of_motion::singularity_in_lane;
+            singularity_in_lane::<M, S, N>(&self.model, lane, &x.at(t), min_pivot)
+        }
+
+        fn vanishing_inertia(&self, t: S, x: &$crate::Phase<S, N>) -> Option<$crate::Singularity> {
+            use $crate::model::equations_of_motion::vanishing_inertia;
+            vanishing_inertia::<M, S, N>(&self.model, &x.at(t))
+        }
+
+        fn vanishing_inertia_in_lane(
+            &self,
+            lane: usize,
+            t: S,
+            x: &$crate::Phase<S, N>,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::equations_of_motion::vanishing_inertia_in_lane;
+            vanishing_inertia_in_lane::<M, S, N>(&self.model, lane, &x.at(t))
+        }
+
+        fn component_name(&self, index: usize) -> $crate::ComponentName {
+            $crate::model::equations_of_motion::component_name::<M, N>(index)
+        }
+    };
+}
+pub(super) use errors_of_the_model;
+
 impl<M, S, const N: usize> Dynamics<S> for EquationsOfMotion<'_, M, S, N>
 where
     M: Lagrangian<N, S> + ?Sized,
@@ -106,42 +164,11 @@ where
     }
 
     #[inline]
-    fn allowed_error(&self, x: &Phase<S, N>, tolerance: &ErrorTolerance<S>) -> Phase<S, N> {
-        allowed_error::<M, S, N>(x, tolerance)
-    }
-
-    #[inline]
     fn reduced(&self, x: &Phase<S, N>, compensation: &Phase<S, N>) -> Phase<S, N> {
         reduced::<M, S, N>(x, compensation)
     }
 
-    #[inline]
-    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), min_pivot)
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Phase<S, N>,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        singularity_in_lane(self.model, lane, &x.at(t), min_pivot)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
-        vanishing_inertia(self.model, &x.at(t))
-    }
-
-    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Phase<S, N>) -> Option<Singularity> {
-        vanishing_inertia_in_lane(self.model, lane, &x.at(t))
-    }
-
-    fn component_name(&self, index: usize) -> ComponentName {
-        component_name::<M, N>(index)
-    }
+    errors_of_the_model!();
 }
 
 /// The phase with angles less whole periods.

@@ -72,22 +72,29 @@ where
     }
 }
 
+/// The series of equations of motion, of a model that they own or refer to.
+macro_rules! series_of_the_model {
+    () => {
+        #[inline]
+        fn series<const HALF: usize>(
+            &self,
+            t: S,
+            x: &Phase<S, N>,
+            unit: S,
+            coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+        ) {
+            self.model
+                .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
+        }
+    };
+}
+
 impl<M, S, const N: usize> Series<S> for EquationsOfMotion<'_, M, S, N>
 where
     M: MotionSeries<N, S> + ?Sized,
     S: Scalar,
 {
-    #[inline]
-    fn series<const HALF: usize>(
-        &self,
-        t: S,
-        x: &Phase<S, N>,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    ) {
-        self.model
-            .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
-    }
+    series_of_the_model!();
 }
 
 impl<M, S, const N: usize> Series<S> for OwnedEquations<M, S, N>
@@ -95,15 +102,5 @@ where
     M: MotionSeries<N, S>,
     S: Scalar,
 {
-    #[inline]
-    fn series<const HALF: usize>(
-        &self,
-        t: S,
-        x: &Phase<S, N>,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    ) {
-        self.model
-            .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
-    }
+    series_of_the_model!();
 }

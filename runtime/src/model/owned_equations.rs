@@ -1,13 +1,9 @@
 //! Equations of motion whose model may change.
 
-use super::equations_of_motion::{
-    allowed_error, component_name, reduced, singularity, singularity_in_lane, vanishing_inertia,
-    vanishing_inertia_in_lane,
-};
+use super::equations_of_motion::{errors_of_the_model, reduced};
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
-use crate::integrate::{ComponentName, Dynamics, Singularity};
-use crate::linalg::ErrorTolerance;
+use crate::integrate::Dynamics;
 use crate::scalar::Scalar;
 
 /// Lagrange's equations as first-order equations, together with their model, so that a reaction to an event can change
@@ -109,40 +105,9 @@ where
     }
 
     #[inline]
-    fn allowed_error(&self, x: &Phase<S, N>, tolerance: &ErrorTolerance<S>) -> Phase<S, N> {
-        allowed_error::<M, S, N>(x, tolerance)
-    }
-
-    #[inline]
     fn reduced(&self, x: &Phase<S, N>, compensation: &Phase<S, N>) -> Phase<S, N> {
         reduced::<M, S, N>(x, compensation)
     }
 
-    #[inline]
-    fn singularity(&self, t: S, x: &Phase<S, N>, min_pivot: f64) -> Option<Singularity> {
-        singularity(&self.model, &x.at(t), min_pivot)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Phase<S, N>) -> Option<Singularity> {
-        vanishing_inertia(&self.model, &x.at(t))
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Phase<S, N>,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        singularity_in_lane(&self.model, lane, &x.at(t), min_pivot)
-    }
-
-    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Phase<S, N>) -> Option<Singularity> {
-        vanishing_inertia_in_lane(&self.model, lane, &x.at(t))
-    }
-
-    fn component_name(&self, index: usize) -> ComponentName {
-        component_name::<M, N>(index)
-    }
+    errors_of_the_model!();
 }

@@ -57,7 +57,7 @@ pub trait Signal<S: Scalar = f64> {
 
 /// A signal that does not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constant<P = f64>(pub P);
+pub struct Constant(pub f64);
 
 /// The polynomial Σ cᵢ tⁱ, whose coefficients c₀, c₁, … are given.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -52,7 +52,7 @@ impl<X> Attempted<'_, X> {
         let largest = |vector: &X| self.sizes(vector, part).fold(0.0, f64::max);
         let moved = self.h.abs() * largest(&self.stages[0]);
         let [before, after] = self.ends.map(largest);
-        let size = self.relative() * moved.max(before).max(after);
+        let size = self.tolerance.over(1.0).of_derivatives() * moved.max(before).max(after);
         let squares = |vector: &X| {
             let ratios = self.sizes(vector, part).map(|part| part / size);
             ratios.fold(0.0, |sum, ratio| sum + ratio * ratio)
@@ -73,7 +73,7 @@ impl<X> Attempted<'_, X> {
     {
         let [before, after] = self.allowed;
         let allowed = before.components().zip(after.components());
-        let relative = self.relative();
+        let relative = self.tolerance.over(1.0).of_derivatives();
         vector
             .components()
             .zip(allowed)
@@ -85,15 +85,5 @@ impl<X> Attempted<'_, X> {
                     _ => derivative,
                 }
             })
-    }
-
-    /// The tolerance of derivative parts.
-    fn relative(&self) -> f64 {
-        let Tolerance { relative, absolute } = self.tolerance;
-        if relative > 0.0 {
-            relative
-        } else {
-            absolute.min(1.0)
-        }
     }
 }

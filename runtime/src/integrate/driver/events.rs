@@ -2,6 +2,10 @@
 
 use super::Driver;
 use crate::integrate::collector::Uncollected;
+#[cfg(feature = "alloc")]
+use crate::integrate::dense_output::DenseOutput;
+#[cfg(feature = "alloc")]
+use crate::integrate::dense_solution::DenseSolution;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::event::{Crossing, DeclaredEvents, Event, Reaction, Watched, ZeroCrossing};
@@ -12,7 +16,7 @@ use crate::integrate::reacting::Reacting;
 use crate::integrate::sample::InitialValue;
 use crate::integrate::stop_condition::StopCondition;
 #[cfg(feature = "alloc")]
-use crate::integrate::trajectory::{PartialTrajectory, Trajectory};
+use crate::integrate::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
 use crate::scalar::Scalar;
 
 impl<I, C, O> Driver<I, C, O> {
@@ -161,6 +165,63 @@ impl<I, C, O> Driver<I, C, O> {
         F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
     {
         self.collect(&mut Reacting { dynamics, reaction }, initial, times)
+    }
+
+    /// The motion from `initial` until the time `end`, with reactions to events as under
+    /// [`run_reacting`](Self::run_reacting), as a solution that can be asked at any time. Where a reaction has changed the
+    /// state, [`DenseSolution::at`] is behind the jump and [`DenseSolution::before`] before it.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     taylor,
+    ///     coordinates(height),
+    ///     kinetic = 0.5 * m * dot(height).powi(2),
+    ///     potential = m * g * height,
+    ///     event(floor = height),
+    /// )]
+    /// struct Ball { m: f64, g: f64 }
+    ///
+    /// let mut ball = Ball { m: 0.1, g: 10.0 }.into_dynamics();
+    /// let driver = Taylor::new().driver().declared_events([(Ball::FLOOR, Event::falling())]);
+    /// // It falls for 1 s, and loses half of its velocity.
+    /// let start = State::new(0.0, [5.0], [0.0]);
+    /// let solution = driver.solve_reacting(&mut ball, start, 1.5, |_, _, x, _| {
+    ///     x.v[0] *= -0.5;
+    ///     Reaction::Changed
+    /// })?;
+    /// let bounce = solution.times().nth_back(1).unwrap();
+    /// assert!((bounce - 1.0).abs() < 1e-15);
+    /// assert!((solution.before(bounce)?.v[0] + 10.0).abs() < 1e-13);
+    /// assert!((solution.at(bounce)?.v[0] - 5.0).abs() < 1e-13);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the solution up to then.
+    #[cfg(feature = "alloc")]
+    #[allow(clippy::type_complexity)] // The interpolant is that of the method's stepper.
+    pub fn solve_reacting<S: Scalar, D: Dynamics<S> + ?Sized, T, F>(
+        mut self,
+        dynamics: &mut D,
+        initial: impl InitialValue<D::State>,
+        end: f64,
+        reaction: F,
+    ) -> Result<
+        DenseSolution<D::State, T::Interpolant, S>,
+        PartialSolution<D::State, T::Interpolant, S>,
+    >
+    where
+        I: Integrator<S, D, Stepper = T>,
+        T: DenseOutput<S, D>,
+        C: StopCondition<S, D>,
+        O: Observer<D::State>,
+        F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
+    {
+        self.collect_steps(&mut Reacting { dynamics, reaction }, initial, end)
     }
 }
 

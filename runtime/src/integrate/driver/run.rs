@@ -4,7 +4,7 @@ use super::Driver;
 use crate::integrate::collector::Collector;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::Reaction;
+use crate::integrate::event::{self, Memory, MetConditions, Occurring, Reaction};
 use crate::integrate::integration::{Beginning, Integration, Interruption, check_singularity};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
@@ -119,34 +119,49 @@ impl<I, C, O> Driver<I, C, O> {
                 Interruption::Reaction(occurring) => occurring,
             };
             is_visited = part.is_visited;
-            part.record_until(occurring.t);
             let mut x = outcome.last.x.clone();
-            let reaction = system.react(occurring, &mut x);
-            if reaction == Reaction::Unchanged {
-                beginning = Beginning::Unchanged;
-                continue;
+            match system.react(occurring, &mut x) {
+                Reaction::Unchanged => beginning = Beginning::Unchanged,
+                Reaction::Stop => {
+                    outcome.last.x = x;
+                    outcome.met = occurring.events;
+                    return Ok(StopReason::Condition);
+                }
+                Reaction::Changed => {
+                    let dynamics = system.dynamics();
+                    outcome.met = self.begin_anew(dynamics, stepper, &mut memory, occurring, &x)?;
+                    outcome.last.x = x;
+                    outcome.statistics = stepper.statistics();
+                    if outcome.met.any() {
+                        return Ok(StopReason::Zeno);
+                    }
+                    (is_visited, beginning) = (true, Beginning::Changed);
+                }
             }
-            if reaction == Reaction::Stop {
-                outcome.last.x = x;
-                outcome.met = occurring.events;
-                return Ok(StopReason::Condition);
-            }
-            let dynamics = system.dynamics();
-            let step = stepper.time() - stepper.previous_time();
-            let changed = Sample { t: occurring.t, x };
-            self.check_state(dynamics, &changed)?;
-            let Sample { t, x } = changed;
-            stepper.restart_at(dynamics, t, x.clone())?;
-            let condition = &mut self.condition;
-            let accumulating = condition.restart(&mut memory, dynamics, occurring, &x, step);
-            outcome.last.x = x;
-            outcome.statistics = stepper.statistics();
-            if accumulating.any() {
-                outcome.met = accumulating;
-                return Ok(StopReason::Zeno);
-            }
-            (is_visited, beginning) = (true, Beginning::Changed);
         }
+    }
+
+    /// Begins anew from the state that a reaction has left. The events that occur again and again in too short a time.
+    fn begin_anew<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        stepper: &mut I::Stepper,
+        memory: &mut Memory<C::Values>,
+        occurring: Occurring,
+        x: &D::State,
+    ) -> Result<MetConditions, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+    {
+        let step = stepper.time() - stepper.previous_time();
+        let (t, x) = (occurring.t, x.clone());
+        self.check_state(dynamics, &Sample { t, x: x.clone() })?;
+        stepper.restart_at(dynamics, t, x.clone())?;
+        let condition = &mut self.condition;
+        Ok(event::restart(
+            condition, memory, dynamics, occurring, &x, step,
+        ))
     }
 
     /// Checks the settings and the initial value. The singularity comes before the derivative: where M is

@@ -3,11 +3,11 @@
 //! Where a step is a Taylor polynomial, the series of an event function is one, too, and no root of it is missed. By other
 //! methods the functions are sampled.
 
-use super::event_function::EventFunction;
+use super::detection::Detection;
 use super::memory::Memory;
 use super::polynomial::{Polynomial, Root};
 use super::{
-    Detection, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling,
+    Crossing, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling,
 };
 use crate::integrate::sample::Sample;
 use crate::integrate::step_polynomial::StepPolynomial;
@@ -32,7 +32,7 @@ impl<const K: usize> DeclaredEvents<K> {
     }
 }
 
-impl<S, D, const K: usize> EventFunction<S, D> for DeclaredEvents<K>
+impl<S, D, const K: usize> Detection<S, D> for DeclaredEvents<K>
 where
     S: SingleNumber,
     D: EventDynamics<S> + ?Sized,
@@ -53,22 +53,10 @@ where
     fn parts(&self) -> Option<u32> {
         self.parts
     }
-}
-
-impl<S, D, const K: usize> Detection<S, D> for DeclaredEvents<K>
-where
-    S: SingleNumber,
-    D: EventDynamics<S> + ?Sized,
-{
-    type Memory = Memory<[f64; K]>;
-
-    fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory {
-        Memory::new(t, self.values(dynamics, t, x))
-    }
 
     fn next<T: Advance<S, D>>(
         &mut self,
-        memory: &mut Self::Memory,
+        memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
     ) -> Option<Occurring> {
         while step.comes_before(memory.until, step.end()) {
@@ -85,21 +73,6 @@ where
             }
         }
         None
-    }
-
-    fn is_terminal(&self, event: usize) -> bool {
-        Self::event(self, event).is_terminal()
-    }
-
-    fn restart(
-        &mut self,
-        memory: &mut Self::Memory,
-        dynamics: &D,
-        occurring: Occurring,
-        x: &D::State,
-        step: f64,
-    ) -> MetConditions {
-        sampling::restart(self, memory, dynamics, occurring, x, step)
     }
 }
 
@@ -134,9 +107,8 @@ impl<const K: usize> DeclaredEvents<K> {
             for part in [0.5, 1.0] {
                 let sample = step.at(begin + (end - begin) * part);
                 let values = self.values(step.dynamics(), sample.t, &sample.x);
-                let pairs = values.iter().zip(&polynomials);
+                let mut pairs = values.iter().zip(&polynomials);
                 agree &= pairs
-                    .into_iter()
                     // Where a function is not a number, or there is no such event, nothing is compared.
                     .all(|(value, polynomial)| value.is_nan() || polynomial.is_near(part, *value));
             }
@@ -179,14 +151,8 @@ impl<const K: usize> DeclaredEvents<K> {
         }
         let time = window.time(first);
         let together = window.fraction(step.after(time));
-        let mut events = [false; 64];
-        for (event, root) in found.iter().enumerate() {
-            let occurs = root.is_some_and(|root| root.at <= together);
-            if let Some(event) = events.get_mut(event) {
-                *event = occurs;
-            }
-        }
-        let events = MetConditions::of(events.into_iter());
+        let occurs = |root: &Option<Root>| root.is_some_and(|root| root.at <= together);
+        let events = MetConditions::of(found.iter().map(occurs));
         for event in events.indices() {
             if let Some(root) = found.get(event).copied().flatten() {
                 (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
@@ -242,7 +208,7 @@ impl<const K: usize> DeclaredEvents<K> {
             let root = next?;
             // A zero at the initial time is no crossing, whatever rounding makes of it.
             let is_initial =
-                is_at_start && !deflated && root.at <= near && crossing == super::Crossing::Either;
+                is_at_start && !deflated && root.at <= near && crossing == Crossing::Either;
             let behind = if root.before * root.behind < 0.0 {
                 root.behind
             } else {
@@ -330,7 +296,7 @@ struct Search<'a, D: ?Sized, X, const K: usize> {
     dynamics: &'a D,
     /// Where the window begins.
     from: &'a Sample<X>,
-    /// Where the step ends.
+    /// Where it ends at the latest.
     end: f64,
 }
 

@@ -1,7 +1,9 @@
 //! What a driver asks of conditions and events.
 
-use super::LastStep;
+use super::memory::Memory;
 use super::met_conditions::MetConditions;
+use super::values::Values;
+use super::{Event, LastStep, sampling};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
@@ -15,13 +17,22 @@ pub struct Occurring {
     pub(crate) events: MetConditions,
 }
 
-/// How conditions are evaluated, and events are found.
-pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized> {
-    /// What is known of the event functions from before.
-    type Memory;
+/// How conditions are evaluated, and events are found: the functions of which the zeros are events, and what is watched
+/// for.
+pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
+    /// The values of the event functions.
+    type Values: Values;
 
-    /// The memory at the initial time.
-    fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory;
+    /// The values at a time and a state.
+    fn values(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Values;
+
+    /// What is watched for.
+    fn event(&self, index: usize) -> Event;
+
+    /// The parts of a step at whose ends the functions are evaluated, if it is set.
+    fn parts(&self) -> Option<u32> {
+        None
+    }
 
     /// Whether a condition on the state at the initial time or at the end of a step holds.
     fn holds(&mut self, t: f64, x: &D::State) -> bool {
@@ -29,24 +40,18 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized> {
         false
     }
 
-    /// The next events within the last step, after those that were found before.
+    /// What is known of the event functions at the initial time.
+    fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Memory<Self::Values> {
+        Memory::new(t, self.values(dynamics, t, x))
+    }
+
+    /// The next events within the last step, after those that were found before: by sampling, unless more is known of the
+    /// functions.
     fn next<T: Advance<S, D>>(
         &mut self,
-        memory: &mut Self::Memory,
+        memory: &mut Memory<Self::Values>,
         step: &mut LastStep<'_, S, D, T>,
-    ) -> Option<Occurring>;
-
-    /// Whether an event stops the integration.
-    fn is_terminal(&self, event: usize) -> bool;
-
-    /// Goes on after a reaction to `occurring` has changed the state to `x`. `step` is the length of the last step, a
-    /// measure of time. Events are returned that occur again and again in too short a time.
-    fn restart(
-        &mut self,
-        memory: &mut Self::Memory,
-        dynamics: &D,
-        occurring: Occurring,
-        x: &D::State,
-        step: f64,
-    ) -> MetConditions;
+    ) -> Option<Occurring> {
+        sampling::next(self, memory, step)
+    }
 }

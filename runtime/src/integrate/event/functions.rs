@@ -1,10 +1,8 @@
 //! Event functions that are closures.
 
-use super::event_function::{EventFunction, Values};
-use super::memory::Memory;
-use super::{Crossing, Detection, Event, LastStep, MetConditions, Occurring, sampling};
+use super::values::Values;
+use super::{Crossing, Detection, Event};
 use crate::integrate::dynamics::Dynamics;
-use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
 /// What is watched for: a direction or an [`Event`], or an array of them for an array of values.
@@ -53,7 +51,7 @@ pub struct ZeroCrossing<F, W = Crossing> {
     pub(crate) parts: Option<u32>,
 }
 
-impl<S, D, F, W> EventFunction<S, D> for ZeroCrossing<F, W>
+impl<S, D, F, W> Detection<S, D> for ZeroCrossing<F, W>
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
@@ -72,42 +70,5 @@ where
 
     fn parts(&self) -> Option<u32> {
         self.parts
-    }
-}
-
-impl<S, D, F, W> Detection<S, D> for ZeroCrossing<F, W>
-where
-    S: Scalar,
-    D: Dynamics<S> + ?Sized,
-    W: Watched,
-    F: FnMut(f64, &D::State) -> W::Values,
-{
-    type Memory = Memory<W::Values>;
-
-    fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory {
-        Memory::new(t, self.values(dynamics, t, x))
-    }
-
-    fn next<T: Advance<S, D>>(
-        &mut self,
-        memory: &mut Self::Memory,
-        step: &mut LastStep<'_, S, D, T>,
-    ) -> Option<Occurring> {
-        sampling::next(self, memory, step)
-    }
-
-    fn is_terminal(&self, event: usize) -> bool {
-        self.events.event(event).is_terminal()
-    }
-
-    fn restart(
-        &mut self,
-        memory: &mut Self::Memory,
-        dynamics: &D,
-        occurring: Occurring,
-        x: &D::State,
-        step: f64,
-    ) -> MetConditions {
-        sampling::restart(self, memory, dynamics, occurring, x, step)
     }
 }

@@ -1,8 +1,8 @@
 //! What is known of event functions between evaluations.
 
 use super::LastStep;
-use super::event_function::Values;
 use super::met_conditions::MetConditions;
+use super::values::Values;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::{

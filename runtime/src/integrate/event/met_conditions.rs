@@ -11,6 +11,11 @@ impl MetConditions {
         Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
     }
 
+    /// Adds an index below 64.
+    pub(crate) fn insert(&mut self, index: usize) {
+        self.0 |= u32::try_from(index).map_or(0, |i| 1_u64.checked_shl(i).unwrap_or(0));
+    }
+
     /// Whether any condition is.
     #[must_use]
     pub fn any(self) -> bool {

@@ -1,11 +1,11 @@
 //! Detection of events by sampling: where the signs of an event function at two neighbouring times differ, it has
 //! crossed zero between them.
 
-use super::event_function::{EventFunction, Values};
 use super::location::Bracket;
 use super::memory::Memory;
 use super::met_conditions::MetConditions;
-use super::{LastStep, Occurring};
+use super::values::Values;
+use super::{Detection, LastStep, Occurring};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, MOVED_EPSILONS, PARTS};
@@ -13,7 +13,7 @@ use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 /// The next events within the last step.
-pub(super) fn next<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T: Advance<S, D>>(
+pub(super) fn next<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Advance<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
     step: &mut LastStep<'_, S, D, T>,
@@ -32,7 +32,7 @@ pub(super) fn next<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T
 }
 
 /// The events whose functions have crossed zero where they have these values.
-fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
+fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
     source: &G,
     memory: &Memory<G::Values>,
     values: &G::Values,
@@ -52,7 +52,7 @@ fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
 
 /// The first events up to a time at which some have occurred. The time is that just after the zero; events within the
 /// resolution of time occur together.
-fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T: Advance<S, D>>(
+fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Advance<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
     step: &mut LastStep<'_, S, D, T>,
@@ -100,7 +100,7 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>, T: Advance
 }
 
 /// By how much the values change when the state is moved by some rounding errors.
-fn rounding<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
+fn rounding<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
     source: &mut G,
     dynamics: &D,
     (t, x): (f64, &D::State),
@@ -128,7 +128,7 @@ fn rounding<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
 /// If it has come back by then, the event occurs again. (F. Biscani & D. Izzo, *Revisiting high-order Taylor methods for
 /// astrodynamics and celestial mechanics*, Mon. Not. R. Astron. Soc. **504** (2021) 2614, take for the cooldown the error
 /// of the event function over its rate, a time; a value does not depend on how the rate changes.)
-pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>>(
+pub(crate) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
     dynamics: &D,
@@ -145,17 +145,15 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>
         source.values(dynamics, t + distance, &there)
     };
     let mut hysteresis = G::Values::ZERO;
-    let mut accumulating = [false; 64];
-    let mut at_zero = [false; 64];
+    let mut accumulating = MetConditions::default();
+    let mut at_zero = MetConditions::default();
     for event in events.indices() {
         let at = |values: &G::Values| values.as_slice().get(event).copied().unwrap_or(0.0);
         // A reaction may have moved the zero.
         if at(&signs).abs() > COOLDOWN * (at(&memory.at_event).abs() + at(&noise)) {
             continue;
         }
-        if let Some(at_zero) = at_zero.get_mut(event) {
-            *at_zero = true;
-        }
+        at_zero.insert(event);
         let rounding = COOLDOWN * at(&noise);
         let changes = EXTRAPOLATIONS.map(|part| part * step);
         let mut changes = changes
@@ -169,11 +167,11 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunction<S, D>
         if let Some(hysteresis) = hysteresis.as_mut_slice().get_mut(event) {
             *hysteresis = least;
         }
-        if let Some(is_accumulating) = accumulating.get_mut(event) {
-            *is_accumulating = memory.is_accumulating(event, t, step, change.is_some());
+        if memory.is_accumulating(event, t, step, change.is_some()) {
+            accumulating.insert(event);
         }
     }
     memory.begin_anew(t, signs, hysteresis);
-    memory.at_zero = MetConditions::of(at_zero.into_iter());
-    MetConditions::of(accumulating.into_iter())
+    memory.at_zero = at_zero;
+    accumulating
 }

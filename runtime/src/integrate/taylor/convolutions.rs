@@ -1,5 +1,6 @@
 //! The sums of products in recurrences for Taylor coefficients.
 
+use super::recurrences::convolution;
 use crate::scalar::Scalar;
 
 /// Convolutions order after order, as each order is known only after the one before (relaxed multiplication: J. van der
@@ -20,7 +21,7 @@ const ORDERS: usize = 4;
 /// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀.
 #[derive(Clone, Debug)]
 #[repr(align(64))] // Lanes are loaded from whole cache lines.
-pub struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, const HALF: usize> {
+pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, const HALF: usize> {
     /// The terms of order 1, 2, … of each factor.
     terms: [[[S; 2]; HALF]; FACTORS],
     /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
@@ -33,48 +34,11 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
 {
     /// The convolutions of order 1, which are empty sums.
     #[inline]
-    #[must_use]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             terms: [[[S::zero(); 2]; HALF]; FACTORS],
             sums: [[S::zero(); ORDERS]; PAIRS],
             order: 1,
-        }
-    }
-
-    /// The sums of the present order.
-    #[inline]
-    #[must_use]
-    pub fn sums(&self) -> [S; PAIRS] {
-        let place = (self.order - 1) % ORDERS;
-        core::array::from_fn(|pair| self.sums[pair][place])
-    }
-
-    /// Goes on to the next order, given the terms of the present one, and the indices of the factors that are paired.
-    #[inline]
-    pub fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
-        let known = self.order;
-        for (terms, factor) in self.terms.iter_mut().zip(factors) {
-            if let Some(term) = terms.as_flattened_mut().get_mut(known - 1) {
-                *term = *factor;
-            }
-        }
-        self.order += 1;
-        let place = known % ORDERS;
-        match place {
-            0 => self.each(pairs, known, |sums, x, y| *sums = products(x, y)),
-            _ if known < ORDERS => {
-                self.each(pairs, known, |sums, x, y| sums[place] = product(x, y));
-            }
-            1 => self.each(pairs, known, |sums, x, y| {
-                sums[1] = with_last::<S, 1>(x, y, sums[1]);
-            }),
-            2 => self.each(pairs, known, |sums, x, y| {
-                sums[2] = with_last::<S, 2>(x, y, sums[2]);
-            }),
-            _ => self.each(pairs, known, |sums, x, y| {
-                sums[3] = with_last::<S, 3>(x, y, sums[3]);
-            }),
         }
     }
 
@@ -96,6 +60,43 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
             last = Some(pair);
             let [x, y] = pair.map(|factor| &self.terms[factor].as_flattened()[..known]);
             change(sums, x, y);
+        }
+    }
+}
+
+impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
+    OnlineConvolutions<S, FACTORS, PAIRS> for Convolutions<S, FACTORS, PAIRS, HALF>
+{
+    #[inline]
+    fn sums(&self) -> [S; PAIRS] {
+        let place = (self.order - 1) % ORDERS;
+        core::array::from_fn(|pair| self.sums[pair][place])
+    }
+
+    #[inline]
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
+        let known = self.order;
+        for (terms, factor) in self.terms.iter_mut().zip(factors) {
+            if let Some(term) = terms.as_flattened_mut().get_mut(known - 1) {
+                *term = *factor;
+            }
+        }
+        self.order += 1;
+        let place = known % ORDERS;
+        match place {
+            0 => self.each(pairs, known, |sums, x, y| *sums = products(x, y)),
+            _ if known < ORDERS => {
+                self.each(pairs, known, |sums, x, y| sums[place] = convolution(x, y));
+            }
+            1 => self.each(pairs, known, |sums, x, y| {
+                sums[1] = with_last::<S, 1>(x, y, sums[1]);
+            }),
+            2 => self.each(pairs, known, |sums, x, y| {
+                sums[2] = with_last::<S, 2>(x, y, sums[2]);
+            }),
+            _ => self.each(pairs, known, |sums, x, y| {
+                sums[3] = with_last::<S, 3>(x, y, sums[3]);
+            }),
         }
     }
 }
@@ -126,13 +127,6 @@ fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
     sums
 }
 
-/// The sum of the products whose orders add up to one more than the number of terms.
-#[inline]
-fn product<S: Scalar>(x: &[S], y: &[S]) -> S {
-    let products = x.iter().zip(y.iter().rev());
-    products.fold(S::zero(), |sum, (x, y)| x.mul_add(*y, sum))
-}
-
 /// A sum and those of its products that have one of the last terms.
 #[inline]
 fn with_last<S: Scalar, const LAST: usize>(x: &[S], y: &[S], sum: S) -> S {
@@ -150,26 +144,4 @@ fn with_last<S: Scalar, const LAST: usize>(x: &[S], y: &[S], sum: S) -> S {
         let sum = x_first[i].mul_add(y_last[LAST - 1 - i], sum);
         x_last[i].mul_add(y_first[LAST - 1 - i], sum)
     })
-}
-
-impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize> Default
-    for Convolutions<S, FACTORS, PAIRS, HALF>
-{
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
-    OnlineConvolutions<S, FACTORS, PAIRS> for Convolutions<S, FACTORS, PAIRS, HALF>
-{
-    #[inline]
-    fn sums(&self) -> [S; PAIRS] {
-        self.sums()
-    }
-
-    #[inline]
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
-        self.advance(factors, pairs);
-    }
 }

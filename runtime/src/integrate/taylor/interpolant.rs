@@ -100,7 +100,7 @@ where
 
 /// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
 /// (1997), section 4.2.2, theorem B).
-fn difference(x: f64, y: f64) -> [f64; 2] {
+pub(super) fn difference<S: Scalar>(x: S, y: S) -> [S; 2] {
     let high = x - y;
     let part = high - x;
     [high, (x - (high - part)) - (y + part)]

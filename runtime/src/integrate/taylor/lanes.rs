@@ -10,11 +10,13 @@ mod expansion;
 use expansion::largest_ratios;
 
 use super::coefficients::{TaylorCoefficients, number};
+use super::interpolant::difference;
+use super::step_size::{limiting_component, power_of_two_near, too_small};
 use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Statistics;
-use crate::integrate::tolerance::time_scale;
+use crate::integrate::tolerance::{Tolerance, time_scale};
 use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP, SHORTENING};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
@@ -184,7 +186,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         proposed = proposed.map(|step| step.min(longest));
         let mut targets = self.time;
         let mut pending = moving;
-        let mut component = [0; L];
+        let mut component = [None; L];
         loop {
             for lane in lanes(&pending) {
                 let least =
@@ -207,7 +209,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 match beyond[lane] {
                     None => pending[lane] = false,
                     Some(index) => {
-                        component[lane] = index;
+                        component[lane] = Some(index);
                         self.statistics[lane].rejected += 1;
                         proposed[lane] = length / SHORTENING;
                     }
@@ -335,24 +337,21 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 
     /// The error of a step that is too small.
     #[cold]
-    fn too_small<D>(&mut self, dynamics: &D, lane: usize, step: f64, component: usize)
+    fn too_small<D>(&mut self, dynamics: &D, lane: usize, step: f64, rejected: Option<usize>)
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        let component = rejected.unwrap_or_else(|| {
+            let weights = Tolerance::weights(&self.allowed(dynamics));
+            limiting_component(&self.coefficients, &weights, |ratio| ratio.lane(lane))
+        });
         let (t, time) = (Lanes(self.time), self.time[lane]);
-        let error = match dynamics.vanishing_inertia_in_lane(lane, t, self.state.value()) {
-            Some(singularity) => IntegrationError::VanishingInertia {
-                time,
-                step,
-                singularity,
-            },
-            None => IntegrationError::StepTooSmall {
-                time,
-                step,
-                component: Some(dynamics.component_name(component)),
-                relative_only: self.method.tolerance::<Lanes<L>>().absolute == 0.0,
-            },
-        };
+        let error = too_small(
+            dynamics.vanishing_inertia_in_lane(lane, t, self.state.value()),
+            (time, step),
+            dynamics.component_name(component),
+            self.method.tolerance::<Lanes<L>>(),
+        );
         self.fail(lane, error);
     }
 }
@@ -373,18 +372,4 @@ fn non_finite<X: LaneStates<L>, const L: usize>(states: &X, lane: usize) -> Opti
     components
         .enumerate()
         .find(|(_, component)| !component.is_finite())
-}
-
-/// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
-/// (1997), section 4.2.2, theorem B).
-fn difference<const L: usize>(x: Lanes<L>, y: Lanes<L>) -> [Lanes<L>; 2] {
-    let high = x - y;
-    let part = high - x;
-    [high, (x - (high - part)) - (y + part)]
-}
-
-/// The power of two below a positive number and within a factor of 2 of it, within the range of exponents that leaves
-/// room for squares.
-fn power_of_two_near(x: f64) -> f64 {
-    libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
 }

@@ -3,6 +3,10 @@
 use super::convolutions::OnlineConvolutions;
 use crate::scalar::Scalar;
 
+/// Up to as many lanes, four vector registers of sums, two sums of each lane hide the latency of an addition. More lanes
+/// hide it by themselves, and two sums would not stay in the sixteen registers.
+const FEW_LANES: usize = 16;
+
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of pairs of factors, order after order, as [`Convolutions`](super::Convolutions) are,
 /// but with the terms of both factors of each pair side by side, so that `LANES` pairs are summed at once in vector
 /// registers. A factor is stored for each pair that it belongs to.
@@ -83,7 +87,7 @@ fn products<S: Scalar, const LANES: usize>(
     y: &[[S; LANES]],
     order: usize,
 ) -> [S; LANES] {
-    if const { LANES > 16 } {
+    if const { LANES > FEW_LANES } {
         let mut sums = [S::zero(); LANES];
         if order > 2 {
             for (x, y) in x[1..order - 1].iter().zip(y[1..order - 1].iter().rev()) {
@@ -114,4 +118,70 @@ fn products<S: Scalar, const LANES: usize>(
         }
     }
     core::array::from_fn(|lane| even[lane] + odd[lane])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PairedConvolutions;
+    use crate::integrate::taylor::{Convolutions, OnlineConvolutions};
+
+    /// Small whole numbers, so that sums are exact in any order.
+    fn factor(index: usize, order: usize) -> f64 {
+        f64::from(u8::try_from((7 * index + 5 * order + index * order) % 11).unwrap()) - 5.0
+    }
+
+    /// Fails unless the sums of all orders are those of the definition.
+    fn check<const PAIRS: usize, const HALF: usize>(
+        mut convolutions: impl OnlineConvolutions<f64, 5, PAIRS>,
+    ) {
+        let pairs: [[usize; 2]; PAIRS] = core::array::from_fn(|i| [i % 5, (2 * i + i / 5) % 5]);
+        for order in 1..2 * HALF {
+            let expected = pairs.map(|[x, y]| {
+                let products = (1..order).map(|i| factor(x, i) * factor(y, order - i));
+                products.sum::<f64>()
+            });
+            let sums = convolutions.sums();
+            let mut pairs_of_sums = sums.iter().zip(expected);
+            assert!(
+                pairs_of_sums.all(|(sum, expected)| (sum - expected).abs() == 0.0),
+                "order {order} of {HALF}: {sums:?}"
+            );
+            let factors = core::array::from_fn(|index| factor(index, order));
+            convolutions.advance(&factors, &pairs);
+        }
+    }
+
+    fn both<const PAIRS: usize, const LANES: usize, const HALF: usize>() {
+        check::<PAIRS, HALF>(PairedConvolutions::<f64, PAIRS, LANES, HALF>::new());
+        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::new());
+    }
+
+    #[test]
+    fn sums_are_those_of_the_definition() {
+        both::<1, 1, 1>();
+        both::<4, 4, 2>();
+        both::<12, 12, 3>();
+        both::<16, 16, 5>();
+        both::<20, 20, 7>();
+        both::<24, 12, 14>();
+        both::<64, 32, 20>();
+    }
+
+    /// The sums of three pairs, of which the last is repeated, up to order 11.
+    fn with_repeated(mut convolutions: impl OnlineConvolutions<f64, 5, 4>) -> [[f64; 3]; 11] {
+        core::array::from_fn(|i| {
+            let [first, second, third, _] = convolutions.sums();
+            let factors = core::array::from_fn(|index| factor(index, i + 1));
+            convolutions.advance(&factors, &[[0, 1], [1, 1], [2, 3], [2, 3]]);
+            [first, second, third]
+        })
+    }
+
+    #[test]
+    fn repeated_pairs_change_nothing() {
+        assert_eq!(
+            with_repeated(PairedConvolutions::<f64, 4, 4, 6>::new()),
+            with_repeated(Convolutions::<f64, 5, 4, 6>::new())
+        );
+    }
 }

@@ -71,3 +71,4 @@ pub use inverse::{
     InverseHyperbolicTangent,
 };
 pub use order::Order;
+pub(super) use terms::convolution;

@@ -23,7 +23,7 @@ pub(super) struct Allowance<S> {
 
 impl<S: Scalar> Allowance<S> {
     /// An error with the component at which the derivative of the motion is not that of the polynomial: the motion is
-    /// then not the one that the series at its beginning says. Rounding explains a difference, and the tolerance does.
+    /// then not the one that the series at its beginning says.
     #[inline]
     pub(super) fn check<D: Dynamics<S> + ?Sized>(
         &self,
@@ -31,6 +31,23 @@ impl<S: Scalar> Allowance<S> {
         point: &Point<S, D::State>,
         derivative: &D::State,
     ) -> Result<(), usize> {
+        let [residual, mut allowed] = self.residual(dynamics, point, derivative);
+        if first_beyond(&residual, &allowed).is_none() {
+            return Ok(());
+        }
+        self.allow_condition(dynamics, point, derivative, &mut allowed);
+        first_beyond(&residual, &allowed).map_or(Ok(()), Err)
+    }
+
+    /// The differences of the derivatives of the polynomial and of the motion, over the step, and those that rounding and
+    /// the tolerance explain.
+    #[inline]
+    pub(super) fn residual<D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        point: &Point<S, D::State>,
+        derivative: &D::State,
+    ) -> [D::State; 2] {
         let rounding = RESIDUAL_ROUNDING * S::machine_epsilon();
         let several = RESIDUAL_PER_ORDER * self.order;
         let tolerance = ErrorTolerance {
@@ -45,17 +62,13 @@ impl<S: Scalar> Allowance<S> {
         let residual = point.slope.zip_map(derivative, |polynomial, motion| {
             ((polynomial - motion) * self.h).abs()
         });
-        if first_beyond(&residual, &allowed).is_none() {
-            return Ok(());
-        }
-        self.allow_condition(dynamics, point, derivative, &mut allowed);
-        first_beyond(&residual, &allowed).map_or(Ok(()), Err)
+        [residual, allowed]
     }
 
     /// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
     /// some rounding errors.
     #[cold]
-    fn allow_condition<D: Dynamics<S> + ?Sized>(
+    pub(super) fn allow_condition<D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
         point: &Point<S, D::State>,

@@ -3,7 +3,9 @@
 use super::TaylorCoefficients;
 use super::coefficients::number;
 use super::interpolant::TaylorInterpolant;
-use crate::integrate::dynamics::Dynamics;
+use crate::integrate::dynamics::{ComponentName, Dynamics};
+use crate::integrate::error::IntegrationError;
+use crate::integrate::singularity::Singularity;
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::NEGLIGIBLE_TERM;
 use crate::linalg::{ErrorTolerance, VectorSpace};
@@ -22,13 +24,30 @@ where
     D: Dynamics<S> + ?Sized,
 {
     let tau = S::from_f64(length / polynomial.unit);
+    let reached = reached(polynomial.from.value(), &polynomial.coefficients, tau);
+    Tolerance::weights(&dynamics.allowed_error(&reached, tolerance))
+}
+
+/// The sizes that the components reach until τ.
+#[inline]
+pub(super) fn reached<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
+    from: &X,
+    coefficients: &TaylorCoefficients<X, HALF>,
+    tau: S,
+) -> X {
     let mut power = S::one();
-    let mut reached = polynomial.from.value().map(Scalar::abs);
-    for coefficient in polynomial.coefficients.higher().iter().take(2) {
+    let mut reached = from.map(Scalar::abs);
+    for coefficient in coefficients.higher().iter().take(2) {
         power *= tau;
         reached.add_scaled(power, &coefficient.map(Scalar::abs));
     }
-    Tolerance::weights(&dynamics.allowed_error(&reached, tolerance))
+    reached
+}
+
+/// The power of two below a positive number and within a factor of 2 of it, within the range of exponents that leaves
+/// room for squares.
+pub(super) fn power_of_two_near(x: f64) -> f64 {
+    libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
 }
 
 /// The largest component over its tolerance.
@@ -37,6 +56,26 @@ pub(super) fn weighted_norm<S: Scalar, X: VectorSpace<S>>(vector: &X, weights: &
     let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
     let largest = ratios.components().map(Scalar::largest);
     largest.fold(0.0, f64::max)
+}
+
+/// The component with the largest last term over its tolerance, which limits the step; `value` is what counts of a scalar.
+#[cold]
+pub(super) fn limiting_component<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
+    coefficients: &TaylorCoefficients<X, HALF>,
+    weights: &X,
+    value: impl Fn(S) -> f64,
+) -> usize {
+    let last = coefficients.higher().last();
+    let ratios = last.map(|last| last.zip_map(weights, |term, weight| term.abs() * weight));
+    let ratios = ratios.iter().flat_map(VectorSpace::components);
+    let largest = ratios.map(value).enumerate().reduce(|largest, next| {
+        if next.1 > largest.1 || next.1.is_nan() {
+            next
+        } else {
+            largest
+        }
+    });
+    largest.map_or(0, |(component, _)| component)
 }
 
 /// The norm of a term, in which derivative parts count by their size relative to those of the motion.
@@ -74,7 +113,7 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
         if change <= 0.0 {
             return 0.0;
         }
-        let ratio = change / (self.relative() * size);
+        let ratio = change / (self.tolerance.of_derivatives() * size);
         if ratio.is_nan() { f64::INFINITY } else { ratio }
     }
 
@@ -84,7 +123,7 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
         pairs.fold(0.0, |size: f64, (component, weight)| {
             // A component that is zero and has no absolute tolerance is of size 1.
             let weight = match weight.largest() {
-                weight if weight > 0.0 => weight * self.relative(),
+                weight if weight > 0.0 => weight * self.tolerance.of_derivatives(),
                 _ => 1.0,
             };
             let derivative = component.derivative_part(part).abs() * weight;
@@ -94,15 +133,6 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
                 size.max(derivative)
             }
         })
-    }
-
-    /// The tolerance of derivative parts.
-    fn relative(&self) -> f64 {
-        if self.tolerance.relative > 0.0 {
-            self.tolerance.relative
-        } else {
-            self.tolerance.absolute.min(1.0)
-        }
     }
 }
 
@@ -159,14 +189,37 @@ impl Proposal {
 
 /// A power by repeated squaring.
 #[inline]
-fn power(x: f64, exponent: usize) -> f64 {
-    let (mut product, mut square, mut exponent) = (1.0, x, exponent);
+pub(super) fn power<S: Scalar>(x: S, exponent: usize) -> S {
+    let (mut product, mut square, mut exponent) = (S::one(), x, exponent);
     while exponent > 0 {
         if exponent % 2 == 1 {
             product *= square;
         }
-        square *= square;
+        square = square * square;
         exponent /= 2;
     }
     product
+}
+
+/// The error of a step that is too small.
+#[cold]
+pub(super) fn too_small(
+    vanishing_inertia: Option<Singularity>,
+    (time, step): (f64, f64),
+    component: ComponentName,
+    tolerance: Tolerance,
+) -> IntegrationError {
+    match vanishing_inertia {
+        Some(singularity) => IntegrationError::VanishingInertia {
+            time,
+            step,
+            singularity,
+        },
+        None => IntegrationError::StepTooSmall {
+            time,
+            step,
+            component: Some(component),
+            relative_only: tolerance.absolute == 0.0,
+        },
+    }
 }

@@ -3,7 +3,9 @@
 use super::coefficients::number;
 use super::interpolant::TaylorInterpolant;
 use super::residual::{Allowance, Point};
-use super::step_size::{Proposal, weighted_norm, weights};
+use super::step_size::{
+    Proposal, limiting_component, power_of_two_near, too_small, weighted_norm, weights,
+};
 use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
@@ -224,6 +226,20 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(next_proposal)
     }
 
+    /// The component that limits the step from the present time.
+    fn limiting_component<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &self,
+        dynamics: &D,
+    ) -> usize
+    where
+        X: VectorSpace<S>,
+    {
+        let polynomial = self.polynomial();
+        let tolerance = self.tolerance(self.length);
+        let weights = weights(polynomial, dynamics, &tolerance, self.length);
+        limiting_component(&polynomial.coefficients, &weights, Scalar::largest)
+    }
+
     fn allowance<S: Scalar>(&self, h: f64) -> Allowance<S> {
         Allowance {
             h: S::from_f64(h),
@@ -264,36 +280,6 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         }
         Ok(())
     }
-}
-
-/// The error of a step that is too small.
-#[cold]
-fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
-    dynamics: &D,
-    (time, x): (f64, &D::State),
-    step: f64,
-    component: usize,
-    tolerance: Tolerance,
-) -> IntegrationError {
-    match dynamics.vanishing_inertia(S::from_f64(time), x) {
-        Some(singularity) => IntegrationError::VanishingInertia {
-            time,
-            step,
-            singularity,
-        },
-        None => IntegrationError::StepTooSmall {
-            time,
-            step,
-            component: Some(dynamics.component_name(component)),
-            relative_only: tolerance.absolute == 0.0,
-        },
-    }
-}
-
-/// The power of two below a positive number and within a factor of 2 of it, within the range of exponents that leaves
-/// room for squares.
-fn power_of_two_near(x: f64) -> f64 {
-    libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
 }
 
 impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Stepper<S, X> for TaylorStepper<X, HALF> {
@@ -342,15 +328,13 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         loop {
             let lands = LANDING * step >= remaining.abs();
             if !lands && step <= least {
-                let (here, tolerance) =
-                    (self.polynomial().from.value(), self.method.tolerance::<S>());
-                let component = rejected.unwrap_or(0);
+                let component = rejected.unwrap_or_else(|| self.limiting_component(dynamics));
+                let here = self.polynomial().from.value();
                 return Err(too_small(
-                    dynamics,
-                    (time, here),
-                    step,
-                    component,
-                    tolerance,
+                    dynamics.vanishing_inertia(S::from_f64(time), here),
+                    (time, step),
+                    dynamics.component_name(component),
+                    self.method.tolerance::<S>(),
                 ));
             }
             let end = if lands {

@@ -4,10 +4,9 @@ use super::expansion::largest_ratios;
 use super::{TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::taylor::Series;
-use crate::limits::taylor::{
-    CHANGES, INNER_CHECKS, LONG_STEP, MOVED_EPSILONS, NEGLIGIBLE_TERM, RESIDUAL_PER_ORDER,
-    RESIDUAL_ROUNDING,
-};
+use crate::integrate::taylor::residual::{Allowance, Point};
+use crate::integrate::taylor::step_size::power;
+use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, NEGLIGIBLE_TERM};
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
@@ -30,7 +29,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let time = self.time;
         let h = Lanes(*targets) - Lanes(time);
         let mut beyond = self.check_at(dynamics, (Lanes(*targets), tau, state), h.abs(), pending);
-        let low_degree = self.is_of_low_degree(dynamics, tau, state);
+        let low_degree = self.is_of_low_degree(dynamics, tau);
         let mut inner = core::array::from_fn(|lane| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
             pending[lane] && beyond[lane].is_none() && (is_long || low_degree[lane])
@@ -53,11 +52,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// Whether the terms of half the order hardly count at τ.
-    fn is_of_low_degree<D>(&self, dynamics: &D, tau: Lanes<L>, state: &Compensated<X>) -> [bool; L]
+    fn is_of_low_degree<D>(&self, dynamics: &D, tau: Lanes<L>) -> [bool; L]
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let allowed = dynamics.allowed_error(state.value(), &self.tolerance());
+        let allowed = self.allowed(dynamics);
         let power = power(tau.abs(), HALF);
         let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
         let mut most = Lanes::from_f64(0.0);
@@ -79,30 +78,26 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let reduced = state.reduced(dynamics);
-        let derivative = dynamics.derivative(t, &reduced);
-        let mut residual = self.coefficients.derivative(tau);
+        let (_, slope) = self.coefficients.change_and_derivative(tau);
         let unit = Lanes::from_f64(1.0) / Lanes(self.unit);
-        residual = residual.map(|component| component * unit);
-        residual.add_scaled(Lanes::from_f64(-1.0), &derivative);
-        let residual = residual.map(|component| (component * h).abs());
-
-        let mut tolerance = self.tolerance();
-        let several = RESIDUAL_PER_ORDER * number(Self::ORDER);
-        let rounding = RESIDUAL_ROUNDING * f64::EPSILON;
-        tolerance.relative = tolerance.relative * several + rounding;
-        tolerance.absolute *= several;
-        let rounding = Lanes::from_f64(rounding);
-        let mut allowed = dynamics.allowed_error(&reduced, &tolerance);
-        allowed.add_scaled(rounding, &reduced.map(Scalar::abs));
-        allowed.add_scaled(rounding * h, &derivative.map(Scalar::abs));
-
+        let point = Point {
+            t,
+            state: state.reduced(dynamics),
+            slope: slope.map(|component| component * unit),
+        };
+        let allowance = Allowance {
+            h,
+            order: number(Self::ORDER),
+            tolerance: self.tolerance(h),
+        };
+        let derivative = dynamics.derivative(t, &point.state);
+        let [residual, mut allowed] = allowance.residual(dynamics, &point, &derivative);
         for lane in lanes(pending) {
             self.statistics[lane].evaluations += 1;
         }
         let mut failing = exceeds(&residual, &allowed, pending);
         if any(&failing) {
-            allow_condition(dynamics, (t, &reduced), &derivative, (h, &mut allowed));
+            allowance.allow_condition(dynamics, &point, &derivative, &mut allowed);
             for lane in lanes(&failing) {
                 self.statistics[lane].evaluations += 2;
             }
@@ -114,31 +109,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 None => first_beyond(&residual, &allowed, lane),
             })
         })
-    }
-}
-
-/// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
-/// some rounding errors.
-#[cold]
-fn allow_condition<D, X, const L: usize>(
-    dynamics: &D,
-    (t, state): (Lanes<L>, &X),
-    derivative: &X,
-    (h, allowed): (Lanes<L>, &mut X),
-) where
-    D: Series<Lanes<L>, State = X> + ?Sized,
-    X: LaneStates<L>,
-{
-    for alternation in [1.0, -1.0] {
-        let epsilon = MOVED_EPSILONS * f64::EPSILON;
-        let mut sign = 1.0;
-        let moved = state.map(|x| {
-            sign *= alternation;
-            x + x.abs() * Lanes::from_f64(sign * epsilon)
-        });
-        let mut change = dynamics.derivative(t + t * Lanes::from_f64(epsilon), &moved);
-        change.add_scaled(Lanes::from_f64(-1.0), derivative);
-        allowed.add_scaled(h * Lanes::from_f64(CHANGES), &change.map(Scalar::abs));
     }
 }
 
@@ -167,18 +137,4 @@ fn first_beyond<X: LaneStates<L>, const L: usize>(residual: &X, allowed: &X, lan
         excess.is_nan() || excess > 0.0
     });
     found.unwrap_or(0)
-}
-
-/// x to a whole power, by squaring.
-fn power<const L: usize>(x: Lanes<L>, exponent: usize) -> Lanes<L> {
-    let mut result = Lanes::from_f64(1.0);
-    let (mut square, mut left) = (x, exponent);
-    while left > 0 {
-        if left % 2 == 1 {
-            result *= square;
-        }
-        square = square * square;
-        left /= 2;
-    }
-    result
 }

@@ -3,6 +3,7 @@
 use super::{TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
+use crate::integrate::taylor::step_size::reached;
 use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES};
 use crate::linalg::{ErrorTolerance, LaneStates};
 use crate::scalar::{Lanes, Scalar};
@@ -90,7 +91,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// The errors that are allowed, of the sizes that the components reach within a step like the last.
-    fn allowed<D>(&self, dynamics: &D) -> X
+    pub(super) fn allowed<D>(&self, dynamics: &D) -> X
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
@@ -102,18 +103,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             };
             length / self.unit[lane]
         });
-        let mut power = Lanes::from_f64(1.0);
-        let mut reached = self.state.value().map(Scalar::abs);
-        for coefficient in self.coefficients.higher().iter().take(2) {
-            power *= tau;
-            reached.add_scaled(power, &coefficient.map(Scalar::abs));
-        }
-        dynamics.allowed_error(&reached, &self.tolerance())
+        let reached = reached(self.state.value(), &self.coefficients, tau);
+        dynamics.allowed_error(&reached, &self.tolerance(Lanes(self.length)))
     }
 
-    /// The tolerances, by which an error of a velocity counts by the displacement that it causes in some time scales.
-    pub(super) fn tolerance(&self) -> ErrorTolerance<Lanes<L>> {
-        let time_scale = Lanes(self.time_scale);
+    /// The tolerances of steps of these lengths, by which an error of a velocity counts by the displacement that it causes
+    /// in some time scales.
+    pub(super) fn tolerance(&self, length: Lanes<L>) -> ErrorTolerance<Lanes<L>> {
+        let time_scale = Scalar::max(Lanes(self.time_scale), length);
         self.method.tolerance::<Lanes<L>>().over(time_scale)
     }
 }

@@ -43,7 +43,7 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
 }
 
 /// Σ xᵢ yₖ₋ᵢ over all i for which both are given, with the last of the ones paired with the first of the others.
-pub(super) fn convolution<S: Scalar>(x: &[S], y: &[S]) -> S {
+pub(in crate::integrate::taylor) fn convolution<S: Scalar>(x: &[S], y: &[S]) -> S {
     let pairs = x.iter().zip(y.iter().rev());
     pairs.fold(S::zero(), |sum, (x, y)| x.mul_add(*y, sum))
 }

@@ -1,8 +1,4 @@
-//! What the detection of events asks of their functions.
-
-use super::Event;
-use crate::integrate::dynamics::Dynamics;
-use crate::scalar::Scalar;
+//! The values of event functions.
 
 /// The values of one event function or of several.
 pub trait Values: Copy {
@@ -41,19 +37,4 @@ impl<const K: usize> Values for [f64; K] {
     fn as_mut_slice(&mut self) -> &mut [f64] {
         self
     }
-}
-
-/// Event functions of time and state, which may be those of the dynamics.
-pub(super) trait EventFunction<S: Scalar, D: Dynamics<S> + ?Sized> {
-    /// Their values.
-    type Values: Values;
-
-    /// The values at a time and a state.
-    fn values(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Values;
-
-    /// What is watched for.
-    fn event(&self, index: usize) -> Event;
-
-    /// The parts of a step at whose ends the functions are evaluated, if it is set.
-    fn parts(&self) -> Option<u32>;
 }
