@@ -83,7 +83,7 @@ fn implement(
     }
     let (mut taylor, mut event_series) = (None, None);
     if let Some(clause) = &declaration.clauses.taylor {
-        let series = methods.taylor_method(model.coordinates as usize);
+        let series = methods.taylor_method(&mut model, &equations);
         match series.and_then(|series| Ok((series, methods.event_series()?))) {
             Ok((series, events)) => (taylor, event_series) = (Some(series), events),
             Err(reason) => {

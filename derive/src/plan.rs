@@ -19,4 +19,4 @@ pub(crate) use outputs::{
 pub(crate) use table::{
     Argument, EmittedMethod, Interface, MethodRow, PARAMETERS, ResultType, Variant, is_method,
 };
-pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, TaylorMethod};
+pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, Rates, TaylorMethod};

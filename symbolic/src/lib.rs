@@ -34,6 +34,7 @@ pub use mechanics::defects::Defect;
 pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
 pub use mechanics::model::{Energies, Model};
+pub use mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
@@ -41,7 +42,7 @@ pub use print::names::{Letters, Names};
 pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
-pub use program::taylor::{AccelerationOperands, Convolution, TaylorProgram};
+pub use program::taylor::{Convolution, SeriesOutputs, TaylorProgram};
 pub use program::verify::Fault;
 pub use validation::{
     AccelerationProgram, LinearizationProgram, Method, Programs, SeriesCheck, Validator,

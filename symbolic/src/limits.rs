@@ -156,6 +156,9 @@ pub(crate) const COST_OF_SQUARE_ROOT: usize = 7;
 pub(crate) const COST_OF_SINE_AND_COSINE: usize = 12;
 /// See [`COST_OF_DIVISION`].
 pub(crate) const COST_OF_FUNCTION: usize = 20;
+/// The cost of a convolution in a term of a Taylor series, in additions: at order 28 it has 13 products on average, of
+/// which a vector register holds four.
+pub(crate) const COST_OF_CONVOLUTION: usize = 5;
 
 /// Integer powers up to this one are repeated factors, of which parts can be shared; higher ones are computed by
 /// squaring. Insensitive.

@@ -146,6 +146,51 @@ fn systems_that_are_solved_numerically_have_series() {
     figures.finish();
 }
 
+/// A rotor with a product of inertia in bearings with friction, on a table whose speed grows: its series is that of
+/// quasi-velocities, which do not vanish with the velocities.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(phi, theta, psi),
+    define(
+        nutation = dot(phi) + rate * t,
+        w1 = nutation * sin(theta) * sin(psi) + dot(theta) * cos(psi),
+        w2 = nutation * sin(theta) * cos(psi) - dot(theta) * sin(psi),
+        w3 = nutation * cos(theta) + dot(psi),
+    ),
+    kinetic = 0.5 * (a * w1.powi(2) + b * w2.powi(2) + c * w3.powi(2)) - d * w1 * w2,
+    potential = a * sin(theta) * cos(psi),
+    dissipation = 0.5 * b * dot(psi).powi(2),
+    force(theta = c * sin(t) - d * dot(theta) * abs(dot(theta))),
+)]
+struct RotorOnTable {
+    a: f64,
+    b: f64,
+    c: f64,
+    d: f64,
+    rate: f64,
+}
+
+#[test]
+fn quasi_velocities_in_a_moving_frame_have_series() {
+    let rotor = RotorOnTable {
+        a: 1.1,
+        b: 1.7,
+        c: 0.6,
+        d: 0.3,
+        rate: -0.8,
+    };
+    let exact = |values: [f64; 3]| values.map(DoubleDouble::from_f64);
+    let state = State {
+        t: DoubleDouble::from_f64(0.7),
+        q: exact([0.4, -2.1, 1.3]).into(),
+        v: exact([0.9, -0.5, 2.2]).into(),
+    };
+    let mut figures = Figures::new();
+    figures.record("residual", "rotor", residual(&rotor, state), TOLERANCE);
+    figures.finish();
+}
+
 fn free<M, const N: usize>(case: &Value, state: &Value) -> f64
 where
     M: Parametrized + MotionSeries<N, DoubleDouble>,

@@ -30,7 +30,10 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
             // Symbols of recurrences, which are read from their terms.
-            Symbol::Order | Symbol::ReciprocalOrder | Symbol::Convolution(_) => TokenStream::new(),
+            Symbol::Order
+            | Symbol::ReciprocalOrder
+            | Symbol::Convolution(_)
+            | Symbol::QuasiVelocity(_) => TokenStream::new(),
         }
     }
 }

@@ -13,7 +13,7 @@ use super::locals::Locals;
 use super::model_symbols::element;
 use super::signatures::InputsFrom;
 use super::writer::Writer;
-use crate::plan::{AccelerationOutputs, TaylorMethod};
+use crate::plan::{AccelerationOutputs, Rates, TaylorMethod};
 
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
@@ -29,7 +29,7 @@ impl SymbolReader for TermSymbols {
         match symbol {
             Symbol::Time => quote!(term.t),
             Symbol::Coordinate(i) => element(&quote!(term.q), i),
-            Symbol::Velocity(i) => element(&quote!(term.v), i),
+            Symbol::Velocity(i) | Symbol::QuasiVelocity(i) => element(&quote!(term.v), i),
             Symbol::Input(i) => element(&quote!(term_of_inputs), i),
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
             Symbol::Order => quote!(term.order),
@@ -93,7 +93,17 @@ impl Emitter<'_> {
     fn series(&self, method: &TaylorMethod, inputs: InputsFrom) -> TokenStream {
         let (root, scalar) = (&self.declaration.root, &self.scalar);
         self.with_writer(&method.initial, inputs, &[], |writer| {
-            let (statements, accelerations) = writer.accelerations(&method.accelerations);
+            let (statements, rates) = match &method.rates {
+                Rates::Accelerations(outputs) => writer.accelerations(outputs),
+                Rates::QuasiVelocities(rates) => {
+                    let (statements, rates) = writer.compute(rates);
+                    (statements, writer.vector(&rates))
+                }
+            };
+            let expansion = match &method.rates {
+                Rates::Accelerations(_) => quote!(taylor_series),
+                Rates::QuasiVelocities(_) => quote!(taylor_series_in_quasi_velocities),
+            };
             let (more, invariants) = writer.compute(&method.invariants);
             let term = self.term(method, writer);
             let (n, factors) = (self.coordinates(), method.program.factors());
@@ -105,23 +115,31 @@ impl Emitter<'_> {
                 .then(|| quote!(let term_of_inputs = higher_inputs.next();));
             quote! {
                 #statements
-                let accelerations = #accelerations;
+                let accelerations = #rates;
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
-                #root::__private::taylor_series::<_, #n, #factors, #count_of_pairs, #lanes, HALF>(
+                #root::__private::#expansion::<_, #n, #factors, #count_of_pairs, #lanes, HALF>(
                     state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #next_inputs #term },
                 );
             }
         })
     }
 
-    /// The accelerations of order k, and the factors of the convolutions.
+    /// The accelerations of order k, or the velocities and the rates of quasi-velocities, and the factors of the
+    /// convolutions.
     fn term(&self, method: &TaylorMethod, writer: &Writer<'_>) -> TokenStream {
         let [(statements, computed), (more, factors)] = self.recurrence(&method.program);
         let vector = writer.vector(&computed);
-        let accelerations = match method.accelerations {
-            AccelerationOutputs::Symbolic { .. } => vector,
-            AccelerationOutputs::Numerical { .. } => quote!(factors.solve(&#vector)),
+        let accelerations = match &method.rates {
+            Rates::Accelerations(AccelerationOutputs::Symbolic { .. }) => vector,
+            Rates::Accelerations(AccelerationOutputs::Numerical { .. }) => {
+                quote!(factors.solve(&#vector))
+            }
+            Rates::QuasiVelocities(_) => {
+                let (velocities, rates) = computed.split_at(self.coordinates());
+                let [velocities, rates] = [velocities, rates].map(|part| writer.vector(part));
+                return quote!(#statements #more (#velocities, #rates, [#(#factors),*]));
+            }
         };
         quote! {
             #statements

@@ -114,6 +114,7 @@ impl Quantities {
             Symbol::Order => "k".to_owned(),
             Symbol::ReciprocalOrder => "k_recip".to_owned(),
             Symbol::Convolution(i) => format!("s{i}"),
+            Symbol::QuasiVelocity(i) => format!("w{i}"),
         }
     }
 }

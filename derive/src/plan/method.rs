@@ -50,11 +50,7 @@ impl Method {
         };
         let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
-        let prepare = Self {
-            count: setup.count(),
-            outputs: MethodOutputs::Invariants(OutputSlice::of_group(&setup, 0)),
-            program: setup,
-        };
+        let prepare = Self::preparation(setup);
         let accelerations = Self {
             count: kernel.count(),
             outputs: MethodOutputs::Accelerations(outputs),
@@ -66,6 +62,15 @@ impl Method {
             accelerations
         };
         [prepare, accelerations]
+    }
+
+    /// The method that computes the invariants by a setup program.
+    pub(super) fn preparation(setup: Program) -> Self {
+        Self {
+            count: setup.count(),
+            outputs: MethodOutputs::Invariants(OutputSlice::of_group(&setup, 0)),
+            program: setup,
+        }
     }
 
     /// Counts the factorization of M with `n` rows, and the solution for several right-hand sides.

@@ -32,6 +32,8 @@ pub(crate) struct Methods {
     pub(crate) event_functions: Option<Method>,
     /// The declared derivatives of external functions.
     pub(crate) functions: Vec<FunctionDerivative>,
+    /// From which they were made.
+    pub(super) kinetics: Kinetics,
 }
 
 /// A declared derivative of an external function.
@@ -113,6 +115,7 @@ impl Methods {
             outputs: Method::declared_outputs(model, shapes),
             event_functions: Method::event_functions(model, shapes),
             functions: function_derivatives(model),
+            kinetics,
         }
     }
 

@@ -26,6 +26,11 @@ impl OutputSlice {
         }
     }
 
+    /// All outputs of the last group.
+    pub(crate) fn of_last_group(program: &Program) -> Self {
+        Self::of_group(program, program.groups.len().saturating_sub(1))
+    }
+
     /// The group that computes them.
     pub(crate) const fn group(&self) -> usize {
         self.group

@@ -1,20 +1,30 @@
-//! The Taylor series of the accelerations.
+//! The Taylor series of a motion.
 
 use lagrangian_symbolic::{
-    AccelerationOperands, SeriesCheck, Symbol, TaylorProgram, ValueSeriesCheck,
+    Equations, Model, Program, QuasiVelocityEquations, SeriesCheck, SeriesOutputs, Symbol,
+    TaylorProgram, ValueSeriesCheck,
 };
 
 use super::method::Method;
 use super::methods::Methods;
-use super::outputs::{AccelerationOutputs, MethodOutputs, OutputSlice};
+use super::outputs::{AccelerationOutputs, MethodOutputs, OutputSlice, ProgramLayout};
+use crate::limits::in_range;
 
 /// The programs for the Taylor coefficients of a motion.
 pub(crate) struct TaylorMethod {
-    /// The accelerations of order 0, and the invariants of the recurrence.
+    /// Order 0, and the invariants of the recurrence.
     pub(crate) initial: Method,
-    pub(crate) accelerations: AccelerationOutputs,
+    pub(crate) rates: Rates,
     pub(crate) invariants: OutputSlice,
     pub(crate) program: TaylorProgram,
+}
+
+/// The rates of order 0.
+pub(crate) enum Rates {
+    /// Of velocities.
+    Accelerations(AccelerationOutputs),
+    /// Of quasi-velocities.
+    QuasiVelocities(OutputSlice),
 }
 
 /// Why a model has no Taylor series.
@@ -27,8 +37,33 @@ pub(crate) enum NoTaylorSeries {
 }
 
 impl Methods {
-    /// The Taylor series of the accelerations.
-    pub(crate) fn taylor_method(&self, coordinates: usize) -> Result<TaylorMethod, NoTaylorSeries> {
+    /// The Taylor series of the motion: that of q̇ and q̈, or that of quasi-velocities and their rates where its recurrence
+    /// takes fewer operations. What is prepared serves both.
+    pub(crate) fn taylor_method(
+        &mut self,
+        model: &mut Model,
+        equations: &Equations,
+    ) -> Result<TaylorMethod, NoTaylorSeries> {
+        let accelerations = self.series_of_accelerations()?;
+        let mut choices = vec![(self.prepare.program.clone(), accelerations)];
+        for choice in self.kinetics.quasi_velocity_equations(model, equations) {
+            choices.extend(self.series_in_quasi_velocities(model, &choice));
+        }
+        choices.sort_by_key(|(_, method)| method.program.cost());
+        let coordinates = model.coordinates as usize;
+        for (preparation, method) in choices {
+            let accelerations = self.programs(&[]).accelerations;
+            let check = SeriesCheck::new(&preparation, accelerations, &method.program, coordinates);
+            if check.agrees() {
+                self.prepare = Method::preparation(preparation);
+                return Ok(method);
+            }
+        }
+        Err(NoTaylorSeries::Wrong)
+    }
+
+    /// The series from the program for q̈.
+    fn series_of_accelerations(&self) -> Result<TaylorMethod, NoTaylorSeries> {
         let method = &self.accelerations;
         let program = &method.program;
         let MethodOutputs::Accelerations(outputs) = &method.outputs else {
@@ -36,31 +71,67 @@ impl Methods {
         };
         let operands = match outputs {
             AccelerationOutputs::Symbolic { accelerations, .. } => {
-                AccelerationOperands::Solved(accelerations.operands(program))
+                SeriesOutputs::Accelerations(accelerations.operands(program))
             }
             AccelerationOutputs::Numerical { mass, forcing } => {
-                AccelerationOperands::System(mass.0.operands(program), forcing.operands(program))
+                SeriesOutputs::System(mass.0.operands(program), forcing.operands(program))
             }
         };
         let taylor =
             TaylorProgram::of(program, operands).ok_or(NoTaylorSeries::ExternalFunctions)?;
-        let programs = self.programs(&[]);
-        let preparation = programs.preparation;
-        let check = SeriesCheck::new(preparation, programs.accelerations, &taylor, coordinates);
-        if !check.agrees() {
-            return Err(NoTaylorSeries::Wrong);
-        }
-        let last = taylor.initial.groups.len().saturating_sub(1);
         Ok(TaylorMethod {
-            accelerations: outputs.clone(),
-            invariants: OutputSlice::of_group(&taylor.initial, last),
-            initial: Method {
-                count: taylor.initial.count(),
-                program: taylor.initial.clone(),
-                outputs: method.outputs.clone(),
-            },
+            rates: Rates::Accelerations(outputs.clone()),
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, method.outputs.clone()),
             program: taylor,
         })
+    }
+
+    /// The series of coordinates and quasi-velocities, and the setup program with their invariants; none if a constant is
+    /// beyond the range of `f64`.
+    fn series_in_quasi_velocities(
+        &self,
+        model: &Model,
+        equations: &QuasiVelocityEquations,
+    ) -> Option<(Program, TaylorMethod)> {
+        let mut layout = ProgramLayout::new();
+        let values = layout.add(&equations.quasi_velocities);
+        layout.begin_group();
+        let velocities = layout.add(&equations.velocities);
+        let rates = layout.add(&equations.rates);
+        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
+        let mut preparation = self.prepare.program.clone();
+        let staged = whole.staged(model.graph.passes);
+        let kernel = staged.with_setup_in(&mut preparation);
+        let outputs = SeriesOutputs::QuasiVelocities {
+            values: values.operands(&kernel),
+            velocities: velocities.operands(&kernel),
+            rates: rates.operands(&kernel),
+        };
+        let taylor = TaylorProgram::of(&kernel, outputs)?;
+        let programs = [&preparation, &taylor.initial, &taylor.recurrence];
+        let constants = programs.into_iter().flat_map(Program::constants);
+        if constants.into_iter().any(|number| !in_range(number)) {
+            return None;
+        }
+        let method = TaylorMethod {
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, MethodOutputs::Vector(rates.clone())),
+            rates: Rates::QuasiVelocities(rates),
+            program: taylor,
+        };
+        Some((preparation, method))
+    }
+}
+
+impl Method {
+    /// The method for the terms of order 0.
+    fn initial(taylor: &TaylorProgram, outputs: MethodOutputs) -> Self {
+        Self {
+            count: taylor.initial.count(),
+            program: taylor.initial.clone(),
+            outputs,
+        }
     }
 }
 
@@ -88,22 +159,17 @@ impl Methods {
         if program.symbols().iter().any(is_input) {
             return Ok(None);
         }
-        let operands = AccelerationOperands::Solved(values.operands(program));
+        let operands = SeriesOutputs::Values(values.operands(program));
         let Some(taylor) = TaylorProgram::of(program, operands) else {
             return Ok(None);
         };
         if !ValueSeriesCheck::new(program, &taylor).agrees() {
             return Err(NoTaylorSeries::Wrong);
         }
-        let last = taylor.initial.groups.len().saturating_sub(1);
         Ok(Some(EventSeries {
             values: values.clone(),
-            invariants: OutputSlice::of_group(&taylor.initial, last),
-            initial: Method {
-                count: taylor.initial.count(),
-                program: taylor.initial.clone(),
-                outputs: method.outputs.clone(),
-            },
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, method.outputs.clone()),
             program: taylor,
         }))
     }

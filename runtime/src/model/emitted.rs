@@ -93,7 +93,7 @@ impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
 pub struct Term<S: Scalar, const N: usize, const PAIRS: usize> {
     /// The coefficient k of the coordinates.
     pub q: SVector<S, N>,
-    /// That of the velocities.
+    /// That of the velocities, or of the quasi-velocities.
     pub v: SVector<S, N>,
     /// That of the time.
     pub t: S,
@@ -121,20 +121,66 @@ pub fn taylor_series<
     accelerations: SVector<S, N>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
-    term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+) {
+    let term = |order: &Term<S, N, PAIRS>| {
+        let (rates, factors) = term(order);
+        (order.v, rates, factors)
+    };
+    expand::<_, _, _, _, LANES, HALF, true>(state, unit, accelerations, coefficients, pairs, term);
+}
+
+/// The same from the rates of the quasi-velocities of order 0, and from `term`, which computes the velocities and the rates
+/// of the quasi-velocities of order k and the factors of the convolutions.
+#[inline]
+pub fn taylor_series_in_quasi_velocities<
+    S: Scalar,
+    const N: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const LANES: usize,
+    const HALF: usize,
+>(
+    state: &State<S, N>,
+    unit: S,
+    rates: SVector<S, N>,
+    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    pairs: &[[usize; 2]; PAIRS],
+    term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
+) {
+    expand::<_, _, _, _, LANES, HALF, false>(state, unit, rates, coefficients, pairs, term);
+}
+
+/// The coefficients of a motion from the rates of order 0, in the layout of the convolutions that suits the scalar.
+#[inline]
+fn expand<
+    S: Scalar,
+    const N: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const LANES: usize,
+    const HALF: usize,
+    const IN_VELOCITIES: bool,
+>(
+    state: &State<S, N>,
+    unit: S,
+    rates: SVector<S, N>,
+    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    pairs: &[[usize; 2]; PAIRS],
+    term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
 ) {
     *coefficients.initial_mut() = Phase::from(*state);
     let first = Phase {
         q: state.v * unit,
-        v: accelerations * unit,
+        v: rates * unit,
     };
     let higher = coefficients.higher_mut();
     if const { pair_by_pair::<S, PAIRS, HALF>() } {
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF>::new();
-        expand(unit, first, higher, pairs, convolutions, term);
+        orders_of::<_, _, _, _, IN_VELOCITIES>(unit, first, higher, pairs, convolutions, term);
     } else {
         let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
-        expand(unit, first, higher, pairs, convolutions, term);
+        orders_of::<_, _, _, _, IN_VELOCITIES>(unit, first, higher, pairs, convolutions, term);
     }
 }
 
@@ -144,26 +190,34 @@ const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
     size_of::<S>() <= size_of::<f64>() && size <= LARGEST_PAIRED_CONVOLUTIONS
 }
 
-/// The coefficients of the motion from that of order 1, one order after the other.
+/// The coefficients of the motion from that of order 1, one order after the other. Velocities are known before their term,
+/// which the last order then does not need.
 #[inline]
-fn expand<S: Scalar, const N: usize, const FACTORS: usize, const PAIRS: usize>(
+fn orders_of<
+    S: Scalar,
+    const N: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const IN_VELOCITIES: bool,
+>(
     unit: S,
     first: Phase<S, N>,
     higher: &mut [Phase<S, N>],
     pairs: &[[usize; 2]; PAIRS],
     mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
-    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
 ) {
-    let Some((last, lower)) = higher.split_last_mut() else {
-        return;
-    };
     let mut next = first;
     let mut order = S::one();
     let mut reciprocal_order = S::one();
     let mut t = unit;
-    for coefficient in lower {
-        *coefficient = next;
-        let (accelerations, factors) = term(&Term {
+    let last = higher.len().saturating_sub(1);
+    for (index, coefficient) in higher.iter_mut().enumerate() {
+        if IN_VELOCITIES && index == last {
+            *coefficient = next;
+            return;
+        }
+        let (velocities, rates, factors) = term(&Term {
             q: next.q,
             v: next.v,
             t,
@@ -171,17 +225,23 @@ fn expand<S: Scalar, const N: usize, const FACTORS: usize, const PAIRS: usize>(
             reciprocal_order,
             convolutions: convolutions.sums(),
         });
+        *coefficient = Phase {
+            q: next.q,
+            v: velocities,
+        };
+        if index == last {
+            return;
+        }
         convolutions.advance(&factors, pairs);
         order += S::one();
         reciprocal_order = S::one() / order;
         t = S::zero();
         let step = unit * reciprocal_order;
         next = Phase {
-            q: next.v * step,
-            v: accelerations * step,
+            q: velocities * step,
+            v: rates * step,
         };
     }
-    *last = next;
 }
 
 /// The Taylor coefficients of event functions along a motion: from `term`, which computes the terms of order k and the

@@ -35,7 +35,7 @@ impl Contents {
         match symbol {
             Symbol::Time => Self::TIME,
             Symbol::Coordinate(_) => Self::COORDINATE,
-            Symbol::Velocity(_) => Self::VELOCITY,
+            Symbol::Velocity(_) | Symbol::QuasiVelocity(_) => Self::VELOCITY,
             Symbol::Acceleration(_) => Self::ACCELERATION,
             Symbol::Parameter(_) => Self::PARAMETER,
             Symbol::Input(_) => Self::INPUT,

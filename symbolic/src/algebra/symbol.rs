@@ -26,6 +26,8 @@ pub enum Symbol {
     ReciprocalOrder,
     /// A [convolution](crate::Convolution) of terms of orders below k.
     Convolution(u32),
+    /// A quasi-velocity wᵢ, in [equations of first order](crate::QuasiVelocityEquations).
+    QuasiVelocity(u32),
 }
 
 impl Symbol {
@@ -43,6 +45,7 @@ impl Symbol {
             Self::Order => (8, 0),
             Self::ReciprocalOrder => (9, 0),
             Self::Convolution(index) => (10, index),
+            Self::QuasiVelocity(index) => (11, index),
         }
     }
 }

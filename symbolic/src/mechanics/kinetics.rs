@@ -10,6 +10,7 @@ use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
+use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 use crate::mechanics::solvers::solution::{Solution, Solver};
 use crate::{Equations, Expression, Graph, Model, Pass};
 
@@ -25,6 +26,8 @@ pub struct Kinetics {
     pub ldlt: Option<Ldlt>,
     /// The accelerations; none for many coupled coordinates, where M is factored numerically.
     pub solution: Option<Solution>,
+    /// The choices of as many quasi-velocities as there are coordinates.
+    boltzmann_hamel: Vec<BoltzmannHamel>,
 }
 
 /// The equations M q̈ = f, divided by an inertia of which the others are multiples, if there is one.
@@ -71,14 +74,29 @@ impl Kinetics {
                 ArticulatedBodies::factor(graph, scaled, MOST_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
-        solvers.extend(boltzmann_hamel_solvers(model, equations, declared));
+        let boltzmann_hamel = boltzmann_hamel_solvers(model, equations, declared);
+        solvers.extend(boltzmann_hamel.iter().cloned().map(Solver::BoltzmannHamel));
         Self {
             solution: Solution::cheapest(&mut model.graph, &cheaper.forcing, solvers),
             forcing: cheaper.forcing,
             inverse_dynamics: cheaper.inverse_dynamics,
             system,
             ldlt,
+            boltzmann_hamel,
         }
+    }
+
+    /// The equations of motion in coordinates and quasi-velocities, for each choice of these that is known.
+    pub fn quasi_velocity_equations(
+        &self,
+        model: &mut Model,
+        equations: &Equations,
+    ) -> Vec<QuasiVelocityEquations> {
+        let forces = &equations.generalized_forces;
+        let choices = self.boltzmann_hamel.iter();
+        choices
+            .map(|choice| choice.equations(&mut model.graph, forces))
+            .collect()
     }
 }
 
@@ -115,7 +133,7 @@ fn boltzmann_hamel_solvers(
     model: &mut Model,
     equations: &Equations,
     declared: Option<QuasiVelocities>,
-) -> Vec<Solver> {
+) -> Vec<BoltzmannHamel> {
     let passes = model.graph.passes;
     if !passes.has(Pass::QuasiVelocities) {
         return Vec::new();
@@ -131,7 +149,7 @@ fn boltzmann_hamel_solvers(
     let mut solvers = Vec::new();
     for choice in choices {
         let found = BoltzmannHamel::new(model, choice, &equations.generalized_forces);
-        solvers.extend(found.map(Solver::BoltzmannHamel));
+        solvers.extend(found);
     }
     solvers
 }

@@ -3,6 +3,7 @@
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
 pub(crate) mod structure_constants;
+pub(crate) mod quasi_velocity_equations;
 pub(crate) mod boltzmann_hamel;
 pub(crate) mod pivot_magnitudes;
 pub(crate) mod solution;

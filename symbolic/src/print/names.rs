@@ -89,6 +89,7 @@ impl Letters {
             Symbol::Argument(index) => (find(&[], "x", index), 0),
             Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
             Symbol::Convolution(index) => (find(&[], "s", index), 0),
+            Symbol::QuasiVelocity(index) => (find(&[], "w", index), 0),
         }
     }
 }

@@ -6,7 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::program::straight_line::{Instruction, Operand, OutputGroup, Program};
+use crate::algebra::hashing::Table;
+use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 use crate::{Pass, Passes, Symbol};
 
 /// A program in two stages.
@@ -53,6 +54,74 @@ impl Program {
             outputs: hoisting.outputs,
         });
         hoisting.programs
+    }
+}
+
+impl Staged {
+    /// Appends the setup program to that of another kernel, and returns the kernel, which finds its invariants there.
+    #[must_use]
+    pub fn with_setup_in(self, setup: &mut Program) -> Program {
+        let indices = setup.append(&self.setup);
+        let mut kernel = self.kernel;
+        kernel.replace_symbols(|symbol| match symbol {
+            Symbol::Invariant(i) => {
+                let index = u32::try_from(*indices.get(i as usize)?).ok()?;
+                Some(Operand::Symbol(Symbol::Invariant(index)))
+            }
+            _ => None,
+        });
+        kernel
+    }
+}
+
+impl Program {
+    /// Computes the outputs of another program in the last group, too, each value once; returns their indices there.
+    fn append(&mut self, other: &Self) -> Vec<usize> {
+        let mut numbers: Table<Operation, usize> = Table::default();
+        let mut next = 0;
+        for instruction in self.instructions() {
+            numbers.insert(instruction.operation.clone(), instruction.value);
+            next = instruction.value + instruction.operation.results();
+        }
+        let Some(group) = self.groups.last_mut() else {
+            return Vec::new();
+        };
+        // The number of each value of the other program.
+        let mut values: Vec<usize> = Vec::new();
+        for instruction in other.instructions() {
+            let mut operation = instruction.operation.clone();
+            operation.for_each_operand(|operand| renumber(operand, &values));
+            let results = operation.results();
+            let first = *numbers.entry(operation).or_insert_with_key(|operation| {
+                group.instructions.push(Instruction {
+                    operation: operation.clone(),
+                    value: next,
+                    expression: instruction.expression,
+                });
+                next += results;
+                next - results
+            });
+            values.extend(first..first + results);
+        }
+        let outputs = other.groups.iter().flat_map(|group| &group.outputs);
+        let indices = outputs.map(|output| {
+            let mut output = output.clone();
+            renumber(&mut output, &values);
+            let known = group.outputs.iter().position(|known| *known == output);
+            known.unwrap_or_else(|| {
+                group.outputs.push(output);
+                group.outputs.len() - 1
+            })
+        });
+        indices.collect()
+    }
+}
+
+fn renumber(operand: &mut Operand, numbers: &[usize]) {
+    if let Operand::Value(value) = operand
+        && let Some(number) = numbers.get(*value)
+    {
+        *value = *number;
     }
 }
 

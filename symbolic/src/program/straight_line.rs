@@ -126,6 +126,23 @@ impl Program {
         self.groups.iter().flat_map(|group| &group.instructions)
     }
 
+    /// Replaces symbols by operands, where `replacement` has one.
+    pub(crate) fn replace_symbols(&mut self, replacement: impl Fn(Symbol) -> Option<Operand>) {
+        let replace = |operand: &mut Operand| {
+            if let Operand::Symbol(symbol) = operand
+                && let Some(found) = replacement(*symbol)
+            {
+                *operand = found;
+            }
+        };
+        for group in &mut self.groups {
+            for instruction in &mut group.instructions {
+                instruction.operation.for_each_operand(replace);
+            }
+            group.outputs.iter_mut().for_each(replace);
+        }
+    }
+
     /// The symbols that the program reads, in order.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {

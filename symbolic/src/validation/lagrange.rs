@@ -277,7 +277,8 @@ fn moving(
         | Symbol::Argument(_)
         | Symbol::Order
         | Symbol::ReciprocalOrder
-        | Symbol::Convolution(_) => {}
+        | Symbol::Convolution(_)
+        | Symbol::QuasiVelocity(_) => {}
     }
     number
 }

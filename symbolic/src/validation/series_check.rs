@@ -1,6 +1,6 @@
 //! Whether the recurrence of a Taylor series gives the time derivatives of the accelerations.
 //!
-//! The coefficients of order 1, 2 and 3 are computed twice: by the recurrence, and from the program for q̈ on jets. A
+//! The coefficients of order 0 to 3 are computed twice: by the recurrence, and from the program for q̈ on jets. A
 //! recurrence is the same for all orders; in order 3 the factors of order 2 of every convolution count.
 
 use crate::identity::real_point::RealPoint;
@@ -26,6 +26,8 @@ pub struct SeriesCheck {
     coordinates: usize,
     /// The number of pivots before q̈, unless M and f are computed.
     pivots: Option<usize>,
+    /// Whether the recurrence is that of velocities and quasi-velocities.
+    in_quasi_velocities: bool,
 }
 
 impl SeriesCheck {
@@ -47,6 +49,7 @@ impl SeriesCheck {
             taylor: RecurrenceTape::of(taylor),
             coordinates,
             pivots,
+            in_quasi_velocities: taylor.is_in_quasi_velocities,
         }
     }
 
@@ -61,9 +64,13 @@ impl SeriesCheck {
         let prepared = |symbol: Symbol| point.value(symbol);
         let prepared = self.preparation.evaluate(&prepared, perturbation);
         let motion = self.motion(point, &prepared, perturbation)?;
-        let found = self.recurrence(point, &prepared, &motion, perturbation)?;
+        let found = if self.in_quasi_velocities {
+            self.recurrence_in_quasi_velocities(point, &prepared, &motion, perturbation)
+        } else {
+            self.recurrence(point, &prepared, &motion, perturbation)?
+        };
         let mut comparisons = Comparisons::default();
-        for (found, expected) in found.iter().zip(&motion).skip(1) {
+        for (found, expected) in found.iter().zip(&motion) {
             comparisons.values(Method::Accelerations, found, expected);
         }
         Some(comparisons.0)
@@ -145,32 +152,21 @@ impl SeriesCheck {
         perturbation: Perturbation,
     ) -> Option<Coefficients> {
         let n = self.coordinates;
-        let initial = |symbol: Symbol| match symbol {
-            Symbol::Acceleration(i) => motion[0][i as usize],
-            Symbol::Invariant(i) => prepared[i as usize],
-            _ => point.value(symbol),
-        };
-        let (outputs, invariants) = self.taylor.initial(&initial, perturbation);
+        let (outputs, invariants) = self.initial(point, prepared, motion, perturbation);
         let mut found = motion.clone();
         // The factors of order 1, 2, …
         let mut factors: Vec<Vec<f64>> = Vec::new();
-        for (k, order) in (1..).zip([1.0, 2.0, 3.0]) {
-            let term = |symbol: Symbol, accelerations: &[f64]| match symbol {
-                Symbol::Time => f64::from(u8::from(k == 1)),
-                Symbol::Coordinate(i) if k == 1 => point.value(Symbol::Velocity(i)),
-                Symbol::Coordinate(i) => motion[k - 2][i as usize] / (order * (order - 1.0)),
-                Symbol::Velocity(i) => motion[k - 1][i as usize] / order,
-                Symbol::Input(_) => input(point.value(symbol)).0[k],
-                Symbol::Acceleration(i) => accelerations[i as usize],
-                _ => f64::NAN,
-            };
+        for k in 1..=3 {
             let known = Known {
                 invariants: &invariants,
                 factors: &factors,
             };
             let unknown = vec![0.0; n];
             let evaluate = |accelerations: &[f64]| {
-                let symbol = |symbol| term(symbol, accelerations);
+                let symbol = |symbol| match symbol {
+                    Symbol::Acceleration(i) => accelerations[i as usize],
+                    _ => term(point, motion, symbol, k),
+                };
                 self.taylor.terms(&known, &symbol, perturbation)
             };
             let mut terms = evaluate(&unknown);
@@ -183,5 +179,64 @@ impl SeriesCheck {
             factors.push(terms.split_off(n));
         }
         Some(found)
+    }
+
+    /// The coefficients by a recurrence for velocities and quasi-velocities: those of q̈ are k q̇ₖ, k = 1, 2, …
+    fn recurrence_in_quasi_velocities(
+        &self,
+        point: RealPoint,
+        prepared: &[f64],
+        motion: &Coefficients,
+        perturbation: Perturbation,
+    ) -> Coefficients {
+        let n = self.coordinates;
+        let (mut outputs, invariants) = self.initial(point, prepared, motion, perturbation);
+        // The rates of the order before.
+        let mut rates = outputs.split_off(2 * n);
+        let mut factors: Vec<Vec<f64>> = Vec::new();
+        let orders = [1.0, 2.0, 3.0, 4.0];
+        orders.map(|order| {
+            let known = Known {
+                invariants: &invariants,
+                factors: &factors,
+            };
+            let symbol = |symbol| match symbol {
+                Symbol::QuasiVelocity(i) => rates[i as usize] / order,
+                _ => term(point, motion, symbol, factors.len() + 1),
+            };
+            let mut terms = self.taylor.terms(&known, &symbol, perturbation);
+            factors.push(terms.split_off(2 * n));
+            rates = terms.split_off(n);
+            terms.iter().map(|velocity| velocity * order).collect()
+        })
+    }
+
+    /// The outputs of order 0, and the invariants.
+    fn initial(
+        &self,
+        point: RealPoint,
+        prepared: &[f64],
+        motion: &Coefficients,
+        perturbation: Perturbation,
+    ) -> (Vec<f64>, Vec<f64>) {
+        let symbol = |symbol: Symbol| match symbol {
+            Symbol::Acceleration(i) => motion[0][i as usize],
+            Symbol::Invariant(i) => prepared[i as usize],
+            _ => point.value(symbol),
+        };
+        self.taylor.initial(&symbol, perturbation)
+    }
+}
+
+/// The term of order k ≥ 1 of what varies along a motion, from the coefficients of its accelerations.
+fn term(point: RealPoint, motion: &Coefficients, symbol: Symbol, k: usize) -> f64 {
+    let order = (0..k).fold(0.0, |order, _| order + 1.0);
+    match symbol {
+        Symbol::Time => f64::from(u8::from(k == 1)),
+        Symbol::Coordinate(i) if k == 1 => point.value(Symbol::Velocity(i)),
+        Symbol::Coordinate(i) => motion[k - 2][i as usize] / (order * (order - 1.0)),
+        Symbol::Velocity(i) => motion[k - 1][i as usize] / order,
+        Symbol::Input(_) => input(point.value(symbol)).0.get(k).copied().unwrap_or(0.0),
+        _ => f64::NAN,
     }
 }

@@ -77,7 +77,8 @@ pub fn value(symbol: Symbol) -> f64 {
         | Symbol::Argument(_)
         | Symbol::Order
         | Symbol::ReciprocalOrder
-        | Symbol::Convolution(_) => 0.2,
+        | Symbol::Convolution(_)
+        | Symbol::QuasiVelocity(_) => 0.2,
     }
 }
 

@@ -6,7 +6,6 @@
 //! their inertia W, and the rest. The forms are read off the [declaration](crate::mechanics::energy_forms::declared),
 //! or recovered from the [mass matrix](crate::mechanics::energy_forms::recovered).
 
-use crate::matrix::rows::product;
 use crate::{Expression, Graph, Rational, Symbol};
 
 /// A Lagrangian L = ½ Σ Wₖₗ wₖ wₗ + rest.
@@ -85,11 +84,6 @@ impl QuasiVelocities {
         (0..self.forms.len())
             .map(|k| columns.iter().map(|column| column[k]).collect())
             .collect()
-    }
-
-    /// The momenta W w that belong to the quasi-velocities.
-    pub(crate) fn momenta(&self, graph: &mut Graph) -> Vec<Expression> {
-        product(graph, &self.inertia, &self.forms)
     }
 }
 

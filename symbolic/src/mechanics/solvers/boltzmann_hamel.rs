@@ -13,12 +13,14 @@
 use crate::limits::MOST_QUASI_VELOCITIES;
 use crate::matrix::block_triangular::BlockTriangular;
 use crate::matrix::ldlt::Ldlt;
-use crate::matrix::rows::transposed;
+use crate::matrix::rows::{product, transposed};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
+use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 use crate::mechanics::solvers::structure_constants::structure_constants;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// Accelerations through quasi-velocities.
+#[derive(Clone)]
 pub(crate) struct BoltzmannHamel {
     quasi_velocities: QuasiVelocities,
     kinematics: BlockTriangular,
@@ -109,18 +111,52 @@ impl BoltzmannHamel {
         self.kinematics.solve(graph, &right)
     }
 
+    /// The equations of motion in q and w: q̇ = E⁻¹ (w − b) and ẇ = W⁻¹ E⁻ᵀ (Q − 𝓛(L₀) − …), with w as symbols.
+    pub(crate) fn equations(
+        &self,
+        graph: &mut Graph,
+        forces: &[Expression],
+    ) -> QuasiVelocityEquations {
+        let forms = &self.quasi_velocities.forms;
+        let coordinates = u32::try_from(forms.len()).unwrap_or(u32::MAX);
+        let symbols: Vec<_> = (0..coordinates)
+            .map(|i| graph.symbol(Symbol::QuasiVelocity(i)))
+            .collect();
+        let offsets = self.quasi_velocities.offsets(graph, coordinates);
+        let pairs = symbols.iter().zip(offsets);
+        let homogeneous: Vec<_> = pairs.map(|(w, b)| graph.subtract(*w, b)).collect();
+        let velocities = self.kinematics.solve(graph, &homogeneous);
+        let values = (0..).map(Symbol::Velocity).zip(velocities.iter().copied());
+        let values = values.collect();
+        let torques = self.torques(graph, coordinates, forces, &symbols);
+        let mut torques = graph.substitute(&torques, &values);
+        for torque in &mut torques {
+            let simplest = graph.simplest(*torque);
+            *torque = graph.factored(simplest);
+        }
+        QuasiVelocityEquations {
+            quasi_velocities: forms.clone(),
+            rates: self.divided_by_inertia(graph, &torques),
+            velocities,
+        }
+    }
+
+    /// W⁻¹ x.
+    fn divided_by_inertia(&self, graph: &mut Graph, torques: &[Expression]) -> Vec<Expression> {
+        if let Some(inertia) = &self.inertia {
+            return inertia.solve(graph, torques);
+        }
+        let inertia = &self.quasi_velocities.inertia;
+        let torques = torques.iter().enumerate();
+        torques
+            .map(|(i, x)| graph.divide(*x, inertia[i][i]))
+            .collect()
+    }
+
     /// W⁻¹ E⁻ᵀ (Q − 𝓛(L₀) − …) − D w.
     fn rates(&self, graph: &mut Graph, coordinates: u32, forces: &[Expression]) -> Vec<Expression> {
-        let torques = self.torques(graph, coordinates, forces);
-        let rates = if let Some(inertia) = &self.inertia {
-            inertia.solve(graph, &torques)
-        } else {
-            let inertia = &self.quasi_velocities.inertia;
-            let torques = torques.iter().enumerate();
-            torques
-                .map(|(i, x)| graph.divide(*x, inertia[i][i]))
-                .collect()
-        };
+        let torques = self.torques(graph, coordinates, forces, &self.quasi_velocities.forms);
+        let rates = self.divided_by_inertia(graph, &torques);
         let direction = graph.constant_velocity_direction(coordinates);
         let velocity_products =
             graph.directional_derivatives(&self.quasi_velocities.forms, &direction);
@@ -128,14 +164,15 @@ impl BoltzmannHamel {
         rates.map(|(x, y)| graph.subtract(*x, y)).collect()
     }
 
-    /// W ẇ.
+    /// W ẇ, where the quasi-velocities in products with momenta are written as `forms`.
     fn torques(
         &self,
         graph: &mut Graph,
         coordinates: u32,
         forces: &[Expression],
+        forms: &[Expression],
     ) -> Vec<Expression> {
-        let gyroscopic = self.gyroscopic(graph, coordinates);
+        let gyroscopic = self.gyroscopic(graph, coordinates, forms);
         let rest = graph.lagrange_derivatives(&[self.quasi_velocities.rest], coordinates);
         let mut right = Vec::with_capacity(forces.len());
         for (i, force) in forces.iter().enumerate() {
@@ -159,11 +196,11 @@ impl BoltzmannHamel {
     }
 
     /// Σₖ (W w)ₖ 𝓛(wₖ): by quasi-velocity where their structure constants are constant.
-    fn gyroscopic(&self, graph: &mut Graph, coordinates: u32) -> Gyroscopic {
-        let forms = &self.quasi_velocities.forms;
-        let momenta = self.quasi_velocities.momenta(graph);
+    fn gyroscopic(&self, graph: &mut Graph, coordinates: u32, forms: &[Expression]) -> Gyroscopic {
+        let declared = &self.quasi_velocities.forms;
+        let momenta = product(graph, &self.quasi_velocities.inertia, forms);
         let homogeneous = graph.passes.has(Pass::StructureConstants)
-            && !graph.contains(forms, |symbol| symbol == Symbol::Time)
+            && !graph.contains(declared, |symbol| symbol == Symbol::Time)
             && self.quasi_velocities.is_homogeneous(graph, coordinates);
         let matrix = self.kinematics.matrix();
         if let Some(constants) = homogeneous
@@ -184,7 +221,7 @@ impl BoltzmannHamel {
             });
             return Gyroscopic::ByForm(values.collect());
         }
-        let derivatives = graph.lagrange_derivatives(forms, coordinates);
+        let derivatives = graph.lagrange_derivatives(declared, coordinates);
         let values = (0..coordinates as usize).map(|i| {
             let terms: Vec<_> = momenta
                 .iter()

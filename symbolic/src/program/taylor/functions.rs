@@ -5,7 +5,7 @@
 //! With D = t d/dt, whose coefficients are k xₖ, an equation such as Dw = g Dx gives
 //! k wₖ = g₀ k xₖ + Σ₀﹤ᵢ﹤ₖ gₖ₋ᵢ i xᵢ: the g that it needs are of orders below k.
 
-use super::{Builder, Factor, Series, ZERO};
+use super::builder::{Builder, Factor, Series, ZERO};
 use crate::program::straight_line::{Operand, Operation};
 use crate::{Binary, Rational, Unary};
 

@@ -1,6 +1,7 @@
 //! Operations on terms of order k, operands of the recurrence, and on terms of order 0, which it reads as invariants.
 
-use super::{Builder, Convolution, Factor, ZERO};
+use super::Convolution;
+use super::builder::{Builder, Factor, ZERO};
 use crate::program::straight_line::{Operand, Operation};
 use crate::{Rational, Symbol, Unary};
 

@@ -1,0 +1,317 @@
+//! The recurrence under construction.
+
+use super::functions::Pair;
+use super::{Convolution, TaylorProgram};
+use crate::algebra::hashing::Table;
+use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
+use crate::{Rational, Symbol};
+
+/// The Taylor series of a value.
+#[derive(Clone, Debug)]
+pub(super) struct Series {
+    /// Its term of order 0, an operand of the initial program.
+    pub(super) constant: Operand,
+    /// Its coefficient of order k, an operand of the recurrence; 0 if it does not vary.
+    pub(super) coefficient: Operand,
+}
+
+impl Series {
+    pub(super) fn varies(&self) -> bool {
+        self.coefficient != ZERO
+    }
+}
+
+pub(super) const ZERO: Operand = Operand::Constant(Rational::ZERO);
+
+/// The index of a factor of convolutions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Factor(pub(super) usize);
+
+/// A list of instructions under construction, with value numbering.
+#[derive(Default)]
+pub(super) struct Instructions {
+    list: Vec<Instruction>,
+    numbers: Table<Operation, usize>,
+    next: usize,
+}
+
+impl Instructions {
+    pub(super) fn emit(&mut self, operation: Operation) -> Operand {
+        if let Some(value) = self.numbers.get(&operation) {
+            return Operand::Value(*value);
+        }
+        let value = self.next;
+        self.next += operation.results();
+        self.numbers.insert(operation.clone(), value);
+        self.list.push(Instruction {
+            operation,
+            value,
+            expression: None,
+        });
+        Operand::Value(value)
+    }
+}
+
+/// Different items, numbered in the order in which they were first met.
+pub(super) struct Numbered<T> {
+    items: Vec<T>,
+    numbers: Table<T, usize>,
+}
+
+impl<T: Clone + Eq + core::hash::Hash> Numbered<T> {
+    pub(super) fn new() -> Self {
+        Self {
+            items: Vec::new(),
+            numbers: Table::default(),
+        }
+    }
+
+    /// The number of an item.
+    pub(super) fn number(&mut self, item: T) -> u32 {
+        let number = *self.numbers.entry(item).or_insert_with_key(|item| {
+            self.items.push(item.clone());
+            self.items.len() - 1
+        });
+        u32::try_from(number).unwrap_or(u32::MAX)
+    }
+}
+
+pub(super) struct Builder {
+    /// What order 0 needs beyond the program.
+    pub(super) initial: Instructions,
+    /// The operands of the initial program that the recurrence reads.
+    pub(super) invariants: Numbered<Operand>,
+    pub(super) recurrence: Instructions,
+    /// The series of each value of the program.
+    series: Vec<Series>,
+    /// The factors of convolutions, operands of the recurrence; none while the operand is not known.
+    pub(super) factors: Vec<Option<Operand>>,
+    /// The factor of each coefficient that is known.
+    pub(super) known_factors: Table<Operand, usize>,
+    pub(super) convolutions: Numbered<Convolution>,
+    /// What does not vary.
+    constants_of_motion: Vec<Symbol>,
+    /// Sines and cosines, and hyperbolic ones, by their argument.
+    pub(super) pairs: Vec<(Pair, Operand, [Series; 2])>,
+}
+
+impl Builder {
+    pub(super) fn new(program: &Program, constants_of_motion: Vec<Symbol>) -> Self {
+        let results = program.instructions().map(|instruction| {
+            // The initial program keeps the numbers of the program.
+            instruction.value + instruction.operation.results()
+        });
+        let numbers = program.instructions();
+        let numbers = numbers.map(|instruction| (instruction.operation.clone(), instruction.value));
+        let initial = Instructions {
+            next: results.max().unwrap_or(0),
+            numbers: numbers.collect(),
+            ..Instructions::default()
+        };
+        Self {
+            initial,
+            invariants: Numbered::new(),
+            recurrence: Instructions::default(),
+            series: Vec::new(),
+            factors: Vec::new(),
+            known_factors: Table::default(),
+            convolutions: Numbered::new(),
+            constants_of_motion,
+            pairs: Vec::new(),
+        }
+    }
+
+    /// The series of an operand of the program.
+    pub(super) fn series(&self, operand: &Operand) -> Series {
+        let varies = |symbol: &Symbol| {
+            let varies = matches!(
+                symbol,
+                Symbol::Time
+                    | Symbol::Coordinate(_)
+                    | Symbol::Velocity(_)
+                    | Symbol::QuasiVelocity(_)
+                    | Symbol::Input(_)
+            );
+            varies && !self.constants_of_motion.contains(symbol)
+        };
+        match operand {
+            Operand::Value(value) => self.series[*value].clone(),
+            Operand::Symbol(symbol) if varies(symbol) => Series {
+                constant: operand.clone(),
+                coefficient: operand.clone(),
+            },
+            _ => Series {
+                constant: operand.clone(),
+                coefficient: ZERO,
+            },
+        }
+    }
+
+    /// Appends what stands for the series of an instruction that none of the outputs needs.
+    pub(super) fn skip(&mut self, instruction: &Instruction) {
+        let results = 0..instruction.operation.results();
+        self.series.extend(results.map(|i| Series {
+            constant: Operand::Value(instruction.value + i),
+            coefficient: ZERO,
+        }));
+    }
+
+    /// Appends the series of what an operation computes, whose first result has the number `value`; `None` if there is
+    /// none.
+    pub(super) fn append(&mut self, operation: &Operation, value: usize) -> Option<()> {
+        let operands = operation.operands();
+        let operands: Vec<Series> = operands.map(|operand| self.series(operand)).collect();
+        let results = operation.results();
+        let constants = (0..results).map(|i| Operand::Value(value + i));
+        let constants: Vec<Operand> = constants.collect();
+        let coefficients = if operands.iter().any(Series::varies) {
+            self.coefficients(operation, &operands, &constants)?
+        } else {
+            vec![ZERO; results]
+        };
+        let series = constants.into_iter().zip(coefficients);
+        self.series
+            .extend(series.map(|(constant, coefficient)| Series {
+                constant,
+                coefficient,
+            }));
+        Some(())
+    }
+
+    fn coefficients(
+        &mut self,
+        operation: &Operation,
+        operands: &[Series],
+        results: &[Operand],
+    ) -> Option<Vec<Operand>> {
+        let coefficient = match (operation, operands) {
+            (Operation::Add(..), [x, y]) => self.add(&x.coefficient, &y.coefficient),
+            (Operation::Subtract(..), [x, y]) => self.subtract(&x.coefficient, &y.coefficient),
+            (Operation::Negate(_), [x]) => self.negate(&x.coefficient),
+            (Operation::Multiply(..), [x, y]) => self.product(x, y),
+            (Operation::Divide(..), [x, y]) => self.quotient(x, y, &results[0]),
+            (Operation::SquareRoot(_), [x]) => self.square_root(x, &results[0]),
+            (Operation::SineAndCosine(_), [x]) => return Some(self.sine_and_cosine(x, results)),
+            (Operation::Unary(function, _), [x]) => self.unary(*function, x, &results[0]),
+            (Operation::Binary(function, ..), [x, y]) => self.binary(*function, x, y, &results[0]),
+            // The derivatives of an external function are not those of an expression.
+            _ => return None,
+        };
+        Some(vec![coefficient])
+    }
+
+    /// f − Σ₀﹤ᵢ≤ₖ Mᵢ q̈ₖ₋ᵢ, which M₀ q̈ₖ is.
+    pub(super) fn residuals(&mut self, mass: &[Operand], forcing: &[Operand]) -> Vec<Operand> {
+        let n = forcing.len();
+        let mut factors = Vec::with_capacity(n);
+        for i in 0..n {
+            let symbol = Symbol::Acceleration(u32::try_from(i).unwrap_or(u32::MAX));
+            let acceleration = Operand::Symbol(symbol);
+            factors.push((self.factor(&acceleration), self.invariant(&acceleration)));
+        }
+        let mut residuals = Vec::with_capacity(n);
+        for (i, force) in forcing.iter().enumerate() {
+            let mut residual = self.series(force).coefficient;
+            for (j, (factor, initial)) in factors.iter().enumerate() {
+                let (row, column) = (i.max(j), i.min(j));
+                let entry = self.series(&mass[row * (row + 1) / 2 + column]);
+                if !entry.varies() {
+                    continue;
+                }
+                let of_mass = self.factor(&entry.coefficient);
+                let sum = self.convolve(of_mass, *factor);
+                let last = self.multiply(&entry.coefficient, initial);
+                let sum = self.add(&sum, &last);
+                residual = self.subtract(&residual, &sum);
+            }
+            residuals.push(residual);
+        }
+        residuals
+    }
+
+    pub(super) fn finish(self, program: &Program, coefficients: Vec<Operand>) -> TaylorProgram {
+        let mut initial = program.clone();
+        initial.groups.push(OutputGroup {
+            instructions: self.initial.list,
+            outputs: self.invariants.items,
+        });
+        let factors = self
+            .factors
+            .into_iter()
+            .map(|factor| factor.unwrap_or(ZERO));
+        let accelerations = OutputGroup {
+            instructions: self.recurrence.list,
+            outputs: coefficients,
+        };
+        let factors = OutputGroup {
+            instructions: Vec::new(),
+            outputs: factors.collect(),
+        };
+        TaylorProgram {
+            initial,
+            recurrence: Program {
+                groups: vec![accelerations, factors],
+            },
+            convolutions: self.convolutions.items,
+            is_in_quasi_velocities: false,
+        }
+    }
+}
+
+/// The operations that are not functions.
+impl Builder {
+    /// The coefficient of x · y.
+    pub(super) fn product(&mut self, x: &Series, y: &Series) -> Operand {
+        if x.varies() != y.varies() {
+            let (constant, other) = if x.varies() { (y, x) } else { (x, y) };
+            let initial = self.invariant(&constant.constant);
+            return self.multiply(&initial, &other.coefficient);
+        }
+        if !x.varies() {
+            return ZERO;
+        }
+        let factors = [x, y].map(|series| self.factor(&series.coefficient));
+        let sum = self.convolve(factors[0], factors[1]);
+        if x.coefficient == y.coefficient && x.constant == y.constant {
+            let twice = self.twice(&x.constant);
+            let ends = self.multiply(&twice, &x.coefficient);
+            return self.add(&sum, &ends);
+        }
+        let ends = [(x, y), (y, x)].map(|(initial, other)| {
+            let initial = self.invariant(&initial.constant);
+            self.multiply(&initial, &other.coefficient)
+        });
+        let sum = self.add(&sum, &ends[0]);
+        self.add(&sum, &ends[1])
+    }
+
+    /// The coefficient of w = x / y, from w · y = x.
+    fn quotient(&mut self, x: &Series, y: &Series, result: &Operand) -> Operand {
+        let reciprocal = self.reciprocal(&y.constant);
+        if !y.varies() {
+            return self.multiply(&x.coefficient, &reciprocal);
+        }
+        let (w, y_factor) = (self.unknown_factor(), self.factor(&y.coefficient));
+        let sum = self.convolve(w, y_factor);
+        let rest = self.subtract(&x.coefficient, &sum);
+        let initial = self.invariant(result);
+        let last = self.multiply(&initial, &y.coefficient);
+        let rest = self.subtract(&rest, &last);
+        let coefficient = self.multiply(&rest, &reciprocal);
+        self.define(w, &coefficient);
+        coefficient
+    }
+
+    /// The coefficient of w = √x, from w² = x. Where w is 0, as the size of a velocity at rest, it has a corner, and
+    /// higher terms count as 0: the step then ends where the root leaves 0.
+    fn square_root(&mut self, x: &Series, result: &Operand) -> Operand {
+        let w = self.unknown_factor();
+        let sum = self.convolve(w, w);
+        let rest = self.subtract(&x.coefficient, &sum);
+        let reciprocal = self.reciprocal_or_zero(result);
+        let half = self.multiply(&Operand::Constant(Rational::HALF.clone()), &rest);
+        let coefficient = self.multiply(&half, &reciprocal);
+        self.define(w, &coefficient);
+        coefficient
+    }
+}
