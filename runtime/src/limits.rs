@@ -256,3 +256,34 @@ pub(crate) mod derivative_checks {
     /// Arguments that a report carries, so that errors stay `Copy` and small.
     pub(crate) const REPORTED_ARGUMENTS: usize = 4;
 }
+
+/// Rigid bodies.
+pub(crate) mod rigid_bodies {
+    /// Entries of an inertia tensor that should be equal may differ by this many machine epsilons of the largest one:
+    /// products of several matrices are rounded by less.
+    pub(crate) const ASYMMETRY: f64 = 4096.0;
+
+    /// Principal moments that differ by less than this many machine epsilons of the largest one are equal: rounding of a
+    /// rotated tensor separates equal ones by some ten.
+    pub(crate) const EQUAL_MOMENTS: f64 = 64.0;
+
+    /// Sweeps of Jacobi's method at most. Convergence is quadratic: `f64` takes some five, double-doubles six, and
+    /// derivative parts two more.
+    pub(crate) const JACOBI_SWEEPS: usize = 32;
+
+    /// Entries of a matrix of order 1 that change nothing, nor do their squares underflow above them.
+    pub(crate) const NEGLIGIBLE_ENTRY: f64 = 1e-140;
+
+    /// By how many machine epsilons of the largest moment a principal moment may be negative, or exceed the sum of the
+    /// others: a plate meets the triangle inequality with equality.
+    pub(crate) const UNPHYSICAL_ROUNDING: f64 = 64.0;
+
+    /// The same for numbers that were printed, relative to the largest moment: with six digits each is rounded by up to
+    /// 5·10⁻⁶ of itself, and three moments add up to about twice the largest.
+    pub(crate) const UNPHYSICAL_DIGITS: f64 = 1e-5;
+
+    /// A mesh whose volume is less than this many machine epsilons of that of the tetrahedra of which it is the sum is
+    /// flat: each is rounded by some.
+    #[cfg(feature = "alloc")]
+    pub(crate) const FLAT_MESH: f64 = 1024.0;
+}

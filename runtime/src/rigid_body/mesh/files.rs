@@ -1,0 +1,132 @@
+//! Triangle meshes from files, read by the crates `stl_io` and `tobj`.
+
+use core::fmt;
+use std::collections::HashMap;
+use std::io::{BufRead, Read, Seek};
+use std::path::Path;
+use std::vec::Vec;
+
+use nalgebra::Vector3;
+
+use super::TriangleMesh;
+
+/// Why a file has no mesh.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum MeshFileError {
+    /// An STL file could not be read.
+    Stl(std::io::Error),
+    /// An OBJ file could not be read.
+    Obj(tobj::LoadError),
+}
+
+impl fmt::Display for MeshFileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stl(_) => f.write_str("the STL file could not be read"),
+            Self::Obj(_) => f.write_str("the OBJ file could not be read"),
+        }
+    }
+}
+
+impl core::error::Error for MeshFileError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Stl(error) => Some(error),
+            Self::Obj(error) => Some(error),
+        }
+    }
+}
+
+impl TriangleMesh<f64> {
+    /// The mesh of an STL file, text or binary. Vertices with the same coordinates are one; normals are ignored.
+    ///
+    /// The format knows no unit; [`scaled`](Self::scaled) converts lengths.
+    ///
+    /// # Errors
+    /// [`MeshFileError::Stl`] if the file cannot be read.
+    ///
+    /// ```
+    /// use lagrangian::rigid_body::TriangleMesh;
+    /// use std::io::Cursor;
+    ///
+    /// let text = "solid corner\n\
+    ///     facet normal 0 0 1\nouter loop\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\nendloop\nendfacet\nendsolid\n";
+    /// let mesh = TriangleMesh::read_stl(&mut Cursor::new(text))?;
+    /// assert_eq!((mesh.vertices.len(), mesh.triangles.len()), (3, 1));
+    /// // One triangle bounds nothing.
+    /// assert!(mesh.solid().is_err());
+    /// # Ok::<(), lagrangian::rigid_body::MeshFileError>(())
+    /// ```
+    pub fn read_stl<R: Read + Seek>(reader: &mut R) -> Result<Self, MeshFileError> {
+        let mesh = stl_io::read_stl(reader).map_err(MeshFileError::Stl)?;
+        let positions = mesh.vertices.iter().map(|vertex| vertex.0.map(f64::from));
+        let positions: Vec<_> = positions.collect();
+        let triangles = mesh.faces.iter().map(|face| face.vertices);
+        Ok(Self::welded(&positions, triangles))
+    }
+
+    /// The mesh of an OBJ file: all its objects together, polygons divided into triangles. Vertices with the same
+    /// coordinates are one; materials, texture coordinates and normals are ignored.
+    ///
+    /// # Errors
+    /// [`MeshFileError::Obj`] if the file cannot be read.
+    ///
+    /// ```
+    /// use lagrangian::rigid_body::TriangleMesh;
+    ///
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    /// let mesh = TriangleMesh::read_obj(&mut text.as_bytes())?;
+    /// assert!((mesh.solid()?.content() - 1.0 / 6.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn read_obj<R: BufRead>(reader: &mut R) -> Result<Self, MeshFileError> {
+        let options = tobj::LoadOptions {
+            triangulate: true,
+            ignore_points: true,
+            ignore_lines: true,
+            ..tobj::LoadOptions::default()
+        };
+        let no_materials = |_: &Path| Ok((Vec::new(), HashMap::default()));
+        let (models, _) =
+            tobj::load_obj_buf(reader, &options, no_materials).map_err(MeshFileError::Obj)?;
+        let mut positions = Vec::new();
+        let mut triangles = Vec::new();
+        for model in &models {
+            let first = positions.len();
+            let (points, _) = model.mesh.positions.as_chunks::<3>();
+            positions.extend_from_slice(points);
+            let (corners, _) = model.mesh.indices.as_chunks::<3>();
+            // An index that does not fit is beyond the vertices, which `solid` reports.
+            let index = |index: u32| usize::try_from(index).unwrap_or(usize::MAX);
+            triangles.extend(
+                corners
+                    .iter()
+                    .map(|corners| corners.map(|corner| index(corner).saturating_add(first))),
+            );
+        }
+        Ok(Self::welded(&positions, triangles))
+    }
+
+    /// The mesh in which equal positions are one vertex.
+    fn welded(positions: &[[f64; 3]], triangles: impl IntoIterator<Item = [usize; 3]>) -> Self {
+        let mut vertices = Vec::new();
+        let mut known = HashMap::new();
+        let mut places = Vec::new();
+        for position in positions {
+            // −0 is 0.
+            let bits = position.map(|x| (x + 0.0).to_bits());
+            let place = *known.entry(bits).or_insert_with(|| {
+                vertices.push(Vector3::from(*position));
+                vertices.len() - 1
+            });
+            places.push(place);
+        }
+        let place = |index: usize| places.get(index).copied().unwrap_or(usize::MAX);
+        let triangles = triangles.into_iter().map(|corners| corners.map(place));
+        Self {
+            vertices,
+            triangles: triangles.collect(),
+        }
+    }
+}

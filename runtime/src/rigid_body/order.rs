@@ -1,0 +1,30 @@
+//! Comparison and lengths of single numbers and vectors of them.
+
+use nalgebra::Vector3;
+
+use crate::integrate::SingleNumber;
+use crate::scalar::Scalar;
+
+/// Whether a < b, to the last digit of the scalar.
+pub(crate) fn is_less<S: SingleNumber>(a: S, b: S) -> bool {
+    (a - b).largest() < 0.0
+}
+
+/// √(x² + y² + z²) without overflow or underflow.
+pub(crate) fn length<S: Scalar>(vector: &Vector3<S>) -> S {
+    let largest = vector
+        .iter()
+        .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+    if !(largest > 0.0 && largest.is_finite()) {
+        return vector.iter().fold(S::zero(), |sum, x| sum + x.abs());
+    }
+    let size = S::from_f64(power_of_two_near(largest));
+    let squares = vector.iter().map(|x| (*x / size) * (*x / size));
+    size * squares.fold(S::zero(), |sum, x| sum + x).sqrt()
+}
+
+/// A power of two not far from a positive number, by which a quotient is exact.
+pub(crate) fn power_of_two_near(positive: f64) -> f64 {
+    let (_, exponent) = libm::frexp(positive);
+    libm::ldexp(1.0, exponent.clamp(-1000, 1000))
+}
