@@ -278,7 +278,10 @@ pub(crate) mod rigid_bodies {
     /// others: a plate meets the triangle inequality with equality.
     pub(crate) const UNPHYSICAL_ROUNDING: f64 = 64.0;
 
-    /// The same for numbers that were printed, relative to the largest moment: with six digits each is rounded by up to
+    /// A principal moment that is this many machine epsilons of the largest one is zero.
+    pub(crate) const NO_INERTIA: f64 = 64.0;
+
+    /// By how much the moments of a body may be unphysical if its numbers were printed, relative to the largest moment: with six digits each is rounded by up to
     /// 5·10⁻⁶ of itself, and three moments add up to about twice the largest.
     pub(crate) const UNPHYSICAL_DIGITS: f64 = 1e-5;
 

@@ -32,6 +32,9 @@ mod solid;
 #[cfg(feature = "alloc")]
 mod mesh;
 mod reports;
+mod motion;
+mod resultant;
+mod momentum;
 
 pub use body::RigidBody;
 pub use error::BodyError;
@@ -40,6 +43,9 @@ pub use inertia_tensor::{InertiaTensor, ProductsOfInertia};
 pub use mesh::MeshFileError;
 #[cfg(feature = "alloc")]
 pub use mesh::{MeshError, TriangleMesh};
+pub use momentum::rate_in_space;
+pub use motion::RigidMotion;
 pub use principal_axes::{PrincipalAxes, Symmetry};
 pub use reports::{CadReport, ProductSign, UrdfInertial};
+pub use resultant::Resultant;
 pub use solid::Solid;
