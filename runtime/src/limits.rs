@@ -257,6 +257,20 @@ pub(crate) mod derivative_checks {
     pub(crate) const REPORTED_ARGUMENTS: usize = 4;
 }
 
+/// Rotations.
+pub(crate) mod rotations {
+    /// The columns of a rotation matrix are orthonormal up to this many machine epsilons: products of many rotations are
+    /// rounded by less.
+    pub(crate) const NOT_ORTHONORMAL: f64 = 4096.0;
+
+    /// A sine or cosine of half the second Euler angle that is this many machine epsilons is rounding, and so is the
+    /// difference or the sum of the other angles.
+    pub(crate) const UNDETERMINED: f64 = 4.0;
+
+    /// The sine of a second Euler angle θ that is less than this many machine epsilons of 1 + |θ| is rounding.
+    pub(crate) const AT_POLE: f64 = 1.0;
+}
+
 /// Rigid bodies.
 pub(crate) mod rigid_bodies {
     /// Entries of an inertia tensor that should be equal may differ by this many machine epsilons of the largest one:

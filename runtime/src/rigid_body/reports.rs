@@ -1,12 +1,13 @@
 //! Masses and inertias as other programs write them, with the sign of their products of inertia.
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Vector3;
 
 use super::body::RigidBody;
 use super::error::BodyError;
 use super::inertia_tensor::{InertiaTensor, ProductsOfInertia};
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::UNPHYSICAL_DIGITS;
+use crate::rotation::{EulerAngles, EulerSequence};
 use crate::scalar::Scalar;
 
 /// The numbers of the element `<inertial>` of the Unified Robot Description Format.
@@ -63,7 +64,9 @@ impl<S: SingleNumber> UrdfInertial<S> {
         };
         let moments = [self.ixx, self.iyy, self.izz];
         let inertia = InertiaTensor::from_moments_and_products(moments, products);
-        let inertia = inertia.rotated(&roll_pitch_yaw(self.rpy));
+        let [roll, pitch, yaw] = self.rpy;
+        let axes = EulerAngles::new(EulerSequence::Zyx, [yaw, pitch, roll]);
+        let inertia = inertia.rotated(&axes.rotation());
         printed(self.mass, self.xyz.into(), inertia)
     }
 }
@@ -86,16 +89,6 @@ impl<S: Scalar> UrdfInertial<S> {
             izz,
         }
     }
-}
-
-/// Rz(yaw) Ry(pitch) Rx(roll).
-fn roll_pitch_yaw<S: Scalar>(rpy: [S; 3]) -> Rotation3<S> {
-    let [(sr, cr), (sp, cp), (sy, cy)] = rpy.map(Scalar::sin_cos);
-    let [zero, one] = [S::zero(), S::one()];
-    let roll = Matrix3::new(one, zero, zero, zero, cr, -sr, zero, sr, cr);
-    let pitch = Matrix3::new(cp, zero, sp, zero, one, zero, -sp, zero, cp);
-    let yaw = Matrix3::new(cy, -sy, zero, sy, cy, zero, zero, zero, one);
-    Rotation3::from_matrix_unchecked(yaw * pitch * roll)
 }
 
 /// What a program writes where it says "Ixy".

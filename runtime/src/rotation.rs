@@ -1,0 +1,40 @@
+//! Rotations between their descriptions: Euler angles of all twelve sequences, matrices and unit quaternions; rates of
+//! angles and angular velocity (4.4); generalized forces of angles and moments.
+//!
+//! An orientation R takes components in axes of the body to components in axes of space. Matrices and quaternions are
+//! those of nalgebra; angles are in radians. Conversions between descriptions look for the largest of several numbers,
+//! and so need a [`SingleNumber`](crate::SingleNumber); what follows from angles alone works on every scalar.
+//!
+//! Angles have poles, where two of their axes are parallel: sin θ = 0 for Euler's sequences, such as z-x-z, and cos θ = 0
+//! for those of Tait and Bryan, such as x-y-z. The rates of angles are infinite there. A motion that comes near a
+//! pole goes on in another sequence ([`EulerAngles::continued`]), or as a quaternion.
+//!
+//! ```
+//! use lagrangian::rotation::{EulerAngles, EulerSequence};
+//! use lagrangian::nalgebra::Vector3;
+//!
+//! // Precession, nutation and spin of a top that is almost upright.
+//! let angles = EulerAngles::new(EulerSequence::Zxz, [0.3, 1e-3, 1.1]);
+//! let rates = Vector3::new(2.0, 0.0, 50.0);
+//! let omega = angles.angular_velocity(&rates);
+//! assert!((angles.rates(&omega)? - rates).norm() < 1e-12);
+//!
+//! // The same state, far from the poles of another sequence.
+//! let (cardan, cardan_rates) = angles.continued(EulerSequence::Xyz, &rates)?;
+//! assert!(angles.regularity() < 2e-3 && cardan.regularity() > 0.99);
+//! assert!((cardan.angular_velocity(&cardan_rates) - omega).norm() < 1e-12);
+//! # Ok::<(), lagrangian::rotation::RotationError>(())
+//! ```
+
+mod error;
+mod euler_sequence;
+mod quaternion;
+mod euler_angles;
+mod euler_rates;
+
+pub use error::RotationError;
+pub use euler_angles::EulerAngles;
+pub use euler_sequence::EulerSequence;
+pub use quaternion::{
+    quaternion_of, quaternion_rate, rotation_of, unit_quaternion, verified_rotation,
+};

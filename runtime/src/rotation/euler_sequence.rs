@@ -1,0 +1,101 @@
+//! The twelve sequences of Euler angles.
+
+use core::fmt;
+
+/// The axes of three successive rotations, each about an axis of the body as the ones before have left it (intrinsic):
+/// `Zxz` is R = `Rz`(φ) `Rx`(θ) `Rz`(ψ), the `rotation_zxz(phi, theta, psi)` of declarations.
+///
+/// Rotations about fixed axes of space (extrinsic) are those of the reversed sequence in reversed order: roll, pitch and
+/// yaw about the fixed axes x, y and z are the angles (yaw, pitch, roll) of `Zyx`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum EulerSequence {
+    /// x, y, x.
+    Xyx,
+    /// x, z, x.
+    Xzx,
+    /// y, x, y.
+    Yxy,
+    /// y, z, y.
+    Yzy,
+    /// z, x, z: precession, nutation and spin (4.4).
+    Zxz,
+    /// z, y, z.
+    Zyz,
+    /// x, y, z: Cardan angles.
+    Xyz,
+    /// x, z, y.
+    Xzy,
+    /// y, x, z.
+    Yxz,
+    /// y, z, x.
+    Yzx,
+    /// z, x, y.
+    Zxy,
+    /// z, y, x: yaw, pitch and roll.
+    Zyx,
+}
+
+impl EulerSequence {
+    /// All twelve: those of Euler, then those of Tait and Bryan.
+    pub const ALL: [Self; 12] = [
+        Self::Xyx,
+        Self::Xzx,
+        Self::Yxy,
+        Self::Yzy,
+        Self::Zxz,
+        Self::Zyz,
+        Self::Xyz,
+        Self::Xzy,
+        Self::Yxz,
+        Self::Yzx,
+        Self::Zxy,
+        Self::Zyx,
+    ];
+
+    /// The indices of the axes: 0 for x, 1 for y, 2 for z.
+    #[must_use]
+    pub fn axes(self) -> [usize; 3] {
+        match self {
+            Self::Xyx => [0, 1, 0],
+            Self::Xzx => [0, 2, 0],
+            Self::Yxy => [1, 0, 1],
+            Self::Yzy => [1, 2, 1],
+            Self::Zxz => [2, 0, 2],
+            Self::Zyz => [2, 1, 2],
+            Self::Xyz => [0, 1, 2],
+            Self::Xzy => [0, 2, 1],
+            Self::Yxz => [1, 0, 2],
+            Self::Yzx => [1, 2, 0],
+            Self::Zxy => [2, 0, 1],
+            Self::Zyx => [2, 1, 0],
+        }
+    }
+
+    /// Whether the first and the third axis are the same: a sequence of Euler in the narrow sense, singular where the
+    /// second angle is a multiple of π. The others, of Tait and Bryan, are at odd multiples of π/2.
+    #[must_use]
+    pub fn repeats_axis(self) -> bool {
+        let [first, _, third] = self.axes();
+        first == third
+    }
+
+    /// The axis that is neither the first nor the second one.
+    pub(super) fn remaining_axis(self) -> usize {
+        let [first, second, _] = self.axes();
+        3 - first - second
+    }
+
+    /// Whether the first axis, the second and the remaining one are right-handed.
+    pub(super) fn is_cyclic(self) -> bool {
+        let [first, second, _] = self.axes();
+        second == (first + 1) % 3
+    }
+}
+
+impl fmt::Display for EulerSequence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [first, second, third] = self.axes().map(|axis| ["x", "y", "z"][axis % 3]);
+        write!(f, "{first}-{second}-{third}")
+    }
+}
