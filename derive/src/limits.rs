@@ -46,6 +46,11 @@ pub(crate) const MOST_REPETITIONS: usize = 100_000;
 /// computed along with the elimination would move it.
 pub(crate) const MOST_PIVOTS: usize = 4;
 
+/// Accelerations up to this cost are inlined where a stepper evaluates them: a result that goes through memory delays each
+/// stage by some 8 ns, a quarter of the time of a double pendulum's and an eighth of that of five links, whose
+/// accelerations cost 280. Longer ones would make steppers longer and hardly faster.
+pub(crate) const COSTLIEST_INLINED_ACCELERATIONS: usize = 300;
+
 /// Longer formulas are cut off in the documentation of a model, in characters: some six lines of a page, which no
 /// formula of the golden models exceeds. A layout over several lines would move it.
 pub(crate) const LONGEST_FORMULA: usize = 600;

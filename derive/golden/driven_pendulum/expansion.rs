@@ -411,6 +411,7 @@ for DrivenPendulum {
             __S,
         >::accelerations_prepared_with(self, state, inputs, &prepared)
     }
+    #[inline(always)]
     fn accelerations_prepared_with(
         &self,
         state: &::lagrangian::State<__S, 1usize>,

@@ -313,6 +313,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             __S,
         >::accelerations_prepared(self, state, &prepared)
     }
+    #[inline(always)]
     fn accelerations_prepared(
         &self,
         state: &::lagrangian::State<__S, 3usize>,

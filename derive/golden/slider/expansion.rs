@@ -216,6 +216,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
             __S,
         >::accelerations_prepared(self, state, &prepared)
     }
+    #[inline(always)]
     fn accelerations_prepared(
         &self,
         state: &::lagrangian::State<__S, 1usize>,

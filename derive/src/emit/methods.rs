@@ -6,6 +6,7 @@ use quote::quote;
 use super::emitter::Emitter;
 use super::parameters::marked_if_unused;
 use super::signatures::{InputsFrom, method_name};
+use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
 use crate::plan::{Argument, EmittedMethod, Interface, Method, MethodRow, Variant};
 
 impl Emitter<'_> {
@@ -86,7 +87,12 @@ impl Emitter<'_> {
         let last = last.map(|(name, ty)| quote!(#name: #ty));
         let [state, arguments] = [quote!(state: #state), quote!(#given #last)]
             .map(|parameters| marked_if_unused(parameters, &body));
+        // Steppers evaluate the accelerations in a loop, in which their results are best kept in registers.
+        let is_inlined =
+            variant.is_prepared && method.count.cost() <= COSTLIEST_INLINED_ACCELERATIONS;
+        let inline = is_inlined.then(|| quote!(#[inline(always)]));
         quote! {
+            #inline
             fn #name(&self, #state, #arguments) -> #output {
                 #body
             }

@@ -7,6 +7,7 @@
 mod coefficients;
 mod dense_output;
 mod derivative_parts;
+mod stage_sums;
 mod step_control;
 mod stepper;
 

@@ -142,7 +142,8 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     x: &D::State,
 ) -> Result<D::State, IntegrationError> {
     checked_state(dynamics, t, x)?;
-    let derivative = dynamics.derivative(S::from_f64(t), &dynamics.reduced(x, &x.zeroed()));
+    let reduced = dynamics.reduced(x, &x.zeroed());
+    let derivative = derivative_apart(dynamics, S::from_f64(t), &reduced);
     match derivative.first_non_finite() {
         None => Ok(derivative),
         Some((index, value)) => Err(IntegrationError::NonFiniteDerivative {
@@ -153,7 +154,18 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
+/// The derivative, where it is not evaluated at every step: its code is not repeated there.
+#[inline(never)]
+pub(crate) fn derivative_apart<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    t: S,
+    x: &D::State,
+) -> D::State {
+    dynamics.derivative(t, x)
+}
+
 /// An error unless the time and the state are finite.
+#[inline]
 pub(crate) fn checked_state<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,
@@ -164,11 +176,20 @@ pub(crate) fn checked_state<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
     match x.first_non_finite() {
         None => Ok(()),
-        Some((index, value)) => Err(IntegrationError::NonFiniteState {
-            time: t,
-            component: dynamics.component_name(index),
-            value: non_finite_lane(value),
-        }),
+        Some(found) => Err(non_finite_state(dynamics, t, found)),
+    }
+}
+
+#[cold]
+fn non_finite_state<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    time: f64,
+    (index, value): (usize, S),
+) -> IntegrationError {
+    IntegrationError::NonFiniteState {
+        time,
+        component: dynamics.component_name(index),
+        value: non_finite_lane(value),
     }
 }
 

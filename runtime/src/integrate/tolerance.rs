@@ -119,32 +119,32 @@ pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(
     pairs.map(move |(component, allowed)| ratio(component, allowed, unscaled))
 }
 
-/// The sums of the squares of the ratios of some vectors to the larger of the errors that are allowed before and after a
+/// The sums of the squares of the ratios of two vectors to the larger of the errors that are allowed before and after a
 /// step, and the number of components.
 #[inline]
-pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>, const K: usize>(
-    vectors: [&X; K],
+pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>>(
+    [first, second]: [&X; 2],
     [before, after]: &[X; 2],
-) -> ([f64; K], f64) {
+) -> ([f64; 2], f64) {
     let allowed = before.zip_map(after, Scalar::max);
-    // Infinite where no error is allowed, or nearly none.
+    let count = allowed.fold(0.0, |count, _| count + 1.0);
+    // Infinite where no error is allowed, or nearly none, and then so are the sums.
     let weights = allowed.map(|allowed| S::one() / allowed);
-    let usable = weights
-        .components()
-        .fold(true, |usable, weight| usable & weight.largest().is_finite());
-    let count = allowed.components().fold(0.0, |count, _| count + 1.0);
-    if usable {
-        let sums = vectors.map(|vector| {
-            let ratios = vector.zip_map(&weights, |component, weight| component * weight);
-            let squares = ratios.map(|ratio| ratio * ratio);
-            let squares = squares.components();
-            squares.fold(0.0, |sum, square| sum + square.largest())
-        });
+    let squares = |vector: &X| {
+        let ratios = vector.zip_map(&weights, |component, weight| component * weight);
+        ratios.fold(0.0, |sum, ratio| sum + (ratio * ratio).largest())
+    };
+    let sums = [squares(first), squares(second)];
+    if (sums[0] + sums[1]).is_finite() {
         return (sums, count);
     }
-    let sums = vectors.map(|vector| {
-        let ratios = ratios(vector, &allowed, f64::INFINITY);
-        ratios.fold(0.0, |sum, ratio| sum + ratio * ratio)
-    });
-    (sums, count)
+    let squares = |vector: &X| squares_one_by_one(vector, &allowed);
+    ([squares(first), squares(second)], count)
+}
+
+/// The sum of the squares where some component has no error that is allowed.
+#[cold]
+fn squares_one_by_one<S: Scalar, X: VectorSpace<S>>(vector: &X, allowed: &X) -> f64 {
+    let ratios = ratios(vector, allowed, f64::INFINITY);
+    ratios.fold(0.0, |sum, ratio| sum + ratio * ratio)
 }

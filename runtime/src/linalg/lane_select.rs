@@ -48,6 +48,7 @@ pub trait LaneSelect<S: Scalar>: Sized {
 }
 
 /// One of two values where all lanes agree; their blend where they do not.
+#[inline]
 fn select_or_blend<S: Scalar, T>(first: T, other: T, mask: S, blend: impl FnOnce(T, T) -> T) -> T {
     if mask.largest() <= 0.0 {
         other
@@ -59,6 +60,7 @@ fn select_or_blend<S: Scalar, T>(first: T, other: T, mask: S, blend: impl FnOnce
 }
 
 impl<S: Scalar, const R: usize, const C: usize> LaneSelect<S> for SMatrix<S, R, C> {
+    #[inline]
     fn select(self, other: Self, mask: S) -> Self {
         let complement = S::one() - mask;
         select_or_blend(self, other, mask, |first, other| {

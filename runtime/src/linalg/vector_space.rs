@@ -38,6 +38,22 @@ pub trait VectorSpace<S: Scalar>: Clone {
     /// The components, in an order that never changes.
     fn components(&self) -> impl Iterator<Item = S> + '_;
 
+    /// Adds multiples of this state to sums. Each term is the index of a sum and a factor.
+    #[inline]
+    fn add_multiples(&self, terms: &[(usize, f64)], sums: &mut [Self]) {
+        for (index, factor) in terms {
+            if let Some(sum) = sums.get_mut(*index) {
+                sum.add_scaled(S::from_f64(*factor), self);
+            }
+        }
+    }
+
+    /// What comes of a value by `function` of it and of each component in turn.
+    #[inline]
+    fn fold<T>(&self, start: T, function: impl FnMut(T, S) -> T) -> T {
+        self.components().fold(start, function)
+    }
+
     /// The error of a step that is allowed in each component: absolute + relative · |xᵢ| by default. A state with
     /// velocities allows absolute · rate + relative · |q̇ᵢ| for them.
     #[inline]
@@ -67,8 +83,10 @@ pub trait VectorSpace<S: Scalar>: Clone {
     #[must_use]
     fn first_non_finite(&self) -> Option<(usize, S)> {
         // Mostly there is none: a sum without branches tells.
-        let zeros = self.components().map(|component| component * S::zero());
-        if zeros.fold(S::zero(), |sum, zero| sum + zero).is_finite() {
+        let zero = self.fold(S::zero(), |sum, component| {
+            component.mul_add(S::zero(), sum)
+        });
+        if zero.is_finite() {
             return None;
         }
         self.components()

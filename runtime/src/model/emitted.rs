@@ -48,20 +48,22 @@ pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     if pivots.into_iter().all(|pivot| pivot.smallest() > 0.0) {
         computed
     } else {
-        select_if_positive(pivots, computed, otherwise)
+        let (other, definite) = without_positive(pivots, otherwise);
+        computed.select(other, definite)
     }
 }
 
+/// The value of `otherwise`, and the mask of lanes in which all pivots are positive. The computed value is not passed here,
+/// so that it stays in registers.
 #[cold]
 #[inline(never)]
-fn select_if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
+fn without_positive<S: Scalar, T, const K: usize>(
     pivots: [S; K],
-    computed: T,
     otherwise: impl FnOnce() -> T,
-) -> T {
+) -> (T, S) {
     let positive = |all, pivot| all * greater(pivot, S::zero());
     let definite = pivots.into_iter().fold(S::one(), positive);
-    computed.select(otherwise(), definite)
+    (otherwise(), definite)
 }
 
 /// The coefficients of inputs of order 0, and those of order 1 and more in turn. Those that are not given are 0.

@@ -90,6 +90,29 @@ impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
         self.q.iter().chain(self.v.iter()).copied()
     }
 
+    /// First to all coordinates, then to all velocities: as vectors of both, coordinates would wait for accelerations.
+    #[inline]
+    fn add_multiples(&self, terms: &[(usize, f64)], sums: &mut [Self]) {
+        for (index, factor) in terms {
+            if let Some(sum) = sums.get_mut(*index) {
+                sum.q.add_scaled(S::from_f64(*factor), &self.q);
+            }
+        }
+        for (index, factor) in terms {
+            if let Some(sum) = sums.get_mut(*index) {
+                sum.v.add_scaled(S::from_f64(*factor), &self.v);
+            }
+        }
+    }
+
+    #[inline]
+    fn fold<T>(&self, start: T, mut function: impl FnMut(T, S) -> T) -> T {
+        let coordinates = self.q.iter().fold(start, |value, x| function(value, *x));
+        self.v
+            .iter()
+            .fold(coordinates, |value, x| function(value, *x))
+    }
+
     #[inline]
     fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
         Self {

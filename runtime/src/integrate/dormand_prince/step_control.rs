@@ -1,12 +1,13 @@
 //! Step size control: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.4
 //! (control and first step) and II.10 (error estimate).
 
-use super::coefficients::{FIFTH_ORDER_ERROR, THIRD_ORDER, WEIGHTS};
+use super::coefficients::{FIFTH_ORDER_ERROR, THIRD_ORDER};
 use super::{ALL_STAGES, STAGES};
 use crate::integrate::compensated::Clock;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::runge_kutta::combination;
+use crate::integrate::stepper::derivative_apart;
 use crate::integrate::tolerance::{Tolerance, ratios, squares_over_step};
 use crate::limits::dormand_prince::{
     MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, NEGLIGIBLE, PROBE, SAFETY,
@@ -37,19 +38,15 @@ pub(super) struct Attempt {
     pub(super) finite: Result<(), IntegrationError>,
 }
 
-/// The error of a step over the tolerance: h e₅² / √(e₅² + 0.01 e₃²), (10.17) of II.10,
+/// From the estimates of orders 5 and 3, the error of a step over the tolerance: h e₅² / √(e₅² + 0.01 e₃²), (10.17) of II.10,
 /// where e₅ and e₃ are the root mean squares of the estimates of orders 5 and 3.
 #[inline]
 pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
-    stages: &[X; ALL_STAGES],
+    [fifth, third]: [&X; 2],
     h: f64,
     allowed: &[X; 2],
 ) -> f64 {
-    let zero = allowed[0].zeroed();
-    let fifth = combination(&FIFTH_ORDER_ERROR, stages, &zero);
-    let mut third = combination(&WEIGHTS, stages, &zero);
-    third.add_scaled(-S::one(), &combination(&THIRD_ORDER, stages, &zero));
-    let ([fifth, third], components) = squares_over_step([&fifth, &third], allowed);
+    let ([fifth, third], components) = squares_over_step([fifth, third], allowed);
     let denominator = fifth + THIRD_ORDER_WEIGHT * third;
     if denominator == 0.0 {
         return 0.0;
@@ -158,7 +155,7 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     let euler = (probe * unit).copysign(longest);
     let mut ahead = dynamics.reduced(x, &x.zeroed());
     ahead.add_scaled(S::from_f64(euler), slope);
-    let mut change = dynamics.derivative(S::from_f64(clock.after(euler)), &ahead);
+    let mut change = derivative_apart(dynamics, S::from_f64(clock.after(euler)), &ahead);
     change.add_scaled(-S::one(), slope);
     let steepest = (norm(&change) * unit / probe).max(first);
     let step = if steepest <= ZERO_DERIVATIVE {

@@ -1,8 +1,9 @@
 //! The steps of DOP853.
 
-use super::coefficients::{MATRIX, NODES, WEIGHTS};
+use super::coefficients::{MATRIX, NODES};
 use super::dense_output::{DensePolynomial, Dop853Interpolant};
 use super::derivative_parts::Attempted;
+use super::stage_sums::StageSums;
 use super::step_control::{self, Attempt, StepControl, initial_step, too_small};
 use super::{ALL_STAGES, Dop853, STAGES};
 use crate::integrate::compensated::{Clock, Compensated};
@@ -11,7 +12,7 @@ use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::{
-    Advance, Statistics, Stepper, checked_derivative, checked_state, remaining,
+    Advance, Statistics, Stepper, checked_derivative, checked_state, derivative_apart, remaining,
 };
 use crate::limits::dormand_prince::{self as limits, LEAST_TIME_SCALE};
 use crate::linalg::VectorSpace;
@@ -74,25 +75,26 @@ impl<X> Dop853Stepper<X> {
         })
     }
 
-    /// The derivatives kᵢ of a range of stages, over a step h from (t, x), where x is reduced.
+    /// Adds the stages after the first of a step h from x, which is reduced.
     #[inline]
     fn evaluate<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
-        from: (Clock, &X),
+        x: &X,
         h: f64,
-        stages: core::ops::Range<usize>,
+        sums: &mut StageSums<X>,
     ) where
         X: VectorSpace<S>,
     {
-        let (clock, x) = from;
-        for i in stages {
+        for (i, node) in NODES.iter().enumerate().take(STAGES).skip(1) {
             let mut at = x.clone();
-            at.add_scaled(S::from_f64(h), &stage_slope(i, &self.stages));
-            let t = S::from_f64(clock.after(NODES[i] * h));
-            self.stages[i] = dynamics.derivative(t, &at);
-            self.statistics.evaluations += 1;
+            at.add_scaled(S::from_f64(h), sums.slope(i));
+            let t = S::from_f64(self.clock.after(node * h));
+            let derivative = dynamics.derivative(t, &at);
+            sums.add(i, &derivative);
+            self.stages[i] = derivative;
         }
+        self.statistics.evaluations += STAGES as u64 - 1;
     }
 
     /// Computes a step of size `h` and its error; the state does not change.
@@ -108,13 +110,14 @@ impl<X> Dop853Stepper<X> {
         let from = self.state.reduced(dynamics);
         // First same as last.
         self.stages[0] = self.stages[STAGES].clone();
-        self.evaluate(dynamics, (self.clock, &from), h, 1..STAGES);
-        let slope = combination(&WEIGHTS, &self.stages, &from.zeroed());
+        let mut sums = StageSums::new(&self.stages[0]);
+        self.evaluate(dynamics, &from, h, &mut sums);
+        let slope = sums.slope(STAGES);
         let state = self.state.plus(slope.map(|slope| slope * S::from_f64(h)));
         let tolerance = self.method.tolerance.over(S::from_f64(time_scale));
-        let allowed = [self.state.value(), state.value()]
-            .map(|state| dynamics.allowed_error(state, &tolerance));
-        let error = step_control::error(&self.stages, h, &allowed);
+        let allowed = |state: &Compensated<X>| dynamics.allowed_error(state.value(), &tolerance);
+        let allowed = [allowed(&self.state), allowed(&state)];
+        let error = step_control::error(sums.errors(), h, &allowed);
         let attempted = Attempted {
             stages: &self.stages,
             h,
@@ -155,34 +158,6 @@ impl<X> Dop853Stepper<X> {
     fn limited(&self, step: f64) -> f64 {
         self.method.max_step.map_or(step, |most| step.min(most))
     }
-}
-
-/// The sum Σⱼ aᵢⱼ kⱼ of a stage. Each is a function of its own, in which coefficients are constants: straight-line code
-/// that keeps its sums in registers.
-#[inline]
-fn stage_slope<S: Scalar, X: VectorSpace<S>>(stage: usize, stages: &[X; ALL_STAGES]) -> X {
-    match stage {
-        1 => row::<S, X, 1>(stages),
-        2 => row::<S, X, 2>(stages),
-        3 => row::<S, X, 3>(stages),
-        4 => row::<S, X, 4>(stages),
-        5 => row::<S, X, 5>(stages),
-        6 => row::<S, X, 6>(stages),
-        7 => row::<S, X, 7>(stages),
-        8 => row::<S, X, 8>(stages),
-        9 => row::<S, X, 9>(stages),
-        10 => row::<S, X, 10>(stages),
-        11 => row::<S, X, 11>(stages),
-        13 => row::<S, X, 13>(stages),
-        14 => row::<S, X, 14>(stages),
-        15 => row::<S, X, 15>(stages),
-        _ => stages[0].zeroed(),
-    }
-}
-
-#[inline]
-fn row<S: Scalar, X: VectorSpace<S>, const STAGE: usize>(stages: &[X; ALL_STAGES]) -> X {
-    combination(const { MATRIX[STAGE] }, stages, &stages[0].zeroed())
 }
 
 impl<S: Scalar, X: VectorSpace<S>> Stepper<S, X> for Dop853Stepper<X> {
@@ -265,7 +240,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
 
     fn restart(&mut self, dynamics: &D) {
         let t = S::from_f64(self.clock.time());
-        self.stages[STAGES] = dynamics.derivative(t, &self.state.reduced(dynamics));
+        self.stages[STAGES] = derivative_apart(dynamics, t, &self.state.reduced(dynamics));
         self.statistics.evaluations += 1;
         self.control = None;
         self.last = None;
@@ -305,8 +280,15 @@ impl<X> Dop853Stepper<X> {
             return;
         };
         if last.dense.is_none() {
-            let from = (last.clock, &last.x.reduced(dynamics));
-            self.evaluate(dynamics, from, last.h, STAGES + 1..ALL_STAGES);
+            let from = last.x.reduced(dynamics);
+            for i in STAGES + 1..ALL_STAGES {
+                let mut at = from.clone();
+                let slope = combination(MATRIX[i], &self.stages, &from.zeroed());
+                at.add_scaled(S::from_f64(last.h), &slope);
+                let t = S::from_f64(last.clock.after(NODES[i] * last.h));
+                self.stages[i] = derivative_apart(dynamics, t, &at);
+                self.statistics.evaluations += 1;
+            }
             let (start, end) = (last.x.value(), self.state.value());
             last.dense = Some(DensePolynomial::new(start, end, last.h, &self.stages));
         }

@@ -7,7 +7,7 @@ use super::met_conditions::MetConditions;
 use super::values::Values;
 use super::{Detection, LastStep, Occurring};
 use crate::integrate::dynamics::Dynamics;
-use crate::integrate::stepper::Advance;
+use crate::integrate::stepper::{Advance, derivative_apart};
 use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, MOVED_EPSILONS, PARTS};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
@@ -138,7 +138,7 @@ pub(crate) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
 ) -> MetConditions {
     let mut signs = source.values(dynamics, t, x);
     let noise = rounding(source, dynamics, (t, x), &signs);
-    let rate = dynamics.derivative(S::from_f64(t), &dynamics.reduced(x, &x.zeroed()));
+    let rate = derivative_apart(dynamics, S::from_f64(t), &dynamics.reduced(x, &x.zeroed()));
     let mut along = |distance: f64| {
         let mut there = x.clone();
         there.add_scaled(S::from_f64(distance), &rate);
