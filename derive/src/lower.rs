@@ -8,6 +8,7 @@ mod hints;
 mod expression;
 mod forces;
 mod at_rest;
+mod in_frames;
 mod ablation;
 
 use lagrangian_symbolic::{Energies, Expression, Graph, Model};
@@ -17,6 +18,7 @@ use syn::Expr;
 use crate::diagnostics::Diagnostics;
 use crate::lower::ablation::passes;
 use crate::lower::expression::{ExpressionContext, Lowerer};
+use crate::lower::in_frames::energies_in_frames;
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::{Binding, Origin, Scope};
 use crate::lower::value::Value;
@@ -51,6 +53,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         within_index: false,
         within_derivative: false,
         at_rest: false,
+        rotations: 0,
     };
     let parts = lowerer.parts(declaration);
     let complete = lowerer.diagnostics.is_empty() && lowerer.scope.unknown().next().is_none();
@@ -58,6 +61,9 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let outputs = parts.outputs.iter().map(shape).collect();
     let events = parts.events.iter().map(shape).collect();
     let coordinates = lowerer.coordinates;
+    let in_frames = (complete && lowerer.rotations > 0)
+        .then(|| energies_in_frames(&mut lowerer, declaration))
+        .flatten();
     let mut graph = lowerer.graph;
     let model = parts.complete().filter(|_| complete).map(|parts| Model {
         coordinates,
@@ -66,6 +72,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         dissipation: parts.dissipation,
         forces: parts.forces,
         outputs: components(&mut graph, &[parts.outputs, parts.events].concat()),
+        in_frames,
         graph,
     });
     Lowered {

@@ -1,5 +1,7 @@
 //! Tests of the whole macro: from the tokens of a declaration to those that are emitted.
 
+mod arms;
+mod derived;
 mod editor;
 mod golden;
 mod half_typed;

@@ -33,7 +33,7 @@ pub use mechanics::coordinate_properties::CoordinateProperties;
 pub use mechanics::defects::Defect;
 pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
-pub use mechanics::model::{Energies, Model};
+pub use mechanics::model::{Energies, EnergiesInFrames, Model};
 pub use mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};

@@ -7,5 +7,6 @@ pub(crate) mod coordinate_properties;
 pub(crate) mod expanded_energy;
 pub(crate) mod equations;
 pub(crate) mod energy_forms;
+pub(crate) mod mechanism;
 pub(crate) mod solvers;
 pub(crate) mod kinetics;

@@ -29,11 +29,13 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Input(i) => field(&quantities.inputs, i),
             Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
-            // Symbols of recurrences, which are read from their terms.
+            // Symbols of recurrences, which are read from their terms, and of vectors before they are resolved.
             Symbol::Order
             | Symbol::ReciprocalOrder
             | Symbol::Convolution(_)
-            | Symbol::QuasiVelocity(_) => TokenStream::new(),
+            | Symbol::QuasiVelocity(_)
+            | Symbol::PositionComponent(_)
+            | Symbol::VelocityComponent(_) => TokenStream::new(),
         }
     }
 }

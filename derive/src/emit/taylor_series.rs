@@ -36,9 +36,11 @@ impl SymbolReader for TermSymbols {
             Symbol::ReciprocalOrder => quote!(term.reciprocal_order),
             Symbol::Convolution(i) => element(&quote!(term.convolutions), i),
             // The rest does not depend on the order.
-            Symbol::Invariant(i) | Symbol::Parameter(i) | Symbol::Argument(i) => {
-                element(&quote!(invariants), i)
-            }
+            Symbol::Invariant(i)
+            | Symbol::Parameter(i)
+            | Symbol::Argument(i)
+            | Symbol::PositionComponent(i)
+            | Symbol::VelocityComponent(i) => element(&quote!(invariants), i),
         }
     }
 }

@@ -49,6 +49,8 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) within_derivative: bool,
     /// Whether the system is at rest, so that all time derivatives are zero.
     pub(crate) at_rest: bool,
+    /// The number of rotations by angles so far.
+    pub(crate) rotations: usize,
 }
 
 impl Lowerer<'_> {

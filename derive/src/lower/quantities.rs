@@ -114,7 +114,8 @@ impl Quantities {
             Symbol::Order => "k".to_owned(),
             Symbol::ReciprocalOrder => "k_recip".to_owned(),
             Symbol::Convolution(i) => format!("s{i}"),
-            Symbol::QuasiVelocity(i) => format!("w{i}"),
+            Symbol::PositionComponent(i) => format!("r{i}"),
+            Symbol::QuasiVelocity(i) | Symbol::VelocityComponent(i) => format!("w{i}"),
         }
     }
 }

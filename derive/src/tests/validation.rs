@@ -1,47 +1,12 @@
 //! Altered programs are found and replaced.
 
 use lagrangian_symbolic as symbolic;
-use lagrangian_symbolic::{Equations, Model, Operation, Program, Validator};
+use lagrangian_symbolic::{Operation, Program};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::check::check;
-use crate::diagnostics::Diagnostics;
-use crate::lower::lower;
 use crate::plan::Methods;
-use crate::syntax::declaration::Declaration;
-use crate::syntax::shape::Shape;
-
-/// A model, what validates it, and its methods.
-struct Derived {
-    model: Model,
-    equations: Equations,
-    validator: Validator,
-    methods: Methods,
-    /// The shapes of the outputs.
-    shapes: Vec<Shape>,
-}
-
-fn derive(declaration: TokenStream) -> Derived {
-    let mut diagnostics = Diagnostics::default();
-    let input = syn::parse2(declaration).unwrap();
-    let declaration = Declaration::parse(input, &mut diagnostics);
-    check(&declaration, &mut diagnostics);
-    let lowered = lower(&declaration, &mut diagnostics);
-    assert!(diagnostics.is_empty());
-    let mut model = lowered.model.unwrap();
-    let validator = Validator::new(&model);
-    let equations = Equations::derive(&mut model).unwrap();
-    let shapes = lowered.outputs;
-    let methods = Methods::schedule(&mut model, &equations, &shapes);
-    Derived {
-        model,
-        equations,
-        validator,
-        methods,
-        shapes,
-    }
-}
+use crate::tests::derived::{Derived, derive};
 
 /// A pendulum on a cart on a shaken rail, of every kind of term.
 fn driven_cart() -> TokenStream {

@@ -19,6 +19,7 @@ impl Contents {
     const INVARIANT: u16 = 1 << 6;
     const ABSOLUTE_VALUE: u16 = 1 << 7;
     const ARGUMENT: u16 = 1 << 8;
+    const COMPONENT: u16 = 1 << 9;
 
     /// The contents of a node, where `known` has those of all earlier nodes.
     pub(crate) fn of(node: &Node, known: &[Self]) -> Self {
@@ -41,6 +42,8 @@ impl Contents {
             Symbol::Input(_) => Self::INPUT,
             Symbol::Invariant(_) => Self::INVARIANT,
             Symbol::Argument(_) => Self::ARGUMENT,
+            Symbol::PositionComponent(_) => Self::COORDINATE | Self::COMPONENT,
+            Symbol::VelocityComponent(_) => Self::VELOCITY | Self::COMPONENT,
             // Symbols of programs, which no expression contains.
             Symbol::Order | Symbol::ReciprocalOrder | Symbol::Convolution(_) => 0,
         }
@@ -62,6 +65,12 @@ impl Contents {
     #[must_use]
     pub const fn has_input(self) -> bool {
         self.0 & Self::INPUT != 0
+    }
+
+    /// Whether there is a component of a vector that is not resolved yet.
+    #[must_use]
+    pub const fn has_component(self) -> bool {
+        self.0 & Self::COMPONENT != 0
     }
 
     /// Whether there is an absolute value.

@@ -1,8 +1,8 @@
-//! Simultaneous substitution of expressions for symbols.
+//! Simultaneous substitution of expressions for symbols, and expressions of other graphs.
 
 use std::collections::BTreeMap;
 
-use crate::{Expression, Graph, Node, Symbol};
+use crate::{Expression, Graph, Node, Rational, Symbol};
 
 impl Graph {
     /// The roots with `values` substituted for symbols, simultaneously.
@@ -46,5 +46,34 @@ impl Graph {
             }
             Node::Opaque(x) => self.opaque(of(x)),
         }
+    }
+
+    /// The roots of another graph in this one: symbols and external functions of the same numbers are the same.
+    pub(crate) fn imported(&mut self, from: &Self, roots: &[Expression]) -> Vec<Expression> {
+        let descendants = from.descendants(roots);
+        let length = descendants.last().map_or(0, |last| last.index() + 1);
+        let mut copies = vec![self.zero(); length];
+        for expression in descendants {
+            let of = |operand: Expression| copies[operand.index()];
+            let parts = |parts: &[(Expression, Rational)]| {
+                let copied = parts.iter().map(|(x, c)| (of(*x), c.clone()));
+                copied.collect::<Vec<_>>()
+            };
+            copies[expression.index()] = match from.node(expression) {
+                Node::Constant(value) => self.constant(value),
+                Node::Pi => self.pi(),
+                Node::Symbol(symbol) => self.symbol(*symbol),
+                Node::Sum(terms) => self.sum(parts(terms)),
+                Node::Product(factors) => self.product(parts(factors)),
+                Node::Unary(function, x) => self.unary(*function, of(*x)),
+                Node::Binary(function, x, y) => self.binary(*function, of(*x), of(*y)),
+                Node::Application(function, arguments) => {
+                    let arguments: Vec<_> = arguments.iter().map(|x| of(*x)).collect();
+                    self.apply(*function, &arguments)
+                }
+                Node::Opaque(x) => self.opaque(of(*x)),
+            };
+        }
+        roots.iter().map(|root| copies[root.index()]).collect()
     }
 }

@@ -28,6 +28,11 @@ pub enum Symbol {
     Convolution(u32),
     /// A quasi-velocity wᵢ, in [equations of first order](crate::QuasiVelocityEquations).
     QuasiVelocity(u32),
+    /// A component of a vector that is not resolved yet and depends on positions alone, in energies
+    /// [in frames](crate::EnergiesInFrames).
+    PositionComponent(u32),
+    /// The same of a vector that depends on velocities.
+    VelocityComponent(u32),
 }
 
 impl Symbol {
@@ -46,6 +51,8 @@ impl Symbol {
             Self::ReciprocalOrder => (9, 0),
             Self::Convolution(index) => (10, index),
             Self::QuasiVelocity(index) => (11, index),
+            Self::PositionComponent(index) => (12, index),
+            Self::VelocityComponent(index) => (13, index),
         }
     }
 }

@@ -13,7 +13,8 @@ impl Graph {
             let acceleration = self.symbol(Symbol::Acceleration(i));
             direction.insert(Symbol::Velocity(i), acceleration);
         }
-        self.directional_derivatives(roots, &direction)
+        let roots = self.resolved(roots);
+        self.directional_derivatives(&roots, &direction)
     }
 
     /// The direction in which time goes on while velocities stay: q̇ for q, 1 for t.

@@ -29,7 +29,7 @@ impl Degrees {
 
     fn degree(&self, node: &Node) -> Option<u8> {
         match node {
-            Node::Symbol(Symbol::Velocity(_)) => Some(1),
+            Node::Symbol(Symbol::Velocity(_) | Symbol::VelocityComponent(_)) => Some(1),
             Node::Constant(_) | Node::Pi | Node::Symbol(_) => Some(0),
             Node::Sum(terms) => terms
                 .iter()

@@ -29,6 +29,9 @@ impl Graph {
         coordinates: u32,
     ) -> Result<Matrix, NoRotation> {
         let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
+        if let Some(velocity) = self.unresolved_angular_velocity(&factors, false) {
+            return Ok(velocity);
+        }
         if let Ok(velocity) = self.angular_velocity_of_product(&factors, coordinates) {
             return Ok(Matrix::vector(velocity.to_vec()));
         }
@@ -49,13 +52,16 @@ impl Graph {
         rotation: &Matrix,
         coordinates: u32,
     ) -> Result<Matrix, NoRotation> {
+        let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
+        if let Some(velocity) = self.unresolved_angular_velocity(&factors, true) {
+            return Ok(velocity);
+        }
         // In the body frame, the inertial frame rotates with the opposite angular velocity.
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
         let velocity = opposite.elements().iter().map(|x| self.negate(*x));
         let velocity = Matrix::vector(velocity.collect());
         // Remembered as the one in the body frame, rotated.
         let body = self.angular_velocity(rotation, coordinates)?;
-        let factors = self.matrix_factors(rotation).ok_or(NoRotation::Shape)?;
         let parts = self.rotated_parts(&factors, &body);
         Ok(velocity.remembering_parts(parts))
     }

@@ -33,6 +33,13 @@ impl Graph {
         if others.is_empty() && number.is_one() {
             return Some((*first).clone());
         }
+        if let Some(sum) = self.unresolved_sum(terms) {
+            return Some(if first.shape() == (1, 3) {
+                sum.transpose()
+            } else {
+                sum
+            });
+        }
         let sum = Matrix::from_function(first.rows(), first.columns(), |i, j| {
             self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
         });
@@ -44,6 +51,13 @@ impl Graph {
     pub fn matrix_scaled(&mut self, matrix: &Matrix, factor: Expression) -> Matrix {
         if factor == self.one() {
             return matrix.clone();
+        }
+        if let Some(multiple) = self.unresolved_multiple(matrix, factor) {
+            return if matrix.shape() == (1, 3) {
+                multiple.transpose()
+            } else {
+                multiple
+            };
         }
         let scaled = Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
             self.multiply(factor, matrix.at(i, j))
@@ -60,6 +74,11 @@ impl Graph {
 
     /// The total time derivative of a matrix of a system with `coordinates` degrees of freedom.
     pub fn matrix_time_derivative(&mut self, matrix: &Matrix, coordinates: u32) -> Matrix {
+        if matrix.shape() == (3, 1)
+            && let Some(rate) = self.unresolved_rate(matrix)
+        {
+            return rate;
+        }
         let derivatives = self.time_derivatives(matrix.elements(), coordinates);
         let derivative = Matrix::with_elements(matrix.rows(), matrix.columns(), derivatives);
         let parts = self.parts_of_derivative(matrix, coordinates);

@@ -40,6 +40,11 @@ impl Graph {
         factors: &[MatrixFactor],
         columns: &Matrix,
     ) -> Matrix {
+        if columns.shape() == (3, 1)
+            && let Some(product) = self.unresolved_product(factors, columns)
+        {
+            return product;
+        }
         let mut product = self.product_of_elements(matrix, columns);
         if let Some(factors) = matrix.known_factors()
             && let Some(successive) = self.rotated(factors, columns)

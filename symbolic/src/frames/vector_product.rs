@@ -9,6 +9,9 @@ impl Graph {
         if !x.is_vector() || x.shape() != y.shape() {
             return None;
         }
+        if let Some(product) = self.unresolved_dot_product(x, y) {
+            return Some(product);
+        }
         let pairs = x.elements().iter().copied();
         let product = self.sum_of_products(pairs.zip(y.elements().iter().copied()));
         Some(self.or_in_other_frames(product, x, y))
@@ -43,6 +46,9 @@ impl Graph {
 
     /// The sum of the squares of all elements.
     pub fn norm_squared(&mut self, matrix: &Matrix) -> Expression {
+        if let Some(square) = self.unresolved_dot_product(matrix, matrix) {
+            return square;
+        }
         let squares: Vec<_> = matrix.elements().iter().map(|x| self.square(*x)).collect();
         let sum = self.sum(squares.into_iter().map(|square| (square, Rational::ONE)));
         self.or_in_other_frames(sum, matrix, matrix)

@@ -7,6 +7,7 @@
 
 use crate::Expression;
 use crate::matrix::factor::MatrixFactor;
+use crate::matrix::unresolved_vector::VectorId;
 use crate::matrix::vector_in_frame::VectorInFrame;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
@@ -20,6 +21,8 @@ pub struct Matrix {
     factors: Option<Vec<MatrixFactor>>,
     /// The vectors in frames of which this vector of three components is the sum; empty if unknown.
     parts: Vec<VectorInFrame>,
+    /// The vector of which these are the components, where vectors are resolved last.
+    unresolved: Option<VectorId>,
 }
 
 impl Matrix {
@@ -48,6 +51,7 @@ impl Matrix {
             elements,
             factors: None,
             parts: Vec::new(),
+            unresolved: None,
         }
     }
 
@@ -77,6 +81,19 @@ impl Matrix {
     /// The same vector, which remembers that it is the sum of these vectors in frames.
     pub(crate) fn with_parts(self, parts: Vec<VectorInFrame>) -> Self {
         Self { parts, ..self }
+    }
+
+    /// The column of the components of a vector that is resolved last.
+    pub(crate) fn of_unresolved(vector: VectorId, components: [Expression; 3]) -> Self {
+        Self {
+            unresolved: Some(vector),
+            ..Self::vector(components.to_vec())
+        }
+    }
+
+    /// The vector of which these are the components, where it is resolved last.
+    pub(crate) const fn unresolved(&self) -> Option<VectorId> {
+        self.unresolved
     }
 
     /// How many rows there are.
@@ -147,6 +164,7 @@ impl Matrix {
             factors: factors
                 .map(|factors| factors.iter().rev().map(MatrixFactor::transpose).collect()),
             parts: self.parts.clone(),
+            unresolved: self.unresolved,
             ..Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
         }
     }

@@ -4,7 +4,7 @@ use crate::matrix::axis::Axis;
 use crate::{Expression, Graph, Rational, Unary};
 
 /// A factor of a product of 3 × 3 matrices.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum MatrixFactor {
     /// The rotation by an angle about an axis.
     Elementary(ElementaryRotation),
@@ -15,7 +15,7 @@ pub(crate) enum MatrixFactor {
 }
 
 /// A rotation by an angle about an axis.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct ElementaryRotation {
     pub(crate) axis: Axis,
     pub(crate) angle: Expression,

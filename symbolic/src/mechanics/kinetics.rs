@@ -8,6 +8,7 @@ use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
+use crate::mechanics::solvers::articulated_links::{ArticulatedLinks, LinkEquations};
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
 use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
@@ -57,10 +58,16 @@ impl Kinetics {
             forcing: equations.forcing.clone(),
             inverse_dynamics: equations.inverse_dynamics.clone(),
         };
-        let cheaper = match &tree {
+        let mut cheaper = match &tree {
             Some(tree) => lagrange.cheaper(graph, tree),
             None => lagrange,
         };
+        let links = link_equations(model, equations);
+        let graph = &mut model.graph;
+        if let Some(links) = &links {
+            let (forcing, inverse_dynamics) = (links.forcing(graph), links.inverse_dynamics(graph));
+            cheaper = cheaper.or(graph, forcing, inverse_dynamics);
+        }
         let ldlt = passes
             .has(Pass::Ldlt)
             .then(|| Ldlt::factor(graph, &equations.mass, MOST_PIVOT_NEIGHBOURS))
@@ -73,6 +80,10 @@ impl Kinetics {
             let articulated_bodies =
                 ArticulatedBodies::factor(graph, scaled, MOST_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
+        }
+        if let Some(links) = links {
+            let solver = ArticulatedLinks::factor(graph, links);
+            solvers.extend(solver.map(Solver::ArticulatedLinks));
         }
         let boltzmann_hamel = boltzmann_hamel_solvers(model, equations, declared);
         solvers.extend(boltzmann_hamel.iter().cloned().map(Solver::BoltzmannHamel));
@@ -104,6 +115,16 @@ impl LinearSystem {
     /// The same system with f and M q̈ − f along a tree where they cost less so.
     fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
         let (forcing, inverse_dynamics) = (tree.forcing(graph), tree.inverse_dynamics(graph));
+        self.or(graph, forcing, inverse_dynamics)
+    }
+
+    /// The same system with another f and M q̈ − f where they cost less.
+    fn or(
+        self,
+        graph: &Graph,
+        forcing: Vec<Expression>,
+        inverse_dynamics: Vec<Expression>,
+    ) -> Self {
         Self {
             mass: self.mass,
             forcing: cheaper(graph, self.forcing, forcing),
@@ -126,6 +147,19 @@ impl LinearSystem {
             inverse_dynamics: tree.inverse_dynamics(graph),
         }
     }
+}
+
+/// The equations along the links of a mechanism, if the model is one and they are Lagrange's.
+fn link_equations(model: &mut Model, equations: &Equations) -> Option<LinkEquations> {
+    if !model.graph.passes.has(Pass::ArticulatedBodies) {
+        return None;
+    }
+    let links = LinkEquations::new(model, &equations.generalized_forces)?;
+    let graph = &mut model.graph;
+    let found = links.inverse_dynamics(graph);
+    let pairs = found.iter().zip(&equations.inverse_dynamics);
+    let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
+    graph.vanishes(&differences).then_some(links)
 }
 
 /// The solvers by as many quasi-velocities as there are coordinates.

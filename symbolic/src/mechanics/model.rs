@@ -22,6 +22,20 @@ pub struct Model {
     pub forces: Vec<Expression>,
     /// Quantities for observers.
     pub outputs: Vec<Expression>,
+    /// The energies once more, with vectors that are resolved last; none where nothing turns.
+    pub in_frames: Option<EnergiesInFrames>,
+}
+
+/// T and V in a graph of their own, in which [vectors are resolved last](Graph::with_unresolved_vectors): symbols
+/// other than their components mean what they mean in the model.
+#[derive(Clone, Debug)]
+pub struct EnergiesInFrames {
+    /// The arena of the energies.
+    pub graph: Graph,
+    /// The kinetic energy T.
+    pub kinetic: Expression,
+    /// The potential energy V.
+    pub potential: Expression,
 }
 
 /// The Lagrangian function, as energies or directly.

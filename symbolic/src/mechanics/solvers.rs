@@ -2,6 +2,9 @@
 
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
+pub(crate) mod newton_euler;
+pub(crate) mod twist_elimination;
+pub(crate) mod articulated_links;
 pub(crate) mod structure_constants;
 pub(crate) mod quasi_velocity_equations;
 pub(crate) mod boltzmann_hamel;

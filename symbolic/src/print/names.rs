@@ -89,7 +89,10 @@ impl Letters {
             Symbol::Argument(index) => (find(&[], "x", index), 0),
             Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
             Symbol::Convolution(index) => (find(&[], "s", index), 0),
-            Symbol::QuasiVelocity(index) => (find(&[], "w", index), 0),
+            Symbol::PositionComponent(index) => (find(&[], "r", index), 0),
+            Symbol::QuasiVelocity(index) | Symbol::VelocityComponent(index) => {
+                (find(&[], "w", index), 0)
+            }
         }
     }
 }

@@ -26,8 +26,10 @@ pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
         | Symbol::Argument(index)
         | Symbol::Convolution(index) => (4, index),
         Symbol::Order | Symbol::ReciprocalOrder => (3, 1),
-        Symbol::Coordinate(index) => (5, index),
-        Symbol::Velocity(index) | Symbol::QuasiVelocity(index) => (6, index),
+        Symbol::Coordinate(index) | Symbol::PositionComponent(index) => (5, index),
+        Symbol::Velocity(index)
+        | Symbol::VelocityComponent(index)
+        | Symbol::QuasiVelocity(index) => (6, index),
         Symbol::Acceleration(index) => (7, index),
     }
 }

@@ -157,6 +157,7 @@ impl Draft {
             dissipation: zero,
             forces: vec![zero; self.coordinates as usize],
             outputs: Vec::new(),
+            in_frames: None,
             graph,
         }
     }

@@ -278,7 +278,9 @@ fn moving(
         | Symbol::Order
         | Symbol::ReciprocalOrder
         | Symbol::Convolution(_)
-        | Symbol::QuasiVelocity(_) => {}
+        | Symbol::QuasiVelocity(_)
+        | Symbol::PositionComponent(_)
+        | Symbol::VelocityComponent(_) => {}
     }
     number
 }

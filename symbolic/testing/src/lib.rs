@@ -78,7 +78,9 @@ pub fn value(symbol: Symbol) -> f64 {
         | Symbol::Order
         | Symbol::ReciprocalOrder
         | Symbol::Convolution(_)
-        | Symbol::QuasiVelocity(_) => 0.2,
+        | Symbol::QuasiVelocity(_)
+        | Symbol::PositionComponent(_)
+        | Symbol::VelocityComponent(_) => 0.2,
     }
 }
 

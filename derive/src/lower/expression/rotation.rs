@@ -78,6 +78,7 @@ impl Lowerer<'_> {
             .collect();
         let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
+        self.rotations += 1;
         let rotation = self.graph.rotation(&factors);
         match function {
             RotationFunction::Rotation => Some(Value::Array(rotation)),

@@ -1,9 +1,9 @@
 //! The choice of the solver: the accelerations are found by each that applies, and the cheapest are taken by the
 //! [cost model](crate::algebra::cost), without what depends on parameters alone unless the rest costs the same.
 //!
-//! Three solvers find q̈: the Boltzmann–Hamel equations in as many quasi-velocities as there are coordinates,
-//! articulated-body elimination along the tree of quasi-velocities, and the symbolic factorization of the mass
-//! matrix; where none applies, M is factored numerically. For a few coordinates the derivatives of q̈ are solved for
+//! Four solvers find q̈: the Boltzmann–Hamel equations in as many quasi-velocities as there are coordinates,
+//! articulated-body elimination along the tree of quasi-velocities or along the links of a mechanism, and the symbolic
+//! factorization of the mass matrix; where none applies, M is factored numerically. For a few coordinates the derivatives of q̈ are solved for
 //! with the same factors.
 
 use crate::identity::modular_point::ModularPoint;
@@ -11,6 +11,7 @@ use crate::identity::residue;
 use crate::limits::{MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
+use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
 use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
 
@@ -28,6 +29,7 @@ pub struct Solution {
 pub(crate) enum Solver {
     BoltzmannHamel(BoltzmannHamel),
     ArticulatedBodies(ArticulatedBodies),
+    ArticulatedLinks(ArticulatedLinks),
     Ldlt(Ldlt),
 }
 
@@ -64,6 +66,9 @@ impl Solution {
             Solver::ArticulatedBodies(solver) => {
                 (solver.pivots.clone(), solver.accelerations(graph))
             }
+            Solver::ArticulatedLinks(solver) => {
+                (solver.pivots.clone(), solver.accelerations(graph))
+            }
             Solver::Ldlt(solver) => {
                 let accelerations = solver.solve(graph, forcing);
                 (solver.pivots.clone(), accelerations)
@@ -92,6 +97,7 @@ impl Solution {
         }
         let residuals = match &self.solver {
             Solver::ArticulatedBodies(solver) => solver.inverse_dynamics(graph),
+            Solver::ArticulatedLinks(solver) => solver.inverse_dynamics(graph),
             _ => inverse_dynamics.to_vec(),
         };
         let mut columns = Vec::new();
@@ -99,6 +105,7 @@ impl Solution {
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
             columns.extend(match &self.solver {
                 Solver::ArticulatedBodies(solver) => solver.solution(graph, &right),
+                Solver::ArticulatedLinks(solver) => solver.solution(graph, &right),
                 Solver::Ldlt(solver) => solver.solve(graph, &right),
                 Solver::BoltzmannHamel(_) => Vec::new(),
             });

@@ -1,0 +1,337 @@
+//! The algebra of vectors that are resolved last.
+//!
+//! A rotation that is applied to one changes the axes along which it will be resolved, a sum gathers terms, a time
+//! derivative is one of each term, and a product of two is resolved along the axes of the frame that is turned most:
+//! of the velocity of a point of a body and of an angular velocity, these are the axes of the body. What does not fit is
+//! computed with the components, which are symbols until [`Graph::resolved`] replaces them.
+
+use std::collections::BTreeMap;
+
+use crate::matrix::dense::Matrix;
+use crate::matrix::factor::MatrixFactor;
+use crate::matrix::unresolved_vector::{
+    Frame, Term, UnresolvedVector, UnresolvedVectors, VectorId,
+};
+use crate::{Expression, Graph, Rational, Symbol};
+
+type Vector = [Expression; 3];
+
+impl Graph {
+    /// An arena in which vectors in frames are resolved last, for a system with so many coordinates.
+    #[must_use]
+    pub fn with_unresolved_vectors(coordinates: u32) -> Self {
+        let mut graph = Self::new();
+        graph.unresolved = Some(Box::new(UnresolvedVectors::new(coordinates)));
+        graph
+    }
+
+    /// The product of a matrix of three rows that has these factors with a column, from the right to the left.
+    pub(crate) fn unresolved_product(
+        &mut self,
+        factors: &[MatrixFactor],
+        column: &Matrix,
+    ) -> Option<Matrix> {
+        self.unresolved.as_ref()?;
+        let mut product = column.clone();
+        let mut rest = factors;
+        while let Some(last) = rest.last() {
+            if !last.is_rotation() {
+                product = Matrix::vector(last.apply(self, product.components()?).to_vec());
+                rest = &rest[..rest.len() - 1];
+                continue;
+            }
+            let others = rest.iter().rposition(|factor| !factor.is_rotation());
+            let (before, rotations) = rest.split_at(others.map_or(0, |i| i + 1));
+            product = self.turned(rotations, &product)?;
+            rest = before;
+        }
+        Some(product)
+    }
+
+    /// A column turned by a product of rotations.
+    fn turned(&mut self, rotations: &[MatrixFactor], column: &Matrix) -> Option<Matrix> {
+        let rotations = self.resolved_factors(rotations);
+        let (axes, terms) = if let Some(vector) = self.unresolved_of(column) {
+            let before = self.unresolved.as_ref()?.factors(vector.axes);
+            let back = rotations.iter().rev().map(MatrixFactor::transpose);
+            (self.merged(before.into_iter().chain(back)), vector.terms)
+        } else {
+            let components = column.components()?;
+            let rotation = self.merged(rotations);
+            let frame = self.unresolved.as_mut()?.frame(&rotation);
+            (Vec::new(), vec![Term::Fixed(frame, components)])
+        };
+        let axes = self.unresolved.as_mut()?.frame(&axes);
+        self.column_of(UnresolvedVector { axes, terms })
+    }
+
+    /// Σ cᵢ xᵢ of columns of three rows, if one of them is a vector that is resolved last and all others are resolved
+    /// along the same axes, or free of velocities.
+    pub(crate) fn unresolved_sum(&mut self, columns: &[(&Matrix, Rational)]) -> Option<Matrix> {
+        self.unresolved.as_ref()?;
+        let known = columns.iter().find_map(|(x, _)| self.unresolved_of(x))?;
+        let axes = known.axes;
+        let mut terms = Vec::new();
+        for (x, c) in columns {
+            let factor = self.constant(c);
+            let vector = match self.unresolved_of(x) {
+                Some(vector) => vector,
+                None => along(axes, x)?,
+            };
+            if vector.axes != axes {
+                return None;
+            }
+            for term in vector.terms {
+                let term = self.scaled_term(&term, factor)?;
+                self.add_term(&mut terms, term);
+            }
+        }
+        self.column_of(UnresolvedVector { axes, terms })
+    }
+
+    /// c x of a vector that is resolved last; of one with velocities, for constant c.
+    pub(crate) fn unresolved_multiple(
+        &mut self,
+        column: &Matrix,
+        factor: Expression,
+    ) -> Option<Matrix> {
+        let UnresolvedVector { axes, terms } = self.unresolved_of(column)?;
+        let mut scaled = Vec::with_capacity(terms.len());
+        for term in terms {
+            scaled.push(self.scaled_term(&term, factor)?);
+        }
+        self.column_of(UnresolvedVector {
+            axes,
+            terms: scaled,
+        })
+    }
+
+    /// The time derivative of a position that is resolved along inertial axes.
+    pub(crate) fn unresolved_rate(&mut self, column: &Matrix) -> Option<Matrix> {
+        self.unresolved.as_ref()?;
+        let position = match self.unresolved_of(column) {
+            Some(vector) => vector,
+            None if column.shape() == (3, 1) => along(Frame::INERTIAL, column)?,
+            None => return None,
+        };
+        if position.axes != Frame::INERTIAL {
+            return None;
+        }
+        let mut terms = Vec::with_capacity(position.terms.len());
+        for term in position.terms {
+            let Term::Fixed(frame, components) = term else {
+                return None;
+            };
+            let components = self.resolved_vector(components);
+            let moves = components.iter().any(|x| self.contents(*x).has_velocity());
+            if moves {
+                return None;
+            }
+            terms.push(Term::Rate(frame, components));
+        }
+        self.column_of(UnresolvedVector {
+            axes: Frame::INERTIAL,
+            terms,
+        })
+    }
+
+    /// The angular velocity of a product of rotations, along its own axes or along inertial ones.
+    pub(crate) fn unresolved_angular_velocity(
+        &mut self,
+        factors: &[MatrixFactor],
+        is_inertial: bool,
+    ) -> Option<Matrix> {
+        self.unresolved.as_ref()?;
+        if !factors.iter().all(MatrixFactor::is_rotation) {
+            return None;
+        }
+        let factors = self.resolved_factors(factors);
+        let frame = self.unresolved.as_mut()?.frame(&factors);
+        let axes = if is_inertial { Frame::INERTIAL } else { frame };
+        let terms = vec![Term::AngularVelocity(frame, self.one())];
+        self.column_of(UnresolvedVector { axes, terms })
+    }
+
+    /// x · y of two vectors along the same axes, one of which moves, in the frame that is turned most.
+    pub(crate) fn unresolved_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
+        let (first, second) = (self.unresolved_of(x)?, self.unresolved_of(y)?);
+        let terms = || first.terms.iter().chain(&second.terms);
+        if first.axes != second.axes || !terms().any(|term| term.moves(self)) {
+            return None;
+        }
+        let frames = terms().map(Term::frame);
+        let vectors = self.unresolved.as_ref()?;
+        let axes = frames.max_by_key(|frame| (vectors.path(*frame).len(), *frame))?;
+        let mut resolve = |vector: UnresolvedVector| {
+            let column = self.column_of(UnresolvedVector { axes, ..vector })?;
+            column.components()
+        };
+        let (a, b) = (resolve(first)?, resolve(second)?);
+        Some(self.sum_of_products(a.into_iter().zip(b)))
+    }
+
+    /// Expressions with the components of vectors that are resolved last in terms of q and q̇.
+    pub(crate) fn resolved(&mut self, roots: &[Expression]) -> Vec<Expression> {
+        let mut roots = roots.to_vec();
+        // A vector may contain components of those before it.
+        while roots.iter().any(|x| self.contents(*x).has_component()) {
+            let mut values = BTreeMap::new();
+            for symbol in self.symbols(&roots) {
+                if let Symbol::PositionComponent(i) | Symbol::VelocityComponent(i) = symbol
+                    && let Some(value) = self.component_value(i)
+                {
+                    values.insert(symbol, value);
+                }
+            }
+            if values.is_empty() {
+                break;
+            }
+            roots = self.substitute(&roots, &values);
+        }
+        roots
+    }
+
+    /// The value of a component.
+    fn component_value(&mut self, index: u32) -> Option<Expression> {
+        let vectors = self.unresolved.as_ref()?;
+        let (number, axis) = VectorId::of_component(index);
+        let vector = vectors.vector(number).clone();
+        let axes = vectors.factors(vector.axes);
+        let mut sum = [self.zero(); 3];
+        for term in vector.terms {
+            let value = self.term_value(&term)?;
+            sum = [0, 1, 2].map(|i| self.add(sum[i], value[i]));
+        }
+        for factor in &axes {
+            sum = factor.transpose().apply(self, sum);
+        }
+        Some(sum[axis])
+    }
+
+    /// A term along inertial axes.
+    fn term_value(&mut self, term: &Term) -> Option<Vector> {
+        let vectors = self.unresolved.as_ref()?;
+        let (coordinates, factors) = (vectors.coordinates, vectors.factors(term.frame()));
+        let vector = match term {
+            Term::Fixed(_, vector) | Term::Rate(_, vector) => *vector,
+            Term::AngularVelocity(_, factor) => {
+                let velocity = self
+                    .angular_velocity_of_product(&factors, coordinates)
+                    .ok()?;
+                velocity.map(|x| self.multiply(*factor, x))
+            }
+        };
+        let turns = factors.iter().rev();
+        let value = turns.fold(vector, |vector, factor| factor.apply(self, vector));
+        match term {
+            Term::Rate(..) => {
+                let rates = self.time_derivatives(&value, coordinates);
+                rates.try_into().ok()
+            }
+            _ => Some(value),
+        }
+    }
+
+    /// The vector of which a column or row has the components.
+    fn unresolved_of(&self, column: &Matrix) -> Option<UnresolvedVector> {
+        let vectors = self.unresolved.as_ref()?;
+        Some(vectors.vector(column.unresolved()?).clone())
+    }
+
+    /// The column of the components of a vector.
+    fn column_of(&mut self, mut vector: UnresolvedVector) -> Option<Matrix> {
+        let zero = self.zero();
+        vector.terms.retain(|term| match term {
+            Term::Fixed(_, components) => *components != [zero; 3],
+            Term::Rate(frame, components) => {
+                let is_constant = components.iter().all(|x| !self.contents(*x).varies());
+                !(is_constant && *frame == Frame::INERTIAL)
+            }
+            Term::AngularVelocity(frame, factor) => *factor != zero && *frame != Frame::INERTIAL,
+        });
+        vector.terms.sort();
+        match vector.terms.as_slice() {
+            [] => return Some(Matrix::vector(vec![zero; 3])),
+            [Term::Fixed(frame, components)] if *frame == vector.axes => {
+                return Some(Matrix::vector(components.to_vec()));
+            }
+            _ => {}
+        }
+        let moves = vector.terms.iter().any(|term| term.moves(self));
+        let number = self.unresolved.as_mut()?.number(vector);
+        let symbol = if moves {
+            Symbol::VelocityComponent
+        } else {
+            Symbol::PositionComponent
+        };
+        let components = number.components().map(|i| self.symbol(symbol(i)));
+        Some(Matrix::of_unresolved(number, components))
+    }
+
+    /// A multiple of a term; of one with velocities, by a constant.
+    fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
+        let is_constant = !self.contents(factor).varies();
+        match *term {
+            Term::Fixed(frame, vector) => {
+                Some(Term::Fixed(frame, vector.map(|x| self.multiply(factor, x))))
+            }
+            Term::Rate(frame, vector) => {
+                is_constant.then(|| Term::Rate(frame, vector.map(|x| self.multiply(factor, x))))
+            }
+            Term::AngularVelocity(frame, known) => {
+                is_constant.then(|| Term::AngularVelocity(frame, self.multiply(factor, known)))
+            }
+        }
+    }
+
+    /// Adds a term to others, of which one may be of the same kind and frame.
+    fn add_term(&mut self, terms: &mut Vec<Term>, term: Term) {
+        let mut add = |x: &Vector, y: &Vector| [0, 1, 2].map(|i| self.add(x[i], y[i]));
+        for known in terms.iter_mut() {
+            let sum = match (&*known, &term) {
+                (Term::Fixed(f, x), Term::Fixed(g, y)) if f == g => Term::Fixed(*f, add(x, y)),
+                (Term::Rate(f, x), Term::Rate(g, y)) if f == g => Term::Rate(*f, add(x, y)),
+                (Term::AngularVelocity(f, x), Term::AngularVelocity(g, y)) if f == g => {
+                    Term::AngularVelocity(*f, self.add(*x, *y))
+                }
+                _ => continue,
+            };
+            *known = sum;
+            return;
+        }
+        terms.push(term);
+    }
+
+    fn resolved_vector(&mut self, vector: Vector) -> Vector {
+        if vector.iter().any(|x| self.contents(*x).has_component()) {
+            let values = self.resolved(&vector);
+            return values.try_into().unwrap_or(vector);
+        }
+        vector
+    }
+
+    /// Factors whose angles and elements are functions of q, with rotations that were written out recognized.
+    fn resolved_factors(&mut self, factors: &[MatrixFactor]) -> Vec<MatrixFactor> {
+        let mut found = Vec::with_capacity(factors.len());
+        for factor in factors {
+            found.push(match *factor {
+                MatrixFactor::Elementary(mut rotation) => {
+                    rotation.angle = self.resolved(&[rotation.angle])[0];
+                    MatrixFactor::Elementary(rotation)
+                }
+                MatrixFactor::Rotation(elements) => {
+                    let values = self.resolved(&elements);
+                    MatrixFactor::Rotation(values.try_into().unwrap_or(elements))
+                }
+                general @ MatrixFactor::General(_) => general,
+            });
+        }
+        found
+    }
+}
+
+/// A column of three rows that was written out, as a vector along these axes.
+fn along(axes: Frame, column: &Matrix) -> Option<UnresolvedVector> {
+    let terms = vec![Term::Fixed(axes, column.components()?)];
+    Some(UnresolvedVector { axes, terms })
+}

@@ -1,0 +1,67 @@
+//! A mechanism: links that are turned and moved against each other, with what they carry (Featherstone, Rigid Body
+//! Dynamics Algorithms, 2008, chapter 4).
+//!
+//! A link has axes and an origin. The origin is known by its place in the link before, and the axes by one rotation
+//! against those of the link before. So the velocity of a link, its twist, is that of the link before, moved to the origin
+//! and turned by one joint, plus the rate of this joint: no step knows more than one joint, however many there are.
+//! A mechanism is [read](reading) off energies whose vectors are resolved last.
+
+mod inertia;
+mod reading;
+mod turn;
+
+pub(crate) use inertia::Inertia;
+pub(crate) use turn::{Turn, cross, kept, slopes, total};
+
+use crate::{Expression, Graph};
+
+/// Three components.
+pub(crate) type Vector = [Expression; 3];
+
+/// A rigid link.
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    /// The link before; it stands earlier in the mechanism. None: the inertial frame.
+    pub(crate) parent: Option<usize>,
+    /// The place of the origin in the link before, along its axes.
+    pub(crate) place: Vector,
+    /// How the axes are turned against those of the link before.
+    pub(crate) turn: Turn,
+    /// What is fixed to the link.
+    pub(crate) inertia: Inertia,
+}
+
+/// Links, parents before children, and what acts on them.
+#[derive(Clone, Debug)]
+pub(crate) struct Mechanism {
+    pub(crate) links: Vec<Link>,
+    /// The upward acceleration of the inertial frame that stands in for uniform gravity.
+    pub(crate) base_acceleration: Vector,
+    /// The rest of L, at most linear in the velocities.
+    pub(crate) rest: Expression,
+}
+
+impl Mechanism {
+    /// The same mechanism, in which what a link carries moves with the link before where that is the same motion: of a
+    /// link that turns about an axis, all that lies on the axis. These are base inertial parameters (Gautier and
+    /// Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990).
+    pub(crate) fn regrouped(mut self, graph: &mut Graph) -> Self {
+        for i in (0..self.links.len()).rev() {
+            let link = &self.links[i];
+            let is_fixed = link.place.iter().all(|x| !graph.contents(*x).varies());
+            let Some(axis) = link.turn.axis().filter(|_| is_fixed) else {
+                continue;
+            };
+            let (place, parent) = (link.place, link.parent);
+            let rod = self.links[i].inertia.take_axis(graph, axis);
+            if let Some(parent) = parent {
+                let moved = rod.moved(graph, place);
+                self.links[parent].inertia.add(graph, &moved);
+            }
+        }
+        for link in &mut self.links {
+            link.inertia.keep(graph);
+        }
+        self
+    }
+}

@@ -1,0 +1,328 @@
+//! A mechanism from energies whose vectors are resolved last.
+//!
+//! T is ½ Σ W w w of components of velocities of points and of angular velocities. The place of a point is a sum of
+//! vectors in frames that are turned one after the other: from the origin of each to that of the next. Frames whose
+//! origins differ are different links. An origin may lie anywhere on the axis about which its link turns, and is put
+//! where its place in the link before has no component along the axis, which costs least.
+//!
+//! What is no such sum, as the velocity of a point relative to one on another branch, makes no mechanism.
+
+use std::collections::BTreeMap;
+
+use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVectors, VectorId};
+use crate::mechanics::energy_forms::quasi_velocities::{QuasiVelocities, is_constant};
+use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
+use crate::{EnergiesInFrames, Expression, Graph, Model, Node, Symbol};
+
+/// A link, or the inertial frame, and a place along its axes.
+type Point = (Option<usize>, Vector);
+
+impl Mechanism {
+    /// The mechanism of a model, if it is one.
+    pub(crate) fn read(model: &mut Model) -> Option<Self> {
+        let energies = model.in_frames.clone()?;
+        let EnergiesInFrames {
+            mut graph,
+            kinetic,
+            potential,
+        } = energies;
+        let velocities = QuasiVelocities::declared(&mut graph, kinetic)?;
+        let vectors = graph.unresolved.as_deref()?.clone();
+        let mut reader = Reader {
+            graph,
+            vectors,
+            links: Vec::new(),
+            frames: Vec::new(),
+            masses: Vec::new(),
+        };
+        reader.read_inertia(&velocities)?;
+        let (base_acceleration, potential) = reader.uniform_gravity(potential);
+        let graph = &mut reader.graph;
+        let rest = graph.subtract(velocities.rest, potential);
+        let rest = graph.resolved(&[rest])[0];
+        let mechanism = Self {
+            links: reader.links,
+            base_acceleration,
+            rest,
+        };
+        let bodies = mechanism
+            .links
+            .iter()
+            .filter(|link| !link.inertia.vanishes(graph));
+        // A single body is solved through its angular velocity.
+        if bodies.count() < 2 {
+            return None;
+        }
+        let mechanism = mechanism.imported(&mut model.graph, &reader.graph);
+        Some(mechanism.regrouped(&mut model.graph))
+    }
+
+    /// The same mechanism in another graph.
+    fn imported(mut self, graph: &mut Graph, from: &Graph) -> Self {
+        let mut all = Vec::new();
+        self.for_each_expression(|x| all.push(*x));
+        let mut copies = graph.imported(from, &all).into_iter();
+        self.for_each_expression(|x| *x = copies.next().unwrap_or(*x));
+        self
+    }
+
+    fn for_each_expression(&mut self, mut visit: impl FnMut(&mut Expression)) {
+        for link in &mut self.links {
+            link.place.iter_mut().for_each(&mut visit);
+            match &mut link.turn {
+                Turn::Identity => {}
+                Turn::Elementary(rotation) => visit(&mut rotation.angle),
+                Turn::General(elements) => elements.iter_mut().for_each(&mut visit),
+            }
+            let inertia = &mut link.inertia;
+            visit(&mut inertia.mass);
+            inertia.first.iter_mut().for_each(&mut visit);
+            inertia.second.iter_mut().flatten().for_each(&mut visit);
+        }
+        self.base_acceleration.iter_mut().for_each(&mut visit);
+        visit(&mut self.rest);
+    }
+}
+
+/// A mechanism under construction.
+struct Reader {
+    graph: Graph,
+    vectors: UnresolvedVectors,
+    links: Vec<Link>,
+    /// The frames of the links.
+    frames: Vec<Frame>,
+    /// The masses of points.
+    masses: Vec<(Point, Expression)>,
+}
+
+impl Reader {
+    /// Gives all links their inertia.
+    fn read_inertia(&mut self, velocities: &QuasiVelocities) -> Option<()> {
+        let mut blocks: BTreeMap<VectorId, [Vector; 3]> = BTreeMap::new();
+        let zero = self.graph.zero();
+        let components = velocities.forms.iter();
+        let components: Vec<_> = components
+            .map(|form| match self.graph.node(*form) {
+                Node::Symbol(Symbol::VelocityComponent(i)) => Some(VectorId::of_component(*i)),
+                _ => None,
+            })
+            .collect::<Option<_>>()?;
+        for ((number, i), row) in components.iter().zip(&velocities.inertia) {
+            for ((other, j), entry) in components.iter().zip(row) {
+                if self.graph.is_zero(*entry) {
+                    continue;
+                }
+                if number != other {
+                    return None;
+                }
+                let block = blocks.entry(*number).or_insert([[zero; 3]; 3]);
+                block[*i][*j] = *entry;
+            }
+        }
+        for (number, tensor) in &blocks {
+            self.read_point_mass(*number, tensor)?;
+        }
+        for (number, tensor) in &blocks {
+            self.read_tensor(*number, tensor);
+        }
+        Some(())
+    }
+
+    /// The mass of ½ m |v|² of the velocity v of a point; nothing of an angular velocity along the axes of its frame.
+    fn read_point_mass(&mut self, number: VectorId, tensor: &[Vector; 3]) -> Option<()> {
+        let vector = self.vectors.vector(number).clone();
+        if let [Term::AngularVelocity(frame, factor)] = vector.terms.as_slice() {
+            return (*frame == vector.axes && *factor == self.graph.one()).then_some(());
+        }
+        let zero = self.graph.zero();
+        let mass = tensor[0][0];
+        let is_isotropic =
+            (0..3).all(|i| (0..3).all(|j| tensor[i][j] == if i == j { mass } else { zero }));
+        let terms = vector.terms.iter().map(|term| match term {
+            Term::Rate(frame, place) => Some((*frame, *place)),
+            _ => None,
+        });
+        let terms: Vec<_> = terms.collect::<Option<_>>()?;
+        if !is_isotropic {
+            return None;
+        }
+        let point = self.point(&terms)?;
+        self.masses.push((point, mass));
+        if let (Some(link), place) = point {
+            let inertia = Inertia::point(&mut self.graph, mass, place);
+            self.links[link].inertia.add(&mut self.graph, &inertia);
+        }
+        Some(())
+    }
+
+    /// The inertia tensor of ½ ωᵀ I ω.
+    fn read_tensor(&mut self, number: VectorId, tensor: &[Vector; 3]) {
+        let vector = self.vectors.vector(number).clone();
+        if let [Term::AngularVelocity(frame, _)] = vector.terms.as_slice()
+            && let Some(link) = self.link_of(*frame)
+        {
+            let inertia = Inertia::of_tensor(&mut self.graph, tensor);
+            self.links[link].inertia.add(&mut self.graph, &inertia);
+        }
+    }
+
+    /// A link with the axes of a frame.
+    fn link_of(&mut self, frame: Frame) -> Option<usize> {
+        let mut path = vec![frame];
+        let mut link = None;
+        while let Some(last) = path.last() {
+            link = self.frames.iter().position(|known| known == last);
+            match self.vectors.before(*last) {
+                Some((before, _)) if link.is_none() => path.push(before),
+                _ => break,
+            }
+        }
+        let zero = self.graph.zero();
+        for frame in path.into_iter().rev() {
+            if link.is_some_and(|link| self.frames[link] == frame) || frame == Frame::INERTIAL {
+                continue;
+            }
+            link = Some(self.next_link(link, frame, &mut [zero; 3])?);
+        }
+        link
+    }
+
+    /// The point at Σ Rᵢ vᵢ, if each frame is one of those before the last.
+    ///
+    /// New links are made for the frames on the way, and for a place that varies in the last.
+    fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
+        let lengths = terms.iter();
+        let last = lengths.max_by_key(|(frame, _)| self.vectors.path(*frame).len())?;
+        let path = self.vectors.path(last.0);
+        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
+        for (frame, place) in terms {
+            places.insert(*frame, *place);
+        }
+        let zero = self.graph.zero();
+        let mut link = None;
+        let mut place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
+        for (frame, _) in path {
+            // What is constant in the inertial frame moves nothing.
+            if link.is_none() && !self.varies(place) {
+                place = [zero; 3];
+            }
+            link = Some(self.next_link(link, frame, &mut place)?);
+            if let Some(own) = places.remove(&frame) {
+                place = [0, 1, 2].map(|i| self.graph.add(place[i], own[i]));
+            }
+        }
+        if !places.is_empty() {
+            return None;
+        }
+        if self.varies(place) {
+            let frame = link.map_or(Frame::INERTIAL, |link| self.frames[link]);
+            link = Some(self.link(link, frame, place, Turn::Identity));
+            place = [zero; 3];
+        }
+        Some((link, place))
+    }
+
+    fn varies(&self, place: Vector) -> bool {
+        place.iter().any(|x| self.graph.contents(*x).varies())
+    }
+
+    /// The link that is turned as `frame` is, with its origin at `place` in the link before; afterwards, `place` is that
+    /// of the same point in the new link.
+    fn next_link(
+        &mut self,
+        before: Option<usize>,
+        frame: Frame,
+        place: &mut Vector,
+    ) -> Option<usize> {
+        let (_, factor) = self.vectors.before(frame)?;
+        let turn = Turn::of(factor)?;
+        let zero = self.graph.zero();
+        let mut origin = *place;
+        *place = [zero; 3];
+        if let Some(axis) = turn.axis()
+            && !self.graph.contents(origin[axis]).varies()
+        {
+            place[axis] = core::mem::replace(&mut origin[axis], zero);
+        }
+        Some(self.link(before, frame, origin, turn))
+    }
+
+    /// The link with this origin and these axes.
+    fn link(&mut self, parent: Option<usize>, frame: Frame, place: Vector, turn: Turn) -> usize {
+        let known = self
+            .links
+            .iter()
+            .position(|link| (link.parent, link.place, link.turn) == (parent, place, turn));
+        known.unwrap_or_else(|| {
+            self.links.push(Link {
+                parent,
+                place,
+                turn,
+                inertia: Inertia::none(&self.graph),
+            });
+            self.frames.push(frame);
+            self.links.len() - 1
+        })
+    }
+
+    /// The acceleration that stands in for the part of V that is Σ m a · r over all masses, and the rest of V.
+    fn uniform_gravity(&mut self, potential: Expression) -> (Vector, Expression) {
+        let count = self.links.len();
+        if let Some(found) = self.gravity_and_rest(potential) {
+            return found;
+        }
+        // Links of weights without masses.
+        self.links.truncate(count);
+        self.frames.truncate(count);
+        ([self.graph.zero(); 3], potential)
+    }
+
+    fn gravity_and_rest(&mut self, potential: Expression) -> Option<(Vector, Expression)> {
+        let zero = self.graph.zero();
+        let mut weights: BTreeMap<VectorId, Vector> = BTreeMap::new();
+        let mut removed = BTreeMap::new();
+        for symbol in self.graph.symbols(&[potential]) {
+            let Symbol::PositionComponent(index) = symbol else {
+                continue;
+            };
+            let slope = self.graph.derivative(potential, symbol);
+            if is_constant(&self.graph, slope) {
+                let (number, axis) = VectorId::of_component(index);
+                weights.entry(number).or_insert([zero; 3])[axis] = slope;
+                removed.insert(symbol, zero);
+            }
+        }
+        let mut acceleration = None;
+        let mut heavy = Vec::new();
+        for (number, weight) in weights {
+            let point = self.marked_point(number)?;
+            let mass = self.masses.iter().find(|(known, _)| *known == point)?.1;
+            let ratio = weight.map(|x| self.graph.divide(x, mass));
+            if *acceleration.get_or_insert(ratio) != ratio {
+                return None;
+            }
+            heavy.push(point);
+        }
+        let is_moved = |(link, _): Point| link.is_some();
+        let mut masses = self.masses.iter();
+        if !masses.all(|(point, _)| !is_moved(*point) || heavy.contains(point)) {
+            return None;
+        }
+        let rest = self.graph.substitute(&[potential], &removed)[0];
+        Some((acceleration?, rest))
+    }
+
+    /// The point of a position that is resolved along inertial axes.
+    fn marked_point(&mut self, number: VectorId) -> Option<Point> {
+        let vector = self.vectors.vector(number).clone();
+        let terms = vector.terms.iter().map(|term| match term {
+            Term::Fixed(frame, place) if vector.axes == Frame::INERTIAL => Some((*frame, *place)),
+            _ => None,
+        });
+        let terms: Vec<_> = terms.collect::<Option<_>>()?;
+        let count = self.links.len();
+        let point = self.point(&terms)?;
+        // A weight without a mass has no link of its own.
+        (self.links.len() == count).then_some(point)
+    }
+}

@@ -1,0 +1,247 @@
+//! Inverse dynamics of a mechanism, from the root to the leaves and back (Luh, Walker and Paul, On-line computational
+//! scheme for mechanical manipulators, 1980), with everything along the axes of the links.
+//!
+//! The accelerations of origins are those of points, relative to the inertial frame: no velocity of a point occurs. Gravity
+//! is an upward acceleration of the inertial frame. With Ω = [α ×] + [ω ×]², the acceleration of a point at r is a + Ω r;
+//! the force on a link is m a + Ω h, and the moment about its origin h × a + vee(Ω S − (Ω S)ᵀ), where h and S are the
+//! first and second moments.
+
+use crate::mechanics::mechanism::{Link, Mechanism, Vector, cross, kept, slopes, total};
+use crate::{Expression, Graph, Rational, Symbol};
+
+/// A moment about the origin of a link, and a force.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wrench {
+    pub(crate) moment: Vector,
+    pub(crate) force: Vector,
+}
+
+/// How a link moves.
+#[derive(Clone, Copy)]
+struct Motion {
+    angular_velocity: Vector,
+    /// Of the origin, relative to the inertial frame.
+    acceleration: Vector,
+    /// Ω.
+    field: [Vector; 3],
+    angular_acceleration: Vector,
+}
+
+/// What each joint adds to the motion of the link before, and the coordinates with which it does.
+pub(crate) struct Joint {
+    /// The angular velocity relative to the link before, along the axes of the link.
+    rate: Vector,
+    /// Its derivatives by the velocities.
+    pub(crate) turning: Vec<(usize, Vector)>,
+    /// The rate of the place in the link before, along its axes.
+    speed: Vector,
+    /// Its derivatives by the velocities.
+    pub(crate) sliding: Vec<(usize, Vector)>,
+}
+
+impl Joint {
+    pub(crate) fn of(graph: &mut Graph, link: &Link, coordinates: u32) -> Self {
+        let rate = link.turn.rate(graph, coordinates);
+        let speed = graph.time_derivatives(&link.place, coordinates);
+        let speed = speed.try_into().unwrap_or([graph.zero(); 3]);
+        Self {
+            turning: slopes(graph, rate, coordinates),
+            sliding: slopes(graph, speed, coordinates),
+            rate,
+            speed,
+        }
+    }
+}
+
+/// The joints of all links.
+pub(crate) fn joints(graph: &mut Graph, mechanism: &Mechanism, coordinates: u32) -> Vec<Joint> {
+    let links = mechanism.links.iter();
+    links
+        .map(|link| Joint::of(graph, link, coordinates))
+        .collect()
+}
+
+/// The wrenches on the links that their motion takes; with the accelerations of the coordinates as symbols, or with
+/// none.
+pub(crate) fn wrenches(
+    graph: &mut Graph,
+    mechanism: &Mechanism,
+    joints: &[Joint],
+    coordinates: u32,
+    with_accelerations: bool,
+) -> Vec<Wrench> {
+    let mut direction = graph.constant_velocity_direction(coordinates);
+    if with_accelerations {
+        for i in 0..coordinates {
+            let acceleration = graph.symbol(Symbol::Acceleration(i));
+            direction.insert(Symbol::Velocity(i), acceleration);
+        }
+    }
+    let mut motions: Vec<Motion> = Vec::with_capacity(joints.len());
+    let mut wrenches = Vec::with_capacity(joints.len());
+    for (link, joint) in mechanism.links.iter().zip(joints) {
+        let before = match link.parent {
+            Some(parent) => motions[parent],
+            None => Motion::of_base(graph, mechanism.base_acceleration),
+        };
+        let mut change = |vector: Vector| -> Vector {
+            let rates = graph.directional_derivatives(&vector, &direction);
+            rates.try_into().unwrap_or(vector)
+        };
+        let changes = [change(joint.rate), change(joint.speed)];
+        let motion = before.next(graph, link, joint, changes);
+        wrenches.push(motion.wrench(graph, link));
+        motions.push(motion);
+    }
+    wrenches
+}
+
+impl Motion {
+    fn of_base(graph: &Graph, acceleration: Vector) -> Self {
+        let zero = graph.zero();
+        Self {
+            angular_velocity: [zero; 3],
+            acceleration,
+            field: [[zero; 3]; 3],
+            angular_acceleration: [zero; 3],
+        }
+    }
+
+    /// The motion of the next link, whose joint has these derivatives of its rate and speed.
+    fn next(
+        self,
+        graph: &mut Graph,
+        link: &Link,
+        joint: &Joint,
+        [rate_change, speed_change]: [Vector; 2],
+    ) -> Self {
+        let before = self.acceleration;
+        let along = graph.cross(self.angular_velocity, joint.speed);
+        let acceleration = [0, 1, 2].map(|i| {
+            let centripetal = (0..3).map(|j| (self.field[i][j], link.place[j]));
+            let centripetal = graph.sum_of_products(centripetal);
+            let sum = graph.sum([
+                (before[i], Rational::ONE),
+                (centripetal, Rational::ONE),
+                (along[i], Rational::integer(2)),
+                (speed_change[i], Rational::ONE),
+            ]);
+            kept(graph, sum)
+        });
+        let acceleration = link.turn.inward(graph, acceleration);
+        let carried = link.turn.inward(graph, self.angular_velocity);
+        let angular_velocity = [0, 1, 2].map(|i| total(graph, &[carried[i], joint.rate[i]]));
+        let turned = link.turn.inward(graph, self.angular_acceleration);
+        let gyration = graph.cross(carried, joint.rate);
+        let angular_acceleration =
+            [0, 1, 2].map(|i| total(graph, &[turned[i], gyration[i], rate_change[i]]));
+        Self {
+            angular_velocity,
+            acceleration,
+            field: field(graph, angular_velocity, angular_acceleration),
+            angular_acceleration,
+        }
+    }
+
+    /// The wrench that the motion of a link takes.
+    fn wrench(&self, graph: &mut Graph, link: &Link) -> Wrench {
+        let inertia = &link.inertia;
+        let (field, first, second) = (&self.field, inertia.first, &inertia.second);
+        let force = [0, 1, 2].map(|i| {
+            let products = (0..3).map(|j| (field[i][j], first[j]));
+            let products = products.chain([(inertia.mass, self.acceleration[i])]);
+            let sum = graph.sum_of_products(products);
+            kept(graph, sum)
+        });
+        let lever = graph.cross(first, self.acceleration);
+        let moment = [0, 1, 2].map(|k: usize| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            // (Ω S)ⱼᵢ − (Ω S)ᵢⱼ, the diagonal of Ω gathered around the product Sᵢⱼ.
+            let stretch = graph.subtract(field[j][j], field[i][i]);
+            let minus = |graph: &mut Graph, x| graph.negate(x);
+            let pairs = [
+                (second[i][j], stretch),
+                (second[k][i], field[j][k]),
+                (minus(graph, second[k][j]), field[i][k]),
+                (second[i][i], field[j][i]),
+                (minus(graph, second[j][j]), field[i][j]),
+            ];
+            let turning = graph.sum_of_products(pairs);
+            total(graph, &[turning, lever[k]])
+        });
+        Wrench { moment, force }
+    }
+}
+
+/// Ω = [α ×] + [ω ×]².
+fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> [Vector; 3] {
+    let mut field = [[graph.zero(); 3]; 3];
+    let squares = velocity.map(|x| graph.square(x));
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let sum = graph.add(squares[i], squares[j]);
+        let minus = graph.negate(sum);
+        field[k][k] = kept(graph, minus);
+        let product = graph.multiply(velocity[i], velocity[j]);
+        let product = kept(graph, product);
+        let (ahead, behind) = (
+            graph.add(product, acceleration[k]),
+            graph.subtract(product, acceleration[k]),
+        );
+        field[j][i] = kept(graph, ahead);
+        field[i][j] = kept(graph, behind);
+    }
+    field
+}
+
+/// The generalized forces that wrenches on the links are balanced by.
+pub(crate) fn generalized_forces(
+    graph: &mut Graph,
+    mechanism: &Mechanism,
+    joints: &[Joint],
+    wrenches: &[Wrench],
+    coordinates: usize,
+) -> Vec<Expression> {
+    let mut terms = vec![Vec::new(); coordinates];
+    let mut totals = wrenches.to_vec();
+    for (i, (link, joint)) in mechanism.links.iter().zip(joints).enumerate().rev() {
+        let Wrench { moment, force } = totals[i];
+        for (coordinate, slope) in &joint.turning {
+            let pairs = slope.iter().copied().zip(moment);
+            terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
+        }
+        if link.parent.is_none() && joint.sliding.is_empty() {
+            continue;
+        }
+        let wrench = Wrench { moment, force }.outward(graph, link);
+        for (coordinate, slope) in &joint.sliding {
+            let pairs = slope.iter().copied().zip(wrench.force);
+            terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
+        }
+        if let Some(parent) = link.parent {
+            totals[parent] = totals[parent].plus(graph, wrench);
+        }
+    }
+    terms.into_iter().map(|terms| graph.sum(terms)).collect()
+}
+
+impl Wrench {
+    /// About the origin and along the axes of the link before.
+    pub(crate) fn outward(self, graph: &mut Graph, link: &Link) -> Self {
+        let force = link.turn.outward(graph, self.force);
+        let moment = link.turn.outward(graph, self.moment);
+        let lever = cross(graph, link.place, force);
+        Self {
+            moment: [0, 1, 2].map(|i| total(graph, &[moment[i], lever[i]])),
+            force,
+        }
+    }
+
+    pub(crate) fn plus(self, graph: &mut Graph, other: Self) -> Self {
+        let mut add = |x: Vector, y: Vector| [0, 1, 2].map(|i| total(graph, &[x[i], y[i]]));
+        Self {
+            moment: add(self.moment, other.moment),
+            force: add(self.force, other.force),
+        }
+    }
+}

@@ -1,0 +1,367 @@
+//! The quadratic form of Gauss's principle, ½ xᵀ H x, in the accelerations of links and coordinates.
+//!
+//! The acceleration of a link is its angular acceleration and that of its origin, six unknowns. Each step of the way to
+//! the root is a congruence of H that knows the structure of one joint: a coordinate is split off, the axes are turned,
+//! the origin is moved. A turn about a coordinate axis takes four products for each symmetric block of two rows, by
+//! the double angle.
+
+use std::collections::BTreeMap;
+
+use crate::mechanics::mechanism::{Inertia, Turn, Vector, kept, total};
+use crate::{Expression, Graph, Rational};
+
+/// An unknown.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Unknown {
+    /// q̈ᵢ.
+    Coordinate(usize),
+    /// A component of the angular acceleration of a link, then of the acceleration of its origin: 0 to 5.
+    Twist(usize, usize),
+}
+
+/// The three unknowns of an angular acceleration.
+pub(crate) const fn angular(link: usize) -> [Unknown; 3] {
+    [
+        Unknown::Twist(link, 0),
+        Unknown::Twist(link, 1),
+        Unknown::Twist(link, 2),
+    ]
+}
+
+/// The three unknowns of the acceleration of an origin.
+pub(crate) const fn linear(link: usize) -> [Unknown; 3] {
+    [
+        Unknown::Twist(link, 3),
+        Unknown::Twist(link, 4),
+        Unknown::Twist(link, 5),
+    ]
+}
+
+/// The row of an eliminated coordinate: D q̈ = h − Σ entries · x.
+#[derive(Clone, Debug)]
+pub(crate) struct EliminatedRow {
+    pub(crate) coordinate: usize,
+    pub(crate) pivot: Expression,
+    /// 1/D.
+    pub(crate) reciprocal: Expression,
+    /// The other unknowns, each with its entry and the entry over D.
+    pub(crate) others: Vec<(Unknown, Expression, Expression)>,
+}
+
+/// H, both triangles, without zeros.
+#[derive(Default)]
+pub(crate) struct TwistElimination {
+    rows: BTreeMap<Unknown, BTreeMap<Unknown, Expression>>,
+}
+
+impl TwistElimination {
+    fn entry(&self, graph: &Graph, u: Unknown, v: Unknown) -> Expression {
+        let entry = self.rows.get(&u).and_then(|row| row.get(&v));
+        entry.copied().unwrap_or(graph.zero())
+    }
+
+    fn set(&mut self, graph: &Graph, u: Unknown, v: Unknown, value: Expression) {
+        for (x, y) in [(u, v), (v, u)] {
+            let row = self.rows.entry(x).or_default();
+            if graph.is_zero(value) {
+                row.remove(&y);
+            } else {
+                row.insert(y, value);
+            }
+        }
+    }
+
+    fn add(&mut self, graph: &mut Graph, u: Unknown, v: Unknown, change: Expression) {
+        let sum = graph.add(self.entry(graph, u, v), change);
+        let sum = kept(graph, sum);
+        self.set(graph, u, v, sum);
+    }
+
+    /// A block of three by three.
+    fn block(&self, graph: &Graph, rows: [Unknown; 3], columns: [Unknown; 3]) -> [Vector; 3] {
+        rows.map(|u| columns.map(|v| self.entry(graph, u, v)))
+    }
+
+    /// The unknowns other than those of a link.
+    fn others(&self, link: usize) -> Vec<Unknown> {
+        let is_other = |u: &Unknown| !matches!(u, Unknown::Twist(known, _) if *known == link);
+        self.rows.keys().copied().filter(is_other).collect()
+    }
+
+    /// Adds ½ m |a|² + … of what a link carries.
+    pub(crate) fn add_inertia(&mut self, graph: &mut Graph, link: usize, inertia: &Inertia) {
+        let (angular, linear) = (angular(link), linear(link));
+        let tensor = inertia.tensor(graph);
+        for i in 0..3 {
+            for j in i..3 {
+                self.add(graph, angular[i], angular[j], tensor[i][j]);
+            }
+            self.add(graph, linear[i], linear[i], inertia.mass);
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let minus = graph.negate(inertia.first[k]);
+            self.add(graph, angular[i], linear[j], minus);
+            self.add(graph, angular[i], linear[k], inertia.first[j]);
+        }
+    }
+
+    /// x := x + e q̈ᵢ of three unknowns.
+    pub(crate) fn split_off(
+        &mut self,
+        graph: &mut Graph,
+        unknowns: [Unknown; 3],
+        coordinate: usize,
+        slope: Vector,
+    ) {
+        let own = Unknown::Coordinate(coordinate);
+        let mut changes = Vec::new();
+        for v in self.rows.keys().copied().collect::<Vec<_>>() {
+            let pairs = unknowns.iter().zip(slope);
+            let pairs: Vec<_> = pairs.map(|(u, e)| (e, self.entry(graph, *u, v))).collect();
+            changes.push((v, graph.sum_of_products(pairs)));
+        }
+        let mut square = Vec::new();
+        for (v, change) in changes {
+            if let Some(i) = unknowns.iter().position(|u| *u == v) {
+                square.push((graph.multiply(slope[i], change), Rational::ONE));
+            }
+            if v == own {
+                square.push((change, Rational::integer(2)));
+            } else {
+                self.add(graph, own, v, change);
+            }
+        }
+        let square = graph.sum(square);
+        self.add(graph, own, own, square);
+    }
+
+    /// Eliminates a coordinate, unless its pivot vanishes.
+    pub(crate) fn eliminate(
+        &mut self,
+        graph: &mut Graph,
+        coordinate: usize,
+    ) -> Option<EliminatedRow> {
+        let own = Unknown::Coordinate(coordinate);
+        let mut row = self.rows.remove(&own)?;
+        let pivot = row.remove(&own)?;
+        let reciprocal = graph.power(pivot, &Rational::MINUS_ONE);
+        let reciprocal = kept(graph, reciprocal);
+        let mut others = Vec::with_capacity(row.len());
+        for (v, entry) in row {
+            if let Some(row) = self.rows.get_mut(&v) {
+                row.remove(&own);
+            }
+            let ratio = if entry == pivot {
+                graph.one()
+            } else {
+                let ratio = graph.multiply(entry, reciprocal);
+                kept(graph, ratio)
+            };
+            others.push((v, entry, ratio));
+        }
+        for (position, (u, entry, _)) in others.iter().enumerate() {
+            for (v, other, ratio) in &others[position..] {
+                // Of the two factors, a ratio of one leaves the entry of the other.
+                let change = if *entry == pivot {
+                    *other
+                } else {
+                    graph.multiply(*ratio, *entry)
+                };
+                let change = graph.negate(change);
+                self.add(graph, *u, *v, change);
+            }
+        }
+        Some(EliminatedRow {
+            coordinate,
+            pivot,
+            reciprocal,
+            others,
+        })
+    }
+
+    /// Turns the axes of a link into those of the link before.
+    pub(crate) fn turn(&mut self, graph: &mut Graph, link: usize, turn: &Turn) {
+        let (angular, linear) = (angular(link), linear(link));
+        for other in self.others(link) {
+            for unknowns in [angular, linear] {
+                let column = unknowns.map(|u| self.entry(graph, u, other));
+                let column = turn.outward(graph, column);
+                self.set_column(graph, unknowns, other, column);
+            }
+        }
+        for [rows, columns] in [[angular, angular], [linear, linear], [angular, linear]] {
+            let block = self.block(graph, rows, columns);
+            let block = turn.outward_block(graph, block, rows == columns);
+            for i in 0..3 {
+                let first = if rows == columns { i } else { 0 };
+                for j in first..3 {
+                    self.set(graph, rows[i], columns[j], block[i][j]);
+                }
+            }
+        }
+    }
+
+    fn set_column(&mut self, graph: &Graph, rows: [Unknown; 3], column: Unknown, values: Vector) {
+        for (u, value) in rows.into_iter().zip(values) {
+            self.set(graph, u, column, value);
+        }
+    }
+
+    /// Replaces the acceleration of the origin by that of the origin of the link before, from which it is at `place`.
+    pub(crate) fn shift(&mut self, graph: &mut Graph, link: usize, place: Vector) {
+        let (angular, linear) = (angular(link), linear(link));
+        for other in self.others(link) {
+            let forces = linear.map(|u| self.entry(graph, u, other));
+            let lever = graph.cross(place, forces);
+            for (u, change) in angular.into_iter().zip(lever) {
+                self.add(graph, u, other, change);
+            }
+        }
+        let before = self.block(graph, angular, linear);
+        let masses = self.block(graph, linear, linear);
+        for j in 0..3 {
+            let lever = graph.cross(place, [masses[0][j], masses[1][j], masses[2][j]]);
+            for (u, change) in angular.into_iter().zip(lever) {
+                self.add(graph, u, linear[j], change);
+            }
+        }
+        let after = self.block(graph, angular, linear);
+        for i in 0..3 {
+            for j in i..3 {
+                let [rows, columns] = [
+                    graph.cross(place, before[j])[i],
+                    graph.cross(place, after[i])[j],
+                ];
+                let sum = graph.add(rows, columns);
+                self.add(graph, angular[i], angular[j], sum);
+            }
+        }
+    }
+
+    /// Adds the rows of a link to those of the link before, or drops them where that is the inertial frame.
+    pub(crate) fn merge(&mut self, graph: &mut Graph, link: usize, parent: Option<usize>) {
+        let rename = |u: Unknown| match (u, parent) {
+            (Unknown::Twist(known, i), Some(parent)) if known == link => Unknown::Twist(parent, i),
+            _ => u,
+        };
+        for i in 0..6 {
+            let own = Unknown::Twist(link, i);
+            let row = self.rows.remove(&own).unwrap_or_default();
+            for (v, entry) in row {
+                if let Some(row) = self.rows.get_mut(&v) {
+                    row.remove(&own);
+                }
+                if parent.is_some() {
+                    // Each pair is met once: the row of the other one is gone then.
+                    self.add(graph, rename(own), rename(v), entry);
+                }
+            }
+        }
+    }
+}
+
+impl Turn {
+    /// R B Rᵀ.
+    fn outward_block(
+        &self,
+        graph: &mut Graph,
+        block: [Vector; 3],
+        is_symmetric: bool,
+    ) -> [Vector; 3] {
+        match self {
+            Self::Identity => block,
+            Self::Elementary(rotation) => {
+                let [cosine, sine] = Self::cosine_and_sine(graph, *rotation);
+                let [k, a, b] = rotation.axis.cycle();
+                let mut turned = block;
+                for (i, j) in [(a, b), (b, a)] {
+                    let [x, y] = [block[i][k], block[j][k]];
+                    let sign = if i == a {
+                        Rational::MINUS_ONE
+                    } else {
+                        Rational::ONE
+                    };
+                    let across = graph.scale(sine, &sign);
+                    let value = graph.sum_of_products([(cosine, x), (across, y)]);
+                    turned[i][k] = kept(graph, value);
+                    let value =
+                        graph.sum_of_products([(cosine, block[k][i]), (across, block[k][j])]);
+                    turned[k][i] = kept(graph, value);
+                }
+                let plane = [[block[a][a], block[a][b]], [block[b][a], block[b][b]]];
+                let plane = if is_symmetric {
+                    symmetric_plane(graph, cosine, sine, plane)
+                } else {
+                    plane_turned(graph, cosine, sine, plane)
+                };
+                [turned[a][a], turned[a][b]] = plane[0];
+                [turned[b][a], turned[b][b]] = plane[1];
+                turned
+            }
+            Self::General(_) => {
+                let columns = [0, 1, 2].map(|j| [block[0][j], block[1][j], block[2][j]]);
+                let columns = columns.map(|column| self.outward(graph, column));
+                let rows = [0, 1, 2].map(|i| [columns[0][i], columns[1][i], columns[2][i]]);
+                rows.map(|row| self.outward(graph, row))
+            }
+        }
+    }
+}
+
+type Plane = [[Expression; 2]; 2];
+
+/// cos² and sin cos, each computed once.
+fn products(graph: &mut Graph, cosine: Expression, sine: Expression) -> [Expression; 2] {
+    let square = graph.square(cosine);
+    let product = graph.multiply(cosine, sine);
+    [kept(graph, square), kept(graph, product)]
+}
+
+/// R B Rᵀ of a symmetric block of two rows.
+fn symmetric_plane(
+    graph: &mut Graph,
+    cosine: Expression,
+    sine: Expression,
+    [[x, y], [_, z]]: Plane,
+) -> Plane {
+    let [square, product] = products(graph, cosine, sine);
+    let twice = graph.scale(product, &Rational::integer(2));
+    let double_sine = kept(graph, twice);
+    let twice = graph.scale(square, &Rational::integer(2));
+    let double_cosine = graph.add_constant(twice, &Rational::MINUS_ONE);
+    let double_cosine = kept(graph, double_cosine);
+    let difference = graph.subtract(x, z);
+    let difference = kept(graph, difference);
+    let minus = graph.negate(double_sine);
+    let change = graph.sum_of_products([(square, difference), (minus, y)]);
+    let change = kept(graph, change);
+    let across = graph.sum_of_products([(product, difference), (double_cosine, y)]);
+    let across = kept(graph, across);
+    let minus = graph.negate(change);
+    [
+        [total(graph, &[z, change]), across],
+        [across, total(graph, &[x, minus])],
+    ]
+}
+
+/// R B Rᵀ of a block of two rows.
+fn plane_turned(
+    graph: &mut Graph,
+    cosine: Expression,
+    sine: Expression,
+    [[e, f], [g, h]]: Plane,
+) -> Plane {
+    let [square, product] = products(graph, cosine, sine);
+    let difference = graph.subtract(e, h);
+    let difference = kept(graph, difference);
+    let sum = total(graph, &[f, g]);
+    let minus = graph.negate(product);
+    let change = graph.sum_of_products([(square, difference), (minus, sum)]);
+    let change = kept(graph, change);
+    let across = graph.sum_of_products([(product, difference), (square, sum)]);
+    let across = kept(graph, across);
+    let [minus, minus_f, minus_g] = [change, f, g].map(|x| graph.negate(x));
+    [
+        [total(graph, &[h, change]), total(graph, &[across, minus_g])],
+        [total(graph, &[across, minus_f]), total(graph, &[e, minus])],
+    ]
+}
