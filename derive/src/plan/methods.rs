@@ -96,7 +96,7 @@ impl Methods {
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
-        let mass = equations.mass.concat();
+        let mass = kinetics.mass.concat();
         let [prepare, accelerations] = Method::accelerations(model, &kinetics);
         Self {
             lagrangian: scalar(equations.lagrangian),
@@ -155,12 +155,12 @@ struct PivotExpressions {
 
 impl PivotExpressions {
     fn of(model: &mut Model, equations: &Equations, kinetics: &Kinetics) -> Option<Self> {
-        if equations.mass.len() > MOST_PIVOTS {
+        if kinetics.mass.len() > MOST_PIVOTS {
             return None;
         }
         let elimination = kinetics.ldlt.as_ref()?;
         let angles = &equations.coordinate_properties.angles;
-        let rows = equations.mass.iter().enumerate();
+        let rows = kinetics.mass.iter().enumerate();
         Some(Self {
             magnitudes: elimination.magnitudes(&mut model.graph, angles),
             pivots: elimination.pivots.clone(),

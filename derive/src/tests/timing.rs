@@ -10,6 +10,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::expand::expand;
+use crate::tests::arms::arm;
 
 fn symmetric_top() -> TokenStream {
     quote! {
@@ -154,4 +155,11 @@ fn long_chains_expand() {
 #[ignore = "takes a minute; run with `--include-ignored`"]
 fn dense_quadratic_forms_expand() {
     measure_growth("D", dense, &[5, 10, 20, 40, 60]);
+}
+
+#[test]
+#[ignore = "takes a minute; run with `--include-ignored`"]
+fn arms_in_space_expand() {
+    let arm = |links| arm(links as usize);
+    measure_growth("S", arm, &[3, 6, 10, 20]);
 }

@@ -64,6 +64,16 @@ impl MatrixFactor {
         }
     }
 
+    /// Whether this does not change.
+    fn is_constant(self, graph: &Graph) -> bool {
+        match self {
+            Self::Elementary(rotation) => !graph.contents(rotation.angle).varies(),
+            Self::Rotation(elements) | Self::General(elements) => {
+                elements.iter().all(|x| !graph.contents(*x).varies())
+            }
+        }
+    }
+
     /// The product with the next factor as one factor, if that is known without multiplication.
     fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
         match (self, next) {
@@ -133,7 +143,7 @@ fn identity(graph: &Graph) -> [Expression; 9] {
 
 impl Graph {
     /// The same product with fewer factors: adjacent rotations about one axis are combined, and rotations next to
-    /// their transposes cancel, as identities do.
+    /// their transposes cancel, as identities do. Where vectors are resolved last, parallel joints stay two.
     pub(crate) fn merged(
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
@@ -142,6 +152,7 @@ impl Graph {
         for mut factor in factors {
             if let Some(last) = merged.last()
                 && let Some(both) = last.then(factor, self)
+                && (self.unresolved.is_none() || both.is_constant(self))
             {
                 merged.pop();
                 factor = both;

@@ -17,6 +17,8 @@ use crate::{Equations, Expression, Graph, Model, Pass};
 
 /// The kinetics of a model, as expressions of its graph.
 pub struct Kinetics {
+    /// M, row by row.
+    pub mass: Vec<Vec<Expression>>,
     /// The forcing f in M q̈ = f.
     pub forcing: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
@@ -64,15 +66,20 @@ impl Kinetics {
         };
         let links = link_equations(model, equations);
         let graph = &mut model.graph;
+        let has_ldlt = passes.has(Pass::Ldlt);
+        let mut solvers = Vec::new();
         if let Some(links) = &links {
-            let (forcing, inverse_dynamics) = (links.forcing(graph), links.inverse_dynamics(graph));
-            cheaper = cheaper.or(graph, forcing, inverse_dynamics);
+            let along_links = links.system(graph);
+            if has_ldlt {
+                solvers.extend(ldlt_solver(graph, &along_links));
+            }
+            cheaper = cheaper.or(graph, along_links);
         }
-        let ldlt = passes
-            .has(Pass::Ldlt)
-            .then(|| Ldlt::factor(graph, &equations.mass, MOST_PIVOT_NEIGHBOURS))
+        let ldlt = has_ldlt
+            .then(|| Ldlt::factor(graph, &cheaper.mass, MOST_PIVOT_NEIGHBOURS))
             .flatten();
-        let mut solvers: Vec<_> = ldlt.iter().cloned().map(Solver::Ldlt).collect();
+        let plain = ldlt.iter().cloned();
+        solvers.extend(plain.map(|ldlt| Solver::Ldlt(ldlt, cheaper.forcing.clone())));
         let mut system = cheaper.clone();
         if let Some(tree) = tree {
             let scaled = tree.divided_by_unit(graph);
@@ -88,7 +95,8 @@ impl Kinetics {
         let boltzmann_hamel = boltzmann_hamel_solvers(model, equations, declared);
         solvers.extend(boltzmann_hamel.iter().cloned().map(Solver::BoltzmannHamel));
         Self {
-            solution: Solution::cheapest(&mut model.graph, &cheaper.forcing, solvers),
+            solution: Solution::cheapest(&mut model.graph, solvers),
+            mass: cheaper.mass,
             forcing: cheaper.forcing,
             inverse_dynamics: cheaper.inverse_dynamics,
             system,
@@ -114,21 +122,21 @@ impl Kinetics {
 impl LinearSystem {
     /// The same system with f and M q̈ − f along a tree where they cost less so.
     fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
-        let (forcing, inverse_dynamics) = (tree.forcing(graph), tree.inverse_dynamics(graph));
-        self.or(graph, forcing, inverse_dynamics)
+        let along_tree = Self {
+            mass: self.mass.clone(),
+            forcing: tree.forcing(graph),
+            inverse_dynamics: tree.inverse_dynamics(graph),
+        };
+        self.or(graph, along_tree)
     }
 
-    /// The same system with another f and M q̈ − f where they cost less.
-    fn or(
-        self,
-        graph: &Graph,
-        forcing: Vec<Expression>,
-        inverse_dynamics: Vec<Expression>,
-    ) -> Self {
+    /// The same system with M, f and M q̈ − f of another where they cost less.
+    fn or(self, graph: &Graph, other: Self) -> Self {
+        let is_cheaper = graph.cost(&other.mass.concat()) < graph.cost(&self.mass.concat());
         Self {
-            mass: self.mass,
-            forcing: cheaper(graph, self.forcing, forcing),
-            inverse_dynamics: cheaper(graph, self.inverse_dynamics, inverse_dynamics),
+            mass: if is_cheaper { other.mass } else { self.mass },
+            forcing: cheaper(graph, self.forcing, other.forcing),
+            inverse_dynamics: cheaper(graph, self.inverse_dynamics, other.inverse_dynamics),
         }
     }
 
@@ -147,6 +155,12 @@ impl LinearSystem {
             inverse_dynamics: tree.inverse_dynamics(graph),
         }
     }
+}
+
+/// The solution through the factors of M.
+fn ldlt_solver(graph: &mut Graph, system: &LinearSystem) -> Option<Solver> {
+    let ldlt = Ldlt::factor(graph, &system.mass, MOST_PIVOT_NEIGHBOURS)?;
+    Some(Solver::Ldlt(ldlt, system.forcing.clone()))
 }
 
 /// The equations along the links of a mechanism, if the model is one and they are Lagrange's.

@@ -9,6 +9,7 @@
 mod inertia;
 mod reading;
 mod turn;
+mod turned_block;
 
 pub(crate) use inertia::Inertia;
 pub(crate) use turn::{Turn, cross, kept, slopes, total};

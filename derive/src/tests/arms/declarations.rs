@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 /// An arm of so many links: joint i turns about letter i of the repeating zyxy, and each link has a centre of mass off the
 /// joint axis and a full inertia tensor.
-pub(super) fn arm(links: usize) -> TokenStream {
+pub(in crate::tests) fn arm(links: usize) -> TokenStream {
     let each = quote! {
         0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])
     };

@@ -10,13 +10,14 @@
 use std::collections::BTreeMap;
 
 use crate::mechanics::mechanism::{Mechanism, Turn, Vector, kept, total};
+use crate::mechanics::solvers::composite_links::mass_matrix;
 use crate::mechanics::solvers::newton_euler::{
     Joint, Wrench, generalized_forces, joints, wrenches,
 };
 use crate::mechanics::solvers::twist_elimination::{
     EliminatedRow, TwistElimination, Unknown, angular, linear,
 };
-use crate::{Expression, Graph, Model, Rational};
+use crate::{Expression, Graph, LinearSystem, Model, Rational};
 
 /// The equations of motion of a mechanism.
 pub(crate) struct LinkEquations {
@@ -45,11 +46,15 @@ impl LinkEquations {
         })
     }
 
-    /// The forcing f in M q̈ = f.
-    pub(crate) fn forcing(&self, graph: &mut Graph) -> Vec<Expression> {
+    /// M, f and M q̈ − f, each by a recursion along the links.
+    pub(crate) fn system(&self, graph: &mut Graph) -> LinearSystem {
         let inner = self.generalized_forces(graph, false);
         let pairs = self.forces.iter().zip(inner);
-        pairs.map(|(x, y)| graph.subtract(*x, y)).collect()
+        LinearSystem {
+            forcing: pairs.map(|(x, y)| graph.subtract(*x, y)).collect(),
+            mass: mass_matrix(graph, &self.mechanism, &self.joints, self.forces.len()),
+            inverse_dynamics: self.inverse_dynamics(graph),
+        }
     }
 
     /// M q̈ − f with the accelerations as symbols.

@@ -230,10 +230,15 @@ impl Wrench {
     pub(crate) fn outward(self, graph: &mut Graph, link: &Link) -> Self {
         let force = link.turn.outward(graph, self.force);
         let moment = link.turn.outward(graph, self.moment);
-        let lever = cross(graph, link.place, force);
+        Self { moment, force }.moved(graph, link.place)
+    }
+
+    /// About another origin, from which this one is at `place`.
+    pub(crate) fn moved(self, graph: &mut Graph, place: Vector) -> Self {
+        let lever = cross(graph, place, self.force);
         Self {
-            moment: [0, 1, 2].map(|i| total(graph, &[moment[i], lever[i]])),
-            force,
+            moment: [0, 1, 2].map(|i| total(graph, &[self.moment[i], lever[i]])),
+            ..self
         }
     }
 

@@ -30,19 +30,16 @@ pub(crate) enum Solver {
     BoltzmannHamel(BoltzmannHamel),
     ArticulatedBodies(ArticulatedBodies),
     ArticulatedLinks(ArticulatedLinks),
-    Ldlt(Ldlt),
+    /// The factors of M, and f.
+    Ldlt(Ldlt, Vec<Expression>),
 }
 
 impl Solution {
     /// The solution by the cheapest of several solvers; of two with the same cost, by the later.
-    pub(crate) fn cheapest(
-        graph: &mut Graph,
-        forcing: &[Expression],
-        solvers: Vec<Solver>,
-    ) -> Option<Self> {
+    pub(crate) fn cheapest(graph: &mut Graph, solvers: Vec<Solver>) -> Option<Self> {
         let mut solutions = Vec::with_capacity(solvers.len());
         for solver in solvers.into_iter().rev() {
-            solutions.push(Self::solved_by(graph, forcing, solver));
+            solutions.push(Self::solved_by(graph, solver));
         }
         let unscheduled =
             |solution: &Self| graph.cost(&[&*solution.pivots, &solution.accelerations].concat());
@@ -60,7 +57,7 @@ impl Solution {
         })
     }
 
-    fn solved_by(graph: &mut Graph, forcing: &[Expression], solver: Solver) -> Self {
+    fn solved_by(graph: &mut Graph, solver: Solver) -> Self {
         let (pivots, accelerations) = match &solver {
             Solver::BoltzmannHamel(solver) => (solver.pivots(), solver.accelerations(graph)),
             Solver::ArticulatedBodies(solver) => {
@@ -69,7 +66,7 @@ impl Solution {
             Solver::ArticulatedLinks(solver) => {
                 (solver.pivots.clone(), solver.accelerations(graph))
             }
-            Solver::Ldlt(solver) => {
+            Solver::Ldlt(solver, forcing) => {
                 let accelerations = solver.solve(graph, forcing);
                 (solver.pivots.clone(), accelerations)
             }
@@ -106,7 +103,7 @@ impl Solution {
             columns.extend(match &self.solver {
                 Solver::ArticulatedBodies(solver) => solver.solution(graph, &right),
                 Solver::ArticulatedLinks(solver) => solver.solution(graph, &right),
-                Solver::Ldlt(solver) => solver.solve(graph, &right),
+                Solver::Ldlt(solver, _) => solver.solve(graph, &right),
                 Solver::BoltzmannHamel(_) => Vec::new(),
             });
         }
