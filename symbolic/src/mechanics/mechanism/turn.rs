@@ -2,7 +2,7 @@
 
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::mechanics::mechanism::Vector;
-use crate::{Expression, Graph, Rational, Symbol, Unary};
+use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
 
 /// A rotation that takes components along the axes of a link to those along the axes of the link before.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -110,8 +110,18 @@ pub(crate) fn slopes(graph: &mut Graph, vector: Vector, coordinates: u32) -> Vec
     slopes
 }
 
-/// An expression as an intermediate result, with which sums and products do not merge.
+/// An expression as an intermediate result, with which sums and products do not merge. A minus sign stays outside,
+/// where it is part of the sums that follow.
 pub(crate) fn kept(graph: &mut Graph, expression: Expression) -> Expression {
+    let is_negative = match graph.node(expression) {
+        Node::Sum(terms) => terms.iter().all(|(_, c)| c.is_negative()),
+        _ => false,
+    };
+    if is_negative {
+        let opposite = graph.negate(expression);
+        let opposite = graph.opaque(opposite);
+        return graph.negate(opposite);
+    }
     graph.opaque(expression)
 }
 

@@ -24,6 +24,8 @@ struct Motion {
     acceleration: Vector,
     /// Ω.
     field: [Vector; 3],
+    /// Ωⱼⱼ − Ωᵢᵢ for the axes i, j, k in order.
+    stretch: Vector,
     angular_acceleration: Vector,
 }
 
@@ -103,6 +105,7 @@ impl Motion {
             angular_velocity: [zero; 3],
             acceleration,
             field: [[zero; 3]; 3],
+            stretch: [zero; 3],
             angular_acceleration: [zero; 3],
         }
     }
@@ -135,10 +138,12 @@ impl Motion {
         let gyration = graph.cross(carried, joint.rate);
         let angular_acceleration =
             [0, 1, 2].map(|i| total(graph, &[turned[i], gyration[i], rate_change[i]]));
+        let (field, stretch) = field(graph, angular_velocity, angular_acceleration);
         Self {
             angular_velocity,
             acceleration,
-            field: field(graph, angular_velocity, angular_acceleration),
+            field,
+            stretch,
             angular_acceleration,
         }
     }
@@ -157,10 +162,9 @@ impl Motion {
         let moment = [0, 1, 2].map(|k: usize| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             // (Ω S)ⱼᵢ − (Ω S)ᵢⱼ, the diagonal of Ω gathered around the product Sᵢⱼ.
-            let stretch = graph.subtract(field[j][j], field[i][i]);
             let minus = |graph: &mut Graph, x| graph.negate(x);
             let pairs = [
-                (second[i][j], stretch),
+                (second[i][j], self.stretch[k]),
                 (second[k][i], field[j][k]),
                 (minus(graph, second[k][j]), field[i][k]),
                 (second[i][i], field[j][i]),
@@ -173,15 +177,18 @@ impl Motion {
     }
 }
 
-/// Ω = [α ×] + [ω ×]².
-fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> [Vector; 3] {
+/// Ω = [α ×] + [ω ×]², and the differences of its diagonal.
+fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> ([Vector; 3], Vector) {
     let mut field = [[graph.zero(); 3]; 3];
+    let mut stretch = [graph.zero(); 3];
     let squares = velocity.map(|x| graph.square(x));
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let sum = graph.add(squares[i], squares[j]);
         let minus = graph.negate(sum);
         field[k][k] = kept(graph, minus);
+        let difference = graph.subtract(squares[j], squares[i]);
+        stretch[k] = kept(graph, difference);
         let product = graph.multiply(velocity[i], velocity[j]);
         let product = kept(graph, product);
         let (ahead, behind) = (
@@ -191,7 +198,7 @@ fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> [Vector; 
         field[j][i] = kept(graph, ahead);
         field[i][j] = kept(graph, behind);
     }
-    field
+    (field, stretch)
 }
 
 /// The generalized forces that wrenches on the links are balanced by.
