@@ -9,6 +9,7 @@
 
 mod builder;
 mod functions;
+mod linear_forms;
 mod quotients;
 mod terms;
 

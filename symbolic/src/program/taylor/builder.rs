@@ -1,6 +1,9 @@
 //! The recurrence under construction.
 
+use std::collections::BTreeSet;
+
 use super::functions::Pair;
+use super::linear_forms::Recurrence;
 use super::{Convolution, TaylorProgram};
 use crate::algebra::hashing::Table;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
@@ -30,12 +33,34 @@ pub(super) struct Factor(pub(super) usize);
 /// A list of instructions under construction, with value numbering.
 #[derive(Default)]
 pub(super) struct Instructions {
-    list: Vec<Instruction>,
+    pub(super) list: Vec<Instruction>,
     numbers: Table<Operation, usize>,
     next: usize,
 }
 
 impl Instructions {
+    /// The instructions that have to run for some operands.
+    fn needed_for(self, operands: &[Operand]) -> Vec<Instruction> {
+        let value = |operand: &Operand| match operand {
+            Operand::Value(value) => Some(*value),
+            _ => None,
+        };
+        let mut values: BTreeSet<usize> = operands.iter().filter_map(value).collect();
+        let mut list = self.list;
+        list.reverse();
+        list.retain(|instruction| {
+            let first = instruction.value;
+            let mut results = first..first + instruction.operation.results();
+            let needed = results.any(|result| values.contains(&result));
+            if needed {
+                values.extend(instruction.operation.operands().filter_map(value));
+            }
+            needed
+        });
+        list.reverse();
+        list
+    }
+
     pub(super) fn emit(&mut self, operation: Operation) -> Operand {
         if let Some(value) = self.numbers.get(&operation) {
             return Operand::Value(*value);
@@ -54,7 +79,7 @@ impl Instructions {
 
 /// Different items, numbered in the order in which they were first met.
 pub(super) struct Numbered<T> {
-    items: Vec<T>,
+    pub(super) items: Vec<T>,
     numbers: Table<T, usize>,
 }
 
@@ -230,27 +255,36 @@ impl Builder {
     }
 
     pub(super) fn finish(self, program: &Program, coefficients: Vec<Operand>) -> TaylorProgram {
+        let factors = self.factors.into_iter();
+        let factors = factors.map(|factor| factor.unwrap_or(ZERO)).collect();
+        let recurrence = Recurrence {
+            instructions: self.recurrence.list,
+            invariants: self.invariants.items,
+            outputs: [coefficients, factors],
+        };
+        let mut in_initial = self.initial;
+        let Recurrence {
+            instructions,
+            invariants,
+            outputs: [coefficients, factors],
+        } = recurrence.balanced(&mut in_initial);
         let mut initial = program.clone();
         initial.groups.push(OutputGroup {
-            instructions: self.initial.list,
-            outputs: self.invariants.items,
+            instructions: in_initial.needed_for(&invariants),
+            outputs: invariants,
         });
-        let factors = self
-            .factors
-            .into_iter()
-            .map(|factor| factor.unwrap_or(ZERO));
-        let accelerations = OutputGroup {
-            instructions: self.recurrence.list,
+        let coefficients = OutputGroup {
+            instructions,
             outputs: coefficients,
         };
         let factors = OutputGroup {
             instructions: Vec::new(),
-            outputs: factors.collect(),
+            outputs: factors,
         };
         TaylorProgram {
             initial,
             recurrence: Program {
-                groups: vec![accelerations, factors],
+                groups: vec![coefficients, factors],
             },
             convolutions: self.convolutions.items,
             is_in_quasi_velocities: false,
