@@ -18,7 +18,7 @@ use crate::plan::{AccelerationOutputs, Rates, TaylorMethod};
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
 
-/// As many pairs of factors are summed at once: the sums stay in registers.
+/// As many pairs of factors are summed at once: the sums of four orders stay in registers.
 const LARGEST_BLOCK: usize = 32;
 
 /// Reads the symbols of the recurrence for the terms of order k.

@@ -14,7 +14,7 @@ pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize>
 }
 
 /// As many orders are summed at once: each term that is loaded is in as many products, and the sums stay in registers.
-const ORDERS: usize = 4;
+pub(super) const ORDERS: usize = 4;
 
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order after order.
 ///

@@ -1,17 +1,14 @@
 //! The sums of products in recurrences for Taylor coefficients, of a few pairs at a time.
 
-use super::convolutions::OnlineConvolutions;
+use super::convolutions::{ORDERS, OnlineConvolutions};
 use crate::scalar::Scalar;
-
-/// Up to as many lanes, four vector registers of sums, two sums of each lane hide the latency of an addition. More lanes
-/// hide it by themselves, and two sums would not stay in the sixteen registers.
-const FEW_LANES: usize = 16;
 
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of pairs of factors, order after order, as [`Convolutions`](super::Convolutions) are,
 /// but with the terms of both factors of each pair side by side, so that `LANES` pairs are summed at once in vector
 /// registers. A factor is stored for each pair that it belongs to.
 ///
-/// Only two products of a sum have a term of the order before: all others can be added while that term is computed.
+/// Of every fourth order on, the sums of four orders are begun at once: each term that is loaded is in four products. Only
+/// two products of a sum have a term of the order before: all others can be added while that term is computed.
 #[derive(Clone, Debug)]
 #[repr(align(64))] // Rows begin at multiples of a vector register.
 pub(crate) struct PairedConvolutions<S, const PAIRS: usize, const LANES: usize, const HALF: usize> {
@@ -19,6 +16,9 @@ pub(crate) struct PairedConvolutions<S, const PAIRS: usize, const LANES: usize, 
     first: [[[S; PAIRS]; 2]; HALF],
     /// Those of the second ones.
     second: [[[S; PAIRS]; 2]; HALF],
+    /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the present order: blocks
+    /// of `LANES` pairs, and in each a row for each order.
+    begun: [[S; PAIRS]; ORDERS],
     /// The sums of the present order.
     sums: [S; PAIRS],
     order: usize,
@@ -28,96 +28,194 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
     PairedConvolutions<S, PAIRS, LANES, HALF>
 {
     /// The convolutions of order 1, which are empty sums. `PAIRS` is a multiple of `LANES`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new() -> Self {
         const { assert!(PAIRS.is_multiple_of(LANES)) }
         Self {
             first: [[[S::zero(); PAIRS]; 2]; HALF],
             second: [[[S::zero(); PAIRS]; 2]; HALF],
+            begun: [[S::zero(); PAIRS]; ORDERS],
             sums: [S::zero(); PAIRS],
             order: 1,
         }
+    }
+
+    /// Adds the terms of the present order, and computes the sums of the next one by `sum`, given the sums that were begun
+    /// and all terms that are known.
+    #[inline(always)]
+    fn advance_by<const FACTORS: usize>(
+        &mut self,
+        factors: &[S; FACTORS],
+        pairs: &[[usize; 2]; PAIRS],
+        sum: impl Fn(&mut [[S; LANES]], &[[S; LANES]], &[[S; LANES]]) -> [S; LANES],
+    ) {
+        let first = self.first.as_flattened_mut().as_flattened_mut();
+        let second = self.second.as_flattened_mut().as_flattened_mut();
+        let begun = self.begun.as_flattened_mut();
+        let blocks = first
+            .chunks_exact_mut(2 * HALF * LANES)
+            .zip(second.chunks_exact_mut(2 * HALF * LANES))
+            .zip(begun.chunks_exact_mut(ORDERS * LANES));
+        let sums = self.sums.as_chunks_mut::<LANES>().0.iter_mut();
+        let pairs = pairs.as_chunks::<LANES>().0.iter();
+        for ((((first, second), begun), sums), pairs) in blocks.zip(sums).zip(pairs) {
+            let x = first.as_chunks_mut::<LANES>().0;
+            let y = second.as_chunks_mut::<LANES>().0;
+            let known = self.order.min(x.len());
+            let (x, y) = (&mut x[..known], &mut y[..known]);
+            if let (Some(x), Some(y)) = (x.last_mut(), y.last_mut()) {
+                *x = core::array::from_fn(|lane| factors[pairs[lane][0]]);
+                *y = core::array::from_fn(|lane| factors[pairs[lane][1]]);
+            }
+            *sums = sum(begun.as_chunks_mut::<LANES>().0, x, y);
+        }
+        self.order += 1;
     }
 }
 
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const LANES: usize, const HALF: usize>
     OnlineConvolutions<S, FACTORS, PAIRS> for PairedConvolutions<S, PAIRS, LANES, HALF>
 {
-    #[inline]
+    #[inline(always)]
     fn sums(&self) -> [S; PAIRS] {
         self.sums
     }
 
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
-        let first = self.first.as_flattened_mut().as_flattened_mut();
-        let second = self.second.as_flattened_mut().as_flattened_mut();
-        let blocks = first
-            .chunks_exact_mut(2 * HALF * LANES)
-            .zip(second.chunks_exact_mut(2 * HALF * LANES));
-        let sums = self.sums.as_chunks_mut::<LANES>().0.iter_mut();
-        let pairs = pairs.as_chunks::<LANES>().0.iter();
-        for (((first, second), sums), pairs) in blocks.zip(sums).zip(pairs) {
-            let x = first.as_chunks_mut::<LANES>().0;
-            let y = second.as_chunks_mut::<LANES>().0;
-            let lower = products(x, y, self.order);
-            let x_k: [S; LANES] = core::array::from_fn(|lane| factors[pairs[lane][0]]);
-            let y_k: [S; LANES] = core::array::from_fn(|lane| factors[pairs[lane][1]]);
-            if self.order == 1 {
-                for lane in 0..LANES {
-                    sums[lane] = x_k[lane] * y_k[lane];
+        match self.order % ORDERS {
+            _ if self.order < ORDERS => self.advance_by(factors, pairs, |_, x, y| {
+                let mut sum = [S::zero(); LANES];
+                for (x, y) in x.iter().zip(y.iter().rev()) {
+                    sum = plus(&sum, x, y);
                 }
-            } else {
-                for lane in 0..LANES {
-                    sums[lane] =
-                        x_k[lane].mul_add(y[0][lane], x[0][lane].mul_add(y_k[lane], lower[lane]));
-                }
-            }
-            x[self.order - 1] = x_k;
-            y[self.order - 1] = y_k;
+                sum
+            }),
+            0 => self.advance_by(factors, pairs, |begun, x, y| {
+                products(begun, x, y);
+                begun[0]
+            }),
+            1 => self.advance_by(factors, pairs, |begun, x, y| {
+                with_last::<S, LANES, 1>(begun, x, y)
+            }),
+            2 => self.advance_by(factors, pairs, |begun, x, y| {
+                with_last::<S, LANES, 2>(begun, x, y)
+            }),
+            _ => self.advance_by(factors, pairs, |begun, x, y| {
+                with_last::<S, LANES, 3>(begun, x, y)
+            }),
         }
-        self.order += 1;
     }
 }
 
-/// Σ₁﹤ᵢ﹤ₖ xᵢ yₖ₊₁₋ᵢ: two sums, so that one need not wait for the other.
-#[inline]
+/// The sum and x y in each lane.
+#[inline(always)]
+fn plus<S: Scalar, const LANES: usize>(
+    sum: &[S; LANES],
+    x: &[S; LANES],
+    y: &[S; LANES],
+) -> [S; LANES] {
+    core::array::from_fn(|lane| x[lane].mul_add(y[lane], sum[lane]))
+}
+
+/// As many lanes are summed at once, or once half more: the sums of four orders then stay in registers, and there are enough
+/// of them to hide the latency of an addition.
+const LANES_AT_ONCE: usize = 8;
+const HALF_MORE: usize = 12;
+
+/// The sums of the products whose orders add up to n + 1, …, n + 4, of the n terms that are known, a multiple of 4.
+#[inline(always)]
 fn products<S: Scalar, const LANES: usize>(
+    begun: &mut [[S; LANES]],
     x: &[[S; LANES]],
     y: &[[S; LANES]],
-    order: usize,
+) {
+    let mut first = 0;
+    if LANES % LANES_AT_ONCE != 0 && LANES >= HALF_MORE {
+        products_of::<S, LANES, HALF_MORE>(first, begun, x, y);
+        first += HALF_MORE;
+    }
+    while first + LANES_AT_ONCE <= LANES {
+        products_of::<S, LANES, LANES_AT_ONCE>(first, begun, x, y);
+        first += LANES_AT_ONCE;
+    }
+    while first + ORDERS <= LANES {
+        products_of::<S, LANES, ORDERS>(first, begun, x, y);
+        first += ORDERS;
+    }
+    while first < LANES {
+        products_of::<S, LANES, 1>(first, begun, x, y);
+        first += 1;
+    }
+}
+
+/// The same in some of the lanes.
+#[inline(always)]
+fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
+    first: usize,
+    begun: &mut [[S; LANES]],
+    x: &[[S; LANES]],
+    y: &[[S; LANES]],
+) {
+    let part = |row: &[S; LANES]| -> [S; PART] { core::array::from_fn(|lane| row[first + lane]) };
+    let zero = [S::zero(); PART];
+    let [mut s0, mut s1, mut s2, mut s3] = [zero; ORDERS];
+    // The terms of y that were last met.
+    let [mut w1, mut w2, mut w3] = [zero; 3];
+    let fours = x.as_chunks::<4>().0.iter().zip(y.as_chunks::<4>().0.iter().rev());
+    for (x, y) in fours {
+        let [y3, y2, y1, y0] = [part(&y[0]), part(&y[1]), part(&y[2]), part(&y[3])];
+        let x0 = part(&x[0]);
+        s0 = plus(&s0, &x0, &y0);
+        s1 = plus(&s1, &x0, &w1);
+        s2 = plus(&s2, &x0, &w2);
+        s3 = plus(&s3, &x0, &w3);
+        let x1 = part(&x[1]);
+        s0 = plus(&s0, &x1, &y1);
+        s1 = plus(&s1, &x1, &y0);
+        s2 = plus(&s2, &x1, &w1);
+        s3 = plus(&s3, &x1, &w2);
+        let x2 = part(&x[2]);
+        s0 = plus(&s0, &x2, &y2);
+        s1 = plus(&s1, &x2, &y1);
+        s2 = plus(&s2, &x2, &y0);
+        s3 = plus(&s3, &x2, &w1);
+        let x3 = part(&x[3]);
+        s0 = plus(&s0, &x3, &y3);
+        s1 = plus(&s1, &x3, &y2);
+        s2 = plus(&s2, &x3, &y1);
+        s3 = plus(&s3, &x3, &y0);
+        [w1, w2, w3] = [y3, y2, y1];
+    }
+    for (row, sum) in begun.iter_mut().zip([s0, s1, s2, s3]) {
+        row[first..first + PART].copy_from_slice(&sum);
+    }
+}
+
+/// A sum that was begun and those of its products that have one of the last terms.
+#[inline(always)]
+fn with_last<S: Scalar, const LANES: usize, const LAST: usize>(
+    begun: &[[S; LANES]],
+    x: &[[S; LANES]],
+    y: &[[S; LANES]],
 ) -> [S; LANES] {
-    if const { LANES > FEW_LANES } {
-        let mut sums = [S::zero(); LANES];
-        if order > 2 {
-            for (x, y) in x[1..order - 1].iter().zip(y[1..order - 1].iter().rev()) {
-                for lane in 0..LANES {
-                    sums[lane] = x[lane].mul_add(y[lane], sums[lane]);
-                }
-            }
-        }
-        return sums;
+    let ends = (
+        x.first_chunk(),
+        x.last_chunk(),
+        y.first_chunk(),
+        y.last_chunk(),
+    );
+    let (Some(x_first), Some(x_last), Some(y_first), Some(y_last)) = ends else {
+        return [S::zero(); LANES];
+    };
+    let _: [&[[S; LANES]; LAST]; 4] = [x_first, x_last, y_first, y_last];
+    // The newest terms come last.
+    let mut sum = begun[LAST];
+    for i in 0..LAST {
+        sum = plus(&sum, &x_first[LAST - 1 - i], &y_last[i]);
+        sum = plus(&sum, &x_last[i], &y_first[LAST - 1 - i]);
     }
-    let mut even = [S::zero(); LANES];
-    let mut odd = [S::zero(); LANES];
-    if order > 2 {
-        let (x, rest) = x[1..order - 1].as_chunks::<2>();
-        let (last, y) = y[1..order - 1].as_rchunks::<2>();
-        for ([x0, x1], [y1, y0]) in x.iter().zip(y.iter().rev()) {
-            for lane in 0..LANES {
-                even[lane] = x0[lane].mul_add(y0[lane], even[lane]);
-            }
-            for lane in 0..LANES {
-                odd[lane] = x1[lane].mul_add(y1[lane], odd[lane]);
-            }
-        }
-        for (x, y) in rest.iter().zip(last) {
-            for lane in 0..LANES {
-                even[lane] = x[lane].mul_add(y[lane], even[lane]);
-            }
-        }
-    }
-    core::array::from_fn(|lane| even[lane] + odd[lane])
+    sum
 }
 
 #[cfg(test)]
