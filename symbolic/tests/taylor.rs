@@ -215,12 +215,3 @@ fn series_of_values_with_an_error_anywhere_are_found_out() {
         }
     }
 }
-#[test]
-fn zz() {
-    for n in [2, 3, 5] {
-        for (_, t) in Accelerations::choices(&Chain::of(n).model()) {
-            println!("chain {n}: {} convolutions of {} factors, cost {}", t.convolutions.len(), t.factors(), t.recurrence.count().cost());
-            if n == 2 { for i in t.recurrence.instructions() { println!("   v{} = {:?}", i.value, i.operation); } println!("{:?}", t.recurrence.groups.iter().map(|g| g.outputs.clone()).collect::<Vec<_>>()); println!("{:?}", t.convolutions); }
-        }
-    }
-}

@@ -156,7 +156,7 @@ impl SeriesCheck {
         let mut found = motion.clone();
         // The factors of order 1, 2, …
         let mut factors: Vec<Vec<f64>> = Vec::new();
-        for k in 1..=3 {
+        for (k, found) in found.iter_mut().enumerate().skip(1) {
             let known = Known {
                 invariants: &invariants,
                 factors: &factors,
@@ -170,11 +170,11 @@ impl SeriesCheck {
                 self.taylor.terms(&known, &symbol, perturbation)
             };
             let mut terms = evaluate(&unknown);
-            found[k] = terms[..n].to_vec();
+            *found = terms[..n].to_vec();
             if self.pivots.is_none() {
                 let (lower, _) = outputs.split_at(outputs.len() - n);
-                found[k] = SquareMatrix::symmetric(lower, n).solve(&found[k])?;
-                terms = evaluate(&found[k]);
+                *found = SquareMatrix::symmetric(lower, n).solve(found)?;
+                terms = evaluate(found);
             }
             factors.push(terms.split_off(n));
         }
