@@ -39,26 +39,43 @@ pub(super) struct Instructions {
 }
 
 impl Instructions {
-    /// The instructions that have to run for some operands.
-    fn needed_for(self, operands: &[Operand]) -> Vec<Instruction> {
+    /// The group that computes these outputs and nothing else.
+    fn group(self, mut outputs: Vec<Operand>) -> OutputGroup {
         let value = |operand: &Operand| match operand {
             Operand::Value(value) => Some(*value),
             _ => None,
         };
-        let mut values: BTreeSet<usize> = operands.iter().filter_map(value).collect();
-        let mut list = self.list;
-        list.reverse();
-        list.retain(|instruction| {
+        let mut needed: BTreeSet<usize> = outputs.iter().filter_map(value).collect();
+        for instruction in self.list.iter().rev() {
             let first = instruction.value;
             let mut results = first..first + instruction.operation.results();
-            let needed = results.any(|result| values.contains(&result));
-            if needed {
-                values.extend(instruction.operation.operands().filter_map(value));
+            if results.any(|result| needed.contains(&result)) {
+                needed.extend(instruction.operation.operands().filter_map(value));
+                needed.insert(first);
             }
-            needed
-        });
-        list.reverse();
-        list
+        }
+        let mut next = self.list.first().map_or(0, |first| first.value);
+        let mut numbers = Table::default();
+        let mut instructions = Vec::with_capacity(self.list.len());
+        for mut instruction in self.list {
+            if !needed.contains(&instruction.value) {
+                continue;
+            }
+            let renumber = |operand: &mut Operand| renumber(operand, &numbers);
+            instruction.operation.for_each_operand(renumber);
+            let results = instruction.operation.results();
+            numbers.extend((0..results).map(|i| (instruction.value + i, next + i)));
+            instruction.value = next;
+            next += results;
+            instructions.push(instruction);
+        }
+        for output in &mut outputs {
+            renumber(output, &numbers);
+        }
+        OutputGroup {
+            instructions,
+            outputs,
+        }
     }
 
     pub(super) fn emit(&mut self, operation: Operation) -> Operand {
@@ -74,6 +91,14 @@ impl Instructions {
             expression: None,
         });
         Operand::Value(value)
+    }
+}
+
+fn renumber(operand: &mut Operand, numbers: &Table<usize, usize>) {
+    if let Operand::Value(value) = operand
+        && let Some(number) = numbers.get(value)
+    {
+        *value = *number;
     }
 }
 
@@ -269,10 +294,7 @@ impl Builder {
             outputs: [coefficients, factors],
         } = recurrence.balanced(&mut in_initial);
         let mut initial = program.clone();
-        initial.groups.push(OutputGroup {
-            instructions: in_initial.needed_for(&invariants),
-            outputs: invariants,
-        });
+        initial.groups.push(in_initial.group(invariants));
         let coefficients = OutputGroup {
             instructions,
             outputs: coefficients,
