@@ -31,6 +31,7 @@ pub use matrix::dense::Matrix;
 pub use matrix::ldlt::Ldlt;
 pub use mechanics::coordinate_properties::CoordinateProperties;
 pub use mechanics::defects::Defect;
+pub use mechanics::energy_functions::EnergyFunctions;
 pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
 pub use mechanics::model::{Energies, EnergiesInFrames, Model};

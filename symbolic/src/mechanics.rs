@@ -9,4 +9,5 @@ pub(crate) mod equations;
 pub(crate) mod energy_forms;
 pub(crate) mod mechanism;
 pub(crate) mod solvers;
+pub(crate) mod energy_functions;
 pub(crate) mod kinetics;

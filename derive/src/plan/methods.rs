@@ -1,6 +1,6 @@
 //! The programs of a model's methods.
 
-use lagrangian_symbolic::{Energies, Equations, Expression, Kinetics, Model, Rational};
+use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational};
 
 use super::derivatives::Derivatives;
 use super::method::Method;
@@ -89,19 +89,16 @@ impl Methods {
         let linearize = Derivatives::of_state(model, &kinetics);
         let input_jacobian = Derivatives::of_inputs(model, &kinetics);
         let pivots = PivotExpressions::of(model, equations, &kinetics);
-        let energies = match model.energies {
-            Energies::Natural { kinetic, potential } => Some([kinetic, potential]),
-            Energies::General(_) => None,
-        };
+        let energies = kinetics.energies.clone();
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
         let mass = kinetics.mass.concat();
         let [prepare, accelerations] = Method::accelerations(model, &kinetics);
         Self {
-            lagrangian: scalar(equations.lagrangian),
-            energy: scalar(equations.energy),
-            momenta: vector(&equations.momenta),
+            lagrangian: scalar(energies.lagrangian),
+            energy: scalar(energies.energy),
+            momenta: vector(&energies.momenta),
             mass_matrix: Method::single(model, &mass, MethodOutputs::SquareMatrix),
             forcing: vector(&kinetics.forcing),
             generalized_forces: vector(&equations.generalized_forces),
@@ -110,7 +107,7 @@ impl Methods {
             inverse_dynamics: vector(&kinetics.inverse_dynamics),
             linearize: linearize.schedule(model),
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
-            energies: energies.map(|energies| energies.map(scalar)),
+            energies: energies.natural.map(|energies| energies.map(scalar)),
             input_jacobian: input_jacobian.schedule(model),
             outputs: Method::declared_outputs(model, shapes),
             event_functions: Method::event_functions(model, shapes),

@@ -80,6 +80,10 @@ fn arms_move_as_partial_velocities_say() {
                 &values(&derived, &methods.mass_matrix, value),
                 &mass.concat(),
             );
+            let momenta: Vec<f64> = (0..links)
+                .map(|i| (0..links).map(|j| mass[i][j] * v[j]).sum())
+                .collect();
+            assert_near(&values(&derived, &methods.momenta, value), &momenta);
             let forcing: Vec<f64> = bias.iter().map(|x| -x).collect();
             assert_near(&values(&derived, &methods.forcing, value), &forcing);
             let pivots = methods.accelerations.outputs.pivots().unwrap_or(0);
@@ -108,6 +112,9 @@ fn an_arm_costs_no_more_than_the_algorithms_written_by_hand() {
         let Derived { model, methods, .. } = derive(arm(links));
         let found = operations(&methods.accelerations.program);
         assert!(found <= accelerations, "{links}: {found}");
+        // The momenta cost about what inverse dynamics does.
+        let momenta = operations(&methods.momenta.program);
+        assert!(momenta <= inverse_dynamics * 5 / 4, "{links}: {momenta}");
         let program = methods.inverse_dynamics.program;
         let found = operations(&program.staged(model.graph.passes).kernel);
         assert!(found <= inverse_dynamics, "{links}: {found}");

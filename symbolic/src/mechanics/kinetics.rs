@@ -7,6 +7,7 @@
 use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
+use crate::mechanics::energy_functions::EnergyFunctions;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::{ArticulatedLinks, LinkEquations};
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
@@ -17,6 +18,8 @@ use crate::{Equations, Expression, Graph, Model, Pass};
 
 /// The kinetics of a model, as expressions of its graph.
 pub struct Kinetics {
+    /// L, the energy function, T, V and the momenta.
+    pub energies: EnergyFunctions,
     /// M, row by row.
     pub mass: Vec<Vec<Expression>>,
     /// The forcing f in M q̈ = f.
@@ -65,6 +68,7 @@ impl Kinetics {
             None => lagrange,
         };
         let links = link_equations(model, equations);
+        let energies = EnergyFunctions::cheapest(model, equations, links.as_ref());
         let graph = &mut model.graph;
         let has_ldlt = passes.has(Pass::Ldlt);
         let mut solvers = Vec::new();
@@ -96,6 +100,7 @@ impl Kinetics {
         solvers.extend(boltzmann_hamel.iter().cloned().map(Solver::BoltzmannHamel));
         Self {
             solution: Solution::cheapest(&mut model.graph, solvers),
+            energies,
             mass: cheaper.mass,
             forcing: cheaper.forcing,
             inverse_dynamics: cheaper.inverse_dynamics,

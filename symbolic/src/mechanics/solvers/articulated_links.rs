@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::mechanics::mechanism::{Mechanism, Turn, Vector, kept, total};
 use crate::mechanics::solvers::composite_links::mass_matrix;
+use crate::mechanics::solvers::link_momenta::energy_and_momenta;
 use crate::mechanics::solvers::newton_euler::{
     Joint, Wrench, generalized_forces, joints, wrenches,
 };
@@ -62,6 +63,16 @@ impl LinkEquations {
         let inner = self.generalized_forces(graph, true);
         let pairs = self.forces.iter().zip(inner);
         pairs.map(|(x, y)| graph.subtract(y, *x)).collect()
+    }
+
+    /// T and ∂T/∂q̇.
+    pub(crate) fn energy_and_momenta(&self, graph: &mut Graph) -> (Expression, Vec<Expression>) {
+        energy_and_momenta(graph, &self.mechanism, &self.joints, self.forces.len())
+    }
+
+    /// The rest of L, besides T and uniform gravity.
+    pub(crate) const fn rest(&self) -> Expression {
+        self.mechanism.rest
     }
 
     fn generalized_forces(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Expression> {

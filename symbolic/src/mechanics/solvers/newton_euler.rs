@@ -32,11 +32,11 @@ struct Motion {
 /// What each joint adds to the motion of the link before, and the coordinates with which it does.
 pub(crate) struct Joint {
     /// The angular velocity relative to the link before, along the axes of the link.
-    rate: Vector,
+    pub(crate) rate: Vector,
     /// Its derivatives by the velocities.
     pub(crate) turning: Vec<(usize, Vector)>,
     /// The rate of the place in the link before, along its axes.
-    speed: Vector,
+    pub(crate) speed: Vector,
     /// Its derivatives by the velocities.
     pub(crate) sliding: Vec<(usize, Vector)>,
 }

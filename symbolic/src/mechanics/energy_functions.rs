@@ -1,0 +1,66 @@
+//! L, the energy function, T and the momenta, along the links of a mechanism where that costs less.
+
+use crate::mechanics::solvers::articulated_links::LinkEquations;
+use crate::{Energies, Equations, Expression, Graph, Model, Rational, Symbol};
+
+/// The functions of the state that energies define.
+#[derive(Clone, Debug)]
+pub struct EnergyFunctions {
+    /// The Lagrangian function L.
+    pub lagrangian: Expression,
+    /// The energy function h = Σ pᵢ q̇ᵢ − L.
+    pub energy: Expression,
+    /// T and V, where they were declared.
+    pub natural: Option<[Expression; 2]>,
+    /// The momenta p = ∂L/∂q̇.
+    pub momenta: Vec<Expression>,
+}
+
+impl EnergyFunctions {
+    /// The cheapest of those of the equations and those along links.
+    pub(crate) fn cheapest(
+        model: &mut Model,
+        equations: &Equations,
+        links: Option<&LinkEquations>,
+    ) -> Self {
+        let mut functions = Self {
+            lagrangian: equations.lagrangian,
+            energy: equations.energy,
+            natural: match model.energies {
+                Energies::Natural { kinetic, potential } => Some([kinetic, potential]),
+                Energies::General(_) => None,
+            },
+            momenta: equations.momenta.clone(),
+        };
+        if let Some(links) = links {
+            functions.along(&mut model.graph, links);
+        }
+        functions
+    }
+
+    fn along(&mut self, graph: &mut Graph, links: &LinkEquations) {
+        let (energy, mut momenta) = links.energy_and_momenta(graph);
+        let velocities: Vec<_> = (0..).map(Symbol::Velocity).take(momenta.len()).collect();
+        let rest = graph.jacobian(&[links.rest()], &velocities).concat();
+        for (momentum, rest) in momenta.iter_mut().zip(rest) {
+            *momentum = graph.add(*momentum, rest);
+        }
+        let pairs = momenta.iter().zip(&self.momenta);
+        let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
+        if graph.cost(&momenta) < graph.cost(&self.momenta) && graph.vanishes(&differences) {
+            self.momenta = momenta;
+        }
+        let Some([kinetic, potential]) = self.natural else {
+            return;
+        };
+        let difference = graph.subtract(energy, kinetic);
+        if graph.cost(&[energy]) >= graph.cost(&[kinetic]) || !graph.vanishes(&[difference]) {
+            return;
+        }
+        self.natural = Some([energy, potential]);
+        self.lagrangian = graph.subtract(energy, potential);
+        if self.energy == graph.sum([(kinetic, Rational::ONE), (potential, Rational::ONE)]) {
+            self.energy = graph.add(energy, potential);
+        }
+    }
+}
