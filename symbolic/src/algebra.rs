@@ -4,6 +4,7 @@ pub(crate) mod hashing;
 pub(crate) mod rational;
 pub(crate) mod symbol;
 pub(crate) mod contents;
+pub(crate) mod enclosure;
 pub(crate) mod interner;
 pub(crate) mod graph;
 pub(crate) mod sum;

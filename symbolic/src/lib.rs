@@ -35,6 +35,7 @@ pub use mechanics::energy_functions::EnergyFunctions;
 pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
 pub use mechanics::model::{Energies, EnergiesInFrames, Model};
+pub use mechanics::solvers::pivots::Pivot;
 pub use mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};

@@ -213,3 +213,8 @@ pub(crate) const ROUND_ZEROS: usize = 7;
 
 /// Fractions with denominators up to this are read at a glance.
 pub(crate) const SMALL_DENOMINATOR: u32 = 12;
+
+/// A pivot of which cancellation leaves at least this part of its terms, as numerator and denominator, does not vanish: it
+/// costs three digits at most. The runtime allows twelve bits before it takes a pivot for a singularity. Bounds of
+/// expressions that are not wider than their range would move it.
+pub(crate) const LEAST_REMAINDER: (i64, i64) = (1, 1024);

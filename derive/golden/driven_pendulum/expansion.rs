@@ -154,6 +154,7 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
     const PERIODS: [u32; 1usize] = [1];
     const IGNORABLE: [bool; 1usize] = [false];
     const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
+    const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
@@ -294,16 +295,14 @@ for DrivenPendulum {
     }
     fn relative_pivots(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
+        _state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = m * (l * l);
-        ::lagrangian::__private::relative_pivots(
-            [x0],
-            [x0.abs()],
-            [x0],
-            || ::lagrangian::Lagrangian::<1usize, __S>::mass_matrix(self, state),
+        ::lagrangian::__private::by_coordinate(
+            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
+            [&[0]],
         )
     }
 }

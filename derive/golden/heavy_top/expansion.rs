@@ -603,55 +603,23 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        let x0 = sin_psi * sin_psi;
-        let x1 = i2 * x0;
-        let x2 = cos_psi * cos_psi;
-        let x3 = i1 * x2;
-        let x4 = x1 + x3;
-        let x5 = __S::from_f64(1.0) / x4;
-        let x6 = x5 * x2;
-        let x7 = i1 - i2;
-        let x8 = x6 * (x7 * x7);
-        let x9 = sin_theta * sin_theta;
-        let x10 = x9 * x0;
-        let x11 = x8 * x10;
-        let x12 = i2 * x2;
-        let x13 = x12 * x9;
-        let x14 = i1 * x10;
-        let x15 = x13 + x14;
-        let x16 = cos_theta
-            * __S::from_f64(2.0)
-                .mul_add(x12, sin_psi * (sin_psi * (__S::from_f64(2.0) * (i1 - x8))));
-        let x17 = sin_psi
-            * (sin_psi * (__S::from_f64(2.0) * (x7 * x2 / (x4 * x4) - x5)));
-        let x18 = __S::from_f64(2.0) * x7;
-        let x19 = cos_psi * x7.mul_add(x7 * __S::from_f64(2.0).mul_add(x6, x17), -x18);
-        let x20 = __S::from_f64(1.0).min(psi.abs());
-        let x21 = (sin_theta * (sin_theta * (sin_psi * x19)))
-            .abs()
-            .mul_add(
-                x20,
-                (sin_theta * x16)
-                    .abs()
-                    .mul_add(
-                        __S::from_f64(1.0).min(theta.abs()),
-                        x13.abs() + x14.abs() + x11.abs(),
-                    ),
-            );
-        let x22 = x20.mul_add((sin_psi * (cos_psi * -x18)).abs(), x1.abs() + x3.abs());
-        ::lagrangian::__private::relative_pivots(
-            [x15 - x11, x4, i3],
-            [x21, x22, i3.abs()],
-            [i3.mul_add(cos_theta * cos_theta, x15), x4, i3],
-            || ::lagrangian::Lagrangian::<3usize, __S>::mass_matrix(self, state),
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        ::lagrangian::__private::by_coordinate(
+            [
+                ::lagrangian::__private::relative_pivot(
+                    -sin_theta,
+                    cos_theta
+                        .abs()
+                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
+                ),
+                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
+                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
+                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
+            ],
+            [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }
 }

@@ -625,58 +625,25 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, i1, i2, i3, sin_psi, sin_theta, cos_psi, cos_theta, x0, x1, x2,
-        x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15, x16, x17, x18, x19,
-        x20, x21, x22]: [__S; 32usize];
+        let [theta, i1, i2, i3, sin_theta, cos_theta]: [__S; 6usize];
         theta = state.q[1];
-        psi = state.q[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = sin_psi * sin_psi;
-        x1 = i2 * x0;
-        x2 = cos_psi * cos_psi;
-        x3 = i1 * x2;
-        x4 = x1 + x3;
-        x5 = __S::from_f64(1.0) / x4;
-        x6 = x5 * x2;
-        x7 = i1 - i2;
-        x8 = x6 * (x7 * x7);
-        x9 = sin_theta * sin_theta;
-        x10 = x9 * x0;
-        x11 = x8 * x10;
-        x12 = i2 * x2;
-        x13 = x12 * x9;
-        x14 = i1 * x10;
-        x15 = x13 + x14;
-        x16 = cos_theta
-            * __S::from_f64(2.0)
-                .mul_add(x12, sin_psi * (sin_psi * (__S::from_f64(2.0) * (i1 - x8))));
-        x17 = sin_psi * (sin_psi * (__S::from_f64(2.0) * (x7 * x2 / (x4 * x4) - x5)));
-        x18 = __S::from_f64(2.0) * x7;
-        x19 = cos_psi * x7.mul_add(x7 * __S::from_f64(2.0).mul_add(x6, x17), -x18);
-        x20 = __S::from_f64(1.0).min(psi.abs());
-        x21 = (sin_theta * (sin_theta * (sin_psi * x19)))
-            .abs()
-            .mul_add(
-                x20,
-                (sin_theta * x16)
-                    .abs()
-                    .mul_add(
-                        __S::from_f64(1.0).min(theta.abs()),
-                        x13.abs() + x14.abs() + x11.abs(),
-                    ),
-            );
-        x22 = x20.mul_add((sin_psi * (cos_psi * -x18)).abs(), x1.abs() + x3.abs());
-        ::lagrangian::__private::relative_pivots(
-            [x15 - x11, x4, i3],
-            [x21, x22, i3.abs()],
-            [i3.mul_add(cos_theta * cos_theta, x15), x4, i3],
-            || ::lagrangian::Lagrangian::<3usize, __S>::mass_matrix(self, state),
+        (sin_theta, cos_theta) = theta.sin_cos();
+        ::lagrangian::__private::by_coordinate(
+            [
+                ::lagrangian::__private::relative_pivot(
+                    -sin_theta,
+                    cos_theta
+                        .abs()
+                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
+                ),
+                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
+                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
+                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
+            ],
+            [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }
 }

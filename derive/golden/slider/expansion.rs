@@ -146,6 +146,7 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
     const PERIODS: [u32; 1usize] = [0];
     const IGNORABLE: [bool; 1usize] = [false];
     const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
+    const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
@@ -307,14 +308,12 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     }
     fn relative_pivots(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
+        _state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
-        ::lagrangian::__private::relative_pivots(
-            [m],
-            [m.abs()],
-            [m],
-            || ::lagrangian::Lagrangian::<1usize, __S>::mass_matrix(self, state),
+        ::lagrangian::__private::by_coordinate(
+            [::lagrangian::__private::relative_pivot(m, m.abs())],
+            [&[0]],
         )
     }
 }

@@ -78,6 +78,12 @@ impl Emitter<'_> {
             let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
             quote!(&[#(#coordinates),*])
         });
+        let stays_regular = self.methods.stays_regular;
+        let stays_regular = stays_regular.then(|| {
+            quote!(
+                const STAYS_REGULAR: bool = true;
+            )
+        });
         quote! {
             #[automatically_derived]
             impl #generics #root::GeneralizedCoordinates<#n> for #name #arguments #conditions {
@@ -86,6 +92,7 @@ impl Emitter<'_> {
                 const PERIODS: [u32; #n] = [#(#periods),*];
                 const IGNORABLE: [bool; #n] = [#(#ignorable),*];
                 const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
+                #stays_regular
             }
         }
     }

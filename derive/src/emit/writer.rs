@@ -1,7 +1,7 @@
 //! The bodies of methods: the statements of their programs, and the values that they return.
 
 use lagrangian_symbolic::{Operand, Rational, Symbol};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::body::Body;
@@ -308,15 +308,34 @@ impl Writer<'_> {
     /// The relative pivots where all pivots are positive; else those of a numerical factorization of M.
     fn relative_pivots(&mut self, outputs: &PivotOutputs) -> TokenStream {
         let root = &self.emitter.declaration.root;
-        let (statements, pivots) = self.compute(&outputs.pivots);
+        let (statements, positive) = self.compute(&outputs.positive);
+        let (more, pivots) = self.compute(&outputs.pivots);
         let (_, magnitudes) = self.compute(&outputs.magnitudes);
         let (_, diagonal) = self.compute(&outputs.diagonal);
-        let mass = self.mass_matrix();
+        let relative = pivots.iter().zip(&magnitudes).enumerate();
+        let relative = relative.map(|(i, (pivot, magnitude))| {
+            if let Some(entry) = diagonal.get(i) {
+                quote!(#root::__private::eliminated_pivot(#pivot, #magnitude, #entry))
+            } else {
+                quote!(#root::__private::relative_pivot(#pivot, #magnitude))
+            }
+        });
+        let positions = outputs.by_coordinate.iter().map(|positions| {
+            let positions = positions.iter().copied().map(Literal::usize_unsuffixed);
+            quote!(&[#(#positions),*])
+        });
+        let relative = quote! {
+            #root::__private::by_coordinate([#(#relative),*], [#(#positions),*])
+        };
+        if positive.is_empty() {
+            return quote!(#statements #more #relative);
+        }
+        let factors = self.factors_of_mass_matrix();
         quote! {
-            #statements
-            #root::__private::relative_pivots(
-                [#(#pivots),*], [#(#magnitudes),*], [#(#diagonal),*], || #mass
-            )
+            #statements #more
+            #root::__private::if_positive([#(#positive),*], #relative, || {
+                #root::__private::factored_pivots(&#factors)
+            })
         }
     }
 

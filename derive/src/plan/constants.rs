@@ -4,8 +4,13 @@
 pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
 
 /// The constants of traits that a model has; a constant of the type would hide them.
-pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 4] =
-    ["ANGLES", "PERIODS", "IGNORABLE", "SINGULARITIES"];
+pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 5] = [
+    "ANGLES",
+    "PERIODS",
+    "IGNORABLE",
+    "SINGULARITIES",
+    "STAYS_REGULAR",
+];
 /// The constants of a model with inputs.
 pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
 /// The constants of a model with external functions.

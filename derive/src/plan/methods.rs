@@ -22,8 +22,10 @@ pub(crate) struct Methods {
     pub(crate) accelerations: Method,
     pub(crate) inverse_dynamics: Method,
     pub(crate) linearize: Method,
-    /// Where M is eliminated symbolically.
+    /// Where q̈ is solved for symbolically.
     pub(crate) relative_pivots: Option<Method>,
+    /// Whether no pivot can come to vanish in the course of a motion.
+    pub(crate) stays_regular: bool,
     /// T and V, where they were declared.
     pub(crate) energies: Option<[Method; 2]>,
     pub(crate) input_jacobian: Method,
@@ -89,6 +91,7 @@ impl Methods {
         let linearize = Derivatives::of_state(model, &kinetics);
         let input_jacobian = Derivatives::of_inputs(model, &kinetics);
         let pivots = PivotExpressions::of(model, equations, &kinetics);
+        let stays_regular = stays_regular(model, &kinetics);
         let energies = kinetics.energies.clone();
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
@@ -107,6 +110,7 @@ impl Methods {
             inverse_dynamics: vector(&kinetics.inverse_dynamics),
             linearize: linearize.schedule(model),
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
+            stays_regular,
             energies: energies.natural.map(|energies| energies.map(scalar)),
             input_jacobian: input_jacobian.schedule(model),
             outputs: Method::declared_outputs(model, shapes),
@@ -143,34 +147,65 @@ fn function_derivatives(model: &Model) -> Vec<FunctionDerivative> {
     derivatives
 }
 
-/// What the relative pivots are computed from, where M is eliminated symbolically.
+/// Whether no divisor of the accelerations can come to vanish while parameters keep their values.
+fn stays_regular(model: &mut Model, kinetics: &Kinetics) -> bool {
+    let graph = &mut model.graph;
+    if let Some(solution) = &kinetics.solution {
+        let divisors = solution.divisors(graph);
+        let mut divisors = divisors.iter();
+        return divisors.all(|pivot| graph.never_comes_to_vanish(pivot.value));
+    }
+    let mut entries = kinetics.system.mass.iter().flatten();
+    entries.all(|entry| !graph.contents(*entry).varies())
+}
+
+/// What the relative pivots are computed from, where q̈ is solved for symbolically.
 struct PivotExpressions {
+    positive: Vec<Expression>,
     pivots: Vec<Expression>,
     magnitudes: Vec<Expression>,
     diagonal: Vec<Expression>,
+    by_coordinate: Vec<Vec<usize>>,
 }
 
 impl PivotExpressions {
     fn of(model: &mut Model, equations: &Equations, kinetics: &Kinetics) -> Option<Self> {
-        if kinetics.mass.len() > MOST_PIVOTS {
+        let size = kinetics.mass.len();
+        if size > MOST_PIVOTS {
             return None;
         }
-        let elimination = kinetics.ldlt.as_ref()?;
+        let solution = kinetics.solution.as_ref()?;
+        let divisors = solution.divisors(&model.graph);
         let angles = &equations.coordinate_properties.angles;
+        let magnitudes = divisors
+            .iter()
+            .map(|pivot| pivot.magnitude(&mut model.graph, angles));
         let rows = kinetics.mass.iter().enumerate();
+        let diagonal = rows.map(|(i, row)| row[i]);
+        let of_coordinate = |i: usize| {
+            let with_it = divisors.iter().enumerate();
+            let with_it = with_it.filter(|(_, pivot)| pivot.coordinates.contains(&i));
+            with_it.map(|(position, _)| position).collect()
+        };
         Some(Self {
-            magnitudes: elimination.magnitudes(&mut model.graph, angles),
-            pivots: elimination.pivots.clone(),
-            diagonal: rows.map(|(i, row)| row[i]).collect(),
+            positive: solution.pivots.clone(),
+            magnitudes: magnitudes.collect(),
+            diagonal: diagonal
+                .filter(|_| solution.eliminates_mass_matrix())
+                .collect(),
+            by_coordinate: (0..size).map(of_coordinate).collect(),
+            pivots: divisors.iter().map(|pivot| pivot.value).collect(),
         })
     }
 
     fn schedule(&self, model: &Model) -> Method {
         let mut layout = ProgramLayout::new();
         let outputs = PivotOutputs {
+            positive: layout.add(&self.positive),
             pivots: layout.add(&self.pivots),
             magnitudes: layout.add(&self.magnitudes),
             diagonal: layout.add(&self.diagonal),
+            by_coordinate: self.by_coordinate.clone(),
         };
         Method::schedule(model, &layout, MethodOutputs::RelativePivots(outputs))
     }

@@ -125,12 +125,19 @@ pub(crate) enum InputJacobianOutputs {
     },
 }
 
-/// What the relative pivots of a symbolic elimination of M are computed from.
+/// What the relative pivots of a symbolic solution are computed from.
 #[derive(Clone, Debug)]
 pub(crate) struct PivotOutputs {
+    /// Where one of these is not positive, M is factored numerically.
+    pub(crate) positive: OutputSlice,
+    /// What q̈ is divided by.
     pub(crate) pivots: OutputSlice,
+    /// The magnitudes of their terms.
     pub(crate) magnitudes: OutputSlice,
+    /// The diagonal of M, where M is eliminated: then there is one pivot for each coordinate.
     pub(crate) diagonal: OutputSlice,
+    /// The positions of the pivots of each coordinate.
+    pub(crate) by_coordinate: Vec<Vec<usize>>,
 }
 
 /// What the program of a method returns.

@@ -74,6 +74,13 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
+    /// The same at the end of a step: where it is certain that no singularity is ever met, nothing is looked at. What
+    /// [`singularity`](Self::singularity) says by default.
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        self.singularity(t, x, min_pivot)
+    }
+
     /// The same in one lane, where an integration has steps of its own in each ([`Ensemble`](crate::Ensemble)).
     #[inline]
     fn singularity_in_lane(

@@ -9,6 +9,7 @@ use super::event::{Detection, LastStep, Memory, MetConditions, Occurring};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
+use super::singularity::Singularity;
 use super::stepper::Advance;
 use super::stop_condition::StopCondition;
 use crate::scalar::Scalar;
@@ -129,7 +130,7 @@ where
     /// An error if the present state is too near to a singularity. The samples before it are collected first.
     fn check_regular(&mut self) -> Result<(), IntegrationError> {
         let (t, x) = (self.stepper.time(), self.stepper.state());
-        let result = check_singularity(self.dynamics, t, x, self.min_pivot);
+        let result = check_singularity_in_motion(self.dynamics, t, x, self.min_pivot);
         if result.is_err() {
             let before = if self.end >= self.start {
                 t.next_down()
@@ -252,12 +253,30 @@ pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
     if min_pivot <= 0.0 {
         return Ok(());
     }
-    match dynamics.singularity(S::from_f64(t), x, min_pivot) {
-        None => Ok(()),
-        Some(singularity) => Err(IntegrationError::SingularConfiguration {
-            time: t,
-            estimated_error: S::machine_epsilon() / singularity.relative_pivot(),
-            singularity,
-        }),
+    let found = dynamics.singularity(S::from_f64(t), x, min_pivot);
+    found.map_or(Ok(()), |found| Err(singular::<S>(t, found)))
+}
+
+/// The same at the end of a step.
+#[inline]
+fn check_singularity_in_motion<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    t: f64,
+    x: &D::State,
+    min_pivot: f64,
+) -> Result<(), IntegrationError> {
+    if min_pivot <= 0.0 {
+        return Ok(());
+    }
+    let found = dynamics.singularity_in_motion(S::from_f64(t), x, min_pivot);
+    found.map_or(Ok(()), |found| Err(singular::<S>(t, found)))
+}
+
+#[cold]
+fn singular<S: Scalar>(time: f64, singularity: Singularity) -> IntegrationError {
+    IntegrationError::SingularConfiguration {
+        time,
+        estimated_error: S::machine_epsilon() / singularity.relative_pivot(),
+        singularity,
     }
 }

@@ -105,6 +105,11 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
         self.dynamics.singularity(t, x, min_pivot)
     }
 
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        self.dynamics.singularity_in_motion(t, x, min_pivot)
+    }
+
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         self.dynamics.vanishing_inertia(t, x)
     }

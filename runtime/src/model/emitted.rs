@@ -303,23 +303,37 @@ pub fn linearization<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// Where M is positive definite, each pivot over the magnitude of the terms whose rounding errors it has; elsewhere
-/// the relative pivots of a numerical factorization of M. 0 where M is singular to working precision: where elimination
-/// leaves less than the machine epsilon times a diagonal entry.
+/// A pivot over the magnitude of the terms whose rounding errors it has; NaN where both are 0.
 #[inline]
-pub fn relative_pivots<S: Scalar, const N: usize>(
-    pivots: [S; N],
-    magnitudes: [S; N],
-    diagonal: [S; N],
-    mass: impl FnOnce() -> SMatrix<S, N, N>,
+pub fn relative_pivot<S: Scalar>(pivot: S, magnitude: S) -> S {
+    pivot.abs() / magnitude
+}
+
+/// The same for a pivot of M, and 0 where M is singular to working precision: where elimination leaves less than the machine
+/// epsilon times the diagonal entry.
+#[inline]
+pub fn eliminated_pivot<S: Scalar>(pivot: S, magnitude: S, diagonal: S) -> S {
+    let left = (pivot / diagonal).abs();
+    greater(left, S::from_f64(S::machine_epsilon())) * relative_pivot(pivot, magnitude)
+}
+
+/// For each coordinate the product of the relative pivots at these positions, through which its acceleration is solved for.
+#[inline]
+pub fn by_coordinate<S: Scalar, const PIVOTS: usize, const N: usize>(
+    pivots: [S; PIVOTS],
+    positions: [&[usize]; N],
 ) -> SVector<S, N> {
+    SVector::from(positions.map(|positions| {
+        let factors = positions
+            .iter()
+            .filter_map(|position| pivots.get(*position));
+        factors.fold(S::one(), |product, pivot| product * *pivot)
+    }))
+}
+
+/// The relative pivots of a numerical factorization of M, and 0 where M is singular to working precision.
+pub fn factored_pivots<S: Scalar, const N: usize>(factors: &Factorization<S, N>) -> SVector<S, N> {
     let epsilon = S::from_f64(S::machine_epsilon());
-    let computed = SVector::from_fn(|i, _| {
-        let left = (pivots[i] / diagonal[i]).abs();
-        greater(left, epsilon) * pivots[i].abs() / magnitudes[i]
-    });
-    if_positive(pivots, computed, || {
-        let found = Factorization::new(mass()).relative_pivots();
-        found.map(|pivot| greater(pivot, epsilon) * pivot)
-    })
+    let found = factors.relative_pivots();
+    found.map(|pivot| greater(pivot, epsilon) * pivot)
 }

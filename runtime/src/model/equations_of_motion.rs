@@ -115,6 +115,17 @@ macro_rules! errors_of_the_model {
         }
 
         #[inline]
+        fn singularity_in_motion(
+            &self,
+            t: S,
+            x: &$crate::Phase<S, N>,
+            min_pivot: f64,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::equations_of_motion::singularity_in_motion;
+            singularity_in_motion::<M, S, N>(&self.model, &x.at(t), min_pivot)
+        }
+
+        #[inline]
         fn singularity_in_lane(
             &self,
             lane: usize,
@@ -237,6 +248,24 @@ where
         None
     } else {
         Some(report::<M, S, N>(&pivots, state))
+    }
+}
+
+/// The same in the course of a motion.
+#[inline]
+pub(crate) fn singularity_in_motion<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    if M::STAYS_REGULAR {
+        None
+    } else {
+        singularity(model, state, min_pivot)
     }
 }
 

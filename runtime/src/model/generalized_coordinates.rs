@@ -26,4 +26,9 @@ pub trait GeneralizedCoordinates<const N: usize> {
     /// the mass matrix depends: they decide where that block is singular. Empty if
     /// it depends on parameters and time only.
     const SINGULARITIES: [&'static [usize]; N] = [&[]; N];
+
+    /// Whether the mass matrix stays regular, and well-conditioned, while only the state changes: whether it is certain that
+    /// nothing by which the accelerations are divided comes to vanish, whatever the coordinates and the parameters are.
+    /// Then an integration looks at the [relative pivots](crate::Lagrangian::relative_pivots) only where it begins.
+    const STAYS_REGULAR: bool = false;
 }

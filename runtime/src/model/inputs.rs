@@ -150,6 +150,7 @@ where
     const PERIODS: [u32; N] = M::PERIODS;
     const IGNORABLE: [bool; N] = M::IGNORABLE;
     const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
+    const STAYS_REGULAR: bool = M::STAYS_REGULAR;
 }
 
 impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>

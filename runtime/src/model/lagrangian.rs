@@ -67,13 +67,15 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// Near a singularity of M their accuracy is then what [`Factorization::relative_pivots`] says.
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
 
-    /// For each coordinate, a measure of the conditioning of M q̈ = f: near 1 if M is well-conditioned,
-    /// 0 or NaN if M is singular. Its inverse estimates the factor by which the
-    /// rounding errors of M are amplified in [`accelerations`](Self::accelerations); those of the forcing are not
-    /// part of it.
+    /// For each coordinate, a measure of the conditioning of M q̈ = f: near 1 if it is well-conditioned,
+    /// 0 or NaN if M is singular. Its inverse estimates the factor by which the rounding errors of what is solved
+    /// are amplified in [`accelerations`](Self::accelerations); those of the forcing are not part of it.
     ///
-    /// Where M is positive definite, it is the pivot of the factorization of M over the terms whose rounding errors it
-    /// has; where M is indefinite and regular, as for ẋ ẏ, the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
+    /// It looks at how the accelerations are solved for: each pivot is compared with the terms whose rounding errors it has.
+    /// Through quasi-velocities w = E q̇ the pivots are the determinants of the diagonal blocks of E, such as sin θ, and the
+    /// pivots of their inertia; for articulated bodies those of the elimination along the tree; else those of the
+    /// factorization of M. Of several pivots of one coordinate it is the product. Where M is indefinite and regular, as for
+    /// ẋ ẏ, and is factored numerically, it is the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state)).relative_pivots()
     }

@@ -3,7 +3,9 @@
 use nalgebra::SVector;
 
 use super::augmented_phase::AugmentedPhase;
-use super::equations_of_motion::{allowed_error, component_name, singularity, vanishing_inertia};
+use super::equations_of_motion::{
+    allowed_error, component_name, singularity, singularity_in_motion, vanishing_inertia,
+};
 use super::inputs::Inputs;
 use super::phase::Phase;
 use super::state::State;
@@ -95,6 +97,11 @@ where
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
         singularity(self.model, &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity_in_motion(self.model, &x.at(t), min_pivot)
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {

@@ -60,6 +60,12 @@ impl BlockTriangular {
         &self.matrix
     }
 
+    /// The determinants of the diagonal blocks, each with its equations and its unknowns.
+    pub(crate) fn determinants(&self) -> impl Iterator<Item = (Expression, &[usize], &[usize])> {
+        let blocks = self.blocks.iter();
+        blocks.map(|block| (block.determinant, &*block.rows, &*block.columns))
+    }
+
     /// x in E x = a.
     pub(crate) fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let mut solution: Vec<Option<Expression>> = vec![None; right.len()];

@@ -28,8 +28,6 @@ pub struct Kinetics {
     pub inverse_dynamics: Vec<Expression>,
     /// M q̈ = f for numerical solution.
     pub system: LinearSystem,
-    /// The symbolic factorization of M, where it takes few operations.
-    pub ldlt: Option<Ldlt>,
     /// The accelerations; none for many coupled coordinates, where M is factored numerically.
     pub solution: Option<Solution>,
     /// The choices of as many quasi-velocities as there are coordinates.
@@ -82,8 +80,7 @@ impl Kinetics {
         let ldlt = has_ldlt
             .then(|| Ldlt::factor(graph, &cheaper.mass, MOST_PIVOT_NEIGHBOURS))
             .flatten();
-        let plain = ldlt.iter().cloned();
-        solvers.extend(plain.map(|ldlt| Solver::Ldlt(ldlt, cheaper.forcing.clone())));
+        solvers.extend(ldlt.map(|ldlt| Solver::Ldlt(ldlt, cheaper.forcing.clone())));
         let mut system = cheaper.clone();
         if let Some(tree) = tree {
             let scaled = tree.divided_by_unit(graph);
@@ -105,7 +102,6 @@ impl Kinetics {
             forcing: cheaper.forcing,
             inverse_dynamics: cheaper.inverse_dynamics,
             system,
-            ldlt,
             boltzmann_hamel,
         }
     }

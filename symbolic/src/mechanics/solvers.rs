@@ -1,5 +1,6 @@
 //! The solvers for q̈, except the symbolic factorization (`matrix/ldlt.rs`). [Kinetics](crate::Kinetics) chooses among them.
 
+pub(crate) mod pivots;
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
 pub(crate) mod newton_euler;
@@ -10,5 +11,4 @@ pub(crate) mod articulated_links;
 pub(crate) mod structure_constants;
 pub(crate) mod quasi_velocity_equations;
 pub(crate) mod boltzmann_hamel;
-pub(crate) mod pivot_magnitudes;
 pub(crate) mod solution;

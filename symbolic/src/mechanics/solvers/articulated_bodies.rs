@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use crate::limits::LONGEST_TRANSPARENT_INERTIA;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
+use crate::mechanics::solvers::pivots::Pivot;
 use crate::{Expression, Graph, Node, Rational};
 
 /// An unknown: q̈ᵢ or ẇₖ.
@@ -70,6 +71,22 @@ impl ArticulatedBodies {
             steps,
             pivots,
         })
+    }
+
+    /// What q̈ is divided by: the pivot of each coordinate, and the unit of inertia.
+    pub(crate) fn divisors(&self) -> Vec<Pivot> {
+        let pivots = self.steps.iter().filter_map(|step| match step {
+            EliminationStep::Eliminate(coordinate, row) => Some(Pivot {
+                value: row.pivot,
+                coordinates: vec![*coordinate],
+            }),
+            EliminationStep::Substitute(_) => None,
+        });
+        let unit = Pivot {
+            value: self.tree.unit,
+            coordinates: (0..self.tree.right.len()).collect(),
+        };
+        pivots.chain([unit]).collect()
     }
 
     /// The accelerations.

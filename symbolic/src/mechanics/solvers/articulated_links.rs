@@ -15,6 +15,7 @@ use crate::mechanics::solvers::link_momenta::energy_and_momenta;
 use crate::mechanics::solvers::newton_euler::{
     Joint, Wrench, generalized_forces, joints, wrenches,
 };
+use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::twist_elimination::{
     EliminatedRow, TwistElimination, Unknown, angular, linear,
 };
@@ -159,6 +160,18 @@ impl ArticulatedLinks {
             steps,
             pivots,
         })
+    }
+
+    /// What q̈ is divided by: the pivot of each coordinate.
+    pub(crate) fn divisors(&self) -> Vec<Pivot> {
+        let pivots = self.steps.iter().filter_map(|step| match step {
+            Step::Eliminate(row) => Some(Pivot {
+                value: row.pivot,
+                coordinates: vec![row.coordinate],
+            }),
+            _ => None,
+        });
+        pivots.collect()
     }
 
     /// The accelerations.

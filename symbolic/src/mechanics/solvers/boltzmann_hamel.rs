@@ -15,6 +15,7 @@ use crate::matrix::block_triangular::BlockTriangular;
 use crate::matrix::ldlt::Ldlt;
 use crate::matrix::rows::{product, transposed};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
+use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 use crate::mechanics::solvers::structure_constants::structure_constants;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
@@ -73,6 +74,23 @@ impl BoltzmannHamel {
         self.inertia
             .as_ref()
             .map_or_else(Vec::new, |inertia| inertia.pivots.clone())
+    }
+
+    /// What q̈ is divided by: the determinants of the diagonal blocks of E, and the pivots of W.
+    pub(crate) fn divisors(&self) -> Vec<Pivot> {
+        let mut divisors = Vec::new();
+        for (determinant, rows, columns) in self.kinematics.determinants() {
+            let mut of_block = vec![determinant];
+            of_block.extend(rows.iter().map(|row| match &self.inertia {
+                Some(inertia) => inertia.pivots[*row],
+                None => self.quasi_velocities.inertia[*row][*row],
+            }));
+            divisors.extend(of_block.into_iter().map(|value| Pivot {
+                value,
+                coordinates: columns.to_vec(),
+            }));
+        }
+        divisors
     }
 
     /// The accelerations.

@@ -13,6 +13,7 @@ use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::mechanics::solvers::pivots::Pivot;
 use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
 
 /// The accelerations q̈ as expressions.
@@ -76,6 +77,25 @@ impl Solution {
             accelerations,
             solver,
         }
+    }
+
+    /// Whether M itself is eliminated.
+    #[must_use]
+    pub fn eliminates_mass_matrix(&self) -> bool {
+        matches!(self.solver, Solver::Ldlt(..))
+    }
+
+    /// What q̈ is divided by, as far as it is no number: where one of these vanishes, M is singular.
+    #[must_use]
+    pub fn divisors(&self, graph: &Graph) -> Vec<Pivot> {
+        let mut divisors = match &self.solver {
+            Solver::BoltzmannHamel(solver) => solver.divisors(),
+            Solver::ArticulatedBodies(solver) => solver.divisors(),
+            Solver::ArticulatedLinks(solver) => solver.divisors(),
+            Solver::Ldlt(solver, _) => solver.divisors(),
+        };
+        divisors.retain(|pivot| graph.as_constant(pivot.value).is_none());
+        divisors
     }
 
     /// The derivatives ∂q̈/∂x, column by column, with the accelerations as symbols; none where the
