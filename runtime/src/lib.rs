@@ -50,6 +50,7 @@ mod integrate;
 mod model;
 #[cfg(feature = "derivative-checks")]
 mod check;
+pub mod elliptic;
 pub mod rotation;
 pub mod rigid_body;
 pub mod prelude;

@@ -257,6 +257,17 @@ pub(crate) mod derivative_checks {
     pub(crate) const REPORTED_ARGUMENTS: usize = 4;
 }
 
+/// Elliptic functions and integrals.
+pub(crate) mod elliptic {
+    /// Duplications of the arguments of an integral at most: each quarters their distance from the mean, which is at most
+    /// some means. `f64` takes some ten, double-doubles some twenty.
+    pub(crate) const DUPLICATIONS: usize = 64;
+
+    /// Arithmetic-geometric means at most. Convergence is quadratic: a ratio of 10⁻¹⁵⁰ takes some nine means to become of
+    /// order 1, and six more for all digits of a double-double.
+    pub(crate) const MEANS: usize = 24;
+}
+
 /// Rotations.
 pub(crate) mod rotations {
     /// The columns of a rotation matrix are orthonormal up to this many machine epsilons: products of many rotations are

@@ -35,17 +35,29 @@ mod reports;
 mod motion;
 mod resultant;
 mod momentum;
+mod rotation_state;
+mod moments;
+mod euler_equations;
+mod steady_rotation;
+mod free_rotation;
 
 pub use body::RigidBody;
 pub use error::BodyError;
+pub use euler_equations::EulerEquations;
+pub use free_rotation::FreeRotation;
 pub use inertia_tensor::{InertiaTensor, ProductsOfInertia};
 #[cfg(feature = "mesh-files")]
 pub use mesh::MeshFileError;
 #[cfg(feature = "alloc")]
 pub use mesh::{MeshError, TriangleMesh};
+pub use moments::{
+    ConstantForce, ConstantMoment, Damping, Moment, MomentSeries, NoMoment, ProductSeries,
+};
 pub use momentum::rate_in_space;
 pub use motion::RigidMotion;
 pub use principal_axes::{PrincipalAxes, Symmetry};
 pub use reports::{CadReport, ProductSign, UrdfInertial};
 pub use resultant::Resultant;
+pub use rotation_state::RotationState;
 pub use solid::Solid;
+pub use steady_rotation::SteadyRotation;

@@ -35,6 +35,7 @@ mod euler_rates;
 pub use error::RotationError;
 pub use euler_angles::EulerAngles;
 pub use euler_sequence::EulerSequence;
+pub(crate) use quaternion::{components, normalized, product};
 pub use quaternion::{
     quaternion_of, quaternion_rate, rotation_of, unit_quaternion, verified_rotation,
 };

@@ -231,3 +231,46 @@ fn dual_functions_have_their_derivatives() {
         }
     }
 }
+
+#[test]
+fn angles_and_roots_have_derivatives_on_the_axes() {
+    // θ′ = (x y′ − y x′)/(x² + y²) in all directions.
+    for (x, y) in [
+        (0.0, 2.0),
+        (0.0, -2.0),
+        (3.0, 0.0),
+        (-3.0, 0.0),
+        (-1.0, 2.0),
+        (2.0, -1.0),
+    ] {
+        let [of_x, of_y] = [
+            DualSVec64::<2>::from_re(x).derivative(0),
+            DualSVec64::from_re(y).derivative(1),
+        ];
+        let angle = Scalar::atan2(of_y, of_x);
+        assert_close("angle", angle.re, y.atan2(x), 0.0);
+        let slopes = angle.eps.0.unwrap();
+        assert_close("slope", slopes[0], -y / (x * x + y * y), 1e-16);
+        assert_close("slope", slopes[1], x / (x * x + y * y), 1e-16);
+        // Twice along x: θ″ = 2 x y/(x² + y²)².
+        let angle = Scalar::atan2(Dual2_64::from_re(y), Dual2_64::from_re(x).derivative());
+        assert_close(
+            "bend",
+            angle.v2,
+            2.0 * x * y / (x * x + y * y).powi(2),
+            1e-16,
+        );
+    }
+    // A root of 0 whose radicand has no derivative.
+    let x = DualSVec64::<2>::from_re(0.5).derivative(1);
+    let root = Scalar::sqrt(x - x);
+    assert_close(
+        "root",
+        root.derivative_part(0) + root.derivative_part(1) + root.re,
+        0.0,
+        0.0,
+    );
+    assert!(Scalar::sqrt(Dual2_64::from_re(0.0)).v2.abs() <= 0.0);
+    let root = Scalar::sqrt(DualSVec64::<2>::from_re(4.0).derivative(0));
+    assert_close("root", root.derivative_part(0), 0.25, 0.0);
+}

@@ -68,6 +68,11 @@ pub enum BodyError {
         /// The principal moments, ascending; the first is zero or nearly so.
         moments: [f64; 3],
     },
+    /// Derivative parts of dual numbers perturb a steady rotation: its closed form is another one beside it.
+    NotDifferentiable {
+        /// The derivative of the moment **ω** × \[I\] **ω**, which is zero itself.
+        value: f64,
+    },
 }
 
 impl fmt::Display for BodyError {
@@ -126,6 +131,12 @@ impl fmt::Display for BodyError {
                 f,
                 "a principal moment of inertia is zero or nearly so: {}; rotation about its axis has no momentum",
                 Moments(moments)
+            ),
+            Self::NotDifferentiable { value } => write!(
+                f,
+                "the closed form of a steady rotation has no derivatives: those of ω × [I] ω are up to {}; integrate Euler's \
+                 equations instead",
+                Readable(value)
             ),
         }
     }

@@ -28,7 +28,7 @@ macro_rules! dual_scalar {
                 part(&self, index).unwrap_or(0.0)
             }
 
-            forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt }
+            forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln }
 
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -60,9 +60,28 @@ macro_rules! dual_scalar {
                 DualNum::sin_cos(&self)
             }
 
+            // The slope of a root is infinite at 0; times derivative parts that are 0, it is none.
+            #[inline]
+            fn sqrt(self) -> Self {
+                let is_constant: fn(&Self) -> bool = $is_constant;
+                if is_constant(&self) {
+                    Self::from_re(self.re.sqrt())
+                } else {
+                    DualNum::sqrt(&self)
+                }
+            }
+
+            // Derivative parts are those of arctan y/x, or of −arctan x/y where x may be 0.
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                DualNum::atan2(&self, x)
+                let angle = self.re.atan2(x.re);
+                let mut result = if self.re.abs() > x.re.abs() {
+                    -DualNum::atan(&(x / self))
+                } else {
+                    DualNum::atan(&(self / x))
+                };
+                result.re = angle;
+                result
             }
 
             // With a constant exponent there is a value for every base that has a real power.

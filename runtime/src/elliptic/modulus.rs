@@ -1,0 +1,197 @@
+//! Jacobi's functions, and Legendre's integrals of the first and the third kind, of one modulus.
+//!
+//! Functions by the descending Landen transformation, with arithmetic-geometric means: R. Bulirsch, *Numerical calculation
+//! of elliptic integrals and elliptic functions*, Numer. Math. **7** (1965) 78–90, procedure sncndn; integrals by Carlson's
+//! symmetric ones: NIST Digital Library of Mathematical Functions, section 19.25(i).
+
+use super::carlson::{carlson_rf, carlson_rj};
+use crate::integrate::SingleNumber;
+use crate::limits::elliptic::MEANS;
+
+/// The modulus k of elliptic functions, given by the parameter m = k² and its complement 1 − m.
+///
+/// Both are given, since near m = 1 the complement has digits that 1 − m would lose: motions near a separatrix depend on
+/// its logarithm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Modulus<S = f64> {
+    parameter: S,
+    complement: S,
+}
+
+impl<S: SingleNumber> Modulus<S> {
+    /// The modulus of a parameter m and its complement 1 − m, both in \[0, 1\]. Outside, results are NaN.
+    #[must_use]
+    pub fn new(parameter: S, complement: S) -> Self {
+        Self {
+            parameter,
+            complement,
+        }
+    }
+
+    /// m.
+    #[must_use]
+    pub fn parameter(&self) -> S {
+        self.parameter
+    }
+
+    /// 1 − m.
+    #[must_use]
+    pub fn complement(&self) -> S {
+        self.complement
+    }
+
+    /// Whether m = 1: the functions are hyperbolic and have no period.
+    #[must_use]
+    pub fn is_hyperbolic(&self) -> bool {
+        self.complement.abs().largest() <= 0.0
+    }
+
+    /// The complete integral of the first kind K(m): the quarter period of sn and cn, infinite for m = 1.
+    #[must_use]
+    pub fn complete_first(&self) -> S {
+        if self.is_hyperbolic() {
+            return S::from_f64(f64::INFINITY);
+        }
+        let means = Means::of(self);
+        S::pi() / (means.last + means.last)
+    }
+
+    /// The integral of the first kind F(φ|m) = ∫₀^φ dα/√(1 − m sin²α), for |φ| ≤ π, from the sine and the cosine of φ.
+    ///
+    /// It is smooth at ½π, where it is odd in the cosine, though the symmetric integral is not in the square of that: with
+    /// the first term, derivative parts of first and second order are right.
+    #[must_use]
+    pub fn first(&self, sine: S, cosine: S) -> S {
+        if cosine.abs().largest() <= 0.0 {
+            return sign(sine) * (self.complete_first() - cosine / self.complement.sqrt());
+        }
+        if cosine.largest() < 0.0 {
+            let whole = S::from_f64(2.0) * sign(sine) * self.complete_first();
+            return whole - self.first(sine, -cosine);
+        }
+        let [x, y] = self.arguments(sine, cosine);
+        sine * carlson_rf(x, y, S::one())
+    }
+
+    /// The integral of the third kind Π(n; φ|m) = ∫₀^φ dα/((1 − n sin²α)√(1 − m sin²α)), for |φ| ≤ π and n < 1, from the
+    /// sine and the cosine of φ.
+    #[must_use]
+    pub fn third(&self, characteristic: S, sine: S, cosine: S) -> S {
+        if cosine.abs().largest() <= 0.0 {
+            let slope = (S::one() - characteristic) * self.complement.sqrt();
+            return sign(sine) * (self.complete_third(characteristic) - cosine / slope);
+        }
+        if cosine.largest() < 0.0 {
+            let complete = self.complete_third(characteristic);
+            let whole = S::from_f64(2.0) * sign(sine) * complete;
+            return whole - self.third(characteristic, sine, -cosine);
+        }
+        let [x, y] = self.arguments(sine, cosine);
+        let square = characteristic * sine * sine;
+        let of_third = carlson_rj(x, y, S::one(), S::one() - square);
+        self.first(sine, cosine) + square * sine * of_third * S::ratio(1.0, 3.0)
+    }
+
+    /// The complete integral of the third kind Π(n|m), for n < 1; infinite for m = 1.
+    #[must_use]
+    pub fn complete_third(&self, characteristic: S) -> S {
+        if self.is_hyperbolic() {
+            return S::from_f64(f64::INFINITY);
+        }
+        let [zero, one] = [S::zero(), S::one()];
+        let of_third = carlson_rj(zero, self.complement, one, one - characteristic);
+        self.complete_first() + characteristic * of_third * S::ratio(1.0, 3.0)
+    }
+
+    /// cos²φ and 1 − m sin²φ, a sum of terms of one sign.
+    fn arguments(&self, sine: S, cosine: S) -> [S; 2] {
+        let square = cosine * cosine;
+        [square, square + self.complement * sine * sine]
+    }
+
+    /// The number j of half periods 2K, and u − 2 j K in \[−K, K\].
+    #[must_use]
+    pub fn reduced(&self, u: S) -> (f64, S) {
+        if self.is_hyperbolic() {
+            return (0.0, u);
+        }
+        let half_period = self.complete_first() * S::from_f64(2.0);
+        let count = libm::round((u / half_period).largest());
+        (count, u - S::from_f64(count) * half_period)
+    }
+
+    /// sn u, cn u and dn u.
+    #[must_use]
+    pub fn jacobi(&self, u: S) -> (S, S, S) {
+        if self.is_hyperbolic() {
+            let secant = S::one() / u.cosh();
+            return (u.tanh(), secant, secant);
+        }
+        let (half_periods, u) = self.reduced(u);
+        let (sn, cn, dn) = Means::of(self).jacobi(u);
+        // Both change sign after a half period.
+        let odd = libm::fmod(half_periods, 2.0).abs() > 0.5;
+        if odd { (-sn, -cn, dn) } else { (sn, cn, dn) }
+    }
+}
+
+/// −1 below 0, else 1.
+fn sign<S: SingleNumber>(x: S) -> S {
+    if x.largest() < 0.0 {
+        -S::one()
+    } else {
+        S::one()
+    }
+}
+
+/// The arithmetic-geometric means of 1 and √(1 − m).
+struct Means<S> {
+    /// Each pair of which a mean is taken.
+    pairs: [[S; 2]; MEANS],
+    count: usize,
+    last: S,
+}
+
+impl<S: SingleNumber> Means<S> {
+    fn of(modulus: &Modulus<S>) -> Self {
+        let half = S::from_f64(0.5);
+        let (mut a, mut b) = (S::one(), modulus.complement.sqrt());
+        let mut pairs = [[S::zero(); 2]; MEANS];
+        let mut count = 0;
+        for pair in &mut pairs {
+            *pair = [a, b];
+            count += 1;
+            let difference = (a - b).abs().largest();
+            (a, b) = ((a + b) * half, (a * b).sqrt());
+            // The next difference is of the order of the square of this one, and derivative parts are a step behind.
+            if difference <= S::machine_epsilon() * a.abs().largest() {
+                break;
+            }
+        }
+        Self {
+            pairs,
+            count,
+            last: a,
+        }
+    }
+
+    /// sn u, cn u and dn u for |u| ≤ K: from the cotangent of the amplitude of the last modulus, which is 0, to that of
+    /// the first. Nothing cancels, so that cn and dn have their digits where they are small.
+    fn jacobi(&self, u: S) -> (S, S, S) {
+        let (sine, cosine) = (u * self.last).sin_cos();
+        if sine.abs().largest() <= 0.0 {
+            return (u, S::one(), S::one());
+        }
+        let mut quotient = cosine / sine;
+        let mut c = self.last * quotient;
+        let mut dn = S::one();
+        for [a, b] in self.pairs.iter().take(self.count).rev() {
+            quotient *= c;
+            c *= dn;
+            dn = (*b + quotient) / (*a + quotient);
+            quotient = c / *a;
+        }
+        let sn = sine.signum() / (c * c + S::one()).sqrt();
+        (sn, c * sn, dn)
+    }
+}

@@ -1,0 +1,181 @@
+//! Free rotations by Jacobi's elliptic functions, in principal axes.
+//!
+//! Axes are numbered so that I₂ is the middle moment and axis 3 is the one about which the angular velocity goes round:
+//! I₁ < I₂ < I₃ if L² > 2 E I₂, and I₁ > I₂ > I₃ otherwise. Then ω₁ = A₁ cn τ, ω₂ = A₂ sn τ, ω₃ = A₃ dn τ with τ = τ₀ + σ t.
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+use crate::elliptic::Modulus;
+use crate::integrate::SingleNumber;
+use crate::rigid_body::order::{is_less, length};
+use crate::rotation::{EulerAngles, EulerSequence, components, product};
+
+/// A motion of the angular velocity about principal axis 3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct JacobiMotion<S> {
+    moments: [S; 3],
+    /// A₁, A₂, A₃ with their signs.
+    amplitudes: [S; 3],
+    modulus: Modulus<S>,
+    /// τ₀.
+    phase: S,
+    /// σ.
+    frequency: S,
+    /// L.
+    momentum: S,
+    /// Π(n; τ₀), and the quaternion of the orientation at time 0 in axes with **L** along the third, inverted.
+    initial_third: S,
+    initial_inverse: [S; 4],
+}
+
+impl<S: SingleNumber> JacobiMotion<S> {
+    /// The motion with ascending moments and these components of the angular velocity, along principal axes whose
+    /// orientation in the body is given. Returned with the orientation of the axes as they are numbered here.
+    pub(super) fn new(
+        [i1, i2, i3]: [S; 3],
+        omega: &Vector3<S>,
+        axes: &Rotation3<S>,
+    ) -> (Self, Rotation3<S>) {
+        // L² − 2 E I₂.
+        let above = i3 * (i3 - i2) * omega.z * omega.z;
+        let below = i1 * (i2 - i1) * omega.x * omega.x;
+        if is_less(above, below) {
+            // Axes 3, −2 and 1.
+            let [zero, one] = [S::zero(), S::one()];
+            let renumbered = Matrix3::new(zero, zero, one, zero, -one, zero, one, zero, zero);
+            let axes = Rotation3::from_matrix_unchecked(axes.matrix() * renumbered);
+            let omega = renumbered.tr_mul(omega);
+            return (Self::about_third([i3, i2, i1], &omega, below - above), axes);
+        }
+        (Self::about_third([i1, i2, i3], omega, above - below), *axes)
+    }
+
+    /// The motion about axis 3, with |L² − 2 E I₂|.
+    fn about_third([i1, i2, i3]: [S; 3], omega: &Vector3<S>, to_middle: S) -> Self {
+        let [d12, d13, d23] = [(i2 - i1).abs(), (i3 - i1).abs(), (i3 - i2).abs()];
+        // √|2 E I₃ − L²| and √|L² − 2 E I₁|, of sums of terms of one sign.
+        let [x, y, z]: [S; 3] = (*omega).into();
+        let zero = S::zero();
+        let root = |a: S, b: S| length(&Vector3::new(a, b, zero));
+        let to_third = root((i1 * d13).sqrt() * x, (i2 * d23).sqrt() * y);
+        let to_first = root((i2 * d12).sqrt() * y, (i3 * d13).sqrt() * z);
+        let ratio = to_third / to_first;
+        let modulus = Modulus::new(
+            d12 / d23 * ratio * ratio,
+            d13 * to_middle / (d23 * to_first * to_first),
+        );
+        let sign = |value: S| {
+            if value.smallest() < 0.0 {
+                -S::one()
+            } else {
+                S::one()
+            }
+        };
+        let [of_first, of_third] = [sign(omega.x), sign(omega.z)];
+        let of_second = of_first * of_third * sign(i3 - i1);
+        let amplitudes = [
+            of_first * to_third / (i1 * d13).sqrt(),
+            of_second * to_third / (i2 * d23).sqrt(),
+            of_third * to_first / (i3 * d13).sqrt(),
+        ];
+        let [cosine, sine] = [omega.x / amplitudes[0], omega.y / amplitudes[1]];
+        let norm = (cosine * cosine + sine * sine).sqrt();
+        let [cosine, sine] = [cosine / norm, sine / norm];
+        let momentum = length(&Vector3::new(i1 * omega.x, i2 * omega.y, i3 * omega.z));
+        let motion = Self {
+            moments: [i1, i2, i3],
+            amplitudes,
+            modulus,
+            phase: modulus.first(sine, cosine),
+            frequency: to_first * (d23 / (i1 * i2 * i3)).sqrt(),
+            momentum,
+            initial_third: S::zero(),
+            initial_inverse: [S::one(), S::zero(), S::zero(), S::zero()],
+        };
+        motion.starting_at(sine, cosine)
+    }
+
+    /// With the orientation at time 0 as the origin.
+    fn starting_at(self, sine: S, cosine: S) -> Self {
+        let initial_third = self.modulus.third(self.characteristic(), sine, cosine);
+        let motion = Self {
+            initial_third,
+            ..self
+        };
+        let [w, x, y, z] = motion.about_momentum(S::zero());
+        Self {
+            initial_inverse: [w, -x, -y, -z],
+            ..motion
+        }
+    }
+
+    /// The angular velocity along the principal axes.
+    pub(super) fn angular_velocity(&self, time: S) -> Vector3<S> {
+        let (sn, cn, dn) = self.modulus.jacobi(self.argument(time));
+        let [a, b, c] = self.amplitudes;
+        Vector3::new(a * cn, b * sn, c * dn)
+    }
+
+    /// The orientation at a time as seen from that at time 0, as a quaternion.
+    pub(super) fn turned(&self, time: S) -> [S; 4] {
+        product(&self.initial_inverse, &self.about_momentum(time))
+    }
+
+    /// 2 K/σ.
+    pub(super) fn half_period(&self) -> Option<S> {
+        let half = self.modulus.complete_first() * S::from_f64(2.0) / self.frequency;
+        half.is_finite().then_some(half)
+    }
+
+    fn argument(&self, time: S) -> S {
+        self.phase + self.frequency * time
+    }
+
+    /// The characteristic n of the integral of the third kind, at most 0.
+    fn characteristic(&self) -> S {
+        let [i1, i2, i3] = self.moments;
+        -i3 * (i2 - i1) / (i1 * (i3 - i2))
+    }
+
+    /// The orientation R = Rz(φ) Rx(θ) Rz(ψ) in axes whose third is along **L**, as a quaternion.
+    ///
+    /// **L** has the components L (sin θ sin ψ, sin θ cos ψ, cos θ) in the body. φ̇ = (2 E − I₃ω₃²) L/(L² − I₃²ω₃²), of which
+    /// L/I₃ is constant and the rest L (I₃ − I₁)/(I₁I₃ (1 − n sn²τ)).
+    fn about_momentum(&self, time: S) -> [S; 4] {
+        let [i1, i2, i3] = self.moments;
+        let argument = self.argument(time);
+        let (sn, cn, dn) = self.modulus.jacobi(argument);
+        let [a, b, c] = self.amplitudes;
+        let [l1, l2, l3] = [i1 * a * cn, i2 * b * sn, i3 * c * dn];
+        let theta = (l1 * l1 + l2 * l2).sqrt().atan2(l3);
+        // The ratio of the amplitudes is known where they vanish.
+        let sign = |value: S| {
+            if value.smallest() < 0.0 {
+                -S::one()
+            } else {
+                S::one()
+            }
+        };
+        let across = sign(a) * (i1 / (i3 - i1).abs()).sqrt() * cn;
+        let along = sign(b) * (i2 / (i3 - i2).abs()).sqrt() * sn;
+        let psi = across.atan2(along);
+        let anomaly = (i3 - i1) / (i1 * self.frequency) * self.third_since_start(argument);
+        let phi = self.momentum / i3 * (time + anomaly);
+        let angles = EulerAngles::new(EulerSequence::Zxz, [phi, theta, psi]);
+        components(&angles.quaternion())
+    }
+
+    /// Π(n; am τ) − Π(n; am τ₀).
+    fn third_since_start(&self, argument: S) -> S {
+        let n = self.characteristic();
+        let (half_periods, reduced) = self.modulus.reduced(argument);
+        let (sn, cn, _) = self.modulus.jacobi(reduced);
+        let part = self.modulus.third(n, sn, cn) - self.initial_third;
+        if half_periods.abs() > 0.0 {
+            let complete = self.modulus.complete_third(n);
+            part + S::from_f64(2.0 * half_periods) * complete
+        } else {
+            part
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Orientation and angular velocity: the state of a rotating body.
+
+use nalgebra::{UnitQuaternion, Vector3, Vector4};
+
+use crate::linalg::{ErrorTolerance, LaneStates, VectorSpace};
+use crate::rotation::{components, normalized};
+use crate::scalar::{Lanes, Scalar};
+
+/// The orientation of a body, as a unit quaternion, and its angular velocity in axes of the body.
+///
+/// The quaternion rotates components in axes of the body to those in axes of space. An integration keeps its norm to the
+/// accuracy of the motion; [`orientation`](Self::orientation) divides by it. As the derivative of a state, it has the rates
+/// of the quaternion and the angular acceleration.
+///
+/// Its components are w, x, y, z of the quaternion, then ω₁, ω₂, ω₃.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>"
+    ))
+)]
+pub struct RotationState<S: Scalar = f64> {
+    /// The components w, x, y, z of the quaternion.
+    pub quaternion: Vector4<S>,
+    /// The angular velocity **ω** in axes of the body, in rad over time.
+    pub angular_velocity: Vector3<S>,
+}
+
+impl<S: Scalar> RotationState<S> {
+    /// The state of a body with this orientation and angular velocity, the latter in axes of the body.
+    #[must_use]
+    pub fn new(orientation: &UnitQuaternion<S>, angular_velocity: Vector3<S>) -> Self {
+        Self {
+            quaternion: components(orientation).into(),
+            angular_velocity,
+        }
+    }
+
+    /// The state of a body whose axes are those of space.
+    #[must_use]
+    pub fn aligned(angular_velocity: Vector3<S>) -> Self {
+        let [zero, one] = [S::zero(), S::one()];
+        Self {
+            quaternion: Vector4::from([one, zero, zero, zero]),
+            angular_velocity,
+        }
+    }
+
+    /// The orientation.
+    #[must_use]
+    pub fn orientation(&self) -> UnitQuaternion<S> {
+        normalized(self.quaternion.into())
+    }
+
+    /// The components in axes of space of a vector that is given in axes of the body.
+    #[must_use]
+    pub fn to_space(&self, in_body: &Vector3<S>) -> Vector3<S> {
+        crate::rotation::rotation_of(&self.orientation()).matrix() * in_body
+    }
+
+    /// The components in axes of the body of a vector that is given in axes of space.
+    #[must_use]
+    pub fn to_body(&self, in_space: &Vector3<S>) -> Vector3<S> {
+        crate::rotation::rotation_of(&self.orientation())
+            .matrix()
+            .tr_mul(in_space)
+    }
+}
+
+/// The root of the sum of the squares.
+fn norm<'a, S: Scalar>(components: impl Iterator<Item = &'a S>) -> S {
+    components.fold(S::zero(), |sum, x| sum + *x * *x).sqrt()
+}
+
+impl<S: Scalar> VectorSpace<S> for RotationState<S> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.quaternion.add_scaled(factor, &other.quaternion);
+        self.angular_velocity
+            .add_scaled(factor, &other.angular_velocity);
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        Self {
+            quaternion: self.quaternion.map(&mut function),
+            angular_velocity: self.angular_velocity.map(&mut function),
+        }
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        self.quaternion
+            .iter()
+            .chain(self.angular_velocity.iter())
+            .copied()
+    }
+
+    /// The components of a unit quaternion are of size 1, and those of the angular velocity of the size of the vector.
+    #[inline]
+    fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
+        let of_quaternion = tolerance.of_coordinate(S::one());
+        let of_velocity = tolerance.of_velocity(norm(self.angular_velocity.iter()));
+        Self {
+            quaternion: self.quaternion.map(|_| of_quaternion),
+            angular_velocity: self.angular_velocity.map(|_| of_velocity),
+        }
+    }
+
+    /// The rate at which the body turns, and the root of that at which this changes.
+    fn rate(&self, _: &Self) -> Option<S> {
+        let turning = norm(self.quaternion.iter());
+        let changing = norm(self.angular_velocity.iter()).sqrt();
+        Some((turning + turning).max(changing))
+    }
+}
+
+impl<const L: usize> LaneStates<L> for RotationState<Lanes<L>> {
+    type Lane = RotationState<f64>;
+
+    fn broadcast(state: &Self::Lane) -> Self {
+        Self {
+            quaternion: LaneStates::broadcast(&state.quaternion),
+            angular_velocity: LaneStates::broadcast(&state.angular_velocity),
+        }
+    }
+
+    fn lane(&self, lane: usize) -> Self::Lane {
+        RotationState {
+            quaternion: self.quaternion.lane(lane),
+            angular_velocity: self.angular_velocity.lane(lane),
+        }
+    }
+
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+        self.quaternion.set_lane(lane, &state.quaternion);
+        self.angular_velocity
+            .set_lane(lane, &state.angular_velocity);
+    }
+}
