@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use lagrangian_symbolic::{Defect, Energies, Model, Symbol};
+use lagrangian_symbolic::{Defect, Energies, ExternalFunction, Model, NoSeries, Symbol};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -30,24 +30,59 @@ pub(crate) fn report_undeclared(
     }
 }
 
-/// Says why there is no Taylor series at the clause that asks for it.
+/// Says why there is no Taylor series, at the clause that asks for it or at the function that has none.
 pub(crate) fn report_no_series(
     reason: NoTaylorSeries,
     clause: &Ident,
+    declaration: &Declaration,
     diagnostics: &mut Diagnostics,
 ) {
-    let message = match reason {
-        NoTaylorSeries::ExternalFunctions => {
-            "the accelerations depend on an external function, of which no Taylor series is known: write it as a \
-             formula, or leave `taylor` out and integrate by `Dop853`"
+    match reason {
+        NoTaylorSeries::ExternalFunction(reason) => {
+            report_function_without_series(reason, clause, declaration, diagnostics);
         }
         NoTaylorSeries::Wrong => {
-            "the recurrence for the Taylor series does not give the derivatives of the accelerations; this is a defect \
-             of `lagrangian`: please report the declaration, and leave `taylor` out"
+            let message = "the recurrence for the Taylor series does not give the derivatives of the accelerations; this \
+                           is a defect of `lagrangian`: please report the declaration, and leave `taylor` out";
+            diagnostics.error(clause, message);
         }
-    };
-    diagnostics.error(clause, message);
+    }
 }
+
+/// Says which derivative of an external function the Taylor series of the accelerations lacks.
+fn report_function_without_series(
+    reason: NoSeries,
+    clause: &Ident,
+    declaration: &Declaration,
+    diagnostics: &mut Diagnostics,
+) {
+    let functions = &declaration.clauses.functions;
+    let declared = |function: ExternalFunction| functions.get(function.index());
+    let Some(applied) = declared(reason.function) else {
+        return diagnostics.error(clause, OTHERWISE);
+    };
+    let name = &applied.name;
+    let missing = reason.undeclared.and_then(|(function, argument)| {
+        let function = declared(function)?;
+        Some((function, function.arguments.get(argument)?))
+    });
+    let Some((function, argument)) = missing else {
+        let message = format!(
+            "the Taylor series of the accelerations needs all derivatives of `{name}`, which apply functions at ever further \
+             arguments: write its derivatives in terms of functions at its own arguments, or {OTHERWISE}"
+        );
+        return diagnostics.error(name, message);
+    };
+    let message = format!(
+        "the Taylor series of the accelerations needs all derivatives of `{name}`, and ∂{of}/∂{argument} is not declared: add \
+         `derivative({argument}) = …` behind the value, in terms of functions whose derivatives are declared, or {OTHERWISE}",
+        of = function.name
+    );
+    diagnostics.error(&function.name, message);
+}
+
+/// What remains where a function has no Taylor series.
+const OTHERWISE: &str = "leave `taylor` out and integrate by `Dop853`";
 
 /// The first clause of the energies.
 fn energy(declaration: &Declaration) -> Option<&Clause> {

@@ -84,10 +84,10 @@ fn implement(
     let (mut taylor, mut event_series) = (None, None);
     if let Some(clause) = &declaration.clauses.taylor {
         let series = methods.taylor_method(&mut model, &equations);
-        match series.and_then(|series| Ok((series, methods.event_series()?))) {
+        match series.and_then(|series| Ok((series, methods.event_series(&model.graph)?))) {
             Ok((series, events)) => (taylor, event_series) = (Some(series), events),
             Err(reason) => {
-                defects::report_no_series(reason, clause, diagnostics);
+                defects::report_no_series(reason, clause, declaration, diagnostics);
                 return None;
             }
         }

@@ -44,7 +44,7 @@ pub use print::names::{Letters, Names};
 pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
-pub use program::taylor::{Convolution, SeriesOutputs, TaylorProgram};
+pub use program::taylor::{Convolution, NoSeries, SeriesOutputs, TaylorProgram};
 pub use program::verify::Fault;
 pub use validation::{
     AccelerationProgram, LinearizationProgram, Method, Programs, SeriesCheck, Validator,

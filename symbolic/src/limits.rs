@@ -160,6 +160,10 @@ pub(crate) const COST_OF_FUNCTION: usize = 20;
 /// which a vector register holds four.
 pub(crate) const COST_OF_CONVOLUTION: usize = 5;
 
+/// As many applications of external functions are made for the Taylor series of one. A polynomial and its derivatives have
+/// as many as its degree. Made by f′(x) = f(x/2), whose derivatives are of f at ever further arguments.
+pub(crate) const MOST_APPLICATIONS_IN_A_SERIES: usize = 128;
+
 /// Integer powers up to this one are repeated factors, of which parts can be shared; higher ones are computed by
 /// squaring. Insensitive.
 pub(crate) const HIGHEST_REPEATED_POWER: usize = 8;

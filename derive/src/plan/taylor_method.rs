@@ -1,8 +1,8 @@
 //! The Taylor series of a motion.
 
 use lagrangian_symbolic::{
-    Equations, Model, Program, QuasiVelocityEquations, SeriesCheck, SeriesOutputs, Symbol,
-    TaylorProgram, ValueSeriesCheck,
+    Equations, Graph, Model, NoSeries, Program, QuasiVelocityEquations, SeriesCheck, SeriesOutputs,
+    Symbol, TaylorProgram, ValueSeriesCheck,
 };
 
 use super::method::Method;
@@ -30,8 +30,8 @@ pub(crate) enum Rates {
 /// Why a model has no Taylor series.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum NoTaylorSeries {
-    /// The accelerations depend on external functions.
-    ExternalFunctions,
+    /// The accelerations depend on an external function that has none.
+    ExternalFunction(NoSeries),
     /// The recurrence does not give the derivatives of the accelerations, which is a defect of this crate.
     Wrong,
 }
@@ -44,7 +44,7 @@ impl Methods {
         model: &mut Model,
         equations: &Equations,
     ) -> Result<TaylorMethod, NoTaylorSeries> {
-        let accelerations = self.series_of_accelerations()?;
+        let accelerations = self.series_of_accelerations(&model.graph)?;
         let mut choices = vec![(self.prepare.program.clone(), accelerations)];
         for choice in self.kinetics.quasi_velocity_equations(model, equations) {
             choices.extend(self.series_in_quasi_velocities(model, &choice));
@@ -53,7 +53,8 @@ impl Methods {
         let coordinates = model.coordinates as usize;
         for (preparation, method) in choices {
             let accelerations = self.programs(&[]).accelerations;
-            let check = SeriesCheck::new(&preparation, accelerations, &method.program, coordinates);
+            let (graph, program) = (&model.graph, &method.program);
+            let check = SeriesCheck::new(graph, &preparation, accelerations, program, coordinates);
             if check.agrees() {
                 self.prepare = Method::preparation(preparation);
                 return Ok(method);
@@ -63,7 +64,7 @@ impl Methods {
     }
 
     /// The series from the program for q̈.
-    fn series_of_accelerations(&self) -> Result<TaylorMethod, NoTaylorSeries> {
+    fn series_of_accelerations(&self, graph: &Graph) -> Result<TaylorMethod, NoTaylorSeries> {
         let method = &self.accelerations;
         let program = &method.program;
         let MethodOutputs::Accelerations(outputs) = &method.outputs else {
@@ -77,8 +78,8 @@ impl Methods {
                 SeriesOutputs::System(mass.0.operands(program), forcing.operands(program))
             }
         };
-        let taylor =
-            TaylorProgram::of(program, operands).ok_or(NoTaylorSeries::ExternalFunctions)?;
+        let taylor = TaylorProgram::of(graph, program, operands);
+        let taylor = taylor.map_err(NoTaylorSeries::ExternalFunction)?;
         Ok(TaylorMethod {
             rates: Rates::Accelerations(outputs.clone()),
             invariants: OutputSlice::of_last_group(&taylor.initial),
@@ -108,7 +109,7 @@ impl Methods {
             velocities: velocities.operands(&kernel),
             rates: rates.operands(&kernel),
         };
-        let taylor = TaylorProgram::of(&kernel, outputs)?;
+        let taylor = TaylorProgram::of(&model.graph, &kernel, outputs).ok()?;
         let programs = [&preparation, &taylor.initial, &taylor.recurrence];
         let constants = programs.into_iter().flat_map(Program::constants);
         if constants.into_iter().any(|number| !in_range(number)) {
@@ -145,9 +146,12 @@ pub(crate) struct EventSeries {
 }
 
 impl Methods {
-    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions or
-    /// read inputs, whose series the motion's coefficients do not contain.
-    pub(crate) fn event_series(&self) -> Result<Option<EventSeries>, NoTaylorSeries> {
+    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions
+    /// without series or read inputs, whose series the motion's coefficients do not contain.
+    pub(crate) fn event_series(
+        &self,
+        graph: &Graph,
+    ) -> Result<Option<EventSeries>, NoTaylorSeries> {
         let Some(method) = &self.event_functions else {
             return Ok(None);
         };
@@ -160,10 +164,10 @@ impl Methods {
             return Ok(None);
         }
         let operands = SeriesOutputs::Values(values.operands(program));
-        let Some(taylor) = TaylorProgram::of(program, operands) else {
+        let Ok(taylor) = TaylorProgram::of(graph, program, operands) else {
             return Ok(None);
         };
-        if !ValueSeriesCheck::new(program, &taylor).agrees() {
+        if !ValueSeriesCheck::new(graph, program, &taylor).agrees() {
             return Err(NoTaylorSeries::Wrong);
         }
         Ok(Some(EventSeries {

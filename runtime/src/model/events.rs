@@ -28,7 +28,7 @@ pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
 
     /// The Taylor coefficients of the event functions along a motion through a state, given those of the motion, in their
     /// unit of time; its coefficients of order 0 are not read. `None` where they are not known: without the clause
-    /// `taylor`, or where an event depends on an external function.
+    /// `taylor`, or where an event depends on an external function without series.
     fn event_series<const HALF: usize>(
         &self,
         state: &State<S, N>,

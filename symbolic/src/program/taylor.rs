@@ -8,6 +8,7 @@
 //! terms of order k, and short.
 
 mod builder;
+mod external_functions;
 mod functions;
 mod linear_forms;
 mod quotients;
@@ -15,9 +16,9 @@ mod terms;
 
 use std::collections::BTreeSet;
 
-use crate::Symbol;
 use crate::limits::COST_OF_CONVOLUTION;
 use crate::program::straight_line::{Operand, Operation, Program};
+use crate::{ExternalFunction, Graph, Symbol};
 use builder::{Builder, ZERO};
 use quotients::with_quotients;
 
@@ -44,6 +45,16 @@ pub struct TaylorProgram {
 /// the factors.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Convolution(pub usize, pub usize);
+
+/// Why a program that applies an external function has no Taylor series.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct NoSeries {
+    /// The function that the program applies.
+    pub function: ExternalFunction,
+    /// The function that it or one of its derivatives is, and the position of the argument, whose derivative the series
+    /// needs and which is not declared; none if the derivatives apply functions at ever further arguments.
+    pub undeclared: Option<(ExternalFunction, usize)>,
+}
 
 /// The outputs of a program whose series are wanted.
 #[derive(Clone, Copy, Debug)]
@@ -107,18 +118,23 @@ impl TaylorProgram {
         self.recurrence.count().cost() + COST_OF_CONVOLUTION * self.convolutions.len()
     }
 
-    /// The Taylor series of what `program` returns; none if it applies external functions, whose series are not known.
-    #[must_use]
-    pub fn of(program: &Program, outputs: SeriesOutputs<'_>) -> Option<Self> {
-        let mut builder = Builder::new(program, outputs.constants_of_motion());
+    /// The Taylor series of what `program` returns, a program scheduled from `graph`.
+    ///
+    /// # Errors
+    ///
+    /// It applies an external function whose derivatives of all orders do not follow from the declared ones.
+    pub fn of(
+        graph: &Graph,
+        program: &Program,
+        outputs: SeriesOutputs<'_>,
+    ) -> Result<Self, NoSeries> {
+        let mut builder = Builder::new(graph, program, outputs.constants_of_motion());
         let operations = with_quotients(program);
         let needed = needed_for(program, &operations, outputs.operands());
         let instructions = program.instructions().zip(operations).zip(needed);
         for ((instruction, operation), needed) in instructions {
             if needed {
                 builder.append(&operation, instruction.value)?;
-            } else {
-                builder.skip(instruction);
             }
         }
         let coefficients = if let SeriesOutputs::System(mass, forcing) = outputs {
@@ -135,7 +151,7 @@ impl TaylorProgram {
                 _ => None,
             });
         }
-        Some(taylor)
+        Ok(taylor)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::validation::programs::{AccelerationProgram, Method};
 use crate::validation::recurrence_tape::{Known, RecurrenceTape, agree, input};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
-use crate::{Program, Symbol};
+use crate::{Graph, Program, Symbol};
 
 /// The coefficients of the accelerations, of order 0 to 3.
 type Coefficients = [Vec<f64>; 4];
@@ -31,9 +31,11 @@ pub struct SeriesCheck {
 }
 
 impl SeriesCheck {
-    /// The check of `taylor`, which was made of the program `accelerations` with the setup program `preparation`.
+    /// The check of `taylor`, which was made of the program `accelerations` with the setup program `preparation`, both
+    /// scheduled from `graph`.
     #[must_use]
     pub fn new(
+        graph: &Graph,
         preparation: &Program,
         accelerations: AccelerationProgram<'_>,
         taylor: &TaylorProgram,
@@ -45,7 +47,7 @@ impl SeriesCheck {
         };
         Self {
             preparation: Tape::of_program(preparation),
-            accelerations: Tape::of_program(accelerations),
+            accelerations: Tape::of_program_with_slopes(graph, accelerations),
             taylor: RecurrenceTape::of(taylor),
             coordinates,
             pivots,

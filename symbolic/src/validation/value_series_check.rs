@@ -11,7 +11,7 @@ use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::Method;
 use crate::validation::recurrence_tape::{Known, RecurrenceTape, agree, input};
 use crate::validation::tape::Tape;
-use crate::{Program, Symbol};
+use crate::{Graph, Program, Symbol};
 
 /// Distinguishes the random numbers of the third derivatives of coordinates.
 const THIRD_DERIVATIVES: u64 = 0x6a65_726b;
@@ -25,10 +25,10 @@ pub struct ValueSeriesCheck {
 }
 
 impl ValueSeriesCheck {
-    /// The check of `taylor`, which was made of `program`.
+    /// The check of `taylor`, which was made of `program`, scheduled from `graph`.
     #[must_use]
-    pub fn new(program: &Program, taylor: &TaylorProgram) -> Self {
-        let values = Tape::of_program(program);
+    pub fn new(graph: &Graph, program: &Program, taylor: &TaylorProgram) -> Self {
+        let values = Tape::of_program_with_slopes(graph, program);
         Self {
             count: values.outputs().len(),
             values,

@@ -16,6 +16,7 @@ pub mod dual;
 pub mod external;
 pub mod frames;
 pub mod machine;
+pub mod mutation;
 pub mod rows;
 pub mod tree;
 

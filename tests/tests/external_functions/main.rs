@@ -3,6 +3,7 @@
 mod slider;
 mod tables;
 mod several_arguments;
+mod taylor;
 
 use lagrangian::DerivativeError;
 use lagrangian::prelude::*;

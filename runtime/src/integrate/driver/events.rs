@@ -68,8 +68,8 @@ impl<I, C, O> Driver<I, C, O> {
     /// Under the [`Taylor`](crate::Taylor) method, with the clause `taylor` in the declaration, the function of an event is
     /// a polynomial within a step, and all its zeros are found: two that are next to each other, and one without a change
     /// of sign, which counts as reaching zero from its side. What is smaller than 8 machine epsilons times the sum of the
-    /// magnitudes of its terms is zero. With other methods, and where an event depends on an external function, the
-    /// functions are sampled as under [`events`](Self::events).
+    /// magnitudes of its terms is zero. With other methods, and where an event depends on an external function without
+    /// series, the functions are sampled as under [`events`](Self::events).
     ///
     /// ```
     /// use lagrangian::prelude::*;

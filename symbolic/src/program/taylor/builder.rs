@@ -1,13 +1,15 @@
 //! The recurrence under construction.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
+use super::external_functions::{Derivative, Pending};
 use super::functions::Pair;
 use super::linear_forms::Recurrence;
-use super::{Convolution, TaylorProgram};
+use super::{Convolution, NoSeries, TaylorProgram};
 use crate::algebra::hashing::Table;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
-use crate::{Rational, Symbol};
+use crate::{ExternalFunction, Graph, Rational, Symbol};
 
 /// The Taylor series of a value.
 #[derive(Clone, Debug)]
@@ -126,14 +128,16 @@ impl<T: Clone + Eq + core::hash::Hash> Numbered<T> {
     }
 }
 
-pub(super) struct Builder {
+pub(super) struct Builder<'a> {
+    /// Where the derivatives of external functions are declared.
+    pub(super) graph: &'a Graph,
     /// What order 0 needs beyond the program.
     pub(super) initial: Instructions,
     /// The operands of the initial program that the recurrence reads.
     pub(super) invariants: Numbered<Operand>,
     pub(super) recurrence: Instructions,
-    /// The series of each value of the program.
-    series: Vec<Series>,
+    /// The series of values of the initial program, by their numbers there, as far as they are known.
+    series: Vec<Option<Series>>,
     /// The factors of convolutions, operands of the recurrence; none while the operand is not known.
     pub(super) factors: Vec<Option<Operand>>,
     /// The factor of each coefficient that is known.
@@ -143,10 +147,20 @@ pub(super) struct Builder {
     constants_of_motion: Vec<Symbol>,
     /// Sines and cosines, and hyperbolic ones, by their argument.
     pub(super) pairs: Vec<(Pair, Operand, [Series; 2])>,
+    /// Derivatives of external functions, by the positions of their arguments.
+    pub(super) derivatives: Table<(ExternalFunction, usize), Rc<Derivative>>,
+    /// Those that are in use and have no series yet.
+    pub(super) pending: Vec<Pending>,
+    /// How many applications of external functions the series of the present operation has taken.
+    pub(super) applications: usize,
 }
 
-impl Builder {
-    pub(super) fn new(program: &Program, constants_of_motion: Vec<Symbol>) -> Self {
+impl<'a> Builder<'a> {
+    pub(super) fn new(
+        graph: &'a Graph,
+        program: &Program,
+        constants_of_motion: Vec<Symbol>,
+    ) -> Self {
         let results = program.instructions().map(|instruction| {
             // The initial program keeps the numbers of the program.
             instruction.value + instruction.operation.results()
@@ -159,6 +173,7 @@ impl Builder {
             ..Instructions::default()
         };
         Self {
+            graph,
             initial,
             invariants: Numbered::new(),
             recurrence: Instructions::default(),
@@ -168,10 +183,21 @@ impl Builder {
             convolutions: Numbered::new(),
             constants_of_motion,
             pairs: Vec::new(),
+            derivatives: Table::default(),
+            pending: Vec::new(),
+            applications: 0,
         }
     }
 
-    /// The series of an operand of the program.
+    /// The series of a value of the initial program, if it is known.
+    pub(super) fn known(&self, operand: &Operand) -> Option<&Series> {
+        match operand {
+            Operand::Value(value) => self.series.get(*value)?.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// The series of an operand of the initial program.
     pub(super) fn series(&self, operand: &Operand) -> Series {
         let varies = |symbol: &Symbol| {
             let varies = matches!(
@@ -184,31 +210,41 @@ impl Builder {
             );
             varies && !self.constants_of_motion.contains(symbol)
         };
-        match operand {
-            Operand::Value(value) => self.series[*value].clone(),
-            Operand::Symbol(symbol) if varies(symbol) => Series {
-                constant: operand.clone(),
-                coefficient: operand.clone(),
-            },
-            _ => Series {
-                constant: operand.clone(),
-                coefficient: ZERO,
-            },
+        let coefficient = match operand {
+            Operand::Symbol(symbol) if varies(symbol) => operand.clone(),
+            _ => ZERO,
+        };
+        let known = self.known(operand).cloned();
+        known.unwrap_or_else(|| Series {
+            constant: operand.clone(),
+            coefficient,
+        })
+    }
+
+    /// Finds the series of what an operation of the program computes, whose first result has the number `value`.
+    pub(super) fn append(&mut self, operation: &Operation, value: usize) -> Result<(), NoSeries> {
+        self.applications = 0;
+        self.append_operation(operation, value)
+            .and_then(|()| self.close())
+            .map_err(|missing| match operation {
+                Operation::Application(function, _) => NoSeries {
+                    function: *function,
+                    ..missing
+                },
+                _ => missing,
+            })
+    }
+
+    /// The same for an operation of the initial program, unless that is known already; the derivatives of external
+    /// functions that it needs remain [pending](Self::pending).
+    pub(super) fn append_operation(
+        &mut self,
+        operation: &Operation,
+        value: usize,
+    ) -> Result<(), NoSeries> {
+        if self.known(&Operand::Value(value)).is_some() {
+            return Ok(());
         }
-    }
-
-    /// Appends what stands for the series of an instruction that none of the outputs needs.
-    pub(super) fn skip(&mut self, instruction: &Instruction) {
-        let results = 0..instruction.operation.results();
-        self.series.extend(results.map(|i| Series {
-            constant: Operand::Value(instruction.value + i),
-            coefficient: ZERO,
-        }));
-    }
-
-    /// Appends the series of what an operation computes, whose first result has the number `value`; `None` if there is
-    /// none.
-    pub(super) fn append(&mut self, operation: &Operation, value: usize) -> Option<()> {
         let operands = operation.operands();
         let operands: Vec<Series> = operands.map(|operand| self.series(operand)).collect();
         let results = operation.results();
@@ -219,13 +255,17 @@ impl Builder {
         } else {
             vec![ZERO; results]
         };
+        if self.series.len() < value + results {
+            self.series.resize(value + results, None);
+        }
         let series = constants.into_iter().zip(coefficients);
-        self.series
-            .extend(series.map(|(constant, coefficient)| Series {
+        for (known, (constant, coefficient)) in self.series[value..].iter_mut().zip(series) {
+            *known = Some(Series {
                 constant,
                 coefficient,
-            }));
-        Some(())
+            });
+        }
+        Ok(())
     }
 
     fn coefficients(
@@ -233,7 +273,7 @@ impl Builder {
         operation: &Operation,
         operands: &[Series],
         results: &[Operand],
-    ) -> Option<Vec<Operand>> {
+    ) -> Result<Vec<Operand>, NoSeries> {
         let coefficient = match (operation, operands) {
             (Operation::Add(..), [x, y]) => self.add(&x.coefficient, &y.coefficient),
             (Operation::Subtract(..), [x, y]) => self.subtract(&x.coefficient, &y.coefficient),
@@ -241,13 +281,16 @@ impl Builder {
             (Operation::Multiply(..), [x, y]) => self.product(x, y),
             (Operation::Divide(..), [x, y]) => self.quotient(x, y, &results[0]),
             (Operation::SquareRoot(_), [x]) => self.square_root(x, &results[0]),
-            (Operation::SineAndCosine(_), [x]) => return Some(self.sine_and_cosine(x, results)),
+            (Operation::SineAndCosine(_), [x]) => return Ok(self.sine_and_cosine(x, results)),
             (Operation::Unary(function, _), [x]) => self.unary(*function, x, &results[0]),
             (Operation::Binary(function, ..), [x, y]) => self.binary(*function, x, y, &results[0]),
-            // The derivatives of an external function are not those of an expression.
-            _ => return None,
+            (Operation::Application(function, _), arguments) => {
+                self.application(*function, arguments)?
+            }
+            // An operation has as many operands as it takes.
+            _ => ZERO,
         };
-        Some(vec![coefficient])
+        Ok(vec![coefficient])
     }
 
     /// f − Σ₀﹤ᵢ≤ₖ Mᵢ q̈ₖ₋ᵢ, which M₀ q̈ₖ is.
@@ -315,7 +358,7 @@ impl Builder {
 }
 
 /// The operations that are not functions.
-impl Builder {
+impl Builder<'_> {
     /// The coefficient of x · y.
     pub(super) fn product(&mut self, x: &Series, y: &Series) -> Operand {
         if x.varies() != y.varies() {

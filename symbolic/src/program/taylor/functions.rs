@@ -16,7 +16,7 @@ pub(super) enum Pair {
     HyperbolicSineCosine,
 }
 
-impl Builder {
+impl Builder<'_> {
     /// The coefficients of sin x and cos x.
     pub(super) fn sine_and_cosine(&mut self, x: &Series, results: &[Operand]) -> Vec<Operand> {
         let [sine, cosine] = [&results[0], &results[1]];
@@ -124,7 +124,12 @@ impl Builder {
     }
 
     /// Σ₀﹤ᵢ≤ₖ gₖ₋ᵢ i xᵢ, the coefficient of g Dx.
-    fn times_change(&mut self, factor: Factor, constant: &Operand, x: &Operand) -> Operand {
+    pub(super) fn times_change(
+        &mut self,
+        factor: Factor,
+        constant: &Operand,
+        x: &Operand,
+    ) -> Operand {
         let change = self.times_order(x);
         let of_change = self.factor(&change);
         let sum = self.convolve(factor, of_change);

@@ -5,7 +5,7 @@ use super::builder::{Builder, Factor, ZERO};
 use crate::program::straight_line::{Operand, Operation};
 use crate::{Rational, Symbol, Unary};
 
-impl Builder {
+impl Builder<'_> {
     pub(super) fn add(&mut self, x: &Operand, y: &Operand) -> Operand {
         match (x == &ZERO, y == &ZERO) {
             (true, _) => y.clone(),

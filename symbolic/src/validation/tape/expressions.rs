@@ -86,7 +86,20 @@ impl Writer {
         slopes: &[Slot],
     ) -> Slot {
         let slots = &self.slots[order];
-        let of = |x: Expression| slots[x.index()];
+        self.tape
+            .node(graph, expression, &|x| slots[x.index()], slopes)
+    }
+}
+
+impl Tape {
+    /// An expression whose operands are in the slots `of`, an external function with these partial derivatives.
+    pub(super) fn node(
+        &mut self,
+        graph: &Graph,
+        expression: Expression,
+        of: &dyn Fn(Expression) -> Slot,
+        slopes: &[Slot],
+    ) -> Slot {
         let entry = match graph.node(expression) {
             Node::Constant(value) => Entry::Constant(value.to_f64()),
             Node::Pi => Entry::Constant(core::f64::consts::PI),
@@ -96,7 +109,7 @@ impl Writer {
             Node::Binary(function, x, y) => Entry::Binary(*function, of(*x), of(*y)),
             Node::Application(function, arguments) => {
                 let arguments: Vec<Slot> = arguments.iter().map(|x| of(*x)).collect();
-                self.tape.application(*function, &arguments, slopes)
+                self.application(*function, &arguments, slopes)
             }
             Node::Sum(terms) => {
                 let terms: Vec<_> = terms.iter().map(|(x, c)| (of(*x), c)).collect();
@@ -107,7 +120,7 @@ impl Writer {
                 return self.product(&factors);
             }
         };
-        self.tape.push(entry)
+        self.push(entry)
     }
 
     fn sum(&mut self, terms: &[(Slot, &Rational)]) -> Slot {
@@ -116,16 +129,16 @@ impl Writer {
             let term = if c.abs().is_one() {
                 *x
             } else {
-                self.tape.push(Entry::Scale(c.abs().to_f64(), *x))
+                self.push(Entry::Scale(c.abs().to_f64(), *x))
             };
             total = Some(match total {
-                Some(sum) if c.is_negative() => self.tape.push(Entry::Subtract(sum, term)),
-                Some(sum) => self.tape.push(Entry::Add(sum, term)),
-                None if c.is_negative() => self.tape.push(Entry::Scale(-1.0, term)),
+                Some(sum) if c.is_negative() => self.push(Entry::Subtract(sum, term)),
+                Some(sum) => self.push(Entry::Add(sum, term)),
+                None if c.is_negative() => self.push(Entry::Scale(-1.0, term)),
                 None => term,
             });
         }
-        total.unwrap_or_else(|| self.tape.push(Entry::Constant(0.0)))
+        total.unwrap_or_else(|| self.push(Entry::Constant(0.0)))
     }
 
     fn product(&mut self, factors: &[(Slot, &Rational)]) -> Slot {
@@ -134,13 +147,13 @@ impl Writer {
             let power = if k.is_one() {
                 *x
             } else {
-                self.tape.push(Entry::Power(k.to_f64(), *x))
+                self.push(Entry::Power(k.to_f64(), *x))
             };
             total = Some(match total {
-                Some(product) => self.tape.push(Entry::Multiply(product, power)),
+                Some(product) => self.push(Entry::Multiply(product, power)),
                 None => power,
             });
         }
-        total.unwrap_or_else(|| self.tape.push(Entry::Constant(1.0)))
+        total.unwrap_or_else(|| self.push(Entry::Constant(1.0)))
     }
 }
