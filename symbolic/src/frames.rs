@@ -4,6 +4,7 @@ pub(crate) mod elementwise;
 pub(crate) mod matrix_product;
 pub(crate) mod vector_product;
 pub(crate) mod resolution;
+pub(crate) mod recognition;
 pub(crate) mod unresolved;
 pub(crate) mod inverse;
 pub(crate) mod rotation;

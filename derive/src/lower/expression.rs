@@ -49,7 +49,7 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) within_derivative: bool,
     /// Whether the system is at rest, so that all time derivatives are zero.
     pub(crate) at_rest: bool,
-    /// The number of rotations by angles so far.
+    /// The number of rotations by angles, and of angular velocities, so far.
     pub(crate) rotations: usize,
 }
 

@@ -10,7 +10,7 @@ use proc_macro2::TokenStream;
 use crate::plan::Method;
 use crate::tests::derived::{Derived, derive};
 pub(super) use declarations::arm;
-use declarations::{arm_along_inertial_axes, others};
+use declarations::{arm_along_inertial_axes, arm_written_out, others, parallel_joints};
 use kane::{Arm, Numbers, solve};
 
 /// Additions, multiplications and divisions.
@@ -122,12 +122,20 @@ fn an_arm_costs_no_more_than_the_algorithms_written_by_hand() {
 }
 
 #[test]
-fn angular_velocities_along_inertial_axes_cost_the_same() {
-    let [body, space] = [arm(5), arm_along_inertial_axes(5)].map(|declaration| {
+fn the_spelling_of_an_arm_does_not_matter() {
+    let costs = |declaration| {
         let methods = derived(declaration).methods;
-        [methods.accelerations, methods.inverse_dynamics].map(|method| operations(&method.program))
-    });
-    assert_eq!(body, space);
+        let methods = [methods.accelerations, methods.inverse_dynamics];
+        methods.map(|method| operations(&method.program))
+    };
+    let expected = costs(arm(5));
+    for other in [arm_along_inertial_axes(5), arm_written_out(5)] {
+        assert_eq!(costs(other), expected);
+    }
+    // Angles against each other, and against the horizontal.
+    let [relative, absolute] = [false, true].map(|is_absolute| costs(parallel_joints(is_absolute)));
+    assert_eq!(relative, [469, 450]);
+    assert_eq!(absolute, relative);
 }
 
 /// Branches, free bases, slides, gears, moving supports: all agree with Lagrange's equations.
@@ -143,9 +151,10 @@ fn mechanisms_of_other_kinds() {
         ("free base", 849),
         ("slides", 471),
         ("gears", 545),
-        ("moving support", 383),
+        ("moving support", 359),
         ("spherical joints", 755),
         ("springs", 305),
+        ("Denavit and Hartenberg", 1447),
     ];
     assert_eq!(found, expected);
 }

@@ -120,7 +120,7 @@ impl Graph {
     }
 
     /// vee(Aᵀ ∂A/∂s).
-    fn partial(&mut self, elements: &[Expression; 9], symbol: Symbol) -> Vector {
+    pub(crate) fn partial(&mut self, elements: &[Expression; 9], symbol: Symbol) -> Vector {
         let direction = Direction::from([(symbol, self.one())]);
         let slopes = self.directional_derivatives(elements, &direction);
         Axis::ALL.map(|axis| {

@@ -314,17 +314,17 @@ impl Graph {
     fn resolved_factors(&mut self, factors: &[MatrixFactor]) -> Vec<MatrixFactor> {
         let mut found = Vec::with_capacity(factors.len());
         for factor in factors {
-            found.push(match *factor {
+            match *factor {
                 MatrixFactor::Elementary(mut rotation) => {
                     rotation.angle = self.resolved(&[rotation.angle])[0];
-                    MatrixFactor::Elementary(rotation)
+                    found.push(MatrixFactor::Elementary(rotation));
                 }
                 MatrixFactor::Rotation(elements) => {
                     let values = self.resolved(&elements);
-                    MatrixFactor::Rotation(values.try_into().unwrap_or(elements))
+                    found.extend(self.recognized_factors(values.try_into().unwrap_or(elements)));
                 }
-                general @ MatrixFactor::General(_) => general,
-            });
+                general @ MatrixFactor::General(_) => found.push(general),
+            }
         }
         found
     }

@@ -142,17 +142,37 @@ fn identity(graph: &Graph) -> [Expression; 9] {
 }
 
 impl Graph {
-    /// The same product with fewer factors: adjacent rotations about one axis are combined, and rotations next to
-    /// their transposes cancel, as identities do. Where vectors are resolved last, parallel joints stay two.
+    /// The same product with fewer factors, as [combined](Self::combined); where vectors are resolved last, parallel
+    /// joints stay two.
     pub(crate) fn merged(
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
+    ) -> Vec<MatrixFactor> {
+        let keeps_joints = self.unresolved.is_some();
+        self.combined_where(factors, |graph, both| {
+            !keeps_joints || both.is_constant(graph)
+        })
+    }
+
+    /// The same product with fewer factors: adjacent rotations about one axis are combined, and rotations next to
+    /// their transposes cancel, as identities do.
+    pub(crate) fn combined(
+        &mut self,
+        factors: impl IntoIterator<Item = MatrixFactor>,
+    ) -> Vec<MatrixFactor> {
+        self.combined_where(factors, |_, _| true)
+    }
+
+    fn combined_where(
+        &mut self,
+        factors: impl IntoIterator<Item = MatrixFactor>,
+        is_one: impl Fn(&Self, MatrixFactor) -> bool,
     ) -> Vec<MatrixFactor> {
         let mut merged: Vec<MatrixFactor> = Vec::new();
         for mut factor in factors {
             if let Some(last) = merged.last()
                 && let Some(both) = last.then(factor, self)
-                && (self.unresolved.is_none() || both.is_constant(self))
+                && is_one(self, both)
             {
                 merged.pop();
                 factor = both;

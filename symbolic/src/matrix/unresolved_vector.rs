@@ -102,6 +102,15 @@ impl UnresolvedVectors {
         self.frames.get(frame.0.checked_sub(1)?).copied()
     }
 
+    /// The frames that are turned against this one, each with its factor.
+    pub(crate) fn behind(&self, frame: Frame) -> Vec<(Frame, MatrixFactor)> {
+        let children = self.children.iter();
+        let children = children.filter(|((before, _), _)| *before == frame);
+        children
+            .map(|((_, factor), next)| (*next, *factor))
+            .collect()
+    }
+
     /// The frames from the first one behind the inertial frame to this one, each with its factor.
     pub(crate) fn path(&self, frame: Frame) -> Vec<(Frame, MatrixFactor)> {
         let mut path = Vec::new();

@@ -70,6 +70,9 @@ impl Kinetics {
         let graph = &mut model.graph;
         let has_ldlt = passes.has(Pass::Ldlt);
         let mut solvers = Vec::new();
+        if has_ldlt {
+            solvers.extend(ldlt_solver(graph, &cheaper));
+        }
         if let Some(links) = &links {
             let along_links = links.system(graph);
             if has_ldlt {
@@ -77,10 +80,6 @@ impl Kinetics {
             }
             cheaper = cheaper.or(graph, along_links);
         }
-        let ldlt = has_ldlt
-            .then(|| Ldlt::factor(graph, &cheaper.mass, MOST_PIVOT_NEIGHBOURS))
-            .flatten();
-        solvers.extend(ldlt.map(|ldlt| Solver::Ldlt(ldlt, cheaper.forcing.clone())));
         let mut system = cheaper.clone();
         if let Some(tree) = tree {
             let scaled = tree.divided_by_unit(graph);

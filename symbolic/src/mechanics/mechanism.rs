@@ -44,19 +44,24 @@ pub(crate) struct Mechanism {
 
 impl Mechanism {
     /// The same mechanism, in which what a link carries moves with the link before where that is the same motion: of a
-    /// link that turns about an axis, all that lies on the axis. These are base inertial parameters (Gautier and
+    /// link that turns about an axis, all that lies on the axis; of one that is fixed to the link before, all. These are base inertial parameters (Gautier and
     /// Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990).
     pub(crate) fn regrouped(mut self, graph: &mut Graph) -> Self {
         for i in (0..self.links.len()).rev() {
             let link = &self.links[i];
             let is_fixed = link.place.iter().all(|x| !graph.contents(*x).varies());
-            let Some(axis) = link.turn.axis().filter(|_| is_fixed) else {
-                continue;
+            let (place, parent, turn) = (link.place, link.parent, link.turn);
+            let inertia = &mut self.links[i].inertia;
+            let moved = match turn.axis().filter(|_| is_fixed) {
+                _ if is_fixed && turn.is_constant(graph) => {
+                    let none = Inertia::none(graph);
+                    core::mem::replace(inertia, none).turned(graph, &turn)
+                }
+                Some(axis) => inertia.take_axis(graph, axis),
+                None => continue,
             };
-            let (place, parent) = (link.place, link.parent);
-            let rod = self.links[i].inertia.take_axis(graph, axis);
             if let Some(parent) = parent {
-                let moved = rod.moved(graph, place);
+                let moved = moved.moved(graph, place);
                 self.links[parent].inertia.add(graph, &moved);
             }
         }

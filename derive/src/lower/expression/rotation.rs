@@ -128,6 +128,7 @@ impl Lowerer<'_> {
         inertial: bool,
         context: ExpressionContext,
     ) -> Option<Value> {
+        self.rotations += 1;
         let value = Value::Array(rotation.clone());
         self.check_differentiable(call, &value)?;
         if self.at_rest {

@@ -1,15 +1,12 @@
 //! Declarations of mechanisms.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// An arm of so many links: joint i turns about letter i of the repeating zyxy, and each link has a centre of mass off the
 /// joint axis and a full inertia tensor.
 pub(in crate::tests) fn arm(links: usize) -> TokenStream {
-    let each = quote! {
-        0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])
-    };
-    arm_with(links, &quote!(angular_velocity), &each)
+    arm_with(links, by_name, &quote!(angular_velocity), &along_own_axes())
 }
 
 /// The same with angular velocities along inertial axes.
@@ -18,24 +15,59 @@ pub(super) fn arm_along_inertial_axes(links: usize) -> TokenStream {
         0.5 * m[i] * dot(c[i]).dot(dot(c[i]))
             + 0.5 * w[i].transpose() * (r[i] * inertia[i] * r[i].transpose()) * w[i]
     };
-    arm_with(links, &quote!(angular_velocity_inertial), &each)
+    arm_with(links, by_name, &quote!(angular_velocity_inertial), &each)
 }
 
-fn arm_with(links: usize, angular_velocity: &TokenStream, each: &TokenStream) -> TokenStream {
+/// The same with rotations that are written out.
+pub(super) fn arm_written_out(links: usize) -> TokenStream {
+    arm_with(
+        links,
+        written_out,
+        &quote!(angular_velocity),
+        &along_own_axes(),
+    )
+}
+
+fn along_own_axes() -> TokenStream {
+    quote! {
+        0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])
+    }
+}
+
+/// The rotation by an angle about an axis.
+fn by_name(axis: &str, angle: &TokenStream) -> TokenStream {
+    let name = format_ident!("rotation_{axis}");
+    quote!(#name(#angle))
+}
+
+/// The same element by element.
+fn written_out(axis: &str, angle: &TokenStream) -> TokenStream {
+    let (s, c) = (quote!(sin(#angle)), quote!(cos(#angle)));
+    match axis {
+        "x" => quote!([[1.0, 0.0, 0.0], [0.0, #c, -#s], [0.0, #s, #c]]),
+        "y" => quote!([[#c, 0.0, #s], [0.0, 1.0, 0.0], [-#s, 0.0, #c]]),
+        _ => quote!([[#c, -#s, 0.0], [#s, #c, 0.0], [0.0, 0.0, 1.0]]),
+    }
+}
+
+fn arm_with(
+    links: usize,
+    rotation: fn(&str, &TokenStream) -> TokenStream,
+    angular_velocity: &TokenStream,
+    each: &TokenStream,
+) -> TokenStream {
     let axes = ["z", "y", "x", "y"];
-    let rotations = axes.iter().cycle().take(links);
-    let rotations: Vec<Ident> = rotations
-        .map(|axis| format_ident!("rotation_{axis}"))
-        .collect();
-    let first = &rotations[0];
+    let first = rotation("z", &quote!(q[0]));
     let mut definitions = quote! {
-        r[0] = #first(q[0]),
+        r[0] = #first,
         p[0] = [0.0, 0.0, 0.0],
     };
-    for (i, rotation) in rotations.iter().enumerate().skip(1) {
+    for i in 1..links {
+        let axis = axes[i % axes.len()];
         let [before, i] = [i - 1, i].map(Literal::usize_unsuffixed);
+        let rotation = rotation(axis, &quote!(q[#i]));
         definitions.extend(quote! {
-            r[#i] = r[#before] * #rotation(q[#i]),
+            r[#i] = r[#before] * #rotation,
             p[#i] = p[#before] + r[#before] * link[#before],
         });
     }
@@ -71,6 +103,7 @@ pub(super) fn others() -> Vec<(&'static str, TokenStream)> {
         ("moving support", moving_support()),
         ("spherical joints", spherical_joints()),
         ("springs", springs()),
+        ("Denavit and Hartenberg", table(6)),
     ]
 }
 
@@ -289,6 +322,85 @@ fn springs() -> TokenStream {
             g: f64,
             k: f64,
             rest: f64,
+        }
+    }
+}
+
+/// An arm by the parameters of Denavit and Hartenberg, whose rotations are written out.
+fn table(links: usize) -> TokenStream {
+    let links = Literal::usize_unsuffixed(links);
+    quote! {
+        #[lagrangian(
+            coordinates(q[#links]),
+            define(
+                a[i] = [
+                    [cos(q[i]), -sin(q[i]) * cos(twist[i]), sin(q[i]) * sin(twist[i])],
+                    [sin(q[i]), cos(q[i]) * cos(twist[i]), -cos(q[i]) * sin(twist[i])],
+                    [0.0, sin(twist[i]), cos(twist[i])],
+                ] for i in 0..#links,
+                r[0] = a[0],
+                r[i] = r[i - 1] * a[i] for i in 1..#links,
+                p[0] = [length[0] * cos(q[0]), length[0] * sin(q[0]), offset[0]],
+                p[i] = p[i - 1]
+                    + r[i - 1] * [length[i] * cos(q[i]), length[i] * sin(q[i]), offset[i]]
+                    for i in 1..#links,
+                c[i] = p[i] + r[i] * center[i] for i in 0..#links,
+                w[i] = angular_velocity(r[i]) for i in 0..#links,
+            ),
+            kinetic = (0..#links).map(|i| {
+                0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])
+            }).sum(),
+            potential = (0..#links).map(|i| m[i] * g * c[i].z).sum(),
+        )]
+        struct Table {
+            m: [f64; #links],
+            length: [f64; #links],
+            offset: [f64; #links],
+            twist: [f64; #links],
+            center: [Vector3<f64>; #links],
+            inertia: [Matrix3<f64>; #links],
+            g: f64,
+        }
+    }
+}
+
+/// An arm whose parallel joints are declared by angles against the horizontal, `is_absolute`, or against each other.
+pub(super) fn parallel_joints(is_absolute: bool) -> TokenStream {
+    let [second, third] = if is_absolute {
+        [
+            quote!(rotation_z(q[0]) * rotation_y(q[1] + q[2])),
+            quote!(rotation_z(q[0]) * rotation_y(q[1] + q[2] + q[3])),
+        ]
+    } else {
+        [
+            quote!(r[1] * rotation_y(q[2])),
+            quote!(r[2] * rotation_y(q[3])),
+        ]
+    };
+    quote! {
+        #[lagrangian(
+            coordinates(q[4]),
+            define(
+                r[0] = rotation_z(q[0]),
+                r[1] = r[0] * rotation_y(q[1]),
+                r[2] = #second,
+                r[3] = #third,
+                p[0] = [0.0, 0.0, 0.0],
+                p[i] = p[i - 1] + r[i - 1] * link[i - 1] for i in 1..4,
+                c[i] = p[i] + r[i] * center[i] for i in 0..4,
+                w[i] = angular_velocity(r[i]) for i in 0..4,
+            ),
+            kinetic = (0..4).map(|i| {
+                0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])
+            }).sum(),
+            potential = (0..4).map(|i| m[i] * g * c[i].z).sum(),
+        )]
+        struct Parallel {
+            m: [f64; 4],
+            link: [Vector3<f64>; 3],
+            center: [Vector3<f64>; 4],
+            inertia: [Matrix3<f64>; 4],
+            g: f64,
         }
     }
 }

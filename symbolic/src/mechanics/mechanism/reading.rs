@@ -5,10 +5,11 @@
 //! origins differ are different links. An origin may lie anywhere on the axis about which its link turns, and is put
 //! where its place in the link before has no component along the axis, which costs least.
 //!
-//! What is no such sum, as the velocity of a point relative to one on another branch, makes no mechanism.
+//! Energies in other quantities make no mechanism.
 
 use std::collections::BTreeMap;
 
+use crate::matrix::factor::MatrixFactor;
 use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVectors, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::{QuasiVelocities, is_constant};
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
@@ -168,58 +169,99 @@ impl Reader {
 
     /// A link with the axes of a frame.
     fn link_of(&mut self, frame: Frame) -> Option<usize> {
-        let mut path = vec![frame];
-        let mut link = None;
-        while let Some(last) = path.last() {
-            link = self.frames.iter().position(|known| known == last);
-            match self.vectors.before(*last) {
-                Some((before, _)) if link.is_none() => path.push(before),
-                _ => break,
-            }
-        }
-        let zero = self.graph.zero();
-        for frame in path.into_iter().rev() {
-            if link.is_some_and(|link| self.frames[link] == frame) || frame == Frame::INERTIAL {
-                continue;
-            }
-            link = Some(self.next_link(link, frame, &mut [zero; 3])?);
-        }
+        let path = self.vectors.path(frame);
+        let known = path.iter().rev().find_map(|(frame, _)| {
+            let link = self.frames.iter().position(|known| known == frame)?;
+            Some((link, *frame))
+        });
+        let (mut link, here) =
+            known.map_or((None, Frame::INERTIAL), |(link, here)| (Some(link), here));
+        let mut place = [self.graph.zero(); 3];
+        self.walk(&mut link, (here, frame), &mut place)?;
         link
     }
 
-    /// The point at Σ Rᵢ vᵢ, if each frame is one of those before the last.
+    /// The point at Σ Rᵢ vᵢ: from the origin of each frame to that of the next, in the order in which they were declared.
     ///
     /// New links are made for the frames on the way, and for a place that varies in the last.
     fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
-        let lengths = terms.iter();
-        let last = lengths.max_by_key(|(frame, _)| self.vectors.path(*frame).len())?;
-        let path = self.vectors.path(last.0);
-        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
-        for (frame, place) in terms {
-            places.insert(*frame, *place);
-        }
         let zero = self.graph.zero();
-        let mut link = None;
-        let mut place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
-        for (frame, _) in path {
-            // What is constant in the inertial frame moves nothing.
-            if link.is_none() && !self.varies(place) {
-                place = [zero; 3];
-            }
-            link = Some(self.next_link(link, frame, &mut place)?);
-            if let Some(own) = places.remove(&frame) {
-                place = [0, 1, 2].map(|i| self.graph.add(place[i], own[i]));
-            }
+        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
+        for term in terms {
+            let (frame, place) = self.carried(*term);
+            let sum = places.entry(frame).or_insert([zero; 3]);
+            *sum = [0, 1, 2].map(|i| self.graph.add(sum[i], place[i]));
         }
-        if !places.is_empty() {
-            return None;
+        let mut place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
+        let (mut link, mut last) = (None, Frame::INERTIAL);
+        for (frame, own) in places {
+            self.walk(&mut link, (last, frame), &mut place)?;
+            last = frame;
+            place = [0, 1, 2].map(|i| self.graph.add(place[i], own[i]));
         }
         if self.varies(place) {
-            let frame = link.map_or(Frame::INERTIAL, |link| self.frames[link]);
-            link = Some(self.link(link, frame, place, Turn::Identity));
+            link = Some(self.link(link, last, place, Turn::Identity));
             place = [zero; 3];
         }
         Some((link, place))
+    }
+
+    /// Goes from a link with the axes of the first frame to one with those of the second, at this place.
+    fn walk(
+        &mut self,
+        link: &mut Option<usize>,
+        (here, there): (Frame, Frame),
+        place: &mut Vector,
+    ) -> Option<()> {
+        for (frame, factor) in self.steps(here, there) {
+            // What is constant in the inertial frame moves nothing.
+            if link.is_none() && !self.varies(*place) {
+                *place = [self.graph.zero(); 3];
+            }
+            *link = Some(self.next_link(*link, frame, factor, place)?);
+        }
+        Some(())
+    }
+
+    /// The frames on the way from one to another, each with its turn against the one before: back to the last that both
+    /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
+    fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
+        let (from, to) = (self.vectors.path(here), self.vectors.path(there));
+        let pairs = from.iter().zip(&to);
+        let common = pairs.take_while(|(x, y)| x == y).count();
+        if common == from.len() {
+            return to[common..].to_vec();
+        }
+        let back = from[common..].iter().rev();
+        let back = back.map(|(_, factor)| factor.transpose());
+        let forth = to[common..].iter().map(|(_, factor)| *factor);
+        let factors = self.graph.combined(back.chain(forth));
+        let mut path = self.vectors.factors(here);
+        let mut steps = Vec::with_capacity(factors.len());
+        for factor in factors {
+            path.push(factor);
+            steps.push((self.vectors.frame(&path), factor));
+        }
+        if let Some((frame, _)) = steps.last_mut() {
+            *frame = there;
+        }
+        steps
+    }
+
+    /// The place along the axes of a frame that is turned against its own, if it is constant there: l (cos q, sin q, 0) is
+    /// l (1, 0, 0) of the link that is turned by q.
+    fn carried(&mut self, (frame, place): (Frame, Vector)) -> (Frame, Vector) {
+        if !self.varies(place) {
+            return (frame, place);
+        }
+        for (next, factor) in self.vectors.behind(frame) {
+            let turned = factor.transpose().apply(&mut self.graph, place);
+            let turned = turned.map(|x| self.graph.reduced(x));
+            if !self.varies(turned) {
+                return (next, turned);
+            }
+        }
+        (frame, place)
     }
 
     fn varies(&self, place: Vector) -> bool {
@@ -232,9 +274,9 @@ impl Reader {
         &mut self,
         before: Option<usize>,
         frame: Frame,
+        factor: MatrixFactor,
         place: &mut Vector,
     ) -> Option<usize> {
-        let (_, factor) = self.vectors.before(frame)?;
         let turn = Turn::of(factor)?;
         let zero = self.graph.zero();
         let mut origin = *place;

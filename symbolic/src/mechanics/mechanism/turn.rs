@@ -25,6 +25,15 @@ impl Turn {
         }
     }
 
+    /// Whether it does not change.
+    pub(crate) fn is_constant(&self, graph: &Graph) -> bool {
+        match self {
+            Self::Identity => true,
+            Self::Elementary(rotation) => !graph.contents(rotation.angle).varies(),
+            Self::General(elements) => elements.iter().all(|x| !graph.contents(*x).varies()),
+        }
+    }
+
     /// The coordinate axis about which it turns.
     pub(crate) const fn axis(&self) -> Option<usize> {
         match self {
