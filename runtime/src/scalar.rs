@@ -259,6 +259,25 @@ pub trait Scalar:
     /// −1, 0 or 1. Unlike [`f64::signum`], it is 0 at 0, where |x| has no derivative.
     #[must_use]
     fn signum(self) -> Self;
+    /// The largest whole number that is not greater, without derivative parts.
+    ///
+    /// Found digit by digit; lanes for which the processor has something better implement it.
+    #[must_use]
+    fn floor(self) -> Self {
+        let greater = |x: Self, y: Self| (x - y).signum().max(Self::zero());
+        let (least, most) = (self.smallest(), self.largest());
+        let mut rest = self.abs();
+        let mut whole = Self::zero();
+        let highest = libm::ilogb(most.max(-least));
+        for digit in (0..=highest).rev() {
+            let power = Self::from_f64(libm::ldexp(1.0, digit));
+            let part = power * (Self::one() - greater(power, rest));
+            rest -= part;
+            whole += part;
+        }
+        let toward_zero = whole * self.signum();
+        toward_zero - greater(toward_zero, self)
+    }
     /// The lesser of two numbers; in lanes, the other one where one of them is NaN.
     #[must_use]
     fn min(self, other: Self) -> Self;

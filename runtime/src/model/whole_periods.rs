@@ -68,20 +68,12 @@ impl FullTurn {
         S::from_f64(if few { turns.copysign(most) } else { 0.0 })
     }
 
-    /// The same in lanes that differ: the whole number of periods is found digit by digit, and it is that of one lane
-    /// alone.
+    /// The same in lanes that differ: in each it is that of the lane alone.
     fn turns_in_lanes<S: Scalar>(&self, angle: S, period: f64, inverse: f64, most_turns: f64) -> S {
         let size = angle.abs();
-        let mut rest = size * S::from_f64(inverse) + S::from_f64(0.5);
-        let mut periods = S::zero();
-        // A larger number has the largest digits and is too many.
-        let highest = libm::ilogb(rest.largest()).min(self.digits);
-        for digit in (0..=highest).rev() {
-            let power = S::from_f64(libm::ldexp(1.0, digit));
-            let part = power * (S::one() - greater(power, rest));
-            rest -= part;
-            periods += part;
-        }
+        let periods = size * S::from_f64(inverse) + S::from_f64(0.5);
+        // A larger number is too many, whatever it is.
+        let periods = periods.min(S::from_f64(2.0 * most_turns)).floor();
         let turns = periods * S::from_f64(period);
         let too_many = greater(turns, S::from_f64(most_turns));
         let large = greater(size, S::from_f64(SMALL_ANGLE));

@@ -1,8 +1,11 @@
 //! SIMD lanes as a scalar.
 
+#![allow(clippy::inline_always)] // An operation is one instruction.
+
 use core::array;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::simd::{LaneOperation, SimdVector, in_vectors};
 use super::{Scalar, arithmetic::arithmetic};
 
 /// `L` numbers of `f64` on which every operation is done lane by lane: models with different parameters, or motions
@@ -98,26 +101,53 @@ impl<const L: usize> From<[f64; L]> for Lanes<L> {
 }
 
 macro_rules! operators {
-    ($($operator:ident $function:ident)*) => {$(
+    ($($operator:ident $function:ident $operation:ident)*) => {$(
+        struct $operation;
+
+        impl LaneOperation<2> for $operation {
+            #[inline(always)]
+            fn apply<const WIDTH: usize, V: SimdVector<WIDTH>>([x, y]: [V; 2]) -> V {
+                $operator::$function(x, y)
+            }
+        }
+
         impl<const L: usize> $operator for Lanes<L> {
             type Output = Self;
 
-            #[inline]
+            #[inline(always)]
             fn $function(self, other: Self) -> Self {
-                self.both(other, $operator::$function)
+                Self(in_vectors::<$operation, 2, L>([&self.0, &other.0]))
             }
         }
     )*};
 }
 
-operators! { Add add Sub sub Mul mul Div div }
+operators! { Add add Sum Sub sub Difference Mul mul Product Div div Quotient }
+
+struct Opposite;
+
+impl LaneOperation<1> for Opposite {
+    #[inline(always)]
+    fn apply<const WIDTH: usize, V: SimdVector<WIDTH>>([x]: [V; 1]) -> V {
+        -x
+    }
+}
 
 impl<const L: usize> Neg for Lanes<L> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
-        Self(self.0.map(Neg::neg))
+        Self(in_vectors::<Opposite, 1, L>([&self.0]))
+    }
+}
+
+struct FusedProduct;
+
+impl LaneOperation<3> for FusedProduct {
+    #[inline(always)]
+    fn apply<const WIDTH: usize, V: SimdVector<WIDTH>>([x, y, summand]: [V; 3]) -> V {
+        x.mul_add(y, summand)
     }
 }
 
@@ -176,9 +206,22 @@ impl<const L: usize> Scalar for Lanes<L> {
         f64::EPSILON
     }
 
-    #[inline]
+    #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
-        Self::from_fn(|lane| Scalar::mul_add(self.0[lane], factor.0[lane], summand.0[lane]))
+        Self(in_vectors::<FusedProduct, 3, L>([
+            &self.0, &factor.0, &summand.0,
+        ]))
+    }
+
+    #[inline]
+    fn floor(self) -> Self {
+        // From here on all numbers are whole, so that adding it rounds a lesser one to a whole number.
+        const ALL_WHOLE: f64 = 1.0 / f64::EPSILON;
+        Self(self.0.map(|x| {
+            let rounded = ((x.abs() + ALL_WHOLE) - ALL_WHOLE).copysign(x);
+            let floor = rounded - if rounded > x { 1.0 } else { 0.0 };
+            if x.abs() < ALL_WHOLE { floor } else { x }
+        }))
     }
 
     #[inline]
@@ -201,6 +244,40 @@ impl<const L: usize> Scalar for Lanes<L> {
 #[cfg(test)]
 mod tests {
     use super::{Lanes, Scalar};
+
+    #[test]
+    fn the_floor_is_that_of_each_lane() {
+        let numbers = [
+            0.0,
+            0.5,
+            1.0 - f64::EPSILON,
+            2.5,
+            -0.1,
+            -3.0,
+            1e15 + 0.5,
+            -1e15 - 0.5,
+        ];
+        let more = [
+            7.999,
+            -8.5,
+            123_456.7,
+            -0.0,
+            4e15 + 0.5,
+            1e300,
+            -1e300,
+            2.0_f64.powi(52) - 1.0,
+        ];
+        for numbers in [numbers, more] {
+            let found = Lanes(numbers).floor().0;
+            for (found, number) in found.into_iter().zip(numbers) {
+                assert!((found - number.floor()).abs() == 0.0, "{number}: {found}");
+                assert!(
+                    (Scalar::floor(number) - number.floor()).abs() == 0.0,
+                    "{number}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn a_lane_that_is_no_number_is_the_smallest_and_the_largest() {
