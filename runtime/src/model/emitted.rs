@@ -181,7 +181,7 @@ fn expand<
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF>::new();
         orders_of::<_, _, _, _, IN_VELOCITIES>(unit, first, higher, pairs, convolutions, term);
     } else {
-        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
         orders_of::<_, _, _, _, IN_VELOCITIES>(unit, first, higher, pairs, convolutions, term);
     }
 }
@@ -264,7 +264,7 @@ pub fn event_series<
     mut term: impl FnMut(&Term<S, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
     let mut series = TaylorCoefficients::new(values);
-    let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+    let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
     let mut order = S::zero();
     let mut t = unit;
     for (coefficient, of_motion) in series.higher_mut().iter_mut().zip(motion.higher()) {

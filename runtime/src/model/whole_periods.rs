@@ -61,7 +61,7 @@ impl FullTurn {
         let most_turns = libm::ldexp(1.0, self.digits);
         let (least, most) = (angle.smallest(), angle.largest());
         if most > least {
-            return self.turns_in_lanes(angle, period, inverse, most_turns);
+            return Self::turns_in_lanes(angle, period, inverse, most_turns);
         }
         let turns = period * libm::floor(most.abs() * inverse + 0.5);
         let few = most.abs() > SMALL_ANGLE && turns <= most_turns;
@@ -69,7 +69,7 @@ impl FullTurn {
     }
 
     /// The same in lanes that differ: in each it is that of the lane alone.
-    fn turns_in_lanes<S: Scalar>(&self, angle: S, period: f64, inverse: f64, most_turns: f64) -> S {
+    fn turns_in_lanes<S: Scalar>(angle: S, period: f64, inverse: f64, most_turns: f64) -> S {
         let size = angle.abs();
         let periods = size * S::from_f64(inverse) + S::from_f64(0.5);
         // A larger number is too many, whatever it is.

@@ -26,18 +26,22 @@ pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, cons
     terms: [[[S; 2]; HALF]; FACTORS],
     /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
     sums: [[S; ORDERS]; PAIRS],
+    /// The number of pairs before those that fill the last block by repeating one.
+    different: usize,
     order: usize,
 }
 
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     Convolutions<S, FACTORS, PAIRS, HALF>
 {
-    /// The convolutions of order 1, which are empty sums.
+    /// The convolutions of order 1 of some pairs of factors, which are empty sums.
     #[inline]
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(pairs: &[[usize; 2]; PAIRS]) -> Self {
+        let repeated = pairs.windows(2).rev().take_while(|pair| pair[0] == pair[1]);
         Self {
             terms: [[[S::zero(); 2]; HALF]; FACTORS],
             sums: [[S::zero(); ORDERS]; PAIRS],
+            different: PAIRS - repeated.count(),
             order: 1,
         }
     }
@@ -51,13 +55,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         change: impl Fn(&mut [S; ORDERS], &[S], &[S]),
     ) {
         let known = known.min(2 * HALF);
-        let mut last = None;
-        for (sums, pair) in self.sums.iter_mut().zip(pairs) {
-            // A block of pairs is filled by repeating one.
-            if last == Some(pair) {
-                continue;
-            }
-            last = Some(pair);
+        for (sums, pair) in self.sums.iter_mut().zip(pairs).take(self.different) {
             let [x, y] = pair.map(|factor| &self.terms[factor].as_flattened()[..known]);
             change(sums, x, y);
         }
@@ -116,13 +114,18 @@ fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
         }
     }
     let windows = before.windows(ORDERS + 1).rev().step_by(2);
+    // Two sums of each order, so that one need not wait for the other.
+    let mut others = [S::zero(); ORDERS];
     for ([x_i, x_j], y) in x.as_chunks::<2>().0.iter().zip(windows) {
         for (sum, y) in sums.iter_mut().zip(&y[1..]) {
             *sum = x_i.mul_add(*y, *sum);
         }
-        for (sum, y) in sums.iter_mut().zip(y) {
+        for (sum, y) in others.iter_mut().zip(y) {
             *sum = x_j.mul_add(*y, *sum);
         }
+    }
+    for (sum, other) in sums.iter_mut().zip(others) {
+        *sum += other;
     }
     sums
 }

@@ -235,11 +235,15 @@ mod tests {
         f64::from(u8::try_from((7 * index + 5 * order + index * order) % 11).unwrap()) - 5.0
     }
 
+    fn pairs_of<const PAIRS: usize>() -> [[usize; 2]; PAIRS] {
+        core::array::from_fn(|i| [i % 5, (2 * i + i / 5) % 5])
+    }
+
     /// Fails unless the sums of all orders are those of the definition.
     fn check<const PAIRS: usize, const HALF: usize>(
         mut convolutions: impl OnlineConvolutions<f64, 5, PAIRS>,
     ) {
-        let pairs: [[usize; 2]; PAIRS] = core::array::from_fn(|i| [i % 5, (2 * i + i / 5) % 5]);
+        let pairs = pairs_of::<PAIRS>();
         for order in 1..2 * HALF {
             let expected = pairs.map(|[x, y]| {
                 let products = (1..order).map(|i| factor(x, i) * factor(y, order - i));
@@ -258,7 +262,7 @@ mod tests {
 
     fn both<const PAIRS: usize, const LANES: usize, const HALF: usize>() {
         check::<PAIRS, HALF>(PairedConvolutions::<f64, PAIRS, LANES, HALF>::new());
-        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::new());
+        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::new(&pairs_of()));
     }
 
     #[test]
@@ -272,12 +276,14 @@ mod tests {
         both::<64, 32, 20>();
     }
 
+    const REPEATED: [[usize; 2]; 4] = [[0, 1], [1, 1], [2, 3], [2, 3]];
+
     /// The sums of three pairs, of which the last is repeated, up to order 11.
     fn with_repeated(mut convolutions: impl OnlineConvolutions<f64, 5, 4>) -> [[f64; 3]; 11] {
         core::array::from_fn(|i| {
             let [first, second, third, _] = convolutions.sums();
             let factors = core::array::from_fn(|index| factor(index, i + 1));
-            convolutions.advance(&factors, &[[0, 1], [1, 1], [2, 3], [2, 3]]);
+            convolutions.advance(&factors, &REPEATED);
             [first, second, third]
         })
     }
@@ -286,7 +292,7 @@ mod tests {
     fn repeated_pairs_change_nothing() {
         assert_eq!(
             with_repeated(PairedConvolutions::<f64, 4, 4, 6>::new()),
-            with_repeated(Convolutions::<f64, 5, 4, 6>::new())
+            with_repeated(Convolutions::<f64, 5, 4, 6>::new(&REPEATED))
         );
     }
 }
