@@ -39,6 +39,7 @@ mod rotation_state;
 mod moments;
 mod euler_equations;
 mod steady_rotation;
+mod steady_precession;
 mod free_rotation;
 
 pub use body::RigidBody;
@@ -60,4 +61,5 @@ pub use reports::{CadReport, ProductSign, UrdfInertial};
 pub use resultant::Resultant;
 pub use rotation_state::RotationState;
 pub use solid::Solid;
+pub use steady_precession::SteadyPrecession;
 pub use steady_rotation::SteadyRotation;

@@ -221,6 +221,7 @@ fn bodies_without_inertia_about_an_axis() {
     assert!(matches!(error, BodyError::NoInertia { .. }), "{error}");
     assert!(EulerEquations::principal([1.0, 0.0, 1.0]).is_err());
     assert!(EulerEquations::principal([1.0, f64::NAN, 1.0]).is_err());
+    assert!(EulerEquations::principal([1.0, f64::INFINITY, 1.0]).is_err());
     // About a point beside it, the rod has inertia about every axis.
     let beside = V::new(0.1, 0.0, 0.0);
     assert!(EulerEquations::about_fixed_point(&rod, &beside).is_ok());

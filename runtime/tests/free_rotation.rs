@@ -25,28 +25,36 @@ fn start<S: Scalar>(omega: [f64; 3]) -> RotationState<S> {
     RotationState::new(&orientation, omega.map(S::from_f64).into())
 }
 
-/// The largest difference of angular velocities and of orientations.
-fn apart<S: Scalar, T: Scalar>(a: &RotationState<S>, b: &RotationState<T>) -> f64 {
-    let [of_a, of_b] = [
-        a.quaternion.map(Scalar::largest),
-        b.quaternion.map(Scalar::largest),
-    ];
-    let low = |x: S, y: T| (d(x.largest()) - d(y.largest())).to_f64();
-    let omega = a.angular_velocity.iter().zip(b.angular_velocity.iter());
-    let omega = omega.map(|(x, y)| low(*x, *y).abs()).fold(0.0, f64::max);
-    omega.max((of_a - of_b).norm().min((of_a + of_b).norm()))
+/// The largest of numbers, NaN if one of them is.
+fn worst(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |most: f64, x: f64| if x > most || x.is_nan() { x } else { most };
+    numbers.into_iter().fold(0.0, larger)
 }
 
-/// The same of double-doubles, with all digits.
+/// The largest difference of components; the quaternions may differ in sign.
 fn precisely_apart(a: &RotationState<D>, b: &RotationState<D>) -> f64 {
-    let norm = |sign: f64| {
+    let by_sign = |sign: f64| {
         let pairs = a.quaternion.iter().zip(b.quaternion.iter());
-        pairs
-            .map(|(x, y)| (*x - d(sign) * *y).to_f64().abs())
-            .fold(0.0, f64::max)
+        worst(pairs.map(|(x, y)| (*x - d(sign) * *y).to_f64().abs()))
     };
-    let omega = (a.angular_velocity - b.angular_velocity).map(|x| x.to_f64().abs());
-    omega.max().max(norm(1.0).min(norm(-1.0)))
+    let [same, opposite] = [1.0, -1.0].map(by_sign);
+    let of_quaternion = if opposite < same { opposite } else { same };
+    let omega = a.angular_velocity - b.angular_velocity;
+    worst(
+        omega
+            .iter()
+            .map(|x| x.to_f64().abs())
+            .chain([of_quaternion]),
+    )
+}
+
+/// The same for a state on `f64`.
+fn apart(a: &RotationState, b: &RotationState<D>) -> f64 {
+    let precise = RotationState {
+        quaternion: a.quaternion.map(d),
+        angular_velocity: a.angular_velocity.map(d),
+    };
+    precisely_apart(&precise, b)
 }
 
 /// Compares closed form and integration on double-doubles, and the closed form on `f64` with both.

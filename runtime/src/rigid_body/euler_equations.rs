@@ -91,10 +91,7 @@ impl<S: SingleNumber> EulerEquations<S> {
 pub(super) fn check_moments<S: SingleNumber>(moments: [S; 3]) -> Result<(), BodyError> {
     let moments = moments.map(Scalar::largest);
     let least = NO_INERTIA * S::machine_epsilon() * moments[2];
-    if moments
-        .iter()
-        .all(|moment| *moment > least && moment.is_finite())
-    {
+    if moments.iter().all(|moment| *moment > least) {
         return Ok(());
     }
     Err(BodyError::NoInertia { moments })
