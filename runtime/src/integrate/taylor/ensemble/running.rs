@@ -166,7 +166,12 @@ where
             Err(error) => return (0..L).for_each(|lane| stepper.fail(lane, error)),
         };
         let (times, states) = (stepper.times(), stepper.states());
-        if min_pivot <= 0.0 || dynamics.singularity(times, states, min_pivot).is_none() {
+        let found = if (0..L).any(|lane| stepper.is_new(lane)) {
+            dynamics.singularity(times, states, min_pivot)
+        } else {
+            dynamics.singularity_in_motion(times, states, min_pivot)
+        };
+        if min_pivot <= 0.0 || found.is_none() {
             return;
         }
         for lane in 0..L {
