@@ -31,7 +31,7 @@ pub use augmented_phase::AugmentedPhase;
 pub use controlled_by::ControlledBy;
 pub use driven_by::DrivenBy;
 pub use equations_of_motion::EquationsOfMotion;
-pub use events::Events;
+pub use events::{Events, EventsWith};
 pub use external_functions::{ExternalFunctions, FunctionSignature};
 pub use generalized_coordinates::GeneralizedCoordinates;
 pub use inputs::{Inputs, WithInputs};

@@ -4,11 +4,11 @@
 
 pub use crate::{
     Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, Event,
-    Events, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError, IntegrationMethod,
-    Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Observer, Occurrence,
-    Outcome, Outputs, OutputsWith, Phase, Plant, Progress, Reaction, RungeKutta,
-    RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics, Step, Stepper,
-    StopReason, Taylor, VectorSpace, WithController, WithInputs,
+    Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError,
+    IntegrationMethod, Integrator, Interpolant, Lagrangian, Linearization, ObservationKind,
+    Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase, Plant, Progress, Reaction,
+    RungeKutta, RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics, Step,
+    Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 

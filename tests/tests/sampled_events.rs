@@ -12,7 +12,7 @@ fn ramp<S: Scalar>(x: S) -> S {
     x - S::from_f64(0.5)
 }
 
-/// Events with external functions and inputs are sampled.
+/// Events with external functions of unknown derivatives are sampled, and so is then one with an input.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
@@ -25,30 +25,6 @@ struct External {
     m: f64,
     #[lagrangian(input)]
     limit: f64,
-}
-
-/// An event with an input alone.
-#[derive(Lagrangian, Clone, Debug)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    kinetic = 0.5 * dot(x).powi(2),
-    event(beyond = x - limit),
-)]
-struct Limited {
-    #[lagrangian(input)]
-    limit: f64,
-}
-
-#[test]
-fn events_with_inputs_are_sampled() {
-    let model = Limited { limit: 0.75 };
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Limited::BEYOND, Event::rising())]);
-    let start = State::new(0.0, [0.0], [1.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
-    assert!((times(motion.events(), 0)[0] - 0.75).abs() <= 1e-15);
 }
 
 #[test]

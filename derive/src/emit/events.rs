@@ -21,24 +21,90 @@ impl Emitter<'_> {
         }
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let count = count(&self.lowered.events);
-        let functions =
-            self.methods_where(InputsFrom::Fields, |row| row.interface == Interface::Events);
-        let series = self
-            .event_series
-            .map(|series| self.series_of_events(series));
-        let items = quote! {
+        let types = quote! {
             const EVENTS: &'static [&'static str] = &Self::EVENTS;
             type EventValues = [#scalar; #count];
-            #functions
-            #series
         };
-        self.implement(&quote!(#root::Events<#n, #scalar>), &items)
+        let methods = |inputs| self.methods_where(inputs, |row| row.interface == Interface::Events);
+        let interface = quote!(#root::Events<#n, #scalar>);
+        if !self.has_inputs() {
+            let functions = methods(InputsFrom::Fields);
+            let series = self.series_of_events(InputsFrom::Fields);
+            return self.implement(&interface, &quote!(#types #functions #series));
+        }
+        let u = self.model.inputs as usize;
+        let interface_with = quote!(#root::EventsWith<#n, #u, #scalar>);
+        let functions = methods(InputsFrom::Argument);
+        let series = self.series_of_events(InputsFrom::Argument);
+        let with_inputs = self.implement(&interface_with, &quote!(#functions #series));
+        let functions = self.delegations(Interface::Events);
+        let series = self.series_of_held_inputs();
+        let held = self.implement(&interface, &quote!(#types #functions #series));
+        quote!(#with_inputs #held)
     }
 
-    fn series_of_events(&self, series: &EventSeries) -> TokenStream {
+    /// The method that computes the series of the events, if they have series.
+    fn series_of_events(&self, inputs: InputsFrom) -> Option<TokenStream> {
+        let series = self.event_series?;
+        let signature = self.parameters_of_series();
+        let result = self.result_of_series();
+        let body = self.body_of_series(series, inputs);
+        if inputs == InputsFrom::Fields {
+            return Some(quote! {
+                fn event_series<const HALF: usize>(&self, #signature) -> #result {
+                    ::core::option::Option::Some({ #body })
+                }
+            });
+        }
+        let (root, vector) = (&self.declaration.root, self.signatures().inputs());
+        Some(quote! {
+            fn event_series_with<const HALF: usize>(
+                &self, series_of_inputs: &[#vector], #signature
+            ) -> #result {
+                let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
+                let inputs = &inputs;
+                ::core::option::Option::Some({ #body })
+            }
+        })
+    }
+
+    /// The method that computes the series of the events at the inputs of the fields, if they have series.
+    fn series_of_held_inputs(&self) -> Option<TokenStream> {
+        self.event_series?;
+        let (root, scalar) = (&self.declaration.root, &self.scalar);
+        let (n, u) = (self.coordinates(), self.model.inputs as usize);
+        let signature = self.parameters_of_series();
+        let result = self.result_of_series();
+        Some(quote! {
+            fn event_series<const HALF: usize>(&self, #signature) -> #result {
+                let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
+                #root::EventsWith::<#n, #u, #scalar>::event_series_with(
+                    self, &held, state, unit, motion,
+                )
+            }
+        })
+    }
+
+    fn parameters_of_series(&self) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let state = self.signatures().state();
-        let body = self.with_writer(&series.initial, InputsFrom::Fields, &[], |writer| {
+        quote! {
+            state: #state,
+            unit: #scalar,
+            motion: &#root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+        }
+    }
+
+    fn result_of_series(&self) -> TokenStream {
+        let root = &self.declaration.root;
+        quote!(::core::option::Option<#root::TaylorCoefficients<Self::EventValues, HALF>>)
+    }
+
+    fn body_of_series(&self, series: &EventSeries, inputs: InputsFrom) -> TokenStream {
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let next_inputs = (inputs == InputsFrom::Argument)
+            .then(|| quote!(let term_of_inputs = higher_inputs.next();));
+        self.with_writer(&series.initial, inputs, &[], |writer| {
             let (statements, values) = writer.compute(&series.values);
             let (more, invariants) = writer.compute(&series.invariants);
             let [(of_terms, terms), (of_factors, factors)] = self.recurrence(&series.program);
@@ -53,23 +119,14 @@ impl Emitter<'_> {
                 #root::__private::event_series::<
                     _, #n, #events, #count_of_factors, #count_of_pairs, HALF,
                 >(unit, motion, values, &[#(#pairs),*], |term| {
+                    #next_inputs
                     #of_terms
                     let terms = [#(#terms),*];
                     #of_factors
                     (terms, [#(#factors),*])
                 })
             }
-        });
-        quote! {
-            fn event_series<const HALF: usize>(
-                &self,
-                state: #state,
-                unit: #scalar,
-                motion: &#root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
-            ) -> ::core::option::Option<#root::TaylorCoefficients<Self::EventValues, HALF>> {
-                ::core::option::Option::Some({ #body })
-            }
-        }
+        })
     }
 
     /// The names of the events and their indices, as constants of the type.

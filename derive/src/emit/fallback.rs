@@ -350,14 +350,22 @@ impl<'a> Fallback<'a> {
         let root = &self.declaration.root;
         let (n, scalar) = (&self.dimension, &self.scalar);
         let count = events::count(&self.lowered.events);
-        let methods =
-            self.methods_where(InputsFrom::Fields, |row| row.interface == Interface::Events);
+        let methods = |inputs| self.methods_where(inputs, |row| row.interface == Interface::Events);
+        let functions = methods(InputsFrom::Fields);
         let items = quote! {
             const EVENTS: &'static [&'static str] = &[""; #count];
             type EventValues = [#scalar; #count];
-            #methods
+            #functions
         };
-        self.implement(&quote!(#root::Events<#n, #scalar>), Some(scalar), &items)
+        let held = self.implement(&quote!(#root::Events<#n, #scalar>), Some(scalar), &items);
+        let u = self.lowered.quantities.inputs.len();
+        if u == 0 {
+            return held;
+        }
+        let interface = quote!(#root::EventsWith<#n, #u, #scalar>);
+        let functions = methods(InputsFrom::Argument);
+        let with_inputs = self.implement(&interface, Some(scalar), &functions);
+        quote!(#held #with_inputs)
     }
 
     fn taylor_series(&self) -> TokenStream {

@@ -104,7 +104,10 @@ impl Signatures<'_> {
         } = self;
         match (interface, inputs) {
             (Interface::Lagrangian, InputsFrom::Fields) => quote!(#root::Lagrangian::<#n, #scalar>),
-            (Interface::Events, _) => quote!(#root::Events::<#n, #scalar>),
+            (Interface::Events, InputsFrom::Fields) => quote!(#root::Events::<#n, #scalar>),
+            (Interface::Events, InputsFrom::Argument) => {
+                quote!(#root::EventsWith::<#n, #u, #scalar>)
+            }
             (Interface::Energies, _) => quote!(#root::Energies::<#n, #scalar>),
             (Interface::Lagrangian, InputsFrom::Argument) | (Interface::Inputs, _) => {
                 quote!(#root::Inputs::<#n, #u, #scalar>)

@@ -107,7 +107,7 @@ table! {
     PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     false, false;
     InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     true,  false;
     Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     true,  false;
-    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     false, false;
+    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     true,  false;
 }
 
 /// The methods that the traits of the runtime have besides.

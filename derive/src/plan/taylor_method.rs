@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{
     Equations, Graph, Model, NoSeries, Program, QuasiVelocityEquations, SeriesCheck, SeriesOutputs,
-    Symbol, TaylorProgram, ValueSeriesCheck,
+    TaylorProgram, ValueSeriesCheck,
 };
 
 use super::method::Method;
@@ -147,7 +147,7 @@ pub(crate) struct EventSeries {
 
 impl Methods {
     /// The Taylor series of the event functions; none where there are no events, or where they apply external functions
-    /// without series or read inputs, whose series the motion's coefficients do not contain.
+    /// without series.
     pub(crate) fn event_series(
         &self,
         graph: &Graph,
@@ -159,10 +159,6 @@ impl Methods {
             return Err(NoTaylorSeries::Wrong);
         };
         let program = &method.program;
-        let is_input = |symbol: &Symbol| matches!(symbol, Symbol::Input(_));
-        if program.symbols().iter().any(is_input) {
-            return Ok(None);
-        }
         let operands = SeriesOutputs::Values(values.operands(program));
         let Ok(taylor) = TaylorProgram::of(graph, program, operands) else {
             return Ok(None);

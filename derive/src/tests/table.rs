@@ -56,7 +56,7 @@ fn expected(variant: Variant) -> Vec<(&'static str, String)> {
         Interface::Energies => vec![("Energies", name)],
         Interface::Inputs => vec![("Inputs", with)],
         Interface::Outputs => vec![("Outputs", name), ("OutputsWith", with)],
-        Interface::Events => vec![("Events", name)],
+        Interface::Events => vec![("Events", name), ("EventsWith", with)],
     }
 }
 

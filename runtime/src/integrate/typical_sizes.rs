@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 /// A system with a typical size of each component, made by [`with_sizes`](SetTypicalSizes::with_sizes).
 #[derive(Clone, Copy, Debug)]
 pub struct WithSizes<'a, D: ?Sized, X> {
-    dynamics: &'a D,
+    pub(super) dynamics: &'a D,
     sizes: X,
 }
 

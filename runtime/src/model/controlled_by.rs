@@ -20,7 +20,7 @@ where
     M: Inputs<N, U, S> + ?Sized,
     S: Scalar,
 {
-    model: &'a M,
+    pub(super) model: &'a M,
     prepared: M::Prepared,
     law: C,
 }

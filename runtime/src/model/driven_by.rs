@@ -20,9 +20,9 @@ where
     M: Inputs<N, U, S> + ?Sized,
     S: Scalar,
 {
-    model: &'a M,
+    pub(super) model: &'a M,
     prepared: M::Prepared,
-    signals: I,
+    pub(super) signals: I,
 }
 
 impl<'a, M, I, S, const N: usize, const U: usize> DrivenBy<'a, M, I, S, N, U>

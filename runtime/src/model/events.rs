@@ -1,11 +1,20 @@
 //! Models that declare events.
 
+use nalgebra::SVector;
+
+use super::augmented_phase::AugmentedPhase;
+use super::controlled_by::ControlledBy;
+use super::driven_by::DrivenBy;
 use super::equations_of_motion::EquationsOfMotion;
+use super::inputs::{Inputs, WithInputs};
 use super::lagrangian::Lagrangian;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
+use super::signals::Signals;
 use super::state::State;
+use super::with_controller::WithController;
 use crate::integrate::{EventDynamics, TaylorCoefficients};
+use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `event(name = expression, …)`.
@@ -37,6 +46,64 @@ pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     ) -> Option<TaylorCoefficients<Self::EventValues, HALF>> {
         let _ = (state, unit, motion);
         None
+    }
+}
+
+/// A model that declares events and has inputs: the events under inputs that vary in time.
+///
+/// [`WithInputs`](crate::WithInputs) has the events under constant inputs.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` declares no events",
+    note = "write the clause `event(name = expression)` in its declaration, or give functions to `Driver::events`"
+)]
+pub trait EventsWith<const N: usize, const U: usize, S: Scalar = f64>:
+    Inputs<N, U, S> + Events<N, S>
+{
+    /// The values of the event functions at a state under these inputs.
+    fn event_functions_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+    ) -> Self::EventValues;
+
+    /// The same as [`event_series`](Events::event_series), under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
+    /// the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
+    fn event_series_with<const HALF: usize>(
+        &self,
+        inputs: &[SVector<S, U>],
+        state: &State<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    ) -> Option<TaylorCoefficients<Self::EventValues, HALF>> {
+        let _ = (inputs, state, unit, motion);
+        None
+    }
+}
+
+/// Under inputs that are held.
+impl<M, S, const N: usize, const U: usize> Events<N, S> for WithInputs<'_, M, S, U>
+where
+    M: EventsWith<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    const EVENTS: &'static [&'static str] = M::EVENTS;
+
+    type EventValues = M::EventValues;
+
+    #[inline]
+    fn event_functions(&self, state: &State<S, N>) -> M::EventValues {
+        self.model.event_functions_with(state, &self.inputs)
+    }
+
+    #[inline]
+    fn event_series<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
+        let held = [self.inputs];
+        self.model.event_series_with(&held, state, unit, motion)
     }
 }
 
@@ -81,4 +148,84 @@ where
     S: Scalar,
 {
     event_dynamics!();
+}
+
+/// Under the inputs that the signals have.
+impl<M, I, S, const N: usize, const U: usize> EventDynamics<S> for DrivenBy<'_, M, I, S, N, U>
+where
+    M: EventsWith<N, U, S> + ?Sized,
+    I: Signals<S, U>,
+    S: Scalar,
+{
+    type Values = M::EventValues;
+
+    fn names(&self) -> &'static [&'static str] {
+        M::EVENTS
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
+        let inputs = self.inputs(t);
+        self.model.event_functions_with(&x.at(t), &inputs)
+    }
+
+    fn event_series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Phase<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
+        let mut inputs = [[SVector::from_element(S::zero()); 2]; HALF];
+        let inputs = inputs.as_flattened_mut();
+        self.signals.series::<HALF>(t, unit, inputs);
+        self.model.event_series_with(inputs, &x.at(t), unit, motion)
+    }
+}
+
+/// Under the inputs that the law sets, whose series are not known.
+impl<M, C, R, S, const N: usize, const U: usize> EventDynamics<S>
+    for ControlledBy<'_, M, C, S, N, U>
+where
+    M: EventsWith<N, U, S> + ?Sized,
+    C: Fn(&State<S, N>) -> R,
+    R: IntoVector<S, U>,
+    S: Scalar,
+{
+    type Values = M::EventValues;
+
+    fn names(&self) -> &'static [&'static str] {
+        M::EVENTS
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
+        let state = x.at(t);
+        self.model
+            .event_functions_with(&state, &self.inputs(&state))
+    }
+}
+
+/// Under the inputs that the controller sets, whose series are not known.
+impl<M, C, R, Z, S, const N: usize, const U: usize, const K: usize> EventDynamics<S>
+    for WithController<'_, M, C, S, N, U, K>
+where
+    M: EventsWith<N, U, S> + ?Sized,
+    C: Fn(&State<S, N>, &SVector<S, K>) -> (R, Z),
+    R: IntoVector<S, U>,
+    Z: IntoVector<S, K>,
+    S: Scalar,
+{
+    type Values = M::EventValues;
+
+    fn names(&self) -> &'static [&'static str] {
+        M::EVENTS
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &AugmentedPhase<S, N, K>) -> M::EventValues {
+        let state = x.at(t);
+        let inputs = self.inputs(&state, &x.controller);
+        self.model.event_functions_with(&state, &inputs)
+    }
 }

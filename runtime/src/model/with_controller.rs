@@ -24,7 +24,7 @@ where
     M: Inputs<N, U, S> + ?Sized,
     S: Scalar,
 {
-    model: &'a M,
+    pub(super) model: &'a M,
     prepared: M::Prepared,
     law: C,
 }

@@ -69,7 +69,7 @@ impl<I, C, O> Driver<I, C, O> {
     /// a polynomial within a step, and all its zeros are found: two that are next to each other, and one without a change
     /// of sign, which counts as reaching zero from its side. What is smaller than 8 machine epsilons times the sum of the
     /// magnitudes of its terms is zero. With other methods, and where an event depends on an external function without
-    /// series, the functions are sampled as under [`events`](Self::events).
+    /// series or the inputs are set by a control law, the functions are sampled as under [`events`](Self::events).
     ///
     /// ```
     /// use lagrangian::prelude::*;

@@ -2,14 +2,16 @@
 
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::taylor::TaylorCoefficients;
+use crate::integrate::typical_sizes::WithSizes;
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// Dynamics with event functions, such as the [equations of motion](crate::EquationsOfMotion) of a model that declares
-/// [events](crate::Events).
+/// [events](crate::Events), by itself, [driven by signals](crate::Inputs::driven_by), under a
+/// [control law](crate::Plant::controlled_by) or [with sizes](crate::SetTypicalSizes::with_sizes).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no declared events",
-    note = "a model has some with the clause `event(name = expression)` in its declaration; under a control law, \
-            driven by signals or with sizes, give functions to `Driver::events`"
+    note = "a model has some with the clause `event(name = expression)` in its declaration; of other systems, give \
+            functions to `Driver::events`"
 )]
 pub trait EventDynamics<S: Scalar>: Dynamics<S> {
     /// One value for each event: an array.
@@ -32,6 +34,31 @@ pub trait EventDynamics<S: Scalar>: Dynamics<S> {
     ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
         let _ = (t, x, unit, motion);
         None
+    }
+}
+
+/// The sizes of coordinates are nothing to events.
+impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_, D, D::State> {
+    type Values = D::Values;
+
+    fn names(&self) -> &'static [&'static str] {
+        self.dynamics.names()
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &D::State) -> D::Values {
+        self.dynamics.event_functions(t, x)
+    }
+
+    #[inline]
+    fn event_series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &D::State,
+        unit: S,
+        motion: &TaylorCoefficients<D::State, HALF>,
+    ) -> Option<TaylorCoefficients<D::Values, HALF>> {
+        self.dynamics.event_series(t, x, unit, motion)
     }
 }
 
