@@ -40,7 +40,7 @@ passes! {
     TotalEnergy = "total-energy",
     /// Opaque nodes for intermediate results.
     Opaque = "opaque",
-    /// The accelerations by articulated-body elimination along the tree of quasi-velocities.
+    /// The equations and the accelerations along the tree of quasi-velocities, or along the links of a mechanism.
     ArticulatedBodies = "articulated-bodies",
     /// Equations along a tree divided by the inertia of which all others are multiples.
     InertiaScaling = "inertia-scaling",

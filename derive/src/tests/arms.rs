@@ -4,7 +4,7 @@
 mod declarations;
 mod kane;
 
-use lagrangian_symbolic::{Program, Symbol};
+use lagrangian_symbolic::{Kinetics, Program, Symbol};
 use proc_macro2::TokenStream;
 
 use crate::plan::Method;
@@ -136,6 +136,21 @@ fn the_spelling_of_an_arm_does_not_matter() {
     let [relative, absolute] = [false, true].map(|is_absolute| costs(parallel_joints(is_absolute)));
     assert_eq!(relative, [469, 450]);
     assert_eq!(absolute, relative);
+}
+
+/// Exactly, at random points of modular arithmetic.
+#[test]
+fn accelerations_solve_lagranges_equations() {
+    for (name, declaration) in others() {
+        let Derived {
+            mut model,
+            equations,
+            ..
+        } = derive(declaration);
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
+        let solution = kinetics.solution.unwrap();
+        assert!(solution.holds(&model.graph, &equations), "{name}");
+    }
 }
 
 /// Branches, free bases, slides, gears, moving supports: all agree with Lagrange's equations.

@@ -77,11 +77,13 @@ impl Graph {
                 continue;
             };
             let [k, ..] = axis.cycle();
+            let angle = self.multiply(rate[k], variable);
+            // The transpose turns the other way.
+            let angle = if is_first { self.negate(angle) } else { angle };
             let rotation = MatrixFactor::Elementary(ElementaryRotation {
                 axis,
-                angle: self.multiply(rate[k], variable),
-                // The transpose turns the other way.
-                reversed: is_first,
+                angle,
+                reversed: false,
             });
             return Some(if is_first {
                 vec![rotation, constant]

@@ -335,3 +335,6 @@ fn along(axes: Frame, column: &Matrix) -> Option<UnresolvedVector> {
     let terms = vec![Term::Fixed(axes, column.components()?)];
     Some(UnresolvedVector { axes, terms })
 }
+
+#[cfg(test)]
+mod tests;

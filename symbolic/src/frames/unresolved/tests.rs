@@ -1,0 +1,182 @@
+//! Vectors that are resolved last have the components that they have when resolved at once.
+
+use crate::frames::rotation::NoRotation;
+use crate::matrix::axis::Axis;
+use crate::matrix::dense::Matrix;
+use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
+use crate::{Expression, Graph, Rational, Symbol, Unary};
+
+const COORDINATES: u32 = 4;
+
+/// A number for each symbol.
+fn value(symbol: Symbol) -> f64 {
+    let (kind, index) = symbol.code();
+    let [kind, index] = [kind, u64::from(index)].map(|x| u32::try_from(x).map_or(0.0, f64::from));
+    0.3 + (1.7 * kind + 0.9 * index).sin()
+}
+
+/// The values of what is made in a graph whose vectors are resolved at once, and last.
+fn both(make: impl Fn(&mut Graph) -> Vec<Expression>) -> [Vec<f64>; 2] {
+    let graphs = [Graph::new(), Graph::with_unresolved_vectors(COORDINATES)];
+    graphs.map(|mut graph| {
+        let roots = make(&mut graph);
+        let roots = graph.resolved(&roots);
+        graph.evaluate(&roots, value)
+    })
+}
+
+#[track_caller]
+fn assert_equal(make: impl Fn(&mut Graph) -> Vec<Expression>) {
+    let [at_once, last] = both(make);
+    assert_eq!(at_once.len(), last.len());
+    for (x, y) in at_once.iter().zip(&last) {
+        assert!((x - y).abs() < 1e-12, "{y} is not {x}");
+    }
+}
+
+/// The rotation by coordinates about these axes, the first by the coordinate of this number.
+fn rotation(graph: &mut Graph, axes: &[Axis], first: u32) -> Matrix {
+    let angles = (first..).map(Symbol::Coordinate);
+    let turns: Vec<_> = axes
+        .iter()
+        .zip(angles)
+        .map(|(axis, angle)| (*axis, graph.symbol(angle)))
+        .collect();
+    graph.rotation(&turns)
+}
+
+/// The parameters from this number on.
+fn vector(graph: &mut Graph, first: u32) -> Matrix {
+    let symbols = (first..first + 3).map(Symbol::Parameter);
+    Matrix::vector(symbols.map(|symbol| graph.symbol(symbol)).collect())
+}
+
+/// The point R a + R S b of a chain of two links, with R and R S.
+fn chain(graph: &mut Graph) -> Option<(Matrix, [Matrix; 2])> {
+    let first = rotation(graph, &[Axis::Z, Axis::Y], 0);
+    let second = rotation(graph, &[Axis::X], 2);
+    let second = graph.matrix_product(&first, &second)?;
+    let (a, b) = (vector(graph, 0), vector(graph, 3));
+    let a = graph.matrix_product(&first, &a)?;
+    let b = graph.matrix_product(&second, &b)?;
+    let sum = graph.matrix_sum(&[(&a, Rational::ONE), (&b, Rational::ONE)])?;
+    Some((sum, [first, second]))
+}
+
+#[test]
+fn positions_and_velocities_of_a_chain() {
+    assert_equal(|graph| {
+        let (point, [first, _]) = chain(graph).unwrap();
+        let velocity = graph.matrix_time_derivative(&point, COORDINATES);
+        let half = graph.constant(&Rational::HALF);
+        let scaled = graph.matrix_scaled(&velocity, half);
+        // Along the axes of the first link, as a row.
+        let along = graph.matrix_product(&first.transpose(), &scaled).unwrap();
+        let row = graph.matrix_product(&scaled.transpose(), &first).unwrap();
+        let difference = [
+            (&along, Rational::ONE),
+            (&row.transpose(), Rational::integer(3)),
+        ];
+        let difference = graph.matrix_sum(&difference).unwrap();
+        let square = graph.norm_squared(&velocity);
+        let product = graph.dot_product(&velocity, &point).unwrap();
+        let moment = graph.cross_product(&point, &velocity).unwrap();
+        let mut roots = [point, along, row, difference, moment].map(|x| x.elements().to_vec());
+        roots[0].extend([square, product]);
+        roots.concat()
+    });
+}
+
+#[test]
+fn angular_velocities_and_what_is_made_of_them() {
+    assert_equal(|graph| {
+        let (_, [_, second]) = chain(graph).unwrap();
+        let body = graph.angular_velocity(&second, COORDINATES).unwrap();
+        let space = graph
+            .angular_velocity_inertial(&second, COORDINATES)
+            .unwrap();
+        let tensor: Vec<_> = (10..19)
+            .map(|i| graph.symbol(Symbol::Parameter(i)))
+            .collect();
+        let tensor = Matrix::new(3, 3, tensor).unwrap();
+        let momentum = graph.matrix_product(&tensor, &body).unwrap();
+        let energy = graph.dot_product(&body, &momentum).unwrap();
+        let back = second.transpose();
+        let turned = graph.matrix_product(&tensor, &back).unwrap();
+        let turned = graph.matrix_product(&second, &turned).unwrap();
+        let turned = graph.matrix_product(&turned, &space).unwrap();
+        let same = graph.dot_product(&space, &turned).unwrap();
+        let mut roots = [body, space, turned]
+            .map(|x| x.elements().to_vec())
+            .concat();
+        roots.extend([energy, same]);
+        roots
+    });
+}
+
+#[test]
+fn what_does_not_fit_is_computed_with_the_components() {
+    assert_equal(|graph| {
+        let (point, [first, _]) = chain(graph).unwrap();
+        let [x, y, _] = point.components().unwrap();
+        // An angle between components, a rotation by it, and their derivatives.
+        let angle = graph.divide(y, x);
+        let angle = graph.unary(Unary::Atan, angle);
+        let rate = graph.time_derivatives(&[angle], COORDINATES)[0];
+        let turn = graph.rotation(&[(Axis::Z, angle)]);
+        let turned = graph.matrix_product(&turn, &point).unwrap();
+        let velocity = graph.matrix_time_derivative(&turned, COORDINATES);
+        let spin = graph.angular_velocity(&turn, COORDINATES).unwrap();
+        // The derivative of components along axes that turn.
+        let along = graph.matrix_product(&first.transpose(), &velocity).unwrap();
+        let second = graph.matrix_time_derivative(&along, COORDINATES);
+        let mut roots = [velocity, spin, second]
+            .map(|x| x.elements().to_vec())
+            .concat();
+        roots.push(rate);
+        roots
+    });
+}
+
+#[test]
+fn a_projection_has_no_angular_velocity() {
+    let mut graph = Graph::with_unresolved_vectors(COORDINATES);
+    let turn = rotation(&mut graph, &[Axis::Z], 0);
+    let (zero, one) = (graph.zero(), graph.one());
+    let flat = vec![one, zero, zero, zero, one, zero, zero, zero, zero];
+    let flat = Matrix::new(3, 3, flat).unwrap();
+    let product = graph.matrix_product(&turn, &flat).unwrap();
+    let velocity = graph.angular_velocity(&product, COORDINATES);
+    assert_eq!(velocity, Err(NoRotation::Deformation));
+}
+
+/// The rotation of Denavit and Hartenberg is one about z and a constant one about x.
+#[test]
+fn rotations_that_are_written_out_are_recognized() {
+    let mut graph = Graph::with_unresolved_vectors(COORDINATES);
+    let q = graph.symbol(Symbol::Coordinate(1));
+    let twist = graph.symbol(Symbol::Parameter(0));
+    let product = graph.rotation(&[(Axis::Z, q), (Axis::X, twist)]);
+    let elements: [Expression; 9] = product.elements().try_into().unwrap();
+    let [about_z, about_x] = [(Axis::Z, q), (Axis::X, twist)].map(|(axis, angle)| {
+        MatrixFactor::Elementary(ElementaryRotation {
+            axis,
+            angle,
+            reversed: false,
+        })
+    });
+    assert_eq!(graph.recognized_factors(elements), [about_z, about_x]);
+    // In the other order, and the transpose of one turn.
+    let other = graph.rotation(&[(Axis::X, twist), (Axis::Z, q)]);
+    let elements = other.elements().try_into().unwrap();
+    assert_eq!(graph.recognized_factors(elements), [about_x, about_z]);
+    let back = about_z.transpose().elements(&mut graph);
+    assert_eq!(graph.recognized_factors(back), [about_z.transpose()]);
+    // One that depends on two coordinates stays one matrix.
+    let both = rotation(&mut graph, &[Axis::X, Axis::Y], 0);
+    let elements = both.elements().try_into().unwrap();
+    assert_eq!(
+        graph.recognized_factors(elements),
+        [MatrixFactor::Rotation(elements)]
+    );
+}
