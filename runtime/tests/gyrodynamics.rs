@@ -183,6 +183,13 @@ fn steady_precession() {
         );
         assert!(nutation(theta, spin, slow + 0.1).abs() > 1e-2);
     }
+}
+
+#[test]
+fn steady_precession_where_there_are_not_two() {
+    let (i, i_s, mgl) = (1.2, 0.5, 5.1);
+    let of_top =
+        |theta: f64, spin: f64| SteadyPrecession::of_top(i, i_s, spin, theta, -mgl * theta.sin());
     // Horizontal, where cos θ is 0 but for rounding: the fast precession is beyond all bounds.
     let spin = 4.0;
     match of_top(std::f64::consts::FRAC_PI_2, spin) {

@@ -75,16 +75,17 @@ pub enum BodyError {
     },
 }
 
+/// Why the moments of a real body may look wrong.
+const CAUSES: &str =
+    "the signs of the products of inertia or the point to which the tensor refers may be wrong";
+
 impl fmt::Display for BodyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}"),
             Self::NotPositive { quantity, value } => {
-                write!(
-                    f,
-                    "{quantity} is {}, but has to be positive",
-                    Readable(value)
-                )
+                let value = Readable(value);
+                write!(f, "{quantity} is {value}, but has to be positive")
             }
             Self::TooLarge {
                 quantity,
@@ -110,14 +111,13 @@ impl fmt::Display for BodyError {
             ),
             Self::NegativeMoment { moments } => write!(
                 f,
-                "a principal moment of inertia about the centre of gravity is negative: {}; the signs of the products of \
-                 inertia or the point to which the tensor refers may be wrong",
+                "a principal moment of inertia about the centre of gravity is negative: {}; {CAUSES}",
                 Moments(moments)
             ),
             Self::TriangleInequality { moments, excess } => write!(
                 f,
                 "the largest principal moment of inertia about the centre of gravity exceeds the sum of the others by {}: \
-                 {}; the signs of the products of inertia or the point to which the tensor refers may be wrong",
+                 {}; {CAUSES}",
                 Readable(excess),
                 Moments(moments)
             ),
