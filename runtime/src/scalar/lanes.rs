@@ -8,6 +8,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::simd::{LaneOperation, SimdVector, in_vectors};
 use super::{Scalar, arithmetic::arithmetic};
 
+/// Without optimization a vector is many calls, and a loop over the lanes takes a quarter of the time.
+const IN_LOOPS: bool = cfg!(debug_assertions);
+
 /// `L` numbers of `f64` on which every operation is done lane by lane: models with different parameters, or motions
 /// with different initial values, computed at once.
 ///
@@ -116,6 +119,9 @@ macro_rules! operators {
 
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
+                if IN_LOOPS {
+                    return self.both(other, $operator::$function);
+                }
                 Self(in_vectors::<$operation, 2, L>([&self.0, &other.0]))
             }
         }
@@ -138,6 +144,9 @@ impl<const L: usize> Neg for Lanes<L> {
 
     #[inline(always)]
     fn neg(self) -> Self {
+        if IN_LOOPS {
+            return Self(self.0.map(Neg::neg));
+        }
         Self(in_vectors::<Opposite, 1, L>([&self.0]))
     }
 }
@@ -208,6 +217,10 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
+        if IN_LOOPS {
+            let product = |lane| Scalar::mul_add(self.0[lane], factor.0[lane], summand.0[lane]);
+            return Self::from_fn(product);
+        }
         Self(in_vectors::<FusedProduct, 3, L>([
             &self.0, &factor.0, &summand.0,
         ]))
@@ -243,7 +256,58 @@ impl<const L: usize> Scalar for Lanes<L> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lanes, Scalar};
+    use super::{Difference, FusedProduct, Lanes, Opposite, Product, Quotient, Scalar, Sum};
+    use crate::scalar::simd::{LaneOperation, in_vectors};
+
+    /// Fails unless an operation in vectors has the bits of that on numbers.
+    fn compare<Operation: LaneOperation<K>, const K: usize, const L: usize>(
+        function: impl Fn([f64; K]) -> f64,
+    ) {
+        let special = [0.0, -0.0, f64::MIN_POSITIVE / 3.0, f64::INFINITY, 1.0 / 3.0];
+        for turn in 0_u32..40 {
+            let operand = |i: u32, lane: usize| {
+                let angle =
+                    f64::from(turn + 7 * i) + 0.37 * f64::from(u32::try_from(lane).unwrap());
+                match special.get((turn as usize + 3 * lane + i as usize) % 11) {
+                    Some(number) => *number,
+                    None => libm::ldexp(libm::sin(angle), (turn % 9).cast_signed() - 4),
+                }
+            };
+            let mut i = 0;
+            let operands: [[f64; L]; K] = core::array::from_fn(|_| {
+                i += 1;
+                core::array::from_fn(|lane| operand(i, lane))
+            });
+            let found = in_vectors::<Operation, K, L>(operands.each_ref());
+            for lane in 0..L {
+                let expected = function(operands.map(|lanes| lanes[lane]));
+                let same = found[lane].to_bits() == expected.to_bits();
+                assert!(
+                    same || (found[lane].is_nan() && expected.is_nan()),
+                    "{operands:?}"
+                );
+            }
+        }
+    }
+
+    fn compare_all<const L: usize>() {
+        compare::<Sum, 2, L>(|[x, y]| x + y);
+        compare::<Difference, 2, L>(|[x, y]| x - y);
+        compare::<Product, 2, L>(|[x, y]| x * y);
+        compare::<Quotient, 2, L>(|[x, y]| x / y);
+        compare::<Opposite, 1, L>(|[x]| -x);
+        compare::<FusedProduct, 3, L>(|[x, y, z]| Scalar::mul_add(x, y, z));
+    }
+
+    #[test]
+    fn vectors_have_the_bits_of_numbers() {
+        compare_all::<1>();
+        compare_all::<3>();
+        compare_all::<4>();
+        compare_all::<8>();
+        compare_all::<12>();
+        compare_all::<16>();
+    }
 
     #[test]
     fn the_floor_is_that_of_each_lane() {
