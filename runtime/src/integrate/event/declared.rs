@@ -62,7 +62,7 @@ where
         while step.comes_before(memory.until, step.end()) {
             if step.comes_before(memory.window, step.begin()) {
                 memory.window = step.begin();
-                memory.resume = [0.0; K];
+                (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             }
             let Some((window, polynomials)) = self.window(memory.window, step) else {
                 return sampling::next(self, memory, step);
@@ -145,16 +145,27 @@ impl<const K: usize> DeclaredEvents<K> {
                 *sign = polynomial.last_sign(from, *sign);
             }
             memory.arrive(window.end);
-            memory.resume = [0.0; K];
+            (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             memory.window = window.end;
             return None;
         }
         let time = window.time(first);
         let together = window.fraction(step.after(time));
-        let occurs = |root: &Option<Root>| root.is_some_and(|root| root.at <= together);
-        let events = MetConditions::of(found.iter().map(occurs));
-        for event in events.indices() {
-            if let Some(root) = found.get(event).copied().flatten() {
+        let occurs = |(root, polynomial): (&Option<Root>, &Polynomial)| {
+            root.is_some_and(|root| {
+                // Behind a time within its rounding errors, a zero without a change of sign is not seen any more.
+                let touches = root.before * root.behind > 0.0;
+                root.at <= together || touches && polynomial.is_uncertain(together)
+            })
+        };
+        let events = MetConditions::of(found.iter().zip(polynomials).map(occurs));
+        for (event, root) in found.iter().enumerate() {
+            let occurring = root.filter(|_| events.contains(event));
+            memory.ahead[event] = match occurring {
+                Some(_) => 0.0,
+                None => root.map_or(0.0, |root| root.before),
+            };
+            if let Some(root) = occurring {
                 (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
             }
         }
@@ -184,6 +195,8 @@ impl<const K: usize> DeclaredEvents<K> {
         };
         let sign = if memory.resume[event] > from {
             memory.signs[event]
+        } else if from > 0.0 {
+            memory.ahead[event]
         } else {
             0.0
         };

@@ -33,6 +33,9 @@ pub struct Memory<V> {
     pub(super) window: f64,
     /// Of polynomials: the part of the step from where on the sign behind the last root is certain.
     pub(super) resume: V,
+    /// Of polynomials: after an event, the signs of the others' functions before their next roots, which rounding may have
+    /// brought next to it; 0 where there is none.
+    pub(super) ahead: V,
     /// The events to which the reaction was from which the method began anew: their functions are zero there.
     pub(super) at_zero: MetConditions,
     /// The time of the last reaction to each event.
@@ -62,6 +65,7 @@ impl<V: Values> Memory<V> {
             at_event: V::ZERO,
             window: start,
             resume: V::ZERO,
+            ahead: V::ZERO,
             at_zero: MetConditions::default(),
             reactions,
             in_a_row: V::ZERO,

@@ -147,6 +147,11 @@ impl Polynomial {
         UNCERTAINTY * self.epsilon * sum
     }
 
+    /// Whether the value at `u` has no sign.
+    pub(super) fn is_uncertain(&self, u: f64) -> bool {
+        self.value(u).abs() <= self.uncertainty(u)
+    }
+
     /// The sign just behind `u`, as it is before the next root.
     pub(super) fn sign_behind(&self, u: f64, next: Option<Root>) -> f64 {
         if let Some(root) = next {
@@ -201,6 +206,10 @@ impl Polynomial {
             if sign * values.first < 0.0 {
                 let middle = 0.5 * (left + right);
                 let opposite = |u: &f64| sign * self.value(*u) < 0.0;
+                if values.count > 0 && width > LEAST_WIDTH && !opposite(&left) {
+                    width *= 0.5;
+                    continue;
+                }
                 let end = [left, middle].into_iter().find(opposite);
                 return Some(self.crossing(until, end.unwrap_or(right), right, sign));
             }
