@@ -151,6 +151,44 @@ pub struct Slider {
     pub m: f64,
 }
 
+/// A cart with series of its motion and of its events, of which one depends on neither inputs nor time.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    function(saturation(v) = v.tanh(), derivative(v) = 1.0 - saturation(v).powi(2)),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    force(x = push - saturation(dot(x))),
+    event(still = saturation(dot(x))),
+)]
+pub struct Cart {
+    /// Mass.
+    pub m: f64,
+    /// Force.
+    #[lagrangian(input)]
+    pub push: f64,
+}
+
+/// The same with events under inputs.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    force(x = push),
+    event(still = dot(x), gate = x - place),
+)]
+pub struct Gate {
+    /// Mass.
+    pub m: f64,
+    /// Force.
+    #[lagrangian(input)]
+    pub push: f64,
+    /// Where the gate is.
+    #[lagrangian(input)]
+    pub place: f64,
+}
+
 /// A motor with a table of its torque, on one scalar alone.
 #[derive(Lagrangian, Clone, Copy, Debug)]
 #[lagrangian(
@@ -227,6 +265,14 @@ fn models_of_all_kinds_pass_all_lints() {
     let state = State::new(0.0, [0.0], [1.0]);
     assert!(slider.linearize(&state).velocity[0] < 0.0);
     assert!(slider.check_derivatives("slope", [-1.0..=1.0]).is_ok());
+    let cart = Cart { m: 1.0, push: 2.0 };
+    assert!(cart.event_functions(&state)[Cart::STILL] > 0.0);
+    let gate = Gate {
+        m: 1.0,
+        push: 2.0,
+        place: 0.5,
+    };
+    assert!(gate.event_functions(&state)[Gate::GATE] < 0.0);
     let motor = Motor {
         inertia: 1.0,
         table: [1.0, 0.0, 2.0],
