@@ -33,6 +33,8 @@
 //!   [`Taylor`] steps what has a [`Series`]: models with the clause `taylor` do ([`MotionSeries`]).
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
 //!   [`DoubleDouble`], and dual numbers with the feature `num-dual`.
+//! - [`rigid_body`] has bodies, their momenta and Euler's equations, [`rotation`] Euler angles and quaternions, [`elliptic`]
+//!   the functions of free rotation. Triangle meshes are read from files with the feature `mesh-files`.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]
