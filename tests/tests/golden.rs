@@ -4,6 +4,7 @@
 // The expansions are as public as the structs that they are of, and as long as they are.
 #![allow(
     unreachable_pub,
+    clippy::inline_always,
     clippy::let_and_return,
     clippy::redundant_static_lifetimes,
     clippy::too_many_lines,
