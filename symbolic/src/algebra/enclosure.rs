@@ -22,7 +22,7 @@ struct Interval {
 impl Graph {
     /// Whether an expression keeps away from zero while parameters keep their values, whatever real values they and all
     /// other symbols have, unless it is zero by the parameters alone; and whether so much is left of its terms that rounding
-    /// errors grow by [`LEAST_REMAINDER`] at most. False where that is not known.
+    /// errors grow by `LEAST_REMAINDER` at most. False where that is not known.
     #[must_use]
     pub fn never_comes_to_vanish(&mut self, expression: Expression) -> bool {
         let mut inner = expression;
