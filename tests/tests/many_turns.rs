@@ -158,7 +158,8 @@ fn fixed_steps_have_small_rounding_errors_after_many_turns() {
 }
 
 /// From small angles on, ψ grows to 1000 rad, whose rounding error is 250 times that of π. The error at one time is
-/// chance: the root of its mean square over ten ends is compared.
+/// chance: the root of its mean square over ten ends is compared, with three units in the last place of ψ̇, which is 20.
+/// Series in quasi-velocities need ψ for the kinematics alone, and lose less than a digit without the reduction.
 #[test]
 fn a_top_that_spins_for_long_keeps_its_digits() {
     let ends: Vec<f64> = (0..10).map(|i| 50.0 + f64::from(i)).collect();
@@ -176,7 +177,7 @@ fn a_top_that_spins_for_long_keeps_its_digits() {
     let poor = Taylor::new().sample(&Unreduced(TOP.dynamics()), start, &ends);
     let (found, poor) = (found.unwrap(), poor.unwrap());
     assert!(found.last().x.q[Top::PSI] > 900.0);
-    report("A long spin", (errors(found), errors(poor)), 4e-15, 30.0);
+    report("A long spin", (errors(found), errors(poor)), 1.1e-14, 5.0);
 }
 
 /// States and samples go on counting turns.
