@@ -3,8 +3,8 @@
 //! In a recurrence the terms of order k depend linearly on each other and on convolutions, with coefficients that do not
 //! vary. Each order waits for the one before, so that the time of an order is that of its longest chain of operations:
 //! constant factors are moved out of the chain into the invariants, powers of k are cancelled, and what is known last is
-//! added last (as in the tree-height reduction of arithmetic expressions: D. J. Kuck, The Structure of Computers and
-//! Computations, 1978, section 2.3).
+//! added last (tree-height reduction of arithmetic expressions: D. J. Kuck, The Structure of Computers and
+//! Computations, 1978, chapter 2).
 
 use super::builder::{Instructions, Numbered, ZERO};
 use crate::program::straight_line::{Instruction, Operand, Operation};
