@@ -169,6 +169,8 @@ fn mechanisms_of_other_kinds() {
         ("moving support", 359),
         ("spherical joints", 755),
         ("springs", 305),
+        ("rotors", 499),
+        ("many rotors", 2219),
         ("Denavit and Hartenberg", 1447),
     ];
     assert_eq!(found, expected);

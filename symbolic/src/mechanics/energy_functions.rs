@@ -1,7 +1,7 @@
 //! L, the energy function, T and the momenta, along the links of a mechanism where that costs less.
 
-use crate::mechanics::solvers::articulated_links::LinkEquations;
-use crate::{Energies, Equations, Expression, Graph, Model, Rational, Symbol};
+use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::{Energies, Equations, Expression, Graph, Model, Rational};
 
 /// The functions of the state that energies define.
 #[derive(Clone, Debug)]
@@ -39,12 +39,7 @@ impl EnergyFunctions {
     }
 
     fn along(&mut self, graph: &mut Graph, links: &LinkEquations) {
-        let (energy, mut momenta) = links.energy_and_momenta(graph);
-        let velocities: Vec<_> = (0..).map(Symbol::Velocity).take(momenta.len()).collect();
-        let rest = graph.jacobian(&[links.rest()], &velocities).concat();
-        for (momentum, rest) in momenta.iter_mut().zip(rest) {
-            *momentum = graph.add(*momentum, rest);
-        }
+        let (energy, momenta) = links.energy_and_momenta(graph);
         let pairs = momenta.iter().zip(&self.momenta);
         let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
         if graph.cost(&momenta) < graph.cost(&self.momenta) && graph.vanishes(&differences) {

@@ -38,8 +38,10 @@ pub(crate) struct Mechanism {
     pub(crate) links: Vec<Link>,
     /// The upward acceleration of the inertial frame that stands in for uniform gravity.
     pub(crate) base_acceleration: Vector,
-    /// The rest of L, at most linear in the velocities.
-    pub(crate) rest: Expression,
+    /// The part of T that no link has, such as that of rotors behind gears.
+    pub(crate) other_kinetic: Expression,
+    /// The part of V that is not the weight of links.
+    pub(crate) other_potential: Expression,
 }
 
 impl Mechanism {

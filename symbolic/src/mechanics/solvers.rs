@@ -5,6 +5,7 @@ pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
 pub(crate) mod newton_euler;
 pub(crate) mod composite_links;
+pub(crate) mod link_equations;
 pub(crate) mod link_momenta;
 pub(crate) mod twist_elimination;
 pub(crate) mod articulated_links;

@@ -103,6 +103,8 @@ pub(super) fn others() -> Vec<(&'static str, TokenStream)> {
         ("moving support", moving_support()),
         ("spherical joints", spherical_joints()),
         ("springs", springs()),
+        ("rotors", rotors(4)),
+        ("many rotors", rotors(9)),
         ("Denavit and Hartenberg", table(6)),
     ]
 }
@@ -322,6 +324,52 @@ fn springs() -> TokenStream {
             g: f64,
             k: f64,
             rest: f64,
+        }
+    }
+}
+
+/// An arm whose motors turn behind gears, two joints on one motor, with a mass that is moved to and fro inside of it.
+fn rotors(links: usize) -> TokenStream {
+    let axes = ["z", "y", "x", "y"];
+    let mut definitions = quote!(r[0] = rotation_z(q[0]),);
+    for i in 1..links {
+        let rotation = format_ident!("rotation_{}", axes[i % axes.len()]);
+        let [before, i] = [i - 1, i].map(Literal::usize_unsuffixed);
+        definitions.extend(quote!(r[#i] = r[#before] * #rotation(q[#i]),));
+    }
+    let links = Literal::usize_unsuffixed(links);
+    quote! {
+        #[lagrangian(
+            coordinates(q[#links], d),
+            define(
+                #definitions
+                p[0] = [0.0, 0.0, 0.0],
+                p[i] = p[i - 1] + r[i - 1] * link for i in 1..#links,
+                c[i] = p[i] + r[i] * center for i in 0..#links,
+                w[i] = angular_velocity(r[i]) for i in 0..#links,
+            ),
+            kinetic = (0..#links).map(|i| {
+                0.5 * m * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia * w[i])
+            }).sum()
+                + (0..3).map(|i| 0.5 * rotor[i] * (ratio[i] * dot(q[i])).powi(2)).sum()
+                + 0.5 * rotor[3] * (ratio[2] * dot(q[2]) - ratio[3] * dot(q[3])).powi(2)
+                + 0.5 * slug * (dot(d).powi(2) + d.powi(2) * dot(q[1]).powi(2))
+                + speed * d * dot(q[0]),
+            potential = (0..#links).map(|i| m * g * c[i].z).sum() + 0.5 * k * d.powi(2),
+            dissipation = 0.5 * friction * dot(q[3]).powi(2),
+        )]
+        struct Driven {
+            m: f64,
+            link: Vector3<f64>,
+            center: Vector3<f64>,
+            inertia: Matrix3<f64>,
+            rotor: [f64; 4],
+            ratio: [f64; 4],
+            slug: f64,
+            speed: f64,
+            g: f64,
+            k: f64,
+            friction: f64,
         }
     }
 }

@@ -5,7 +5,8 @@
 //! origins differ are different links. An origin may lie anywhere on the axis about which its link turns, and is put
 //! where its place in the link before has no component along the axis, which costs least.
 //!
-//! Energies in other quantities make no mechanism.
+//! What T has besides, in the velocities of the coordinates themselves, as of rotors behind gears, is left beside the
+//! links. Energies in which both are multiplied make no mechanism.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +14,7 @@ use crate::matrix::factor::MatrixFactor;
 use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVectors, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::{QuasiVelocities, is_constant};
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
-use crate::{EnergiesInFrames, Expression, Graph, Model, Node, Symbol};
+use crate::{EnergiesInFrames, Expression, Graph, Model, Node, Rational, Symbol};
 
 /// A link, or the inertial frame, and a place along its axes.
 type Point = (Option<usize>, Vector);
@@ -36,15 +37,15 @@ impl Mechanism {
             frames: Vec::new(),
             masses: Vec::new(),
         };
-        reader.read_inertia(&velocities)?;
+        let kinetic = reader.read_inertia(&velocities)?;
         let (base_acceleration, potential) = reader.uniform_gravity(potential);
         let graph = &mut reader.graph;
-        let rest = graph.subtract(velocities.rest, potential);
-        let rest = graph.resolved(&[rest])[0];
+        let rest = graph.resolved(&[kinetic, potential]);
         let mechanism = Self {
             links: reader.links,
             base_acceleration,
-            rest,
+            other_kinetic: rest[0],
+            other_potential: rest[1],
         };
         let bodies = mechanism
             .links
@@ -81,7 +82,8 @@ impl Mechanism {
             inertia.second.iter_mut().flatten().for_each(&mut visit);
         }
         self.base_acceleration.iter_mut().for_each(&mut visit);
-        visit(&mut self.rest);
+        visit(&mut self.other_kinetic);
+        visit(&mut self.other_potential);
     }
 }
 
@@ -97,8 +99,8 @@ struct Reader {
 }
 
 impl Reader {
-    /// Gives all links their inertia.
-    fn read_inertia(&mut self, velocities: &QuasiVelocities) -> Option<()> {
+    /// Gives all links their inertia; the rest of T.
+    fn read_inertia(&mut self, velocities: &QuasiVelocities) -> Option<Expression> {
         let mut blocks: BTreeMap<VectorId, [Vector; 3]> = BTreeMap::new();
         let zero = self.graph.zero();
         let components = velocities.forms.iter();
@@ -107,18 +109,31 @@ impl Reader {
                 Node::Symbol(Symbol::VelocityComponent(i)) => Some(VectorId::of_component(*i)),
                 _ => None,
             })
-            .collect::<Option<_>>()?;
-        for ((number, i), row) in components.iter().zip(&velocities.inertia) {
-            for ((other, j), entry) in components.iter().zip(row) {
+            .collect();
+        let mut rest = vec![(velocities.rest, Rational::ONE)];
+        for (k, row) in velocities.inertia.iter().enumerate() {
+            for (l, entry) in row.iter().enumerate() {
                 if self.graph.is_zero(*entry) {
                     continue;
                 }
-                if number != other {
-                    return None;
+                match (components[k], components[l]) {
+                    (Some((number, i)), Some((other, j))) if number == other => {
+                        let block = blocks.entry(number).or_insert([[zero; 3]; 3]);
+                        block[i][j] = *entry;
+                    }
+                    (None, None) => {
+                        let factors = [*entry, velocities.forms[k], velocities.forms[l]];
+                        let product = self.graph.product(factors.map(|x| (x, Rational::ONE)));
+                        rest.push((product, Rational::HALF));
+                    }
+                    _ => return None,
                 }
-                let block = blocks.entry(*number).or_insert([[zero; 3]; 3]);
-                block[*i][*j] = *entry;
             }
+        }
+        let rest = self.graph.sum(rest);
+        let is_component = |symbol: &Symbol| matches!(symbol, Symbol::VelocityComponent(_));
+        if self.graph.symbols(&[rest]).iter().any(is_component) {
+            return None;
         }
         for (number, tensor) in &blocks {
             self.read_point_mass(*number, tensor)?;
@@ -126,7 +141,7 @@ impl Reader {
         for (number, tensor) in &blocks {
             self.read_tensor(*number, tensor);
         }
-        Some(())
+        Some(rest)
     }
 
     /// The mass of ½ m |v|² of the velocity v of a point; nothing of an angular velocity along the axes of its frame.

@@ -9,94 +9,14 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Mechanism, Turn, Vector, kept, total};
-use crate::mechanics::solvers::composite_links::mass_matrix;
-use crate::mechanics::solvers::link_momenta::energy_and_momenta;
-use crate::mechanics::solvers::newton_euler::{
-    Joint, Wrench, generalized_forces, joints, wrenches,
-};
+use crate::mechanics::mechanism::{Turn, Vector, kept, total};
+use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::newton_euler::Joint;
 use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::twist_elimination::{
     EliminatedRow, TwistElimination, Unknown, angular, linear,
 };
-use crate::{Expression, Graph, LinearSystem, Model, Rational};
-
-/// The equations of motion of a mechanism.
-pub(crate) struct LinkEquations {
-    mechanism: Mechanism,
-    joints: Vec<Joint>,
-    coordinates: u32,
-    /// Q − 𝓛(rest).
-    forces: Vec<Expression>,
-}
-
-impl LinkEquations {
-    /// The equations of a model that is a mechanism, under the generalized forces Q.
-    pub(crate) fn new(model: &mut Model, forces: &[Expression]) -> Option<Self> {
-        let mechanism = Mechanism::read(model)?;
-        let coordinates = model.coordinates;
-        let graph = &mut model.graph;
-        let gradient = graph.lagrange_derivatives(&[mechanism.rest], coordinates);
-        let pairs = forces.iter().zip(&gradient[0]);
-        let forces = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-        let joints = joints(graph, &mechanism, coordinates);
-        Some(Self {
-            mechanism,
-            joints,
-            coordinates,
-            forces,
-        })
-    }
-
-    /// M, f and M q̈ − f, each by a recursion along the links.
-    pub(crate) fn system(&self, graph: &mut Graph) -> LinearSystem {
-        let inner = self.generalized_forces(graph, false);
-        let pairs = self.forces.iter().zip(inner);
-        LinearSystem {
-            forcing: pairs.map(|(x, y)| graph.subtract(*x, y)).collect(),
-            mass: mass_matrix(graph, &self.mechanism, &self.joints, self.forces.len()),
-            inverse_dynamics: self.inverse_dynamics(graph),
-        }
-    }
-
-    /// M q̈ − f with the accelerations as symbols.
-    pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
-        let inner = self.generalized_forces(graph, true);
-        let pairs = self.forces.iter().zip(inner);
-        pairs.map(|(x, y)| graph.subtract(y, *x)).collect()
-    }
-
-    /// T and ∂T/∂q̇.
-    pub(crate) fn energy_and_momenta(&self, graph: &mut Graph) -> (Expression, Vec<Expression>) {
-        energy_and_momenta(graph, &self.mechanism, &self.joints, self.forces.len())
-    }
-
-    /// The rest of L, besides T and uniform gravity.
-    pub(crate) const fn rest(&self) -> Expression {
-        self.mechanism.rest
-    }
-
-    fn generalized_forces(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Expression> {
-        let wrenches = self.wrenches(graph, with_accelerations);
-        generalized_forces(
-            graph,
-            &self.mechanism,
-            &self.joints,
-            &wrenches,
-            self.forces.len(),
-        )
-    }
-
-    fn wrenches(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Wrench> {
-        wrenches(
-            graph,
-            &self.mechanism,
-            &self.joints,
-            self.coordinates,
-            with_accelerations,
-        )
-    }
-}
+use crate::{Expression, Graph, Rational};
 
 /// One step of the factorization.
 enum Step {
@@ -127,8 +47,12 @@ impl ArticulatedLinks {
         for coordinate in equations.joints.iter().flat_map(all) {
             uses[coordinate] += 1;
         }
-        let mut elimination = TwistElimination::default();
+        let mut elimination = TwistElimination::of_coordinates(graph, &equations.other_mass);
         let mut steps = Vec::new();
+        // What moves no link.
+        for coordinate in (0..uses.len()).filter(|i| uses[*i] == 0) {
+            steps.push(Step::Eliminate(elimination.eliminate(graph, coordinate)?));
+        }
         let links = equations.mechanism.links.iter().zip(&equations.joints);
         for (i, (link, joint)) in links.enumerate().rev() {
             elimination.add_inertia(graph, i, &link.inertia);

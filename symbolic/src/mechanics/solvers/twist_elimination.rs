@@ -55,6 +55,22 @@ pub(crate) struct TwistElimination {
 }
 
 impl TwistElimination {
+    /// ½ q̈ᵀ M q̈.
+    pub(crate) fn of_coordinates(graph: &Graph, mass: &[Vec<Expression>]) -> Self {
+        let mut all = Self::default();
+        for (i, row) in mass.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                all.set(
+                    graph,
+                    Unknown::Coordinate(i),
+                    Unknown::Coordinate(j),
+                    *entry,
+                );
+            }
+        }
+        all
+    }
+
     fn entry(&self, graph: &Graph, u: Unknown, v: Unknown) -> Expression {
         let entry = self.rows.get(&u).and_then(|row| row.get(&v));
         entry.copied().unwrap_or(graph.zero())

@@ -1,0 +1,116 @@
+//! The equations of motion of a mechanism, by recursions along its links: M by composite bodies, f and M q̈ − f by Newton
+//! and Euler.
+
+use crate::mechanics::mechanism::Mechanism;
+use crate::mechanics::solvers::composite_links::mass_matrix;
+use crate::mechanics::solvers::link_momenta::energy_and_momenta;
+use crate::mechanics::solvers::newton_euler::{
+    Joint, Wrench, generalized_forces, joints, wrenches,
+};
+use crate::{Expression, Graph, LinearSystem, Model, Symbol};
+
+/// The equations of motion of a mechanism.
+pub(crate) struct LinkEquations {
+    pub(crate) mechanism: Mechanism,
+    pub(crate) joints: Vec<Joint>,
+    coordinates: u32,
+    /// The part of M that no link has.
+    pub(crate) other_mass: Vec<Vec<Expression>>,
+    /// Q − 𝓛 of the part of L that no link has.
+    pub(crate) forces: Vec<Expression>,
+}
+
+impl LinkEquations {
+    /// The equations of a model that is a mechanism, under the generalized forces Q.
+    pub(crate) fn new(model: &mut Model, forces: &[Expression]) -> Option<Self> {
+        let mechanism = Mechanism::read(model)?;
+        let coordinates = model.coordinates;
+        let graph = &mut model.graph;
+        let rest = graph.subtract(mechanism.other_kinetic, mechanism.other_potential);
+        let gradient = graph.lagrange_derivatives(&[rest], coordinates);
+        let pairs = forces.iter().zip(&gradient[0]);
+        let forces = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
+        let velocities: Vec<_> = (0..coordinates).map(Symbol::Velocity).collect();
+        let momenta = graph.jacobian(&[rest], &velocities).concat();
+        let other_mass = graph.jacobian(&momenta, &velocities);
+        let joints = joints(graph, &mechanism, coordinates);
+        Some(Self {
+            mechanism,
+            joints,
+            coordinates,
+            other_mass,
+            forces,
+        })
+    }
+
+    /// M, f and M q̈ − f, each by a recursion along the links.
+    pub(crate) fn system(&self, graph: &mut Graph) -> LinearSystem {
+        let inner = self.generalized_forces(graph, false);
+        let pairs = self.forces.iter().zip(inner);
+        let forcing = pairs.map(|(x, y)| graph.subtract(*x, y)).collect();
+        let mut mass = mass_matrix(graph, &self.mechanism, &self.joints, self.forces.len());
+        let others = self.other_mass.iter().flatten();
+        for (entry, other) in mass.iter_mut().flatten().zip(others) {
+            *entry = graph.add(*entry, *other);
+        }
+        LinearSystem {
+            forcing,
+            mass,
+            inverse_dynamics: self.inverse_dynamics(graph),
+        }
+    }
+
+    /// M q̈ − f with the accelerations as symbols.
+    pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
+        let inner = self.generalized_forces(graph, true);
+        let mut residuals = Vec::with_capacity(inner.len());
+        for ((inner, force), row) in inner.into_iter().zip(&self.forces).zip(&self.other_mass) {
+            let accelerations = (0..self.coordinates).map(Symbol::Acceleration);
+            let accelerations: Vec<_> = accelerations.map(|x| graph.symbol(x)).collect();
+            let others = graph.sum_of_products(row.iter().copied().zip(accelerations));
+            let sum = graph.add(inner, others);
+            residuals.push(graph.subtract(sum, *force));
+        }
+        residuals
+    }
+
+    /// T and ∂L/∂q̇.
+    pub(crate) fn energy_and_momenta(&self, graph: &mut Graph) -> (Expression, Vec<Expression>) {
+        let (energy, mut momenta) =
+            energy_and_momenta(graph, &self.mechanism, &self.joints, self.forces.len());
+        let Mechanism {
+            other_kinetic,
+            other_potential,
+            ..
+        } = self.mechanism;
+        let rest = graph.subtract(other_kinetic, other_potential);
+        let velocities: Vec<_> = (0..self.coordinates).map(Symbol::Velocity).collect();
+        let others = graph.jacobian(&[rest], &velocities).concat();
+        for (momentum, other) in momenta.iter_mut().zip(others) {
+            *momentum = graph.add(*momentum, other);
+        }
+        (graph.add(energy, other_kinetic), momenta)
+    }
+
+    fn generalized_forces(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Expression> {
+        let wrenches = self.wrenches(graph, with_accelerations);
+        generalized_forces(
+            graph,
+            &self.mechanism,
+            &self.joints,
+            &wrenches,
+            self.forces.len(),
+        )
+    }
+
+    /// The wrenches on the links that their motion takes.
+    pub(crate) fn wrenches(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Wrench> {
+        wrenches(
+            graph,
+            &self.mechanism,
+            &self.joints,
+            self.coordinates,
+            with_accelerations,
+        )
+    }
+}
