@@ -17,6 +17,6 @@ pub(crate) use outputs::{
     OutputSlice, PivotOutputs, StateJacobian,
 };
 pub(crate) use table::{
-    Argument, EmittedMethod, Interface, MethodRow, PARAMETERS, ResultType, Variant, is_method,
+    EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant, is_method,
 };
 pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, Rates, TaylorMethod};

@@ -24,9 +24,9 @@ f[θ] = torque − friction·θ̇ − m g l sin θ
 | `mass_matrix` | 0 | 2 | 0 | 0 | 0 | 0 |
 | `forcing` | 2 | 4 | 0 | 0 | 1 | 0 |
 | `generalized_forces` | 1 | 1 | 0 | 0 | 0 | 0 |
-| `prepare` | 0 | 4 | 1 | 0 | 0 | 0 |
+| `prepare` | 0 | 7 | 1 | 0 | 0 | 0 |
 | `accelerations` | 2 | 3 | 0 | 0 | 1 | 0 |
-| `inverse_dynamics` | 3 | 5 | 0 | 0 | 1 | 0 |
+| `inverse_dynamics` | 3 | 3 | 0 | 0 | 1 | 0 |
 | `linearize` | 4 | 9 | 3 | 0 | 1 | 0 |
 */
 impl DrivenPendulum {
@@ -92,7 +92,7 @@ impl DrivenPendulum {
         },
         prepare: ::lagrangian::OperationCount {
             additions: 0usize,
-            multiplications: 4usize,
+            multiplications: 7usize,
             divisions: 1usize,
             square_roots: 0usize,
             sines_and_cosines: 0usize,
@@ -108,7 +108,7 @@ impl DrivenPendulum {
         },
         inverse_dynamics: ::lagrangian::OperationCount {
             additions: 3usize,
-            multiplications: 5usize,
+            multiplications: 3usize,
             divisions: 0usize,
             square_roots: 0usize,
             sines_and_cosines: 1usize,
@@ -159,12 +159,13 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
 for DrivenPendulum {
-    type Prepared = [__S; 2usize];
-    fn prepare(&self) -> [__S; 2usize] {
+    type Prepared = [__S; 4usize];
+    fn prepare(&self) -> [__S; 4usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        [m * g * l, __S::from_f64(1.0) / (m * (l * l))]
+        let x0 = m * l;
+        [m * g * l, __S::from_f64(1.0) / (m * (l * l)), g * x0, l * x0]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
         ::lagrangian::Inputs::<
@@ -247,7 +248,7 @@ for DrivenPendulum {
     fn accelerations_prepared(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 2usize],
+        prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         ::lagrangian::Inputs::<
             1usize,
@@ -274,6 +275,24 @@ for DrivenPendulum {
             state,
             &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
             accelerations,
+        )
+    }
+    fn inverse_dynamics_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 4usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::inverse_dynamics_prepared_with(
+            self,
+            state,
+            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
+            accelerations,
+            prepared,
         )
     }
     fn momenta(
@@ -415,7 +434,7 @@ for DrivenPendulum {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 2usize],
+        prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.q[0];
         let theta_dot: __S = state.v[0];
@@ -433,17 +452,31 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
+        ::lagrangian::Inputs::<
+            1usize,
+            1usize,
+            __S,
+        >::inverse_dynamics_prepared_with(self, state, inputs, accelerations, &prepared)
+    }
+    fn inverse_dynamics_prepared_with(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 4usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.q[0];
         let theta_dot: __S = state.v[0];
         let theta_ddot: __S = accelerations[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let x0 = m
-            .mul_add(l * l.mul_add(theta_ddot, g * theta.sin()), friction * theta_dot);
-        ::lagrangian::__private::SVector::from([x0 - torque])
+        let c2: __S = prepared[2];
+        let c3: __S = prepared[3];
+        ::lagrangian::__private::SVector::from([
+            friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
+                - torque,
+        ])
     }
     fn linearize_with(
         &self,

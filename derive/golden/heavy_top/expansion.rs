@@ -32,9 +32,9 @@ f[ψ] = i₃ φ̇ θ̇ sin θ − i₂ w₁ w₂ + i₁ w₁ w₂
 | `mass_matrix` | 4 | 13 | 0 | 0 | 2 | 0 |
 | `forcing` | 19 | 40 | 0 | 0 | 2 | 0 |
 | `generalized_forces` | 0 | 0 | 0 | 0 | 0 | 0 |
-| `prepare` | 3 | 2 | 5 | 0 | 0 | 0 |
+| `prepare` | 4 | 3 | 5 | 0 | 0 | 0 |
 | `accelerations` | 16 | 27 | 1 | 0 | 2 | 0 |
-| `inverse_dynamics` | 24 | 47 | 0 | 0 | 2 | 0 |
+| `inverse_dynamics` | 23 | 45 | 0 | 0 | 2 | 0 |
 | `linearize` | 83 | 130 | 4 | 0 | 2 | 0 |
 */
 impl HeavyTop {
@@ -99,8 +99,8 @@ impl HeavyTop {
             functions: 0usize,
         },
         prepare: ::lagrangian::OperationCount {
-            additions: 3usize,
-            multiplications: 2usize,
+            additions: 4usize,
+            multiplications: 3usize,
             divisions: 5usize,
             square_roots: 0usize,
             sines_and_cosines: 0usize,
@@ -115,8 +115,8 @@ impl HeavyTop {
             functions: 0usize,
         },
         inverse_dynamics: ::lagrangian::OperationCount {
-            additions: 24usize,
-            multiplications: 47usize,
+            additions: 23usize,
+            multiplications: 45usize,
             divisions: 0usize,
             square_roots: 0usize,
             sines_and_cosines: 2usize,
@@ -173,16 +173,25 @@ impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
 }
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
-    type Prepared = [__S; 5usize];
-    fn prepare(&self) -> [__S; 5usize] {
+    type Prepared = [__S; 7usize];
+    fn prepare(&self) -> [__S; 7usize] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = l * (m * g);
-        [(i1 - i3) / i2, x0 / i2, (i3 - i2) / i1, x0 / i1, (i1 - i2) / i3]
+        let x0 = m * g;
+        let x1 = l * x0;
+        [
+            (i1 - i3) / i2,
+            x1 / i2,
+            (i3 - i2) / i1,
+            x1 / i1,
+            (i1 - i2) / i3,
+            x0 * l,
+            i2 - i1,
+        ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let theta: __S = state.q[1];
@@ -317,7 +326,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn accelerations_prepared(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 5usize],
+        prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.q[1];
         let psi: __S = state.q[2];
@@ -362,6 +371,18 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let prepared = ::lagrangian::Lagrangian::<3usize, __S>::prepare(self);
+        ::lagrangian::Lagrangian::<
+            3usize,
+            __S,
+        >::inverse_dynamics_prepared(self, state, accelerations, &prepared)
+    }
+    fn inverse_dynamics_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
+        prepared: &[__S; 7usize],
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.q[1];
         let psi: __S = state.q[2];
         let phi_dot: __S = state.v[0];
@@ -373,9 +394,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let c5: __S = prepared[5];
+        let c6: __S = prepared[6];
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -395,9 +415,9 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x9 = i2 * cos_psi;
         let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
         let x11 = i1 * sin_psi;
-        let x12 = (-(m * g * l))
+        let x12 = (-sin_theta)
             .mul_add(
-                sin_theta,
+                c5,
                 w3
                     .mul_add(
                         (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
@@ -411,7 +431,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                     cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
                 ),
             (-(i2 * sin_psi)).mul_add(x8, x12),
-            w1.mul_add(w2 * (i2 - i1), x6),
+            w1.mul_add(w2 * c6, x6),
         ])
     }
     fn linearize(

@@ -32,9 +32,9 @@ f[ψ] = i₃ φ̇ θ̇ sin θ − i₂ w₁ w₂ + i₁ w₁ w₂
 | `mass_matrix` | 4 | 13 | 0 | 0 | 2 | 0 |
 | `forcing` | 19 | 40 | 0 | 0 | 2 | 0 |
 | `generalized_forces` | 0 | 0 | 0 | 0 | 0 | 0 |
-| `prepare` | 3 | 2 | 5 | 0 | 0 | 0 |
+| `prepare` | 4 | 3 | 5 | 0 | 0 | 0 |
 | `accelerations` | 16 | 27 | 1 | 0 | 2 | 0 |
-| `inverse_dynamics` | 24 | 47 | 0 | 0 | 2 | 0 |
+| `inverse_dynamics` | 23 | 45 | 0 | 0 | 2 | 0 |
 | `linearize` | 83 | 130 | 4 | 0 | 2 | 0 |
 */
 impl HeavyTop {
@@ -99,8 +99,8 @@ impl HeavyTop {
             functions: 0usize,
         },
         prepare: ::lagrangian::OperationCount {
-            additions: 3usize,
-            multiplications: 2usize,
+            additions: 4usize,
+            multiplications: 3usize,
             divisions: 5usize,
             square_roots: 0usize,
             sines_and_cosines: 0usize,
@@ -115,8 +115,8 @@ impl HeavyTop {
             functions: 0usize,
         },
         inverse_dynamics: ::lagrangian::OperationCount {
-            additions: 24usize,
-            multiplications: 47usize,
+            additions: 23usize,
+            multiplications: 45usize,
             divisions: 0usize,
             square_roots: 0usize,
             sines_and_cosines: 2usize,
@@ -173,17 +173,26 @@ impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
 }
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
-    type Prepared = [__S; 5usize];
-    fn prepare(&self) -> [__S; 5usize] {
-        let [i1, i2, i3, m, g, l, x0]: [__S; 7usize];
+    type Prepared = [__S; 7usize];
+    fn prepare(&self) -> [__S; 7usize] {
+        let [i1, i2, i3, m, g, l, x0, x1]: [__S; 8usize];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
         m = ::lagrangian::__private::parameter(self.m);
         g = ::lagrangian::__private::parameter(self.g);
         l = ::lagrangian::__private::parameter(self.l);
-        x0 = l * (m * g);
-        [(i1 - i3) / i2, x0 / i2, (i3 - i2) / i1, x0 / i1, (i1 - i2) / i3]
+        x0 = m * g;
+        x1 = l * x0;
+        [
+            (i1 - i3) / i2,
+            x1 / i2,
+            (i3 - i2) / i1,
+            x1 / i1,
+            (i1 - i2) / i3,
+            x0 * l,
+            i2 - i1,
+        ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
@@ -325,7 +334,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn accelerations_prepared(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 5usize],
+        prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
         sin_theta, cos_psi, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
@@ -373,9 +382,21 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let prepared = ::lagrangian::Lagrangian::<3usize, __S>::prepare(self);
+        ::lagrangian::Lagrangian::<
+            3usize,
+            __S,
+        >::inverse_dynamics_prepared(self, state, accelerations, &prepared)
+    }
+    fn inverse_dynamics_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
+        prepared: &[__S; 7usize],
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1,
-        i2, i3, m, g, l, sin_psi, sin_theta, cos_psi, cos_theta, x0, x1, w2, x2, x3, x4,
-        w1, x5, x6, w3, x7, x8, x9, x10, x11, x12]: [__S; 34usize];
+        i2, i3, c5, c6, sin_psi, sin_theta, cos_psi, cos_theta, x0, x1, w2, x2, x3, x4,
+        w1, x5, x6, w3, x7, x8, x9, x10, x11, x12]: [__S; 33usize];
         theta = state.q[1];
         psi = state.q[2];
         phi_dot = state.v[0];
@@ -387,9 +408,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
+        c5 = prepared[5];
+        c6 = prepared[6];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -409,9 +429,9 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         x9 = i2 * cos_psi;
         x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
         x11 = i1 * sin_psi;
-        x12 = (-(m * g * l))
+        x12 = (-sin_theta)
             .mul_add(
-                sin_theta,
+                c5,
                 w3
                     .mul_add(
                         (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
@@ -425,7 +445,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                     cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
                 ),
             (-(i2 * sin_psi)).mul_add(x8, x12),
-            w1.mul_add(w2 * (i2 - i1), x6),
+            w1.mul_add(w2 * c6, x6),
         ])
     }
     fn linearize(

@@ -22,9 +22,9 @@ f[x] = −friction(ẋ/width, weight) − 0.1 weight·side(x) − k x
 | `mass_matrix` | 0 | 0 | 0 | 0 | 0 | 0 |
 | `forcing` | 3 | 3 | 1 | 0 | 0 | 2 |
 | `generalized_forces` | 2 | 2 | 1 | 0 | 0 | 2 |
-| `prepare` | 0 | 1 | 2 | 0 | 0 | 0 |
+| `prepare` | 0 | 2 | 2 | 0 | 0 | 0 |
 | `accelerations` | 3 | 5 | 0 | 0 | 0 | 2 |
-| `inverse_dynamics` | 3 | 4 | 1 | 0 | 0 | 2 |
+| `inverse_dynamics` | 3 | 4 | 0 | 0 | 0 | 2 |
 | `linearize` | 5 | 10 | 3 | 0 | 0 | 3 |
 */
 impl Slider {
@@ -86,7 +86,7 @@ impl Slider {
         },
         prepare: ::lagrangian::OperationCount {
             additions: 0usize,
-            multiplications: 1usize,
+            multiplications: 2usize,
             divisions: 2usize,
             square_roots: 0usize,
             sines_and_cosines: 0usize,
@@ -103,7 +103,7 @@ impl Slider {
         inverse_dynamics: ::lagrangian::OperationCount {
             additions: 3usize,
             multiplications: 4usize,
-            divisions: 1usize,
+            divisions: 0usize,
             square_roots: 0usize,
             sines_and_cosines: 0usize,
             functions: 2usize,
@@ -150,12 +150,18 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
 }
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
-    type Prepared = [__S; 3usize];
-    fn prepare(&self) -> [__S; 3usize] {
+    type Prepared = [__S; 4usize];
+    fn prepare(&self) -> [__S; 4usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
-        [__S::from_f64(1.0) / width, k * __S::from_f64(10.0), __S::ratio(1.0, 10.0) / m]
+        [
+            __S::from_f64(1.0) / width,
+            k * __S::from_f64(10.0),
+            __S::ratio(1.0, 10.0) / m,
+            weight * __S::ratio(1.0, 10.0),
+        ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
         let x: __S = state.q[0];
@@ -221,7 +227,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     fn accelerations_prepared(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 3usize],
+        prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.q[0];
         let x_dot: __S = state.v[0];
@@ -241,27 +247,42 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         state: &::lagrangian::State<__S, 1usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
+        ::lagrangian::Lagrangian::<
+            1usize,
+            __S,
+        >::inverse_dynamics_prepared(self, state, accelerations, &prepared)
+    }
+    fn inverse_dynamics_prepared(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 4usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.q[0];
         let x_dot: __S = state.v[0];
         let x_ddot: __S = accelerations[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let width: __S = ::lagrangian::__private::parameter(self.width);
-        let x0 = m
-            .mul_add(
-                x_ddot,
-                k
-                    .mul_add(
-                        x,
-                        __S::ratio(1.0, 10.0)
-                            .mul_add(
-                                weight * self.__value_of_side::<__S>(x),
-                                self.__value_of_friction::<__S>(x_dot / width, weight),
-                            ),
-                    ),
-            );
-        ::lagrangian::__private::SVector::from([x0])
+        let c0: __S = prepared[0];
+        let c3: __S = prepared[3];
+        ::lagrangian::__private::SVector::from([
+            m
+                .mul_add(
+                    x_ddot,
+                    k
+                        .mul_add(
+                            x,
+                            self
+                                .__value_of_side::<__S>(x)
+                                .mul_add(
+                                    c3,
+                                    self.__value_of_friction::<__S>(x_dot * c0, weight),
+                                ),
+                        ),
+                ),
+        ])
     }
     fn linearize(
         &self,

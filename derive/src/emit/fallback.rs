@@ -228,14 +228,15 @@ impl<'a> Fallback<'a> {
             let row = method.row();
             let variant = row.unprepared();
             let (name, output) = (method_name(variant, inputs), signatures.result(row.result));
-            let last = signatures.parameter(variant).map(|(_, ty)| quote!(_: #ty));
+            let others = signatures.parameters(variant);
+            let others = others.iter().map(|(_, ty)| quote!(_: #ty,));
             let looks = *method == EmittedMethod::Forcing && inputs == InputsFrom::Fields;
             let unknown = self.unknown.iter().filter(|_| looks);
             let lookups = unknown.map(|name| quote!(#[cfg(rust_analyzer)] let _ = &self.#name;));
             let lints = looks.then(|| quote!(#[allow(unexpected_cfgs)]));
             quote! {
                 #lints
-                fn #name(&self, _: #state, #given #last) -> #output {
+                fn #name(&self, _: #state, #given #(#others)*) -> #output {
                     #(#lookups)*
                     ::core::unreachable!()
                 }

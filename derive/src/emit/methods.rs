@@ -7,7 +7,7 @@ use super::emitter::Emitter;
 use super::parameters::marked_if_unused;
 use super::signatures::{InputsFrom, method_name};
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
-use crate::plan::{Argument, EmittedMethod, Interface, Method, MethodRow, Variant};
+use crate::plan::{EmittedMethod, Interface, Invariants, Method, MethodRow, Variant};
 
 impl Emitter<'_> {
     pub(super) fn lagrangian(&self) -> TokenStream {
@@ -67,7 +67,7 @@ impl Emitter<'_> {
         }
         row.variants()
             .map(|variant| {
-                if row.argument == Argument::Staged && !variant.is_prepared {
+                if row.invariants == Invariants::Hoisted && !variant.is_prepared {
                     self.both_stages(variant, inputs)
                 } else {
                     self.function(variant, method, inputs)
@@ -83,13 +83,14 @@ impl Emitter<'_> {
         let (name, state) = (method_name(variant, inputs), signatures.state());
         let output = signatures.result(variant.row.result);
         let given = self.input_parameter(inputs);
-        let last = signatures.parameter(variant);
-        let last = last.map(|(name, ty)| quote!(#name: #ty));
-        let [state, arguments] = [quote!(state: #state), quote!(#given #last)]
+        let others = signatures.parameters(variant);
+        let others = others.iter().map(|(name, ty)| quote!(#name: #ty,));
+        let [state, arguments] = [quote!(state: #state), quote!(#given #(#others)*)]
             .map(|parameters| marked_if_unused(parameters, &body));
         // Steppers evaluate the accelerations in a loop, in which their results are best kept in registers.
-        let is_inlined =
-            variant.is_prepared && method.count.cost() <= COSTLIEST_INLINED_ACCELERATIONS;
+        let is_inlined = variant.is_prepared
+            && !variant.takes_accelerations()
+            && method.count.cost() <= COSTLIEST_INLINED_ACCELERATIONS;
         let inline = is_inlined.then(|| quote!(#[inline(always)]));
         quote! {
             #inline
@@ -132,10 +133,12 @@ impl Emitter<'_> {
         let prepared = method_name(prepared, inputs);
         let parameter = self.input_parameter(inputs);
         let given = (inputs == InputsFrom::Argument).then(|| quote!(inputs,));
+        let others = signatures.parameters(variant);
+        let (names, types): (Vec<_>, Vec<_>) = others.into_iter().unzip();
         quote! {
-            fn #name(&self, state: #state, #parameter) -> #output {
+            fn #name(&self, state: #state, #parameter #(#names: #types,)*) -> #output {
                 let prepared = #lagrangian::prepare(self);
-                #interface::#prepared(self, state, #given &prepared)
+                #interface::#prepared(self, state, #given #(#names,)* &prepared)
             }
         }
     }
@@ -146,7 +149,7 @@ impl Emitter<'_> {
         let rows = rows.filter(|row| row.interface == interface && row.takes_inputs);
         let mut variants: Vec<Variant> = rows.flat_map(MethodRow::variants).collect();
         // Those of the state alone stand first.
-        variants.sort_by_key(|variant| variant.parameter().is_some());
+        variants.sort_by_key(|variant| variant.is_prepared || variant.takes_accelerations());
         let delegations = variants.into_iter();
         delegations
             .map(|variant| self.delegation(variant))
@@ -160,13 +163,10 @@ impl Emitter<'_> {
             [InputsFrom::Fields, InputsFrom::Argument].map(|inputs| method_name(variant, inputs));
         let interface = signatures.interface(variant.row.interface, InputsFrom::Argument);
         let inputs = signatures.interface(Interface::Inputs, InputsFrom::Argument);
-        let parameter = signatures.parameter(variant);
-        let (last, given): (Option<_>, Option<_>) = parameter
-            .map(|(name, ty)| (quote!(#name: #ty,), quote!(#name,)))
-            .unzip();
+        let (names, types): (Vec<_>, Vec<_>) = signatures.parameters(variant).into_iter().unzip();
         quote! {
-            fn #name(&self, state: #state, #last) -> #output {
-                #interface::#with(self, state, &#inputs::inputs(self), #given)
+            fn #name(&self, state: #state, #(#names: #types,)*) -> #output {
+                #interface::#with(self, state, &#inputs::inputs(self), #(#names,)*)
             }
         }
     }

@@ -82,15 +82,17 @@ impl Signatures<'_> {
         }
     }
 
-    /// The name and the type of the last parameter, where there is one besides the state and the inputs.
-    pub(crate) fn parameter(&self, variant: Variant) -> Option<(Ident, TokenStream)> {
-        let name = variant.parameter()?;
-        let ty = if variant.is_prepared {
-            self.prepared.clone()
-        } else {
-            self.vector()
-        };
-        Some((format_ident!("{name}"), quote!(&#ty)))
+    /// The names and the types of the parameters besides the state and the inputs.
+    pub(crate) fn parameters(&self, variant: Variant) -> Vec<(Ident, TokenStream)> {
+        let accelerations = variant
+            .takes_accelerations()
+            .then(|| ("accelerations", self.vector()));
+        let prepared = variant
+            .is_prepared
+            .then(|| ("prepared", self.prepared.clone()));
+        let all = accelerations.into_iter().chain(prepared);
+        all.map(|(name, ty)| (format_ident!("{name}"), quote!(&#ty)))
+            .collect()
     }
 
     /// The trait that declares a method.

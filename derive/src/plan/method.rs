@@ -64,6 +64,27 @@ impl Method {
         [prepare, accelerations]
     }
 
+    /// A method whose invariants are computed by this setup method, too.
+    pub(super) fn hoisting(
+        &mut self,
+        model: &Model,
+        expressions: &[Expression],
+        outputs: fn(OutputSlice) -> MethodOutputs,
+    ) -> Self {
+        let mut layout = ProgramLayout::new();
+        let outputs = outputs(layout.add(expressions));
+        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
+        let staged = whole.staged(model.graph.passes);
+        let mut setup = core::mem::take(&mut self.program);
+        let kernel = staged.with_setup_in(&mut setup);
+        *self = Self::preparation(setup);
+        Self {
+            count: kernel.count(),
+            program: kernel,
+            outputs,
+        }
+    }
+
     /// The method that computes the invariants by a setup program.
     pub(super) fn preparation(setup: Program) -> Self {
         Self {

@@ -17,7 +17,7 @@ pub(crate) struct Methods {
     pub(crate) mass_matrix: Method,
     pub(crate) forcing: Method,
     pub(crate) generalized_forces: Method,
-    /// The invariants that are hoisted out of `accelerations`.
+    /// The invariants that are hoisted out of other methods.
     pub(crate) prepare: Method,
     pub(crate) accelerations: Method,
     pub(crate) inverse_dynamics: Method,
@@ -97,7 +97,9 @@ impl Methods {
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
         let mass = kinetics.mass.concat();
-        let [prepare, accelerations] = Method::accelerations(model, &kinetics);
+        let [mut prepare, accelerations] = Method::accelerations(model, &kinetics);
+        let inverse_dynamics =
+            prepare.hoisting(model, &kinetics.inverse_dynamics, MethodOutputs::Vector);
         Self {
             lagrangian: scalar(energies.lagrangian),
             energy: scalar(energies.energy),
@@ -107,7 +109,7 @@ impl Methods {
             generalized_forces: vector(&equations.generalized_forces),
             prepare,
             accelerations,
-            inverse_dynamics: vector(&kinetics.inverse_dynamics),
+            inverse_dynamics,
             linearize: linearize.schedule(model),
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
             stays_regular,

@@ -34,17 +34,23 @@ pub(crate) enum ResultType {
     EventValues,
 }
 
-/// What a method takes besides the state and the inputs.
+/// What a method takes besides the inputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Argument {
-    /// Nothing.
+    /// The state.
     StateOnly,
-    /// The accelerations.
+    /// The state and the accelerations.
     Accelerations,
-    /// Nothing; a second method, whose name ends in `_prepared`, takes the hoisted invariants.
-    Staged,
-    /// Not even the state.
+    /// Nothing.
     Parameters,
+}
+
+/// Whether what depends on the parameters alone is computed within a method.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Invariants {
+    Within,
+    /// A second method, whose name ends in `_prepared`, takes the hoisted invariants.
+    Hoisted,
 }
 
 /// A row of the table.
@@ -55,6 +61,7 @@ pub(crate) struct MethodRow {
     pub(crate) interface: Interface,
     pub(crate) result: ResultType,
     pub(crate) argument: Argument,
+    pub(crate) invariants: Invariants,
     /// Whether inputs act on it: then models with inputs have a second method, whose name ends in `_with`.
     pub(crate) takes_inputs: bool,
     /// Whether its operations are counted in the constant `OPERATIONS` and in the documentation.
@@ -62,7 +69,7 @@ pub(crate) struct MethodRow {
 }
 
 macro_rules! table {
-    ($($method:ident: $name:literal, $interface:ident, $result:ident, $argument:ident, $inputs:literal, $counted:literal;)*) => {
+    ($($method:ident: $name:literal, $interface:ident, $result:ident, $argument:ident, $invariants:ident, $inputs:literal, $counted:literal;)*) => {
         /// A method that is emitted for a model.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub(crate) enum EmittedMethod {
@@ -81,6 +88,7 @@ macro_rules! table {
                         interface: Interface::$interface,
                         result: ResultType::$result,
                         argument: Argument::$argument,
+                        invariants: Invariants::$invariants,
                         takes_inputs: $inputs,
                         is_counted: $counted,
                     },)*
@@ -91,23 +99,23 @@ macro_rules! table {
 }
 
 table! {
-    // method            name                  trait       result         argument       inputs counted
-    Lagrangian:        "lagrangian",         Lagrangian, Scalar,        StateOnly,     true,  true;
-    Energy:            "energy",             Lagrangian, Scalar,        StateOnly,     true,  true;
-    Momenta:           "momenta",            Lagrangian, Vector,        StateOnly,     false, true;
-    MassMatrix:        "mass_matrix",        Lagrangian, SquareMatrix,  StateOnly,     false, true;
-    Forcing:           "forcing",            Lagrangian, Vector,        StateOnly,     true,  true;
-    GeneralizedForces: "generalized_forces", Lagrangian, Vector,        StateOnly,     true,  true;
-    Prepare:           "prepare",            Lagrangian, Invariants,    Parameters,    false, true;
-    Accelerations:     "accelerations",      Lagrangian, Vector,        Staged,        true,  true;
-    InverseDynamics:   "inverse_dynamics",   Lagrangian, Vector,        Accelerations, true,  true;
-    Linearize:         "linearize",          Lagrangian, Linearization, StateOnly,     true,  true;
-    RelativePivots:    "relative_pivots",    Lagrangian, Vector,        StateOnly,     false, false;
-    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     false, false;
-    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     false, false;
-    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     true,  false;
-    Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     true,  false;
-    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     true,  false;
+    // method            name                  trait       result         argument       invariants  inputs counted
+    Lagrangian:        "lagrangian",         Lagrangian, Scalar,        StateOnly,     Within,    true,  true;
+    Energy:            "energy",             Lagrangian, Scalar,        StateOnly,     Within,    true,  true;
+    Momenta:           "momenta",            Lagrangian, Vector,        StateOnly,     Within,    false, true;
+    MassMatrix:        "mass_matrix",        Lagrangian, SquareMatrix,  StateOnly,     Within,    false, true;
+    Forcing:           "forcing",            Lagrangian, Vector,        StateOnly,     Within,    true,  true;
+    GeneralizedForces: "generalized_forces", Lagrangian, Vector,        StateOnly,     Within,    true,  true;
+    Prepare:           "prepare",            Lagrangian, Invariants,    Parameters,    Within,    false, true;
+    Accelerations:     "accelerations",      Lagrangian, Vector,        StateOnly,     Hoisted,   true,  true;
+    InverseDynamics:   "inverse_dynamics",   Lagrangian, Vector,        Accelerations, Hoisted,   true,  true;
+    Linearize:         "linearize",          Lagrangian, Linearization, StateOnly,     Within,    true,  true;
+    RelativePivots:    "relative_pivots",    Lagrangian, Vector,        StateOnly,     Within,    false, false;
+    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Within,    false, false;
+    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Within,    false, false;
+    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Within,    true,  false;
+    Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Within,    true,  false;
+    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Within,    true,  false;
 }
 
 /// The methods that the traits of the runtime have besides.
@@ -155,7 +163,7 @@ impl MethodRow {
 
     /// The emitted functions of the row: two where the invariants are computed apart.
     pub(crate) fn variants(self) -> impl Iterator<Item = Variant> {
-        let prepared = self.argument == Argument::Staged;
+        let prepared = self.invariants == Invariants::Hoisted;
         let variant = move |is_prepared| Variant {
             row: self,
             is_prepared,
@@ -182,12 +190,8 @@ impl Variant {
         format!("{}{suffix}", self.row.name)
     }
 
-    /// The name of its last parameter, where it takes more than the state and the inputs.
-    pub(crate) fn parameter(self) -> Option<&'static str> {
-        match self.row.argument {
-            Argument::Staged if self.is_prepared => Some("prepared"),
-            Argument::Accelerations => Some("accelerations"),
-            Argument::Staged | Argument::StateOnly | Argument::Parameters => None,
-        }
+    /// Whether it takes the accelerations.
+    pub(crate) fn takes_accelerations(self) -> bool {
+        self.row.argument == Argument::Accelerations
     }
 }

@@ -57,6 +57,17 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
         accelerations: &SVector<S, N>,
     ) -> SVector<S, N>;
 
+    /// M q̈ − f under these inputs, given the result of [`prepare`](Lagrangian::prepare) for the same parameters.
+    fn inverse_dynamics_prepared_with(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        accelerations: &SVector<S, N>,
+        _prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.inverse_dynamics_with(state, inputs, accelerations)
+    }
+
     /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.
     fn linearize_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N>;
 
@@ -208,6 +219,16 @@ where
     ) -> SVector<S, N> {
         self.model
             .inverse_dynamics_with(state, &self.inputs, accelerations)
+    }
+
+    fn inverse_dynamics_prepared(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.model
+            .inverse_dynamics_prepared_with(state, &self.inputs, accelerations, prepared)
     }
 
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N> {

@@ -42,7 +42,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
 
     /// Computes the quantities that depend on parameters only (invariants of the integration), for
-    /// [`accelerations_prepared`](Self::accelerations_prepared). [`dynamics`](Self::dynamics) calls it once.
+    /// [`accelerations_prepared`](Self::accelerations_prepared) and
+    /// [`inverse_dynamics_prepared`](Self::inverse_dynamics_prepared). [`dynamics`](Self::dynamics) calls it once.
     fn prepare(&self) -> Self::Prepared;
 
     /// The accelerations q̈, given the result of [`prepare`](Self::prepare) for the same parameters.
@@ -57,6 +58,17 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// Inverse dynamics: the forces M q̈ − f that have to act in addition to Q for these accelerations.
     fn inverse_dynamics(&self, state: &State<S, N>, accelerations: &SVector<S, N>)
     -> SVector<S, N>;
+
+    /// Inverse dynamics, given the result of [`prepare`](Self::prepare) for the same parameters: what a controller
+    /// evaluates in its loop.
+    fn inverse_dynamics_prepared(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+        _prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        self.inverse_dynamics(state, accelerations)
+    }
 
     /// The derivatives of the accelerations with respect to q, q̇ and t.
     ///

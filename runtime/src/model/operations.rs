@@ -37,7 +37,7 @@ pub struct Operations {
     pub prepare: OperationCount,
     /// Of `accelerations_prepared`.
     pub accelerations: OperationCount,
-    /// Of `inverse_dynamics`.
+    /// Of `inverse_dynamics_prepared`.
     pub inverse_dynamics: OperationCount,
     /// Of `linearize`.
     pub linearize: OperationCount,

@@ -104,7 +104,7 @@ pub struct Programs<'a> {
     pub generalized_forces: &'a Program,
     /// M q̈ − f.
     pub inverse_dynamics: &'a Program,
-    /// The setup program of q̈, which computes the invariants.
+    /// The setup program of q̈ and M q̈ − f, which computes the invariants.
     pub preparation: &'a Program,
     /// q̈.
     pub accelerations: AccelerationProgram<'a>,
@@ -170,6 +170,21 @@ impl Tapes {
         }
     }
 
+    /// The values of a program that reads the invariants.
+    pub(crate) fn prepared(
+        &self,
+        tape: &Tape,
+        value: impl Fn(Symbol) -> f64,
+        perturbation: Perturbation,
+    ) -> Vec<f64> {
+        let invariants = self.preparation.evaluate(&value, perturbation);
+        let symbol = |symbol: Symbol| match symbol {
+            Symbol::Invariant(index) => invariants[index as usize],
+            _ => value(symbol),
+        };
+        tape.evaluate(&symbol, perturbation)
+    }
+
     /// The accelerations at a point, if they exist.
     pub(crate) fn accelerations(
         &self,
@@ -177,13 +192,8 @@ impl Tapes {
         coordinates: usize,
         perturbation: Perturbation,
     ) -> Option<Vec<f64>> {
-        let parameters = |symbol: Symbol| point.value(symbol);
-        let invariants = self.preparation.evaluate(&parameters, perturbation);
-        let symbol = |symbol: Symbol| match symbol {
-            Symbol::Invariant(index) => invariants[index as usize],
-            _ => point.value(symbol),
-        };
-        let mut outputs = self.accelerations.evaluate(&symbol, perturbation);
+        let value = |symbol: Symbol| point.value(symbol);
+        let mut outputs = self.prepared(&self.accelerations, value, perturbation);
         let accelerations = if let Some(pivots) = self.pivots {
             outputs.split_off(pivots)
         } else {

@@ -191,11 +191,15 @@ impl Reference<'_> {
 
     /// The outputs of a tape at other accelerations.
     fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
-        let symbol = |symbol: Symbol| match symbol {
+        tape.evaluate(&self.value(accelerations), self.perturbation)
+    }
+
+    /// The values of symbols at other accelerations.
+    fn value(&self, accelerations: &[f64]) -> impl Fn(Symbol) -> f64 {
+        move |symbol| match symbol {
             Symbol::Acceleration(i) => accelerations[i as usize],
             _ => self.point.value(symbol),
-        };
-        tape.evaluate(&symbol, self.perturbation)
+        }
     }
 
     /// The energies, momenta, forces and outputs.
@@ -244,7 +248,8 @@ impl Reference<'_> {
             balance.total -= force.total;
             balance.size += force.size;
         }
-        let found = self.evaluate(velocities, &tapes.inverse_dynamics);
+        let value = self.value(velocities);
+        let found = tapes.prepared(&tapes.inverse_dynamics, value, self.perturbation);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
     }
 
