@@ -64,10 +64,11 @@ fn main() -> Result<(), IntegrationError> {
         g: 9.81,
         torque: Vector3::zeros(),
     };
+    let prepared = arm.prepare();
     let law = |state: &State<f64, 3>| {
         let [q, v, a] = path(state.t);
         let wanted = a - 2.0 * RATE * (state.v - v) - RATE * RATE * (state.q - q);
-        arm.inverse_dynamics_with(state, &Vector3::zeros(), &wanted)
+        arm.inverse_dynamics_prepared_with(state, &Vector3::zeros(), &wanted, &prepared)
     };
 
     // It begins at rest and beside the path.
