@@ -3,6 +3,7 @@
 mod emitter;
 mod methods;
 mod constants;
+mod constants_of_motion;
 mod inputs;
 mod outputs;
 mod events;
@@ -33,6 +34,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.system(),
         emitter.lagrangian(),
         emitter.energies(),
+        emitter.constants_of_motion(),
         emitter.inputs(),
         emitter.outputs(),
         emitter.functions(),

@@ -79,10 +79,10 @@ pub use integrate::{Ensemble, TaylorLanes, recurrences};
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{ErrorTolerance, Factorization, IntoVector, LaneStates, VectorSpace};
 pub use model::{
-    AugmentedPhase, ControlledBy, Energies, EquationsOfMotion, Events, EventsWith,
-    ExternalFunctions, FunctionSignature, GeneralizedCoordinates, Inputs, Lagrangian,
-    Linearization, MotionSeries, OperationCount, Operations, Outputs, OutputsWith, OwnedEquations,
-    Phase, Plant, State, WithController, WithInputs,
+    AugmentedPhase, ConstantsOfMotion, ConstantsWatch, ControlledBy, Energies, EquationsOfMotion,
+    Events, EventsWith, ExternalFunctions, FunctionSignature, GeneralizedCoordinates, Inputs,
+    Lagrangian, LargestChange, Linearization, MotionSeries, OperationCount, Operations, Outputs,
+    OutputsWith, OwnedEquations, Phase, Plant, State, WithController, WithInputs,
 };
 #[cfg(feature = "num-dual")]
 pub use model::{ByParameters, StateTransition};

@@ -9,6 +9,7 @@ mod linearization;
 mod state_transition;
 mod operations;
 mod lagrangian;
+mod constants_of_motion;
 mod motion_series;
 mod events;
 mod ensemble;
@@ -28,6 +29,7 @@ mod plant;
 pub mod emitted;
 
 pub use augmented_phase::AugmentedPhase;
+pub use constants_of_motion::{ConstantsOfMotion, ConstantsWatch, LargestChange};
 pub use controlled_by::ControlledBy;
 pub use driven_by::DrivenBy;
 pub use equations_of_motion::EquationsOfMotion;

@@ -3,12 +3,12 @@
 //! The derive macro, the traits of models, the integrators, and the vectors and matrices of their signatures.
 
 pub use crate::{
-    Advance, AugmentedPhase, ControlledBy, Crossing, Dop853, Driver, Dynamics, Energies, Event,
-    Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError,
-    IntegrationMethod, Integrator, Interpolant, Lagrangian, Linearization, ObservationKind,
-    Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase, Plant, Progress, Reaction,
-    RungeKutta, RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics, Step,
-    Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
+    Advance, AugmentedPhase, ConstantsOfMotion, ControlledBy, Crossing, Dop853, Driver, Dynamics,
+    Energies, Event, Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs,
+    IntegrationError, IntegrationMethod, Integrator, Interpolant, Lagrangian, Linearization,
+    ObservationKind, Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase, Plant, Progress,
+    Reaction, RungeKutta, RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics,
+    Step, Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 

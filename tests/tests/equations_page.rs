@@ -35,10 +35,13 @@ fn the_checks_of_equations_are_tests() {
                 None => (Some(name), None),
             };
             if let Some(of_file) = of_file {
-                let path = root
-                    .join("runtime/tests")
-                    .join(of_file)
-                    .with_extension("rs");
+                // A path begins at the root of the repository.
+                let folder = if of_file.contains('/') {
+                    ""
+                } else {
+                    "runtime/tests"
+                };
+                let path = root.join(folder).join(of_file).with_extension("rs");
                 file =
                     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
             }

@@ -699,3 +699,20 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         m * g * l * theta.cos()
     }
 }
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3usize, 2usize, __S>
+for HeavyTop {
+    const CONSTANTS_OF_MOTION: [&'static str; 2usize] = ["p_phi", "energy"];
+    const IGNORABLE_COORDINATES: &'static [usize] = &[0];
+    const CONSERVES_ENERGY: bool = true;
+    fn constants_of_motion(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 2usize> {
+        let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
+        ::lagrangian::__private::SVector::from([
+            momenta[0],
+            ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
+        ])
+    }
+}

@@ -119,7 +119,7 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 9] = [
+const PROVIDED: [&str; 11] = [
     "dynamics",
     "into_dynamics",
     "taylor_series",
@@ -129,6 +129,8 @@ const PROVIDED: [&str; 9] = [
     "input_matrix",
     "controlled_by",
     "with_controller",
+    "constants_of_motion",
+    "watch_constants",
 ];
 
 /// The names of the parameters of emitted methods, which no local variable has.

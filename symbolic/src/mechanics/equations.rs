@@ -4,6 +4,7 @@
 //! so that f = ∂L/∂q − (∂p/∂q) q̇ − ∂p/∂t + Q. The term in ∂p/∂t is what time-dependent models need.
 //! M is differentiated, never inverted: from M q̈ = f follows M ∂q̈/∂x = −∂(M q̈ − f)/∂x at fixed q̈.
 
+use crate::mechanics::conservation::Conservation;
 use crate::mechanics::coordinate_properties::{self, CoordinateProperties};
 use crate::mechanics::defects::{Defect, check_momenta};
 use crate::mechanics::expanded_energy::LagrangeTerms;
@@ -29,6 +30,8 @@ pub struct Equations {
     pub inverse_dynamics: Vec<Expression>,
     /// Which coordinates are angles, ignorable or singular.
     pub coordinate_properties: CoordinateProperties,
+    /// Which momenta are constant, and whether the energy function is.
+    pub conservation: Conservation,
 }
 
 impl Equations {
@@ -49,6 +52,7 @@ impl Equations {
         let energy = model.energy(lagrangian, &momenta);
         let coordinate_properties =
             coordinate_properties::analyze(model, lagrangian, &mass, &generalized_forces)?;
+        let conservation = Conservation::of(model, lagrangian, &generalized_forces);
         let terms = LagrangeTerms {
             momenta,
             mass,
@@ -69,6 +73,7 @@ impl Equations {
             generalized_forces,
             inverse_dynamics,
             coordinate_properties,
+            conservation,
         })
     }
 }

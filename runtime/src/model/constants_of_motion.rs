@@ -1,0 +1,136 @@
+//! Constants of motion that follow from the declaration (Goldstein, Poole and Safko, Classical Mechanics, 3rd edition
+//! 2002, sections 2.6 and 2.7), and an observer that watches them.
+
+use core::ops::ControlFlow;
+
+use nalgebra::SVector;
+
+use super::lagrangian::Lagrangian;
+use super::phase::Phase;
+use super::state::State;
+use crate::integrate::{Observer, Progress};
+use crate::scalar::Scalar;
+
+/// A model of which `C` constants of motion are known at compile time: the momenta pᵢ = ∂L/∂q̇ᵢ of its ignorable
+/// coordinates (4.8), in their order, and then the energy function h, if that is constant.
+///
+/// A coordinate is ignorable (cyclic) if ∂L/∂qᵢ vanishes identically and no generalized force acts on it: neither `force`
+/// nor `dissipation` nor an input. h is constant if L depends neither on the time nor on inputs, and the generalized
+/// forces do no work. Both are decided exactly when the model is derived, so that a coordinate may be written in L and
+/// cancel. Only models that have such constants implement the trait.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// /// The orbit of a particle about a centre of attraction.
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(r, phi),
+///     kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
+///     potential = -m * mu / r,
+/// )]
+/// struct Orbit { m: f64, mu: f64 }
+///
+/// let orbit = Orbit { m: 2.0, mu: 1.0 };
+/// let start = State::new(0.0, [1.0, 0.0], [0.0, 1.2]);
+/// assert_eq!(<Orbit as ConstantsOfMotion<2, 2>>::CONSTANTS_OF_MOTION, ["p_phi", "energy"]);
+/// assert_eq!(orbit.constants_of_motion(&start)[0], 2.0 * 1.2);
+///
+/// let mut watch = orbit.watch_constants(&start);
+/// let driver = Dop853::new().relative_tolerance(1e-10).driver().observe(&mut watch);
+/// driver.run_until(&orbit.dynamics(), start, 50.0)?;
+/// let [momentum, energy] = watch.largest_changes();
+/// assert_eq!(energy.name, "energy");
+/// assert!(momentum.change.abs() < 1e-8 && energy.change.abs() < 1e-8);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "no constants of motion of `{Self}` are known",
+    note = "a momentum is constant if the Lagrangian does not depend on its coordinate and no force, dissipation or input acts \
+            on it; the energy function is, if the Lagrangian depends neither on `t` nor on an input and no force does work"
+)]
+pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
+    Lagrangian<N, S>
+{
+    /// Their names: `p_phi` for the momentum of the coordinate `phi`, and `energy`.
+    const CONSTANTS_OF_MOTION: [&'static str; C];
+
+    /// The indices of the ignorable coordinates, in order.
+    const IGNORABLE_COORDINATES: &'static [usize];
+
+    /// Whether the energy function is one of the constants: then it is the last one.
+    const CONSERVES_ENERGY: bool;
+
+    /// Their values at a state.
+    fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C>;
+
+    /// An observer of the changes of the constants since this state, for a [`Driver`](crate::Driver) of any method.
+    fn watch_constants(&self, start: &State<S, N>) -> ConstantsWatch<'_, Self, S, N, C>
+    where
+        Self: Sized,
+    {
+        let initial = self.constants_of_motion(start);
+        let name = |i: usize| Self::CONSTANTS_OF_MOTION[i];
+        ConstantsWatch {
+            model: self,
+            largest: core::array::from_fn(|i| LargestChange {
+                name: name(i),
+                initial: initial[i],
+                change: S::zero(),
+                t: start.t.smallest(),
+            }),
+        }
+    }
+}
+
+/// An observer of how constants of motion change in the course of an integration, at the ends of steps, samples and
+/// events. It is given to a driver by reference: `driver.observe(&mut watch)`. A reaction that changes the state, such as an
+/// impact, changes constants, too.
+#[derive(Clone, Debug)]
+pub struct ConstantsWatch<'a, M, S: Scalar, const N: usize, const C: usize> {
+    model: &'a M,
+    largest: [LargestChange<S>; C],
+}
+
+/// The largest change of a constant of motion that was observed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LargestChange<S = f64> {
+    /// The name of the constant.
+    pub name: &'static str,
+    /// Its initial value.
+    pub initial: S,
+    /// The change of largest magnitude, in the lane in which it is largest; NaN once a value has been.
+    pub change: S,
+    /// The time at which it was observed.
+    pub t: f64,
+}
+
+impl<M, S: Scalar, const N: usize, const C: usize> ConstantsWatch<'_, M, S, N, C> {
+    /// The largest change of each constant so far.
+    #[must_use]
+    pub fn largest_changes(&self) -> [LargestChange<S>; C] {
+        self.largest
+    }
+}
+
+impl<M, S, const N: usize, const C: usize> Observer<Phase<S, N>>
+    for &mut ConstantsWatch<'_, M, S, N, C>
+where
+    M: ConstantsOfMotion<N, C, S>,
+    S: Scalar,
+{
+    fn observe(&mut self, progress: &Progress<'_, Phase<S, N>>) -> ControlFlow<()> {
+        let state = progress.x.at(S::from_f64(progress.t));
+        let constants = self.model.constants_of_motion(&state);
+        for (largest, value) in self.largest.iter_mut().zip(constants.iter()) {
+            let change = *value - largest.initial;
+            let [known, found] = [largest.change, change].map(|change| change.abs().largest());
+            // Not a number counts as larger than any.
+            if !(found <= known || known.is_nan()) {
+                largest.change = change;
+                largest.t = progress.t;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}

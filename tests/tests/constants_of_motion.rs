@@ -1,0 +1,312 @@
+//! The constants of motion of textbook systems, as they are published, and their changes along integrations.
+
+#![allow(clippy::float_cmp)] // What is watched is exactly what the model computes.
+
+use lagrangian::ConstantsWatch;
+use lagrangian::prelude::*;
+use lagrangian_tests::{assert_close, relative_error};
+
+/// A symmetric top as three squares (4.5), of which two have the same inertia: ψ is written, and cancels.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(w = angular_velocity_zxz(phi, theta, psi)),
+    kinetic = 0.5 * i * w.x.powi(2) + 0.5 * i * w.y.powi(2) + 0.5 * i_s * w.z.powi(2),
+    potential = m * g * l * cos(theta),
+    taylor,
+)]
+struct SymmetricTop {
+    i: f64,
+    i_s: f64,
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+/// The same with friction on the spin.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(w = angular_velocity_zxz(phi, theta, psi)),
+    kinetic = 0.5 * i * w.x.powi(2) + 0.5 * i * w.y.powi(2) + 0.5 * i_s * w.z.powi(2),
+    potential = m * g * l * cos(theta),
+    dissipation = 0.5 * friction * dot(psi).powi(2),
+)]
+struct DampedTop {
+    i: f64,
+    i_s: f64,
+    m: f64,
+    g: f64,
+    l: f64,
+    friction: f64,
+}
+
+/// Goldstein, chapter 3.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(r, phi),
+    kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
+    potential = -m * mu / r,
+)]
+struct Kepler {
+    m: f64,
+    mu: f64,
+}
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta, phi),
+    define(r = l * [sin(theta) * cos(phi), sin(theta) * sin(phi), -cos(theta)]),
+    kinetic = 0.5 * m * dot(r).norm_squared(),
+    potential = m * g * r.z,
+)]
+struct SphericalPendulum {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Furuta's pendulum, whose arm turns freely.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(arm, rod),
+    define(
+        turn = rotation_z(arm),
+        along = turn * [1.0, 0.0, 0.0],
+        down = turn * [0.0, sin(rod), -cos(rod)],
+        center = length * along + l * down,
+    ),
+    kinetic = 0.5 * inertia_arm * dot(along).norm_squared()
+        + 0.5 * m * dot(center).norm_squared()
+        + 0.5 * inertia_rod * dot(down).norm_squared(),
+    potential = m * g * center.z,
+)]
+struct FurutaPendulum {
+    inertia_arm: f64,
+    inertia_rod: f64,
+    m: f64,
+    length: f64,
+    l: f64,
+    g: f64,
+}
+
+/// A symmetric satellite on a circular orbit, in the axes of the orbit, which turn with the mean motion (Beletskii,
+/// Motion of an Artificial Satellite about its Center of Mass, 1966): z points to the zenith, y along the normal of the
+/// orbit. The momentum of the spin is constant, and Jacobi's integral, which is not T + V.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(
+        r = rotation_zxz(phi, theta, psi),
+        w = angular_velocity_zxz(phi, theta, psi) + r.transpose() * [0.0, n, 0.0],
+    ),
+    kinetic = 0.5 * w.dot(diagonal([i, i, i_s]) * w),
+    potential = 1.5 * n.powi(2) * (i_s - i) * cos(theta).powi(2),
+)]
+struct GravityGradientSatellite {
+    i: f64,
+    i_s: f64,
+    n: f64,
+}
+
+/// A balanced gyroscope in two gimbals, without friction.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(alpha, beta, gamma),
+    define(
+        inner = angular_velocity_zx(alpha, beta),
+        rotor = angular_velocity_zxz(alpha, beta, gamma),
+    ),
+    kinetic = 0.5 * outer_gimbal * dot(alpha).powi(2)
+        + 0.5 * inner.dot(diagonal(inner_gimbal) * inner)
+        + 0.5 * rotor.dot(diagonal([a, a, c]) * rotor),
+)]
+struct Gyroscope {
+    outer_gimbal: f64,
+    inner_gimbal: [f64; 3],
+    a: f64,
+    c: f64,
+}
+
+/// Two bodies that turn freely about one axis, with a spring between them: it is neither angle alone that is ignorable.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    kinetic = 0.5 * dot(x).powi(2) + 0.5 * dot(y).powi(2),
+    potential = 0.5 * k * (x - y).powi(2),
+)]
+struct Spring {
+    k: f64,
+}
+
+fn top() -> SymmetricTop {
+    SymmetricTop {
+        i: 0.4,
+        i_s: 0.1,
+        m: 1.3,
+        g: 9.81,
+        l: 0.2,
+    }
+}
+
+fn names<M, const N: usize, const C: usize>(_: &M) -> ([&'static str; C], &'static [usize])
+where
+    M: ConstantsOfMotion<N, C>,
+{
+    (M::CONSTANTS_OF_MOTION, M::IGNORABLE_COORDINATES)
+}
+
+#[test]
+fn constants_are_those_that_are_published() {
+    assert_eq!(names(&top()), (["p_phi", "p_psi", "energy"], &[0, 2][..]));
+    let kepler = Kepler { m: 1.0, mu: 1.0 };
+    assert_eq!(names(&kepler), (["p_phi", "energy"], &[1][..]));
+    let (m, l, g) = (1.0, 1.0, 9.81);
+    let pendulum = SphericalPendulum { m, l, g };
+    assert_eq!(names(&pendulum), (["p_phi", "energy"], &[1][..]));
+    let furuta = FurutaPendulum {
+        inertia_arm: 0.1,
+        inertia_rod: 0.02,
+        m,
+        length: 0.7,
+        l,
+        g,
+    };
+    assert_eq!(names(&furuta), (["p_arm", "energy"], &[0][..]));
+    let satellite = GravityGradientSatellite {
+        i: 2.0,
+        i_s: 1.0,
+        n: 0.1,
+    };
+    assert_eq!(names(&satellite), (["p_psi", "energy"], &[2][..]));
+    let gyroscope = Gyroscope {
+        outer_gimbal: 0.3,
+        inner_gimbal: [0.1, 0.2, 0.3],
+        a: 0.4,
+        c: 0.7,
+    };
+    let expected = (["p_alpha", "p_gamma", "energy"], &[0, 2][..]);
+    assert_eq!(names(&gyroscope), expected);
+    assert_eq!(names(&Spring { k: 1.0 }), (["energy"], &[][..]));
+}
+
+/// A force takes away what it acts on, and the energy if it does work.
+#[test]
+fn dissipation_on_the_spin_leaves_one_momentum() {
+    let damped = DampedTop {
+        i: 0.4,
+        i_s: 0.1,
+        m: 1.3,
+        g: 9.81,
+        l: 0.2,
+        friction: 0.01,
+    };
+    assert_eq!(names(&damped), (["p_phi"], &[0][..]));
+}
+
+/// The momenta (4.8): that of φ is I φ̇ sin²θ and cos θ times that of ψ, which is Iₛ (ψ̇ + φ̇ cos θ).
+#[test]
+fn momenta_of_the_top_are_those_of_the_book() {
+    let top = top();
+    for (theta, v) in [(0.4, [0.7, -0.3, 20.0]), (2.5, [-3.0, 1.0, 0.2])] {
+        let state = State::new(1.0, [0.3, theta, -2.0], v);
+        let (s, c) = f64::sin_cos(theta);
+        let c_psi = top.i_s * (v[2] + v[0] * c);
+        let c_phi = top.i * v[0] * s * s + c_psi * c;
+        let energy = 0.5 * top.i * (v[1] * v[1] + (v[0] * s).powi(2))
+            + c_psi * c_psi / (2.0 * top.i_s)
+            + top.m * top.g * top.l * c;
+        let found = top.constants_of_motion(&state);
+        assert_close(
+            "constants",
+            found.as_slice(),
+            &[c_phi, c_psi, energy],
+            1e-14,
+        );
+    }
+}
+
+/// They are watched by any driver, and the largest change is that of the states that were observed.
+#[test]
+fn changes_are_watched_along_a_motion() {
+    let top = top();
+    let start = State::new(0.0, [0.0, 0.5, 0.0], [0.1, 0.0, 40.0]);
+    let changes = |driver: &dyn Fn(&mut ConstantsWatch<'_, SymmetricTop, f64, 3, 3>)| {
+        let mut watch = top.watch_constants(&start);
+        driver(&mut watch);
+        let changes = watch.largest_changes();
+        assert_eq!(
+            changes.map(|change| change.name),
+            ["p_phi", "p_psi", "energy"]
+        );
+        let initial = changes.map(|change| change.initial);
+        assert_eq!(initial, <[f64; 3]>::from(top.constants_of_motion(&start)));
+        changes
+    };
+    let dynamics = top.dynamics();
+    let loose = changes(&|watch| {
+        let driver = RungeKutta::classical(0.01).driver().observe(watch);
+        driver.run_until(&dynamics, start, 2.0).unwrap();
+    });
+    let tight = changes(&|watch| {
+        let method = Dop853::new()
+            .relative_tolerance(1e-12)
+            .absolute_tolerance(1e-14);
+        method
+            .driver()
+            .observe(watch)
+            .run_until(&dynamics, start, 2.0)
+            .unwrap();
+    });
+    let series = changes(&|watch| {
+        Taylor::new()
+            .driver()
+            .observe(watch)
+            .run_until(&dynamics, start, 2.0)
+            .unwrap();
+    });
+    for (loose, (tight, series)) in loose.into_iter().zip(tight.into_iter().zip(series)) {
+        assert!(loose.change.abs() > 1e-9, "{loose:?}");
+        assert!(loose.t > 0.0 && loose.t <= 2.0, "{loose:?}");
+        assert!(tight.change.abs() < 1e-9, "{tight:?}");
+        assert!(series.change.abs() < 1e-12, "{series:?}");
+    }
+    // The same change is found by hand, over all steps.
+    let mut largest = (0.0, 0.0);
+    let driver = RungeKutta::classical(0.01).driver();
+    let energy = top.energy(&start);
+    let by_hand = driver.observe(|progress: &Progress<'_, Phase<f64, 3>>| {
+        let change = top.energy(&progress.x.at(progress.t)) - energy;
+        if f64::abs(change) > f64::abs(largest.0) {
+            largest = (change, progress.t);
+        }
+        core::ops::ControlFlow::Continue(())
+    });
+    by_hand.run_until(&dynamics, start, 2.0).unwrap();
+    assert_eq!((loose[2].change, loose[2].t), largest);
+}
+
+/// A change that is not a number is not forgotten.
+#[test]
+fn a_singular_state_is_reported() {
+    let kepler = Kepler { m: 1.0, mu: 1.0 };
+    let start = State::new(0.0, [1.0, 0.0], [0.0, 0.5]);
+    let mut watch = kepler.watch_constants(&start);
+    let mut observed = &mut watch;
+    for (rate, t) in [(0.6, 1.0), (f64::NAN, 2.0), (0.9, 3.0)] {
+        let x = Phase::new([1.0, 0.0], [0.0, rate]);
+        let progress = Progress {
+            kind: ObservationKind::Step,
+            t,
+            x: &x,
+            start: 0.0,
+            end: 3.0,
+            statistics: Statistics::default(),
+        };
+        let _ = observed.observe(&progress);
+    }
+    let [momentum, _] = watch.largest_changes();
+    assert!(momentum.change.is_nan());
+    assert_eq!(momentum.t, 2.0);
+    assert!(relative_error(&[momentum.initial], &[0.5], 1.0) == 0.0);
+}
