@@ -23,6 +23,7 @@ mod fallback;
 
 use proc_macro2::TokenStream;
 
+pub(crate) use documentation::listing;
 pub(crate) use emitter::Emitter;
 pub(crate) use fallback::items as items_without_equations;
 pub(crate) use validation_warning::warning;

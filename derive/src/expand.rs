@@ -8,7 +8,7 @@ use syn::DeriveInput;
 use crate::check::{check, check_whole};
 use crate::defects;
 use crate::diagnostics::Diagnostics;
-use crate::emit::{Emitter, items, items_without_equations, warning};
+use crate::emit::{Emitter, items, items_without_equations, listing, warning};
 use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
 use crate::plan::Methods;
@@ -92,12 +92,14 @@ fn implement(
             }
         }
     }
+    let listing = listing(&mut model, &equations, declaration, lowered, &methods);
     let emitter = Emitter::new(
         declaration,
         lowered,
         &model,
         &equations,
         &methods,
+        &listing,
         (taylor.as_ref(), event_series.as_ref()),
         most_scopes,
     );

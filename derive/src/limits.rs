@@ -51,10 +51,6 @@ pub(crate) const MOST_PIVOTS: usize = 4;
 /// accelerations cost 280. Longer ones would make steppers longer and hardly faster.
 pub(crate) const COSTLIEST_INLINED_ACCELERATIONS: usize = 300;
 
-/// Longer formulas are cut off in the documentation of a model, in characters: some six lines of a page, which no
-/// formula of the golden models exceeds. A layout over several lines would move it.
-pub(crate) const LONGEST_FORMULA: usize = 600;
-
 /// The most tokens of an expression. Printing 10 000 terms in a row takes the stack that rustc has, 8 MiB; a parser that
 /// does not recurse would lift it, as it would the next three.
 pub(crate) const LONGEST_EXPRESSION: usize = 8192;

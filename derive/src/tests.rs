@@ -5,6 +5,7 @@ mod derived;
 mod editor;
 mod golden;
 mod half_typed;
+mod pages;
 mod robustness;
 mod roots;
 mod scalars;

@@ -17,7 +17,7 @@ const LINE: usize = 96;
 pub(crate) fn equations() -> String {
     let mut text = String::from(
         "Heavy top: a rigid body about a fixed pivot, in z-x-z Euler angles φ, θ, ψ.\n\n\
-         Equations of motion M q̈ = f, derived from T and V when this program was compiled:\n\n",
+         Equations of motion, derived from T and V when this program was compiled:\n\n",
     );
     for line in HeavyTop::EQUATIONS.lines() {
         text.push_str(&wrapped(line));

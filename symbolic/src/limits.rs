@@ -209,11 +209,34 @@ pub(crate) const HIGHEST_EXTERNAL_DERIVATIVE: usize = 3;
 /// be exponentially often.
 pub(crate) const LONGEST_FORMULA: usize = 1 << 16;
 
+/// Longer equations are left out of a listing, in characters: some five lines of a page, which no equation of the golden
+/// models exceeds.
+pub(crate) const LONGEST_LINE: usize = 500;
+
+/// Accelerations of more symbols are not listed: they follow from the equations before them.
+pub(crate) const LONGEST_ACCELERATION: u64 = 40;
+
+/// Nor are those of more coordinates.
+pub(crate) const MOST_LISTED_ACCELERATIONS: usize = 3;
+
+/// The equations under one heading together, in characters: a third of a page.
+pub(crate) const LONGEST_SECTION: usize = 1200;
+
+/// Expressions with more terms are printed as they are. Made by a chain of twenty links, whose forces have some 400.
+pub(crate) const MOST_ARRANGED_TERMS: usize = 512;
+
+/// Of arrangements that are longer than this in print, in characters, the first is taken.
+pub(crate) const LONGEST_ARRANGED: usize = 2000;
+
 /// Decimals with more zeros behind the point carry a power of ten.
 pub(crate) const MOST_LEADING_ZEROS: usize = 4;
 
 /// Integers that end in as many zeros carry a power of ten.
 pub(crate) const ROUND_ZEROS: usize = 7;
+
+/// Sums in products are multiplied by their common denominator up to this one: 4 m + 3 M in place of m + ¾ M. Larger ones
+/// are those of decimals.
+pub(crate) const MOST_COMMON_DENOMINATOR: i64 = 48;
 
 /// Fractions with denominators up to this are read at a glance.
 pub(crate) const SMALL_DENOMINATOR: u32 = 12;

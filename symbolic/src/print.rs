@@ -9,3 +9,5 @@ pub(crate) mod quotient;
 pub(crate) mod application;
 pub(crate) mod layout;
 pub(crate) mod formula;
+pub(crate) mod arrangement;
+pub(crate) mod listing;

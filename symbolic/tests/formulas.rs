@@ -102,19 +102,19 @@ fn kinetic_energy_of_a_top() {
         book.unicode(energy),
         "½ i₁ (φ\u{307} sin θ sin ψ + θ\u{307} cos ψ)² \
          + ½ i₂ (φ\u{307} sin θ cos ψ − θ\u{307} sin ψ)² \
-         + ½ i₃ (ψ\u{307} + φ\u{307} cos θ)²"
+         + ½ i₃ (φ\u{307} cos θ + ψ\u{307})²"
     );
     assert_eq!(
         book.latex(energy),
         "\\frac{1}{2} i_{1} \\left(\\dot{\\phi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi\\right)^{2} \
          + \\frac{1}{2} i_{2} \\left(\\dot{\\phi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi\\right)^{2} \
-         + \\frac{1}{2} i_{3} \\left(\\dot{\\psi} + \\dot{\\phi} \\cos \\theta\\right)^{2}"
+         + \\frac{1}{2} i_{3} \\left(\\dot{\\phi} \\cos \\theta + \\dot{\\psi}\\right)^{2}"
     );
     for (k, name) in ["w1", "w2", "w3"].into_iter().enumerate() {
         book.define(name, w[k]);
     }
     assert_eq!(book.unicode(energy), "½ i₁ w₁² + ½ i₂ w₂² + ½ i₃ w₃²");
-    assert_eq!(book.unicode(w[2]), "ψ\u{307} + φ\u{307} cos θ");
+    assert_eq!(book.unicode(w[2]), "φ\u{307} cos θ + ψ\u{307}");
 }
 
 #[test]
@@ -135,12 +135,12 @@ fn kinetic_energy_of_a_symmetric_top() {
         .sum([(first, Rational::HALF), (second, Rational::HALF)]);
     assert_eq!(
         book.unicode(energy),
-        "½ i₁ (θ\u{307}² + φ\u{307}² sin²θ) + ½ i₃ (ψ\u{307} + φ\u{307} cos θ)²"
+        "½ i₁ (φ\u{307}² sin²θ + θ\u{307}²) + ½ i₃ (φ\u{307} cos θ + ψ\u{307})²"
     );
     let momentum = book.graph.derivative(energy, Symbol::Velocity(0));
     assert_eq!(
         book.unicode(momentum),
-        "i₁ φ\u{307} sin²θ + i₃ (ψ\u{307} + φ\u{307} cos θ) cos θ"
+        "i₁ φ\u{307} sin²θ + i₃ (φ\u{307} cos θ + ψ\u{307}) cos θ"
     );
 }
 

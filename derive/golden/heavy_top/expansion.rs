@@ -1,25 +1,33 @@
 /**# The equations of motion
 
-M q̈ = f, by d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with
+d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with
 
 ```text
 q = (φ, θ, ψ)
-w₁ = θ̇ cos ψ + φ̇ sin θ sin ψ
+w₁ = φ̇ sin θ sin ψ + θ̇ cos ψ
 w₂ = φ̇ sin θ cos ψ − θ̇ sin ψ
-w₃ = ψ̇ + φ̇ cos θ
-T = ½ i₂ w₂² + ½ i₁ w₁² + ½ i₃ w₃²
+w₃ = φ̇ cos θ + ψ̇
+T = ½ i₁ w₁² + ½ i₂ w₂² + ½ i₃ w₃²
 V = m g l cos θ
-p[φ] = i₂ w₂ sin θ cos ψ + i₁ w₁ sin θ sin ψ + i₃ w₃ cos θ
-p[θ] = i₁ w₁ cos ψ − i₂ w₂ sin ψ
-p[ψ] = i₃ w₃
-M[φ, φ] = i₂ sin²θ cos²ψ + i₁ sin²θ sin²ψ + i₃ cos²θ
-M[θ, φ] = i₁ sin θ sin ψ cos ψ − i₂ sin θ sin ψ cos ψ
-M[θ, θ] = i₂ sin²ψ + i₁ cos²ψ
-M[ψ, φ] = i₃ cos θ
-M[ψ, ψ] = i₃
-f[φ] = i₂ ψ̇ w₂ sin θ sin ψ − i₂ θ̇ w₂ cos θ cos ψ − i₂ (φ̇ θ̇ cos θ cos ψ − θ̇ ψ̇ cos ψ − φ̇ ψ̇ sin θ sin ψ) sin θ cos ψ − i₁ θ̇ w₁ cos θ sin ψ − i₁ ψ̇ w₁ sin θ cos ψ − i₁ (φ̇ θ̇ cos θ sin ψ − θ̇ ψ̇ sin ψ + φ̇ ψ̇ sin θ cos ψ) sin θ sin ψ + i₃ θ̇ w₃ sin θ + i₃ φ̇ θ̇ sin θ cos θ
-f[θ] = i₂ ψ̇ w₂ cos ψ + i₂ (φ̇ θ̇ cos θ cos ψ − θ̇ ψ̇ cos ψ − φ̇ ψ̇ sin θ sin ψ) sin ψ + i₁ ψ̇ w₁ sin ψ − i₁ (φ̇ θ̇ cos θ sin ψ − θ̇ ψ̇ sin ψ + φ̇ ψ̇ sin θ cos ψ) cos ψ + i₂ φ̇ w₂ cos θ cos ψ + i₁ φ̇ w₁ cos θ sin ψ − i₃ φ̇ w₃ sin θ + m g l sin θ
-f[ψ] = i₃ φ̇ θ̇ sin θ − i₂ w₁ w₂ + i₁ w₁ w₂
+
+Momenta p = ∂L/∂q̇:
+p_φ = (i₁ w₁ sin ψ + i₂ w₂ cos ψ) sin θ + i₃ w₃ cos θ
+p_θ = i₁ w₁ cos ψ − i₂ w₂ sin ψ
+p_ψ = i₃ w₃
+p_φ is constant.
+
+Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6):
+((i₁ sin²ψ + i₂ cos²ψ) sin²θ + i₃ cos²θ) φ̈ + (i₁ − i₂) θ̈ sin θ sin ψ cos ψ + i₃ ψ̈ cos θ + 2 (i₁ sin²ψ + i₂ cos²ψ − i₃) φ̇ θ̇ sin θ cos θ + 2 (i₁ − i₂) φ̇ ψ̇ sin²θ sin ψ cos ψ + (i₁ − i₂) θ̇² cos θ sin ψ cos ψ − ((i₁ − i₂) sin²ψ + (i₂ − i₁) cos²ψ + i₃) θ̇ ψ̇ sin θ = 0
+(i₁ − i₂) φ̈ sin θ sin ψ cos ψ + (i₁ cos²ψ + i₂ sin²ψ) θ̈ − (i₁ sin²ψ + i₂ cos²ψ − i₃) φ̇² sin θ cos θ + ((i₂ − i₁) sin²ψ + (i₁ − i₂) cos²ψ + i₃) φ̇ ψ̇ sin θ + 2 (i₂ − i₁) θ̇ ψ̇ sin ψ cos ψ − m g l sin θ = 0
+i₃ φ̈ cos θ + i₃ ψ̈ + (i₂ − i₁) w₁ w₂ − i₃ φ̇ θ̇ sin θ = 0
+
+Boltzmann–Hamel equations, Euler's (3.5)–(3.7) for a rigid body, and kinematics:
+i₁ ẇ₁ = (i₂ − i₃) w₂ w₃ + m g l sin θ cos ψ
+i₂ ẇ₂ = (i₃ − i₁) w₁ w₃ − m g l sin θ sin ψ
+i₃ ẇ₃ = (i₁ − i₂) w₁ w₂
+φ̇ = (w₁ sin ψ + w₂ cos ψ)/sin θ
+θ̇ = w₁ cos ψ − w₂ sin ψ
+ψ̇ = w₃ − (w₁ sin ψ + w₂ cos ψ) cos(θ)/sin θ
 ```
 
 # Operations
@@ -46,8 +54,10 @@ impl HeavyTop {
     pub const THETA: usize = 1usize;
     ///The index of the coordinate `psi`.
     pub const PSI: usize = 2usize;
-    /// The equations of motion as they were derived.
-    pub const EQUATIONS: &'static str = "q = (φ, θ, ψ)\nw₁ = θ\u{307} cos ψ + φ\u{307} sin θ sin ψ\nw₂ = φ\u{307} sin θ cos ψ − θ\u{307} sin ψ\nw₃ = ψ\u{307} + φ\u{307} cos θ\nT = ½ i₂ w₂² + ½ i₁ w₁² + ½ i₃ w₃²\nV = m g l cos θ\np[φ] = i₂ w₂ sin θ cos ψ + i₁ w₁ sin θ sin ψ + i₃ w₃ cos θ\np[θ] = i₁ w₁ cos ψ − i₂ w₂ sin ψ\np[ψ] = i₃ w₃\nM[φ, φ] = i₂ sin²θ cos²ψ + i₁ sin²θ sin²ψ + i₃ cos²θ\nM[θ, φ] = i₁ sin θ sin ψ cos ψ − i₂ sin θ sin ψ cos ψ\nM[θ, θ] = i₂ sin²ψ + i₁ cos²ψ\nM[ψ, φ] = i₃ cos θ\nM[ψ, ψ] = i₃\nf[φ] = i₂ ψ\u{307} w₂ sin θ sin ψ − i₂ θ\u{307} w₂ cos θ cos ψ − i₂ (φ\u{307} θ\u{307} cos θ cos ψ − θ\u{307} ψ\u{307} cos ψ − φ\u{307} ψ\u{307} sin θ sin ψ) sin θ cos ψ − i₁ θ\u{307} w₁ cos θ sin ψ − i₁ ψ\u{307} w₁ sin θ cos ψ − i₁ (φ\u{307} θ\u{307} cos θ sin ψ − θ\u{307} ψ\u{307} sin ψ + φ\u{307} ψ\u{307} sin θ cos ψ) sin θ sin ψ + i₃ θ\u{307} w₃ sin θ + i₃ φ\u{307} θ\u{307} sin θ cos θ\nf[θ] = i₂ ψ\u{307} w₂ cos ψ + i₂ (φ\u{307} θ\u{307} cos θ cos ψ − θ\u{307} ψ\u{307} cos ψ − φ\u{307} ψ\u{307} sin θ sin ψ) sin ψ + i₁ ψ\u{307} w₁ sin ψ − i₁ (φ\u{307} θ\u{307} cos θ sin ψ − θ\u{307} ψ\u{307} sin ψ + φ\u{307} ψ\u{307} sin θ cos ψ) cos ψ + i₂ φ\u{307} w₂ cos θ cos ψ + i₁ φ\u{307} w₁ cos θ sin ψ − i₃ φ\u{307} w₃ sin θ + m g l sin θ\nf[ψ] = i₃ φ\u{307} θ\u{307} sin θ − i₂ w₁ w₂ + i₁ w₁ w₂\n";
+    /// The equations of motion as they were derived, in lines of Unicode.
+    pub const EQUATIONS: &'static str = "q = (φ, θ, ψ)\nw₁ = φ\u{307} sin θ sin ψ + θ\u{307} cos ψ\nw₂ = φ\u{307} sin θ cos ψ − θ\u{307} sin ψ\nw₃ = φ\u{307} cos θ + ψ\u{307}\nT = ½ i₁ w₁² + ½ i₂ w₂² + ½ i₃ w₃²\nV = m g l cos θ\n\nMomenta p = ∂L/∂q\u{307}:\np_φ = (i₁ w₁ sin ψ + i₂ w₂ cos ψ) sin θ + i₃ w₃ cos θ\np_θ = i₁ w₁ cos ψ − i₂ w₂ sin ψ\np_ψ = i₃ w₃\np_φ is constant.\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\n((i₁ sin²ψ + i₂ cos²ψ) sin²θ + i₃ cos²θ) φ\u{308} + (i₁ − i₂) θ\u{308} sin θ sin ψ cos ψ + i₃ ψ\u{308} cos θ + 2 (i₁ sin²ψ + i₂ cos²ψ − i₃) φ\u{307} θ\u{307} sin θ cos θ + 2 (i₁ − i₂) φ\u{307} ψ\u{307} sin²θ sin ψ cos ψ + (i₁ − i₂) θ\u{307}² cos θ sin ψ cos ψ − ((i₁ − i₂) sin²ψ + (i₂ − i₁) cos²ψ + i₃) θ\u{307} ψ\u{307} sin θ = 0\n(i₁ − i₂) φ\u{308} sin θ sin ψ cos ψ + (i₁ cos²ψ + i₂ sin²ψ) θ\u{308} − (i₁ sin²ψ + i₂ cos²ψ − i₃) φ\u{307}² sin θ cos θ + ((i₂ − i₁) sin²ψ + (i₁ − i₂) cos²ψ + i₃) φ\u{307} ψ\u{307} sin θ + 2 (i₂ − i₁) θ\u{307} ψ\u{307} sin ψ cos ψ − m g l sin θ = 0\ni₃ φ\u{308} cos θ + i₃ ψ\u{308} + (i₂ − i₁) w₁ w₂ − i₃ φ\u{307} θ\u{307} sin θ = 0\n\nBoltzmann–Hamel equations, Euler's (3.5)–(3.7) for a rigid body, and kinematics:\ni₁ w\u{307}₁ = (i₂ − i₃) w₂ w₃ + m g l sin θ cos ψ\ni₂ w\u{307}₂ = (i₃ − i₁) w₁ w₃ − m g l sin θ sin ψ\ni₃ w\u{307}₃ = (i₁ − i₂) w₁ w₂\nφ\u{307} = (w₁ sin ψ + w₂ cos ψ)/sin θ\nθ\u{307} = w₁ cos ψ − w₂ sin ψ\nψ\u{307} = w₃ − (w₁ sin ψ + w₂ cos ψ) cos(θ)/sin θ\n";
+    /// The same in displays of LaTeX, for `amsmath`, KaTeX and MathJax.
+    pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\phi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\phi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\phi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\phi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} i_{1} w_{1}^{2} + \\frac{1}{2} i_{2} w_{2}^{2} + \\frac{1}{2} i_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\phi} &= \\left(i_{1} w_{1} \\sin \\psi + i_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + i_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= i_{1} w_{1} \\cos \\psi - i_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= i_{3} w_{3}\n\\end{align*}\n$p_{\\phi}$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n\\left(\\left(i_{1} \\sin^{2} \\psi + i_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + i_{3} \\cos^{2} \\theta\\right) \\ddot{\\phi} + \\left(i_{1} - i_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + i_{3} \\ddot{\\psi} \\cos \\theta + 2 \\left(i_{1} \\sin^{2} \\psi + i_{2} \\cos^{2} \\psi - i_{3}\\right) \\dot{\\phi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(i_{1} - i_{2}\\right) \\dot{\\phi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi + \\left(i_{1} - i_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(i_{1} - i_{2}\\right) \\sin^{2} \\psi + \\left(i_{2} - i_{1}\\right) \\cos^{2} \\psi + i_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta &= 0 \\\\\n\\left(i_{1} - i_{2}\\right) \\ddot{\\phi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(i_{1} \\cos^{2} \\psi + i_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} - \\left(i_{1} \\sin^{2} \\psi + i_{2} \\cos^{2} \\psi - i_{3}\\right) \\dot{\\phi}^{2} \\sin \\theta \\cos \\theta + \\left(\\left(i_{2} - i_{1}\\right) \\sin^{2} \\psi + \\left(i_{1} - i_{2}\\right) \\cos^{2} \\psi + i_{3}\\right) \\dot{\\phi} \\dot{\\psi} \\sin \\theta + 2 \\left(i_{2} - i_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi - m g l \\sin \\theta &= 0 \\\\\ni_{3} \\ddot{\\phi} \\cos \\theta + i_{3} \\ddot{\\psi} + \\left(i_{2} - i_{1}\\right) w_{1} w_{2} - i_{3} \\dot{\\phi} \\dot{\\theta} \\sin \\theta &= 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\ni_{1} \\dot{w}_{1} &= \\left(i_{2} - i_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\ni_{2} \\dot{w}_{2} &= \\left(i_{3} - i_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\ni_{3} \\dot{w}_{3} &= \\left(i_{1} - i_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\phi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
         lagrangian: ::lagrangian::OperationCount {

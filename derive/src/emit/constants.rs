@@ -1,6 +1,6 @@
 //! What is known of a model at compile time, as constants of its type.
 
-use lagrangian_symbolic::OperationCount;
+use lagrangian_symbolic::{Listing, OperationCount};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -19,8 +19,8 @@ impl Emitter<'_> {
         let visibility = &self.declaration.visibility;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.coordinates();
-        let equations = documentation::equations(self);
-        let documentation = documentation::of(self, &equations);
+        let Listing { unicode, latex } = self.listing;
+        let documentation = documentation::of(self, unicode);
         let coordinates = &self.lowered.quantities.coordinates;
         let names = coordinates.iter().map(ToString::to_string);
         let operations = self.operations();
@@ -46,8 +46,10 @@ impl Emitter<'_> {
                 #(#indices)*
                 #inputs
                 #events
-                /// The equations of motion as they were derived.
-                #visibility const EQUATIONS: &'static str = #equations;
+                /// The equations of motion as they were derived, in lines of Unicode.
+                #visibility const EQUATIONS: &'static str = #unicode;
+                /// The same in displays of LaTeX, for `amsmath`, KaTeX and MathJax.
+                #visibility const LATEX: &'static str = #latex;
                 /// The operation counts of the methods.
                 #visibility const OPERATIONS: #root::Operations = #operations;
                 #mentions

@@ -1,6 +1,6 @@
 //! What the emitted code depends on, and what all parts of it share.
 
-use lagrangian_symbolic::{Equations, Model};
+use lagrangian_symbolic::{Equations, Listing, Model};
 use proc_macro2::TokenStream;
 use quote::{ToTokens as _, quote};
 
@@ -18,6 +18,8 @@ pub(crate) struct Emitter<'a> {
     pub(crate) model: &'a Model,
     pub(crate) equations: &'a Equations,
     pub(crate) methods: &'a Methods,
+    /// The equations in print.
+    pub(crate) listing: &'a Listing,
     /// With the clause `taylor`.
     pub(crate) taylor: Option<&'a TaylorMethod>,
     /// The same for its events, if they have series.
@@ -34,6 +36,7 @@ impl<'a> Emitter<'a> {
         model: &'a Model,
         equations: &'a Equations,
         methods: &'a Methods,
+        listing: &'a Listing,
         (taylor, event_series): (Option<&'a TaylorMethod>, Option<&'a EventSeries>),
         most_scopes: usize,
     ) -> Self {
@@ -43,6 +46,7 @@ impl<'a> Emitter<'a> {
             model,
             equations,
             methods,
+            listing,
             taylor,
             event_series,
             scalar: Scalar::of(declaration),

@@ -159,6 +159,7 @@ impl<'a> Fallback<'a> {
             impl #generics #name #arguments #conditions {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
                 #visibility const EQUATIONS: &'static str = "";
+                #visibility const LATEX: &'static str = "";
                 #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
                 #(#indices)*
                 #inputs

@@ -34,6 +34,7 @@ impl SymbolReader for ModelSymbols<'_> {
             | Symbol::ReciprocalOrder
             | Symbol::Convolution(_)
             | Symbol::QuasiVelocity(_)
+            | Symbol::QuasiVelocityRate(_)
             | Symbol::PositionComponent(_)
             | Symbol::VelocityComponent(_) => TokenStream::new(),
         }

@@ -40,7 +40,8 @@ impl SymbolReader for TermSymbols {
             | Symbol::Parameter(i)
             | Symbol::Argument(i)
             | Symbol::PositionComponent(i)
-            | Symbol::VelocityComponent(i) => element(&quote!(invariants), i),
+            | Symbol::VelocityComponent(i)
+            | Symbol::QuasiVelocityRate(i) => element(&quote!(invariants), i),
         }
     }
 }

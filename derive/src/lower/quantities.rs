@@ -115,6 +115,7 @@ impl Quantities {
             Symbol::ReciprocalOrder => "k_recip".to_owned(),
             Symbol::Convolution(i) => format!("s{i}"),
             Symbol::PositionComponent(i) => format!("r{i}"),
+            Symbol::QuasiVelocityRate(i) => format!("w{i}_dot"),
             Symbol::QuasiVelocity(i) | Symbol::VelocityComponent(i) => format!("w{i}"),
         }
     }

@@ -1,7 +1,7 @@
 //! The constants that a model has besides the indices of its coordinates and inputs.
 
 /// The constants of its type that every model has.
-pub(crate) const CONSTANTS: [&str; 3] = ["COORDINATES", "OPERATIONS", "EQUATIONS"];
+pub(crate) const CONSTANTS: [&str; 4] = ["COORDINATES", "OPERATIONS", "EQUATIONS", "LATEX"];
 
 /// The constants of traits that a model has; a constant of the type would hide them.
 pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 5] = [

@@ -1,6 +1,6 @@
 //! The programs of a model's methods.
 
-use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational};
+use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational, SolvedForm};
 
 use super::derivatives::Derivatives;
 use super::method::Method;
@@ -120,6 +120,11 @@ impl Methods {
             functions: function_derivatives(model),
             kinetics,
         }
+    }
+
+    /// The form in which the accelerations are found.
+    pub(crate) fn solved_form(&self, model: &mut Model, equations: &Equations) -> SolvedForm {
+        self.kinetics.solved_form(model, equations)
     }
 
     /// A constant that `f64` cannot hold, if there is one: beyond its range, or lost below it.

@@ -79,7 +79,7 @@ impl Graph {
     }
 
     /// A polynomial times x^k, where x is known as a polynomial.
-    fn expand_power(
+    pub(crate) fn expand_power(
         &mut self,
         total: &Polynomial,
         x: Expression,

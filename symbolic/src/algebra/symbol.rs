@@ -28,6 +28,8 @@ pub enum Symbol {
     Convolution(u32),
     /// A quasi-velocity wᵢ, in [equations of first order](crate::QuasiVelocityEquations).
     QuasiVelocity(u32),
+    /// Its rate ẇᵢ, in formulas that are printed.
+    QuasiVelocityRate(u32),
     /// A component of a vector that is not resolved yet and depends on positions alone, in energies
     /// [in frames](crate::EnergiesInFrames).
     PositionComponent(u32),
@@ -53,6 +55,7 @@ impl Symbol {
             Self::QuasiVelocity(index) => (11, index),
             Self::PositionComponent(index) => (12, index),
             Self::VelocityComponent(index) => (13, index),
+            Self::QuasiVelocityRate(index) => (14, index),
         }
     }
 }

@@ -13,3 +13,4 @@ pub(crate) mod structure_constants;
 pub(crate) mod quasi_velocity_equations;
 pub(crate) mod boltzmann_hamel;
 pub(crate) mod solution;
+pub(crate) mod form;

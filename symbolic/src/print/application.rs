@@ -17,6 +17,11 @@ impl<'a> Layout<'a> {
         {
             return self.call(line, *function, *x, exponent, factor.before_bar);
         }
+        if !factor.scale.is_one() {
+            let (open, close) = self.notation.parentheses();
+            line.extend([Piece::Open(open), self.base(factor), Piece::Close(close)]);
+            return;
+        }
         if exponent.is_one() {
             return self.at_least(line, Precedence::Power, base);
         }

@@ -76,6 +76,21 @@ impl Formula<'_> {
     }
 }
 
+impl Formula<'_> {
+    /// The same formula in LaTeX.
+    #[must_use]
+    pub const fn in_latex(mut self) -> Self {
+        self.notation = Notation::Latex;
+        self
+    }
+
+    /// The number of characters, or one more than `most` if there are more.
+    pub(crate) fn length(&self, most: usize) -> usize {
+        let text = self.limit(most.saturating_add(1)).to_string();
+        text.chars().count().min(most.saturating_add(1))
+    }
+}
+
 impl fmt::Display for Formula<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let letters = match self.letters {

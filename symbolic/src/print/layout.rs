@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
-use crate::print::order::term_rank;
+use crate::print::order::term_place;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 /// A part of a formula.
@@ -26,8 +26,10 @@ pub(crate) enum Piece<'a> {
     Expression(Expression),
     /// or written out.
     Body(Expression),
+    /// A multiple of a sum, term by term.
+    Multiple(&'a [(Expression, Rational)], Rational),
     /// A multiple c·x in a sum, and whether it is the first.
-    Term(Expression, &'a Rational, bool),
+    Term(Expression, Rational, bool),
     /// A power x^k with k > 0 in a product.
     Power(Power),
 }
@@ -37,6 +39,8 @@ pub(crate) enum Piece<'a> {
 pub(crate) struct Power {
     pub(crate) base: Expression,
     pub(crate) exponent: Rational,
+    /// The number by which the terms of a sum are multiplied; else 1.
+    pub(crate) scale: Rational,
     /// Whether a quotient's bar follows, so that a function's argument needs parentheses.
     pub(crate) before_bar: bool,
 }
@@ -46,7 +50,11 @@ impl Piece<'_> {
         match self {
             Self::Text(text) => Some(text),
             Self::Open(text) | Self::Middle(text) | Self::Close(text) => Some(text),
-            Self::Expression(_) | Self::Body(_) | Self::Term(..) | Self::Power(_) => None,
+            Self::Expression(_)
+            | Self::Body(_)
+            | Self::Multiple(..)
+            | Self::Term(..)
+            | Self::Power(_) => None,
         }
     }
 
@@ -102,7 +110,8 @@ impl<'a> Layout<'a> {
         match piece {
             Piece::Expression(expression) => self.expression(&mut line, expression),
             Piece::Body(expression) => self.body(&mut line, expression),
-            Piece::Term(x, coefficient, first) => self.term(&mut line, x, coefficient, first),
+            Piece::Multiple(terms, scale) => self.sum(&mut line, terms, &scale, true),
+            Piece::Term(x, coefficient, first) => self.term(&mut line, x, &coefficient, first),
             Piece::Power(factor) => self.factor(&mut line, &factor),
             Piece::Text(_) | Piece::Open(_) | Piece::Middle(_) | Piece::Close(_) => {
                 line.push(piece);
@@ -131,8 +140,8 @@ impl<'a> Layout<'a> {
                 let (spelling, dots) = self.letters.symbol(*symbol);
                 line.push(Piece::owned(spelling.print(dots, self.notation)));
             }
-            Node::Sum(terms) => self.sum(line, terms, true),
-            Node::Product(factors) => self.product(line, &Rational::ONE, factors),
+            Node::Sum(terms) => self.sum(line, terms, &Rational::ONE, true),
+            Node::Product(_) => self.term(line, expression, &Rational::ONE, true),
             Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
             Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
             Node::Application(function, arguments) => self.application(line, *function, arguments),
@@ -141,40 +150,44 @@ impl<'a> Layout<'a> {
     }
 
     /// Σ cᵢ·xᵢ, beginning with a term without a minus sign if there is one.
-    fn sum(&self, line: &mut Vec<Piece<'a>>, terms: &'a [(Expression, Rational)], first: bool) {
+    fn sum(
+        &self,
+        line: &mut Vec<Piece<'a>>,
+        terms: &'a [(Expression, Rational)],
+        scale: &Rational,
+        first: bool,
+    ) {
         let mut ordered: Vec<_> = terms.iter().collect();
-        ordered.sort_by_key(|(x, _)| {
-            let number = *x == self.graph.one();
-            let rank = if number {
-                0
-            } else {
-                term_rank(self.graph.contents(*x))
-            };
-            (rank, *x)
-        });
-        if let Some(position) = ordered.iter().position(|(_, c)| !c.is_negative()) {
+        ordered.sort_by_cached_key(|(x, _)| term_place(self.graph, *x));
+        let positive = |x, c: &Rational| !self.powers_of_term(x, &(c * scale)).0.is_negative();
+        if let Some(position) = ordered.iter().position(|(x, c)| positive(*x, c)) {
             ordered[..=position].rotate_right(1);
         }
         for (position, (x, c)) in ordered.into_iter().enumerate() {
-            line.push(Piece::Term(*x, c, first && position == 0));
+            line.push(Piece::Term(*x, c * scale, first && position == 0));
         }
     }
 
-    fn term(
-        &self,
-        line: &mut Vec<Piece<'a>>,
-        x: Expression,
-        coefficient: &'a Rational,
-        first: bool,
-    ) {
+    /// A multiple c·x as a number and powers.
+    fn powers_of_term(&self, x: Expression, coefficient: &Rational) -> (Rational, Vec<Power>) {
+        match self.graph.node(x) {
+            Node::Product(factors) if self.letters.definition(x).is_none() => {
+                self.with_positive_sums(coefficient, factors)
+            }
+            _ => self.with_positive_sums(coefficient, &[(x, Rational::ONE)]),
+        }
+    }
+
+    fn term(&self, line: &mut Vec<Piece<'a>>, x: Expression, coefficient: &Rational, first: bool) {
         let named = self.letters.definition(x).is_some();
         if let Node::Sum(terms) = self.graph.node(x)
             && coefficient.is_one()
             && !named
         {
             // A long sum that is a term of another one continues it.
-            return self.sum(line, terms, first);
+            return self.sum(line, terms, &Rational::ONE, first);
         }
+        let (coefficient, factors) = self.powers_of_term(x, coefficient);
         match (first, coefficient.is_negative()) {
             (true, false) => {}
             (true, true) => line.push(Piece::Text(self.notation.minus().into())),
@@ -183,12 +196,10 @@ impl<'a> Layout<'a> {
             }
         }
         let size = coefficient.abs();
-        match self.graph.node(x) {
-            _ if x == self.graph.one() => {
-                line.push(Piece::owned(Numeral::of(&size).print(self.notation)));
-            }
-            Node::Product(factors) if !named => self.product(line, &size, factors),
-            _ => self.product(line, &size, &[(x, Rational::ONE)]),
+        if x == self.graph.one() {
+            line.push(Piece::owned(Numeral::of(&size).print(self.notation)));
+        } else {
+            self.product(line, &size, factors);
         }
     }
 

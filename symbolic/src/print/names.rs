@@ -18,6 +18,8 @@ pub struct Names {
     pub parameters: Vec<String>,
     /// The names of the inputs, in order.
     pub inputs: Vec<String>,
+    /// The names of the quasi-velocities, in order; their rates are those with dots.
+    pub quasi_velocities: Vec<String>,
     /// Expressions that are printed by name wherever they occur within others.
     pub definitions: BTreeMap<Expression, String>,
 }
@@ -28,6 +30,7 @@ pub struct Letters {
     coordinates: Vec<Spelling>,
     parameters: Vec<Spelling>,
     inputs: Vec<Spelling>,
+    quasi_velocities: Vec<Spelling>,
     definitions: BTreeMap<Expression, Spelling>,
 }
 
@@ -44,6 +47,7 @@ impl Letters {
             coordinates: list(&names.coordinates),
             parameters: list(&names.parameters),
             inputs: list(&names.inputs),
+            quasi_velocities: list(&names.quasi_velocities),
             definitions: names
                 .definitions
                 .iter()
@@ -52,18 +56,22 @@ impl Letters {
         }
     }
 
-    /// A symbol as it is printed in Unicode, such as θ̇.
-    #[must_use]
-    pub fn print_symbol(&self, symbol: Symbol) -> String {
+    /// A symbol as it is printed in Unicode and in LaTeX, such as θ̇.
+    pub(crate) fn print_both(&self, symbol: Symbol) -> [String; 2] {
         let (spelling, dots) = self.symbol(symbol);
-        spelling.print(dots, Notation::Unicode)
+        [Notation::Unicode, Notation::Latex].map(|notation| spelling.print(dots, notation))
     }
 
-    /// The name of an expression as it is printed in Unicode, if it has one.
-    #[must_use]
-    pub fn print_definition(&self, expression: Expression) -> Option<String> {
+    /// The name of an expression as it is printed in Unicode and in LaTeX, if it has one.
+    pub(crate) fn print_both_of(&self, expression: Expression) -> Option<[String; 2]> {
         let spelling = self.definition(expression)?;
-        Some(spelling.print(0, Notation::Unicode))
+        let notations = [Notation::Unicode, Notation::Latex];
+        Some(notations.map(|notation| spelling.print(0, notation)))
+    }
+
+    /// The expressions that are printed by name.
+    pub(crate) fn named(&self) -> impl Iterator<Item = Expression> {
+        self.definitions.keys().copied()
     }
 
     /// The name of a subexpression, if it has one.
@@ -90,16 +98,21 @@ impl Letters {
             Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
             Symbol::Convolution(index) => (find(&[], "s", index), 0),
             Symbol::PositionComponent(index) => (find(&[], "r", index), 0),
-            Symbol::QuasiVelocity(index) | Symbol::VelocityComponent(index) => {
-                (find(&[], "w", index), 0)
-            }
+            Symbol::QuasiVelocity(index) => (find(&self.quasi_velocities, "w", index), 0),
+            Symbol::QuasiVelocityRate(index) => (find(&self.quasi_velocities, "w", index), 1),
+            Symbol::VelocityComponent(index) => (find(&[], "w", index), 0),
         }
     }
 }
 
 impl Names {
-    fn all(&self) -> impl Iterator<Item = &str> {
-        let lists = [&self.coordinates, &self.parameters, &self.inputs];
+    pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
+        let lists = [
+            &self.coordinates,
+            &self.parameters,
+            &self.inputs,
+            &self.quasi_velocities,
+        ];
         let definitions = self.definitions.values();
         lists
             .into_iter()

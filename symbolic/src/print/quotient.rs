@@ -1,5 +1,8 @@
 //! Products and quotients laid out.
 
+use std::cmp::Ordering;
+
+use crate::limits::MOST_COMMON_DENOMINATOR;
 use crate::print::layout::{Layout, Piece, Power};
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
@@ -12,9 +15,12 @@ impl<'a> Layout<'a> {
         &self,
         line: &mut Vec<Piece<'a>>,
         coefficient: &Rational,
-        factors: &[(Expression, Rational)],
+        factors: Vec<Power>,
     ) {
-        let (mut above, mut below) = (self.part(factors, false), self.part(factors, true));
+        let (above, below) = factors
+            .into_iter()
+            .partition(|factor| !factor.exponent.is_negative());
+        let (mut above, mut below) = (self.part(above), self.part(below));
         let numeral = Numeral::of(coefficient);
         let (over, under) = match (numeral.coefficient(self.notation), numeral) {
             _ if coefficient.is_one() => (None, None),
@@ -51,16 +57,10 @@ impl<'a> Layout<'a> {
     }
 
     /// The factors above or below the bar, in order.
-    fn part(&self, factors: &[(Expression, Rational)], below: bool) -> Vec<Power> {
-        let mut part: Vec<_> = factors
-            .iter()
-            .filter(|(_, exponent)| exponent.is_negative() == below)
-            .map(|(base, exponent)| Power {
-                base: *base,
-                exponent: exponent.abs(),
-                before_bar: false,
-            })
-            .collect();
+    fn part(&self, mut part: Vec<Power>) -> Vec<Power> {
+        for factor in &mut part {
+            factor.exponent = factor.exponent.abs();
+        }
         part.sort_by_cached_key(|factor| {
             let rank = if self.letters.definition(factor.base).is_some() {
                 (NAMED, 0, 0, 0)
@@ -76,9 +76,69 @@ impl<'a> Layout<'a> {
     fn side(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Power>) {
         match (&number, factors.as_slice()) {
             (None, [factor]) if factor.exponent.is_one() => {
-                line.push(Piece::Expression(factor.base));
+                line.push(self.base(factor));
             }
             _ => self.juxtapose(line, number, factors),
+        }
+    }
+
+    /// The base of a power where it needs no parentheses.
+    pub(crate) fn base(&self, factor: &Power) -> Piece<'a> {
+        match self.graph.node(factor.base) {
+            Node::Sum(terms) if !factor.scale.is_one() => {
+                Piece::Multiple(terms, factor.scale.clone())
+            }
+            _ => Piece::Expression(factor.base),
+        }
+    }
+
+    /// c·Π xᵢ^kᵢ as a number and powers of which the sums have integer coefficients, and at least as many terms with a
+    /// plus sign as with a minus sign; the number has a minus sign only where no sum can take it.
+    pub(crate) fn with_positive_sums(
+        &self,
+        coefficient: &Rational,
+        factors: &[(Expression, Rational)],
+    ) -> (Rational, Vec<Power>) {
+        let mut coefficient = coefficient.clone();
+        let mut powers = Vec::with_capacity(factors.len());
+        let mut undecided = None;
+        for (base, exponent) in factors {
+            let mut scale = Rational::ONE;
+            if let Some(terms) = self.terms(*base)
+                && exponent.is_one()
+            {
+                scale = common_denominator(terms);
+                let negative = terms.iter().filter(|(_, c)| c.is_negative()).count();
+                match (2 * negative).cmp(&terms.len()) {
+                    Ordering::Less => {}
+                    Ordering::Equal => undecided = Some(powers.len()),
+                    Ordering::Greater => scale = -&scale,
+                }
+                coefficient = &coefficient * &scale.reciprocal().unwrap_or(Rational::ONE);
+            }
+            powers.push(Power {
+                base: *base,
+                exponent: exponent.clone(),
+                scale,
+                before_bar: false,
+            });
+        }
+        if let Some(position) = undecided
+            && coefficient.is_negative()
+        {
+            powers[position].scale = -&powers[position].scale;
+            coefficient = -&coefficient;
+        }
+        (coefficient, powers)
+    }
+
+    /// The terms of a sum that is written out.
+    fn terms(&self, base: Expression) -> Option<&'a [(Expression, Rational)]> {
+        match self.graph.node(base) {
+            Node::Sum(terms) if terms.len() > 1 && self.letters.definition(base).is_none() => {
+                Some(terms)
+            }
+            _ => None,
         }
     }
 
@@ -127,4 +187,29 @@ enum Side {
     Number,
     Letter,
     Word,
+}
+
+/// The least number by which the coefficients of a sum become integers; 1 if they would be long.
+fn common_denominator(terms: &[(Expression, Rational)]) -> Rational {
+    let mut least = 1_i64;
+    for (_, c) in terms {
+        let Some((_, below)) = c.to_fraction() else {
+            return Rational::ONE;
+        };
+        if below > MOST_COMMON_DENOMINATOR {
+            return Rational::ONE;
+        }
+        least = least / greatest_common_divisor(least, below) * below;
+        if least > MOST_COMMON_DENOMINATOR {
+            return Rational::ONE;
+        }
+    }
+    Rational::integer(least)
+}
+
+const fn greatest_common_divisor(mut a: i64, mut b: i64) -> i64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
 }

@@ -23,6 +23,17 @@ pub struct OperationCount {
 }
 
 impl OperationCount {
+    /// The sum of all operations, each function counted as one.
+    #[must_use]
+    pub const fn total(&self) -> usize {
+        self.additions
+            + self.multiplications
+            + self.divisions
+            + self.square_roots
+            + self.sines_and_cosines
+            + self.functions
+    }
+
     /// The cost of all operations, in additions.
     #[must_use]
     pub const fn cost(&self) -> usize {

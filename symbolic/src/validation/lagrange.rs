@@ -279,6 +279,7 @@ fn moving(
         | Symbol::ReciprocalOrder
         | Symbol::Convolution(_)
         | Symbol::QuasiVelocity(_)
+        | Symbol::QuasiVelocityRate(_)
         | Symbol::PositionComponent(_)
         | Symbol::VelocityComponent(_) => {}
     }

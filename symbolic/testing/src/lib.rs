@@ -80,6 +80,7 @@ pub fn value(symbol: Symbol) -> f64 {
         | Symbol::ReciprocalOrder
         | Symbol::Convolution(_)
         | Symbol::QuasiVelocity(_)
+        | Symbol::QuasiVelocityRate(_)
         | Symbol::PositionComponent(_)
         | Symbol::VelocityComponent(_) => 0.2,
     }

@@ -155,6 +155,8 @@ impl BoltzmannHamel {
         QuasiVelocityEquations {
             quasi_velocities: forms.clone(),
             rates: self.divided_by_inertia(graph, &torques),
+            inertia: self.quasi_velocities.inertia.clone(),
+            torques,
             velocities,
         }
     }

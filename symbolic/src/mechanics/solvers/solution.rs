@@ -79,6 +79,11 @@ impl Solution {
         }
     }
 
+    /// How M x = r is solved.
+    pub(crate) const fn solver(&self) -> &Solver {
+        &self.solver
+    }
+
     /// Whether M itself is eliminated.
     #[must_use]
     pub fn eliminates_mass_matrix(&self) -> bool {

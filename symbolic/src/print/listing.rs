@@ -1,0 +1,86 @@
+//! The equations of a model, one below the other: definitions, energies, momenta, Lagrange's equations, and the form
+//! in which they are solved.
+//!
+//! What would be too long to read is left out, with a sentence that says how long it is. Definitions stand before
+//! what is made of them, and only those that the equations mention.
+
+pub(crate) mod section;
+pub(crate) mod composer;
+pub(crate) mod solved;
+
+use crate::mechanics::solvers::form::SolvedForm;
+use crate::print::listing::composer::Composer;
+use crate::print::listing::section::Section;
+use crate::print::names::{Letters, Names};
+use crate::{Equations, Expression, Graph, Model};
+
+/// The names of a model, in the order of the declaration.
+#[derive(Clone, Debug, Default)]
+pub struct Declared {
+    /// The names of symbols; its definitions are not used.
+    pub names: Names,
+    /// The definitions.
+    pub definitions: Vec<(String, Expression)>,
+    /// The functions of events.
+    pub events: Vec<(String, Expression)>,
+    /// How many operations the accelerations take.
+    pub operations: usize,
+}
+
+/// The equations of a model in print.
+#[derive(Clone, Debug)]
+pub struct Listing {
+    /// Lines of Unicode.
+    pub unicode: String,
+    /// Displays of LaTeX, which `amsmath` typesets.
+    pub latex: String,
+}
+
+impl Listing {
+    /// The equations of `model`, which are solved in the form `solved`.
+    #[must_use]
+    pub fn of(
+        model: &mut Model,
+        equations: &Equations,
+        solved: &SolvedForm,
+        declared: &Declared,
+    ) -> Self {
+        let preferred: Vec<_> = declared.definitions.iter().map(|(_, x)| *x).collect();
+        let solved = match solved {
+            SolvedForm::QuasiVelocities(equations) => {
+                SolvedForm::QuasiVelocities(equations.in_terms_of(&mut model.graph, &preferred))
+            }
+            other => other.clone(),
+        };
+        let mut composer = Composer::new(model, declared, &solved);
+        let energies = composer.energies();
+        let events = composer.events();
+        let momenta = composer.momenta(equations);
+        let lagrange = composer.lagrange(equations);
+        let solved = composer.solved(&solved);
+        let definitions = composer.definitions();
+        let coordinates = composer.coordinates();
+        let mut sections = vec![
+            coordinates,
+            definitions,
+            energies,
+            events,
+            momenta,
+            lagrange,
+        ];
+        sections.extend(solved);
+        Self::written(&composer.model.graph, &composer.letters, &sections)
+    }
+
+    /// The sections as they are written.
+    fn written(graph: &Graph, letters: &Letters, sections: &[Section]) -> Self {
+        let mut listing = Self {
+            unicode: String::new(),
+            latex: String::new(),
+        };
+        for section in sections {
+            section.write(graph, letters, &mut listing);
+        }
+        listing
+    }
+}

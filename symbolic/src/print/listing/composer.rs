@@ -1,0 +1,238 @@
+//! The sections of a listing.
+
+use std::collections::BTreeSet;
+
+use crate::mechanics::solvers::form::SolvedForm;
+use crate::print::listing::Declared;
+use crate::print::listing::section::{Section, Side};
+use crate::print::names::{Letters, Names};
+use crate::{Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
+
+/// What the sections are made from.
+pub(crate) struct Composer<'a> {
+    pub(crate) model: &'a mut Model,
+    pub(crate) declared: &'a Declared,
+    pub(crate) letters: Letters,
+    /// The expressions of the sections composed so far.
+    mentioned: Vec<Expression>,
+}
+
+impl<'a> Composer<'a> {
+    pub(crate) fn new(model: &'a mut Model, declared: &'a Declared, solved: &SolvedForm) -> Self {
+        let mut names = Names {
+            definitions: declared.names.definitions.clone(),
+            ..declared.names.clone()
+        };
+        for (name, expression) in &declared.definitions {
+            if is_worth_a_name(&model.graph, *expression) {
+                let entry = names.definitions.entry(*expression);
+                entry.or_insert_with(|| name.clone());
+            }
+        }
+        if let SolvedForm::QuasiVelocities(equations) = solved {
+            names.quasi_velocities =
+                quasi_velocity_names(&model.graph, &names, &equations.quasi_velocities);
+        }
+        Self {
+            letters: Letters::new(&names),
+            model,
+            declared,
+            mentioned: Vec::new(),
+        }
+    }
+
+    /// An expression as it is short to read; as it is where it is so long that it has no room anyway.
+    pub(crate) fn arranged(&mut self, expression: Expression) -> Expression {
+        self.model.graph.arranged(expression, &self.letters)
+    }
+
+    /// Adds an equation to a section if there is room. What is too long is not even arranged.
+    fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
+        let symbols = self.model.graph.written_symbols(&[right], &self.letters);
+        if section.has_room(symbols / 2) {
+            let right = Side::Expression(self.arranged(right));
+            section.push(&self.model.graph, &self.letters, left, right);
+        } else {
+            section.leave_out(symbols);
+        }
+    }
+
+    /// Adds an equation to a section if there is room, as it is.
+    pub(crate) fn push_arranged(&self, section: &mut Section, left: Side, right: Side) {
+        section.push(&self.model.graph, &self.letters, left, right);
+    }
+
+    /// A section whose definitions are to be listed.
+    pub(crate) fn mention(&mut self, section: Section) -> Section {
+        self.mentioned.extend(section.expressions());
+        section
+    }
+
+    /// Expressions whose definitions are to be listed.
+    pub(crate) fn mention_all(&mut self, expressions: &[Expression]) {
+        self.mentioned.extend(expressions);
+    }
+
+    pub(crate) fn coordinates(&mut self) -> Section {
+        let symbols = self.model.coordinate_symbols();
+        let (unicode, latex): (Vec<_>, Vec<_>) = symbols
+            .into_iter()
+            .map(|symbol| self.letters.print_both(symbol).into())
+            .unzip();
+        let list = |names: Vec<String>| match names.as_slice() {
+            [only] => only.clone(),
+            _ => format!("({})", names.join(", ")),
+        };
+        let list = Side::Text(list(unicode), list(latex));
+        let mut section = Section::new(None, "`COORDINATES`");
+        self.push_arranged(&mut section, Side::letter("q"), list);
+        section
+    }
+
+    pub(crate) fn energies(&mut self) -> Section {
+        let mut section = Section::new(None, "the methods `lagrangian` and `energy`");
+        match self.model.energies {
+            Energies::Natural { kinetic, potential } => {
+                self.push(&mut section, Side::letter("T"), kinetic);
+                self.push(&mut section, Side::letter("V"), potential);
+            }
+            Energies::General(lagrangian) => {
+                self.push(&mut section, Side::letter("L"), lagrangian);
+            }
+        }
+        self.mention(section)
+    }
+
+    pub(crate) fn events(&mut self) -> Section {
+        let heading = ["Events, where a function vanishes:"; 2];
+        let mut section = Section::new(Some(heading), "the method `event_functions`");
+        for (name, function) in &self.declared.events {
+            let latex = format!("g_{{\\mathrm{{{}}}}}", name.replace('_', "\\_"));
+            let left = Side::Text(format!("g[{name}]"), latex);
+            self.push(&mut section, left, *function);
+        }
+        self.mention(section)
+    }
+
+    /// ∂L/∂q̇ᵢ, and which of them are constants of motion.
+    pub(crate) fn momenta(&mut self, equations: &Equations) -> Section {
+        let heading = [
+            "Momenta p = ∂L/∂q̇:",
+            "Momenta $p = \\partial L/\\partial \\dot q$:",
+        ];
+        let mut section = Section::new(Some(heading), "the method `momenta`");
+        let mut constant = Vec::new();
+        for (i, momentum) in (0..).zip(equations.momenta.clone()) {
+            let [unicode, latex] = self.letters.print_both(Symbol::Coordinate(i));
+            if equations.coordinate_properties.ignorable[i as usize] {
+                constant.push([format!("p_{unicode}"), format!("$p_{{{latex}}}$")]);
+            }
+            let left = Side::Text(format!("p_{unicode}"), format!("p_{{{latex}}}"));
+            self.push(&mut section, left, momentum);
+        }
+        section.sentence = [0, 1].map(|notation| {
+            let names: Vec<_> = constant.iter().map(|names| &*names[notation]).collect();
+            are_constant(&names)
+        });
+        self.mention(section)
+    }
+
+    /// Σⱼ Mᵢⱼ q̈ⱼ + (Q − f)ᵢ = Qᵢ.
+    pub(crate) fn lagrange(&mut self, equations: &Equations) -> Section {
+        let heading = [
+            "Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6):",
+            "Lagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):",
+        ];
+        let method = "the methods `mass_matrix`, `forcing` and `inverse_dynamics`";
+        let mut section = Section::new(Some(heading), method);
+        for (i, row) in equations.mass.iter().enumerate() {
+            let force = equations.generalized_forces[i];
+            let roots = [&**row, &[equations.forcing[i]]].concat();
+            let symbols = self.model.graph.written_symbols(&roots, &self.letters);
+            if !section.has_room(symbols / 3) {
+                section.leave_out(symbols);
+                continue;
+            }
+            let mut terms = Vec::new();
+            for (j, entry) in (0..).zip(row) {
+                let entry = self.arranged(*entry);
+                let graph = &mut self.model.graph;
+                let acceleration = graph.symbol(Symbol::Acceleration(j));
+                terms.push((graph.multiply(entry, acceleration), Rational::ONE));
+            }
+            let graph = &mut self.model.graph;
+            let rest = graph.subtract(force, equations.forcing[i]);
+            let rest = graph.arranged_by_velocities(rest, &self.letters);
+            terms.push((rest, Rational::ONE));
+            let left = Side::Expression(graph.sum(terms));
+            let right = Side::Expression(self.arranged(force));
+            self.push_arranged(&mut section, left, right);
+        }
+        self.mention(section)
+    }
+
+    /// The definitions that other sections mention, and those that these mention.
+    pub(crate) fn definitions(&mut self) -> Section {
+        let mut section = Section::new(None, "the declaration");
+        let mut open = core::mem::take(&mut self.mentioned);
+        let mut seen = BTreeSet::new();
+        while let Some(part) = open.pop() {
+            if seen.insert(part) {
+                let node = self.model.graph.node(part);
+                node.for_each_operand(|x| open.push(x));
+            }
+        }
+        let mut listed = BTreeSet::new();
+        for (_, expression) in &self.declared.definitions {
+            if seen.contains(expression)
+                && listed.insert(*expression)
+                && let Some([unicode, latex]) = self.letters.print_both_of(*expression)
+            {
+                self.push(&mut section, Side::Text(unicode, latex), *expression);
+            }
+        }
+        section
+    }
+}
+
+/// The sentence that these quantities are constant.
+fn are_constant(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => format!("{one} is constant."),
+        [others @ .., last] => format!("{} and {last} are constant.", others.join(", ")),
+    }
+}
+
+/// Whether a definition is longer than a letter or a single product, which are as easily read as its name.
+fn is_worth_a_name(graph: &Graph, expression: Expression) -> bool {
+    match graph.node(expression) {
+        Node::Constant(_) | Node::Pi | Node::Symbol(_) | Node::Unary(..) | Node::Opaque(_) => false,
+        Node::Sum(terms) => terms.len() > 1,
+        Node::Product(factors) => factors
+            .iter()
+            .any(|(base, k)| matches!(graph.node(*base), Node::Sum(_)) || k.is_negative()),
+        Node::Binary(..) | Node::Application(..) => true,
+    }
+}
+
+/// The names of quasi-velocities: those that the user gave them, else a letter that is not used, with a number.
+fn quasi_velocity_names(graph: &Graph, names: &Names, forms: &[Expression]) -> Vec<String> {
+    let taken = |letter: &str| names.all().any(|name| name.starts_with(letter));
+    let letters = ["w", "omega", "u", "s", "eta", "nu", "quasi_velocity"];
+    let letter = letters.into_iter().find(|letter| !taken(letter));
+    let letter = letter.unwrap_or("quasi_velocity_");
+    let mut unnamed = 0;
+    let named = forms.iter().map(|form| {
+        let named = names.definitions.get(form);
+        named.cloned().unwrap_or_else(|| {
+            unnamed += u32::from(!is_velocity(graph, *form));
+            format!("{letter}{unnamed}")
+        })
+    });
+    named.collect()
+}
+
+fn is_velocity(graph: &Graph, form: Expression) -> bool {
+    matches!(graph.node(form), Node::Symbol(Symbol::Velocity(_)))
+}

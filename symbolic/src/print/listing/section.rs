@@ -1,0 +1,171 @@
+//! Equations under one heading, as many as there is room for.
+
+use std::fmt::Write as _;
+
+use crate::limits::{LONGEST_LINE, LONGEST_SECTION};
+use crate::print::listing::Listing;
+use crate::print::names::Letters;
+use crate::{Expression, Graph};
+
+/// One side of an equation.
+#[derive(Clone, Debug)]
+pub(crate) enum Side {
+    /// The same text in Unicode and in LaTeX.
+    Text(String, String),
+    /// An expression.
+    Expression(Expression),
+}
+
+/// Equations under one heading.
+#[derive(Clone, Debug)]
+pub(crate) struct Section {
+    /// In Unicode and in LaTeX.
+    heading: Option<[&'static str; 2]>,
+    /// What has the equations that are left out.
+    pub(crate) method: &'static str,
+    pub(crate) lines: Vec<(Side, Side)>,
+    /// The numbers of symbols of the equations that are left out.
+    left_out: Vec<u64>,
+    /// A sentence behind the equations, in Unicode and in LaTeX.
+    pub(crate) sentence: [String; 2],
+    /// How many characters there is room for.
+    room: usize,
+}
+
+impl Section {
+    pub(crate) fn new(heading: Option<[&'static str; 2]>, method: &'static str) -> Self {
+        Self {
+            heading,
+            method,
+            lines: Vec::new(),
+            left_out: Vec::new(),
+            sentence: [String::new(), String::new()],
+            room: LONGEST_SECTION,
+        }
+    }
+
+    /// Whether an equation of so many symbols may have room.
+    pub(crate) fn has_room(&self, symbols: u64) -> bool {
+        usize::try_from(symbols).is_ok_and(|symbols| symbols <= self.room.min(LONGEST_LINE))
+    }
+
+    /// Leaves out an equation of so many symbols.
+    pub(crate) fn leave_out(&mut self, symbols: u64) {
+        self.left_out.push(symbols);
+    }
+
+    /// Adds an equation if there is room.
+    pub(crate) fn push(&mut self, graph: &Graph, letters: &Letters, left: Side, right: Side) {
+        let sides = [&left, &right];
+        let lengths = sides.map(|side| side.unicode(graph, letters).chars().count());
+        let length = lengths[0] + lengths[1] + 4;
+        if length > self.room.min(LONGEST_LINE) {
+            let symbols = sides.map(|side| side.symbols(graph, letters));
+            self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
+        } else {
+            self.room -= length;
+            self.lines.push((left, right));
+        }
+    }
+
+    /// The expressions that stand in its equations.
+    pub(crate) fn expressions(&self) -> impl Iterator<Item = Expression> {
+        let sides = self.lines.iter().flat_map(|(left, right)| [left, right]);
+        sides.filter_map(|side| match side {
+            Side::Expression(x) => Some(*x),
+            Side::Text(..) => None,
+        })
+    }
+
+    pub(crate) fn write(&self, graph: &Graph, letters: &Letters, listing: &mut Listing) {
+        let left_out = self.what_is_left_out();
+        if self.lines.is_empty() && left_out.is_empty() && self.sentence[0].is_empty() {
+            return;
+        }
+        // Writing to a `String` does not fail.
+        if let Some([unicode, latex]) = &self.heading {
+            let _ = writeln!(listing.unicode, "\n{unicode}");
+            let _ = writeln!(listing.latex, "{latex}");
+        }
+        let mut displays = Vec::new();
+        for (left, right) in &self.lines {
+            let [before, behind] = [left, right].map(|side| side.unicode(graph, letters));
+            let _ = writeln!(listing.unicode, "{before} = {behind}");
+            let [before, behind] = [left, right].map(|side| side.latex(graph, letters));
+            displays.push(format!("{before} &= {behind}"));
+        }
+        if !displays.is_empty() {
+            let displays = displays.join(" \\\\\n");
+            let _ = writeln!(
+                listing.latex,
+                "\\begin{{align*}}\n{displays}\n\\end{{align*}}"
+            );
+        }
+        let in_latex = left_out.replace('`', "").replace('_', "\\_");
+        for [unicode, latex] in [&[left_out, in_latex], &self.sentence] {
+            if !unicode.is_empty() {
+                let _ = writeln!(listing.unicode, "{unicode}");
+                let _ = writeln!(listing.latex, "{latex}");
+            }
+        }
+    }
+
+    /// What is said of equations that are left out.
+    fn what_is_left_out(&self) -> String {
+        let sizes = &self.left_out;
+        let (Some(least), Some(most)) = (sizes.iter().min(), sizes.iter().max()) else {
+            return String::new();
+        };
+        let (left_out, all) = (sizes.len(), sizes.len() + self.lines.len());
+        let which = match left_out {
+            1 if all == 1 => "The equation is".to_owned(),
+            1 => format!("One of {all} equations is"),
+            _ if left_out == all => format!("The {all} equations are"),
+            _ => format!("{left_out} of {all} equations are"),
+        };
+        let size = if least == most {
+            format!("{least}")
+        } else {
+            format!("{least} to {most}")
+        };
+        let (verb, pronoun) = match left_out {
+            1 => ("has", "it"),
+            _ => ("have", "they"),
+        };
+        format!(
+            "{which} too long to be written out: {pronoun} {verb} {size} symbols. See {}.",
+            self.method
+        )
+    }
+}
+
+impl Side {
+    /// The same letter in both notations.
+    pub(crate) fn letter(letter: &str) -> Self {
+        Self::Text(letter.into(), letter.into())
+    }
+
+    fn unicode(&self, graph: &Graph, letters: &Letters) -> String {
+        match self {
+            Self::Text(text, _) => text.clone(),
+            Self::Expression(x) => {
+                let formula = graph.display_in(*x, letters);
+                formula.limit(LONGEST_LINE + 1).to_string()
+            }
+        }
+    }
+
+    fn latex(&self, graph: &Graph, letters: &Letters) -> String {
+        match self {
+            Self::Text(_, text) => text.clone(),
+            Self::Expression(x) => graph.display_in(*x, letters).in_latex().to_string(),
+        }
+    }
+
+    fn symbols(&self, graph: &Graph, letters: &Letters) -> u64 {
+        match self {
+            Self::Text(..) => 0,
+            Self::Expression(x) => graph.written_symbols(&[*x], letters),
+        }
+    }
+}
