@@ -1,6 +1,6 @@
 //! Printed formulas, read back by a parser that knows nothing of the printer.
 
-use lagrangian_symbolic::{Binary, Graph, Names, Rational, Symbol, Unary};
+use lagrangian_symbolic::{Binary, Graph, Letters, Names, Rational, Symbol, Unary};
 use lagrangian_symbolic_testing::bounded::Bounded;
 use lagrangian_symbolic_testing::tree::{at, points, trees};
 use lagrangian_symbolic_testing::{Number, evaluate};
@@ -346,9 +346,18 @@ proptest! {
         let names = names();
         let unicode = graph.display(root, &names).to_string();
         let latex = graph.latex(root, &names).to_string();
-        let plain = latex.replace("\\mathrm{mass}", "mass");
-        for text in [unicode, plain] {
-            let read = Reader::read(&text, &|name| value(symbol(name)));
+        let letters = Letters::new(&names);
+        let mut texts = vec![unicode, latex];
+        for arranged in [
+            graph.arranged(root, &letters),
+            graph.arranged_by_velocities(root, &letters),
+        ] {
+            let formula = graph.display_in(arranged, &letters);
+            texts.extend([formula.to_string(), formula.in_latex().to_string()]);
+        }
+        for text in texts {
+            let plain = text.replace("\\mathrm{mass}", "mass");
+            let read = Reader::read(&plain, &|name| value(symbol(name)));
             if expected.is_reliable() {
                 prop_assert!(!read.value.is_nan(), "{text}");
                 prop_assert!(read.agrees(expected), "{text}: {read:?} for {expected:?}");

@@ -313,7 +313,7 @@ struct Field {
 fn components_are_printed_by_name_and_index() {
     let equations = Field::EQUATIONS;
     assert!(equations.starts_with("q = (r₀, r₁)\n"), "{equations}");
-    assert!(equations.contains("V = k₁₀ r₁ + j₀₁ r₀\n"), "{equations}");
+    assert!(equations.contains("V = j₀₁ r₀ + k₁₀ r₁\n"), "{equations}");
     assert!(
         equations.contains("\nm₁ r\u{308}₁ + k₁₀ = 0\n"),
         "{equations}"

@@ -17,12 +17,14 @@ type Factors = Vec<(Expression, Rational)>;
 
 impl Graph {
     /// The shortest way to write `expression`, where other expressions are called by their names in `letters`.
-    pub(crate) fn arranged(&mut self, expression: Expression, letters: &Letters) -> Expression {
+    #[must_use]
+    pub fn arranged(&mut self, expression: Expression, letters: &Letters) -> Expression {
         self.shortest(expression, letters, 1)
     }
 
     /// The same, with the terms of each product of velocities together unless that is much longer.
-    pub(crate) fn arranged_by_velocities(
+    #[must_use]
+    pub fn arranged_by_velocities(
         &mut self,
         expression: Expression,
         letters: &Letters,

@@ -28,7 +28,7 @@ pub(crate) fn term_place(graph: &Graph, x: Expression) -> TermPlace {
         let repeats = usize::try_from(power.unsigned_abs().min(8)).unwrap_or(1);
         match graph.node(base) {
             Node::Symbol(Symbol::Acceleration(i) | Symbol::QuasiVelocityRate(i)) => {
-                accelerations.push(*i)
+                accelerations.push(*i);
             }
             Node::Symbol(Symbol::Velocity(i) | Symbol::QuasiVelocity(i)) => {
                 degree += power;
