@@ -37,8 +37,8 @@ impl Derivatives {
                 right_hand_sides: None,
             };
         }
+        let residuals = kinetics.system_derivatives(&mut model.graph, &symbols);
         let system = &kinetics.system;
-        let residuals = columns(model, &system.inverse_dynamics, &symbols);
         let mass = layout.add_mass(system);
         let forcing = layout.add(&system.forcing);
         layout.begin_group();
@@ -77,7 +77,7 @@ impl Derivatives {
                 right_hand_sides: None,
             };
         }
-        let residuals = columns(model, &kinetics.system.inverse_dynamics, &symbols);
+        let residuals = kinetics.system_derivatives(&mut model.graph, &symbols);
         let residuals = without_accelerations(model, &residuals);
         let mass = layout.add_mass(&kinetics.system);
         layout.begin_group();
@@ -108,7 +108,7 @@ fn solved<'a>(
     symbols: &[Symbol],
 ) -> Option<(&'a Solution, Vec<Expression>)> {
     let solution = kinetics.solution.as_ref()?;
-    let columns = solution.derivatives(&mut model.graph, &kinetics.inverse_dynamics, symbols)?;
+    let columns = kinetics.acceleration_derivatives(&mut model.graph, symbols)?;
     Some((solution, columns))
 }
 
@@ -121,7 +121,8 @@ fn residuals_beside(
     symbols: &[Symbol],
 ) -> Option<Vec<Expression>> {
     let can_fail = !solution.pivots.is_empty();
-    can_fail.then(|| columns(model, &kinetics.inverse_dynamics, symbols))
+    let beside = [&*solution.pivots, &solution.accelerations].concat();
+    can_fail.then(|| kinetics.residual_derivatives(&mut model.graph, symbols, &beside))
 }
 
 /// Expressions with zero accelerations.
@@ -137,9 +138,4 @@ fn state_symbols(model: &Model) -> Vec<Symbol> {
     symbols.extend(model.velocity_symbols());
     symbols.push(Symbol::Time);
     symbols
-}
-
-/// The derivatives ∂(M q̈ − f)/∂x, column by column.
-fn columns(model: &mut Model, residuals: &[Expression], symbols: &[Symbol]) -> Vec<Expression> {
-    model.graph.jacobian(residuals, symbols).concat()
 }

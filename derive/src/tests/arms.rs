@@ -2,6 +2,7 @@
 //! spelt.
 
 mod declarations;
+mod derivatives;
 mod kane;
 
 use lagrangian_symbolic::{Kinetics, Program, Symbol};

@@ -8,13 +8,19 @@ impl Graph {
     /// The total time derivative of expressions of a system with `coordinates` degrees of freedom, by
     /// the chain rule through q, q̇ and t: q̇ for q, q̈ for q̇, 1 for t.
     pub fn time_derivatives(&mut self, roots: &[Expression], coordinates: u32) -> Vec<Expression> {
+        let direction = self.time_direction(coordinates);
+        let roots = self.resolved(roots);
+        self.directional_derivatives(&roots, &direction)
+    }
+
+    /// The direction in which time goes on: q̇ for q, q̈ for q̇, 1 for t.
+    pub(crate) fn time_direction(&mut self, coordinates: u32) -> Direction {
         let mut direction = self.constant_velocity_direction(coordinates);
         for i in 0..coordinates {
             let acceleration = self.symbol(Symbol::Acceleration(i));
             direction.insert(Symbol::Velocity(i), acceleration);
         }
-        let roots = self.resolved(roots);
-        self.directional_derivatives(&roots, &direction)
+        direction
     }
 
     /// The direction in which time goes on while velocities stay: q̇ for q, 1 for t.

@@ -12,10 +12,11 @@ use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
+use crate::mechanics::solvers::link_derivatives::cheapest_derivatives;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 use crate::mechanics::solvers::solution::{Solution, Solver};
-use crate::{Equations, Expression, Graph, Model, Pass};
+use crate::{Equations, Expression, Graph, Model, Pass, Symbol};
 
 /// The kinetics of a model, as expressions of its graph.
 pub struct Kinetics {
@@ -31,6 +32,10 @@ pub struct Kinetics {
     pub system: LinearSystem,
     /// The accelerations; none for many coupled coordinates, where M is factored numerically.
     pub solution: Option<Solution>,
+    /// The equations along the links, where the model is a mechanism.
+    links: Option<LinkEquations>,
+    /// By what M and f of `system` are divided.
+    unit: Expression,
     /// The choices of as many quasi-velocities as there are coordinates.
     boltzmann_hamel: Vec<BoltzmannHamel>,
 }
@@ -82,15 +87,17 @@ impl Kinetics {
             cheaper = cheaper.or(graph, along_links);
         }
         let mut system = cheaper.clone();
+        let mut unit = graph.one();
         if let Some(tree) = tree {
+            unit = tree.unit;
             let scaled = tree.divided_by_unit(graph);
             system = system.scaled(graph, &scaled);
             let articulated_bodies =
                 ArticulatedBodies::factor(graph, scaled, MOST_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
-        if let Some(links) = links {
-            let solver = ArticulatedLinks::factor(graph, links);
+        if let Some(links) = &links {
+            let solver = ArticulatedLinks::factor(graph, links.clone());
             solvers.extend(solver.map(Solver::ArticulatedLinks));
         }
         let boltzmann_hamel = boltzmann_hamel_solvers(model, equations, declared);
@@ -102,8 +109,41 @@ impl Kinetics {
             forcing: cheaper.forcing,
             inverse_dynamics: cheaper.inverse_dynamics,
             system,
+            links,
+            unit,
             boltzmann_hamel,
         }
+    }
+
+    /// The derivatives of q̈, column by column, with the accelerations as symbols; none where they are to be solved for
+    /// numerically.
+    pub fn acceleration_derivatives(
+        &self,
+        graph: &mut Graph,
+        symbols: &[Symbol],
+    ) -> Option<Vec<Expression>> {
+        let solution = self.solution.as_ref()?;
+        let links = self.links.as_ref();
+        solution.derivatives(graph, &self.inverse_dynamics, links, symbols)
+    }
+
+    /// The derivatives of M q̈ − f, column by column, beside other expressions of the same program.
+    pub fn residual_derivatives(
+        &self,
+        graph: &mut Graph,
+        symbols: &[Symbol],
+        beside: &[Expression],
+    ) -> Vec<Expression> {
+        let links = self.links.as_ref();
+        cheapest_derivatives(graph, links, &self.inverse_dynamics, symbols, beside).concat()
+    }
+
+    /// The same of the [`system`](Self::system) for numerical solution.
+    pub fn system_derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
+        let system = &self.system;
+        let links = self.links.as_ref().filter(|_| self.unit == graph.one());
+        let beside = [&*system.mass.concat(), &system.forcing].concat();
+        cheapest_derivatives(graph, links, &system.inverse_dynamics, symbols, &beside).concat()
     }
 
     /// The equations of motion in coordinates and quasi-velocities, for each choice of these that is known.

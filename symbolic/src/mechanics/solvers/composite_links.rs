@@ -109,7 +109,7 @@ fn power(graph: &mut Graph, slope: Vector, momentum: Vector) -> Expression {
 
 impl Inertia {
     /// The momentum of a unit rate of turning about an axis: (I e, e × h).
-    fn momentum_of_turning(&self, graph: &mut Graph, axis: Vector) -> Wrench {
+    pub(crate) fn momentum_of_turning(&self, graph: &mut Graph, axis: Vector) -> Wrench {
         let tensor = self.tensor(graph);
         let moment = tensor.map(|row| {
             let sum = graph.sum_of_products(row.into_iter().zip(axis));
@@ -123,7 +123,7 @@ impl Inertia {
     }
 
     /// The momentum of a unit speed: (h × e, m e).
-    fn momentum_of_sliding(&self, graph: &mut Graph, direction: Vector) -> Wrench {
+    pub(crate) fn momentum_of_sliding(&self, graph: &mut Graph, direction: Vector) -> Wrench {
         let moment = graph.cross(self.first, direction);
         let force = direction.map(|x| graph.multiply(self.mass, x));
         Wrench {

@@ -5,15 +5,16 @@ use crate::mechanics::mechanism::Mechanism;
 use crate::mechanics::solvers::composite_links::mass_matrix;
 use crate::mechanics::solvers::link_momenta::energy_and_momenta;
 use crate::mechanics::solvers::newton_euler::{
-    Joint, Wrench, generalized_forces, joints, wrenches,
+    Joint, Motion, Wrench, generalized_forces, joints, motions, wrenches,
 };
 use crate::{Expression, Graph, LinearSystem, Model, Symbol};
 
 /// The equations of motion of a mechanism.
+#[derive(Clone)]
 pub(crate) struct LinkEquations {
     pub(crate) mechanism: Mechanism,
     pub(crate) joints: Vec<Joint>,
-    coordinates: u32,
+    pub(crate) coordinates: u32,
     /// The part of M that no link has.
     pub(crate) other_mass: Vec<Vec<Expression>>,
     /// Q − 𝓛 of the part of L that no link has.
@@ -63,13 +64,19 @@ impl LinkEquations {
     /// M q̈ − f with the accelerations as symbols.
     pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
         let inner = self.generalized_forces(graph, true);
-        let mut residuals = Vec::with_capacity(inner.len());
-        for ((inner, force), row) in inner.into_iter().zip(&self.forces).zip(&self.other_mass) {
+        let others = self.residuals_of_others(graph);
+        let pairs = inner.into_iter().zip(others);
+        pairs.map(|(x, y)| graph.add(x, y)).collect()
+    }
+
+    /// The part of M q̈ − f that no link has.
+    pub(crate) fn residuals_of_others(&self, graph: &mut Graph) -> Vec<Expression> {
+        let mut residuals = Vec::with_capacity(self.forces.len());
+        for (force, row) in self.forces.iter().zip(&self.other_mass) {
             let accelerations = (0..self.coordinates).map(Symbol::Acceleration);
             let accelerations: Vec<_> = accelerations.map(|x| graph.symbol(x)).collect();
             let others = graph.sum_of_products(row.iter().copied().zip(accelerations));
-            let sum = graph.add(inner, others);
-            residuals.push(graph.subtract(sum, *force));
+            residuals.push(graph.subtract(others, *force));
         }
         residuals
     }
@@ -105,7 +112,13 @@ impl LinkEquations {
 
     /// The wrenches on the links that their motion takes.
     pub(crate) fn wrenches(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Wrench> {
-        wrenches(
+        let motions = self.motions(graph, with_accelerations);
+        wrenches(graph, &self.mechanism, &motions)
+    }
+
+    /// How the links move.
+    pub(crate) fn motions(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Motion> {
+        motions(
             graph,
             &self.mechanism,
             &self.joints,

@@ -7,7 +7,7 @@
 //! first and second moments.
 
 use crate::mechanics::mechanism::{Link, Mechanism, Vector, cross, kept, slopes, total};
-use crate::{Expression, Graph, Rational, Symbol};
+use crate::{Expression, Graph, Rational};
 
 /// A moment about the origin of a link, and a force.
 #[derive(Clone, Copy, Debug)]
@@ -18,18 +18,19 @@ pub(crate) struct Wrench {
 
 /// How a link moves.
 #[derive(Clone, Copy)]
-struct Motion {
-    angular_velocity: Vector,
+pub(crate) struct Motion {
+    pub(crate) angular_velocity: Vector,
     /// Of the origin, relative to the inertial frame.
-    acceleration: Vector,
+    pub(crate) acceleration: Vector,
     /// Ω.
-    field: [Vector; 3],
+    pub(crate) field: [Vector; 3],
     /// Ωⱼⱼ − Ωᵢᵢ for the axes i, j, k in order.
     stretch: Vector,
-    angular_acceleration: Vector,
+    pub(crate) angular_acceleration: Vector,
 }
 
 /// What each joint adds to the motion of the link before, and the coordinates with which it does.
+#[derive(Clone)]
 pub(crate) struct Joint {
     /// The angular velocity relative to the link before, along the axes of the link.
     pub(crate) rate: Vector,
@@ -63,39 +64,57 @@ pub(crate) fn joints(graph: &mut Graph, mechanism: &Mechanism, coordinates: u32)
         .collect()
 }
 
-/// The wrenches on the links that their motion takes; with the accelerations of the coordinates as symbols, or with
-/// none.
-pub(crate) fn wrenches(
+/// How the links move; with the accelerations of the coordinates as symbols, or with none.
+pub(crate) fn motions(
     graph: &mut Graph,
     mechanism: &Mechanism,
     joints: &[Joint],
     coordinates: u32,
     with_accelerations: bool,
-) -> Vec<Wrench> {
-    let mut direction = graph.constant_velocity_direction(coordinates);
-    if with_accelerations {
-        for i in 0..coordinates {
-            let acceleration = graph.symbol(Symbol::Acceleration(i));
-            direction.insert(Symbol::Velocity(i), acceleration);
-        }
-    }
+) -> Vec<Motion> {
+    let direction = if with_accelerations {
+        graph.time_direction(coordinates)
+    } else {
+        graph.constant_velocity_direction(coordinates)
+    };
     let mut motions: Vec<Motion> = Vec::with_capacity(joints.len());
-    let mut wrenches = Vec::with_capacity(joints.len());
     for (link, joint) in mechanism.links.iter().zip(joints) {
-        let before = match link.parent {
-            Some(parent) => motions[parent],
-            None => Motion::of_base(graph, mechanism.base_acceleration),
-        };
+        let before = link.motion_before(graph, mechanism, &motions);
         let mut change = |vector: Vector| -> Vector {
             let rates = graph.directional_derivatives(&vector, &direction);
             rates.try_into().unwrap_or(vector)
         };
         let changes = [change(joint.rate), change(joint.speed)];
-        let motion = before.next(graph, link, joint, changes);
-        wrenches.push(motion.wrench(graph, link));
-        motions.push(motion);
+        motions.push(before.next(graph, link, joint, changes));
     }
-    wrenches
+    motions
+}
+
+/// The wrenches on the links that their motion takes.
+pub(crate) fn wrenches(
+    graph: &mut Graph,
+    mechanism: &Mechanism,
+    motions: &[Motion],
+) -> Vec<Wrench> {
+    let pairs = mechanism.links.iter().zip(motions);
+    pairs
+        .map(|(link, motion)| motion.wrench(graph, link))
+        .collect()
+}
+
+impl Link {
+    /// How the link before moves, where the links before have these motions.
+    pub(crate) fn motion_before(
+        &self,
+        graph: &Graph,
+        mechanism: &Mechanism,
+        motions: &[Motion],
+    ) -> Motion {
+        match self.parent {
+            Some(parent) => motions[parent],
+            None => Motion::of_base(graph, mechanism.base_acceleration),
+        }
+    }
 }
 
 impl Motion {

@@ -13,6 +13,8 @@ use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::mechanics::solvers::link_derivatives::cheapest_derivatives;
+use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::pivots::Pivot;
 use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
 
@@ -105,10 +107,11 @@ impl Solution {
 
     /// The derivatives ∂q̈/∂x, column by column, with the accelerations as symbols; none where the
     /// columns are so many and long that a numerical factorization is better.
-    pub fn derivatives(
+    pub(crate) fn derivatives(
         &self,
         graph: &mut Graph,
         inverse_dynamics: &[Expression],
+        links: Option<&LinkEquations>,
         symbols: &[Symbol],
     ) -> Option<Vec<Expression>> {
         if let Solver::BoltzmannHamel(solver) = &self.solver {
@@ -117,13 +120,14 @@ impl Solution {
         if inverse_dynamics.len() > MOST_DIFFERENTIATED_COORDINATES {
             return None;
         }
-        let residuals = match &self.solver {
-            Solver::ArticulatedBodies(solver) => solver.inverse_dynamics(graph),
-            Solver::ArticulatedLinks(solver) => solver.inverse_dynamics(graph),
-            _ => inverse_dynamics.to_vec(),
+        let (residuals, links) = match &self.solver {
+            Solver::ArticulatedBodies(solver) => (solver.inverse_dynamics(graph), None),
+            Solver::ArticulatedLinks(solver) => (solver.inverse_dynamics(graph), links),
+            _ => (inverse_dynamics.to_vec(), links),
         };
+        let beside = [&*self.pivots, &self.accelerations].concat();
         let mut columns = Vec::new();
-        for slopes in graph.jacobian(&residuals, symbols) {
+        for slopes in cheapest_derivatives(graph, links, &residuals, symbols, &beside) {
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
             columns.extend(match &self.solver {
                 Solver::ArticulatedBodies(solver) => solver.solution(graph, &right),

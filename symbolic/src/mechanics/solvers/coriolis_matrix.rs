@@ -1,0 +1,160 @@
+//! What a rigid perturbation of the motion of a link changes in the wrench on what it carries.
+//!
+//! The perturbation of all links behind a joint is known by that of the first: by δω, by δβ = δα + ω × δω, which passes joints
+//! unchanged, and by δa of the origin. The wrench about the origin changes by
+//!
+//! m δa + δβ × h + 2 π × δω and h × δa + I δβ + 2 G δω,
+//!
+//! where π and G are the sums of h × ω and −[ω ×] S, moved from link to link. They are the part of the body-level Coriolis
+//! matrix of Echeandia and Wensing, Numerical methods to compute the Coriolis matrix and Christoffel symbols for rigid-body
+//! systems, 2021, that the velocity of the origin has no share in.
+
+use crate::mechanics::mechanism::{Inertia, Turn, Vector, cross, kept, total};
+use crate::mechanics::solvers::newton_euler::Wrench;
+use crate::{Expression, Graph};
+
+/// A change of the motion of a link, along its axes.
+#[derive(Clone, Copy)]
+pub(crate) struct Perturbation {
+    /// 2 δω.
+    pub(crate) turning: Vector,
+    /// δβ.
+    pub(crate) angular_acceleration: Vector,
+    /// δa.
+    pub(crate) acceleration: Vector,
+}
+
+/// π and G.
+#[derive(Clone)]
+pub(crate) struct CoriolisMatrix {
+    force: Vector,
+    moment: [Vector; 3],
+}
+
+impl CoriolisMatrix {
+    /// Of one body with this angular velocity.
+    pub(crate) fn of(graph: &mut Graph, inertia: &Inertia, angular_velocity: Vector) -> Self {
+        let force = cross(graph, inertia.first, angular_velocity);
+        // S is symmetric: its rows are its columns.
+        let columns = inertia.second.map(|column| {
+            let product = graph.cross(column, angular_velocity);
+            product.map(|x| kept(graph, x))
+        });
+        Self {
+            force,
+            moment: transposed(columns),
+        }
+    }
+
+    /// The same along the axes of the link before.
+    pub(crate) fn turned(&self, graph: &mut Graph, turn: &Turn) -> Self {
+        Self {
+            force: turn.outward(graph, self.force),
+            moment: turn.outward_block(graph, self.moment, false),
+        }
+    }
+
+    /// The same about an origin from which this one is at `place`, and relative to which it has the velocity `speed`;
+    /// `inertia` is that about this one.
+    pub(crate) fn moved(
+        &self,
+        graph: &mut Graph,
+        inertia: &Inertia,
+        place: Vector,
+        speed: Vector,
+    ) -> Self {
+        let force = [0, 1, 2].map(|i| {
+            let momentum = graph.multiply(inertia.mass, speed[i]);
+            let difference = graph.subtract(self.force[i], momentum);
+            kept(graph, difference)
+        });
+        // [x ×] [y ×] = y xᵀ − (x · y) 1.
+        let first = inertia.first;
+        let inner = graph.sum_of_products(first.into_iter().zip(speed));
+        let outer = graph.sum_of_products(place.into_iter().zip(force));
+        let inner = kept(graph, inner);
+        let outer = kept(graph, outer);
+        let difference = graph.subtract(inner, outer);
+        let difference = kept(graph, difference);
+        let moment = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| {
+                let minus = graph.negate(speed[i]);
+                let products = [(force[i], place[j]), (minus, first[j])];
+                let products = graph.sum_of_products(products);
+                let mut terms = vec![self.moment[i][j], products];
+                if i == j {
+                    terms.push(difference);
+                }
+                total(graph, &terms)
+            })
+        });
+        Self { force, moment }
+    }
+
+    /// Adds another one about the same origin.
+    pub(crate) fn add(&mut self, graph: &mut Graph, other: &Self) {
+        for i in 0..3 {
+            self.force[i] = total(graph, &[self.force[i], other.force[i]]);
+            for j in 0..3 {
+                self.moment[i][j] = total(graph, &[self.moment[i][j], other.moment[i][j]]);
+            }
+        }
+    }
+
+    /// The change of the wrench on a body of this inertia.
+    pub(crate) fn wrench(
+        &self,
+        graph: &mut Graph,
+        inertia: &Inertia,
+        change: &Perturbation,
+    ) -> Wrench {
+        let tensor = inertia.tensor(graph);
+        let swing = graph.cross(change.angular_acceleration, inertia.first);
+        let coriolis = graph.cross(self.force, change.turning);
+        let force = [0, 1, 2].map(|i| {
+            let own = graph.multiply(inertia.mass, change.acceleration[i]);
+            total(graph, &[own, swing[i], coriolis[i]])
+        });
+        let lever = graph.cross(inertia.first, change.acceleration);
+        let moment = [0, 1, 2].map(|i| {
+            let turned = tensor[i].into_iter().zip(change.angular_acceleration);
+            let coriolis = self.moment[i].into_iter().zip(change.turning);
+            let sum = graph.sum_of_products(turned.chain(coriolis));
+            total(graph, &[sum, lever[i]])
+        });
+        Wrench { moment, force }
+    }
+
+    /// The coefficients of 2 δω in the power of the change at a rate of turning.
+    pub(crate) fn power_of_turning(&self, graph: &mut Graph, axis: Vector) -> Vector {
+        transposed(self.moment).map(|column| {
+            let sum = graph.sum_of_products(axis.into_iter().zip(column));
+            kept(graph, sum)
+        })
+    }
+
+    /// The coefficients of 2 δω in the power of the change at a speed.
+    pub(crate) fn power_of_sliding(&self, graph: &mut Graph, direction: Vector) -> Vector {
+        cross(graph, direction, self.force)
+    }
+}
+
+impl Perturbation {
+    /// Its product with the coefficients of 2 δω, and with those of δβ and δa, which are a momentum.
+    pub(crate) fn times(
+        &self,
+        graph: &mut Graph,
+        of_turning: Vector,
+        momentum: &Wrench,
+    ) -> Expression {
+        let turning = of_turning.into_iter().zip(self.turning);
+        let angular = momentum.moment.into_iter().zip(self.angular_acceleration);
+        let linear = momentum.force.into_iter().zip(self.acceleration);
+        graph.sum_of_products(turning.chain(angular).chain(linear))
+    }
+}
+
+const fn transposed(rows: [Vector; 3]) -> [Vector; 3] {
+    let [x, y, z] = rows;
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
+}

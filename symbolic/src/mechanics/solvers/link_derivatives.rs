@@ -1,0 +1,327 @@
+//! The derivatives of inverse dynamics by positions and velocities along the links (Carpentier and Mansard, Analytical
+//! derivatives of rigid body dynamics algorithms, 2018; Singh, Russell and Wensing, Efficient analytical derivatives of rigid-body
+//! dynamics using spatial vector algebra, 2022).
+//!
+//! A change of one coordinate perturbs the motion of the first link that it moves; what is behind follows as a rigid body. So
+//! each joint gives a column, the change of the wrench on all that it carries, and a row, the power of that change at its own
+//! rate. Both go towards the root, where the columns meet the rates of other joints, and the rows the perturbations
+//! by other coordinates: a few products for each pair, however many links are between them.
+//!
+//! Where a joint slides and turns, it slides first, seen from the link before.
+
+use crate::mechanics::mechanism::{Inertia, Vector, cross, total};
+use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
+use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
+use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::newton_euler::Wrench;
+use crate::{Expression, Graph, Rational, Symbol};
+
+/// The derivatives of M q̈ − f, column by column: along the links of a mechanism where they cost less so, beside other
+/// expressions of the same program.
+pub(crate) fn cheapest_derivatives(
+    graph: &mut Graph,
+    links: Option<&LinkEquations>,
+    residuals: &[Expression],
+    symbols: &[Symbol],
+    beside: &[Expression],
+) -> Vec<Vec<Expression>> {
+    let columns = graph.jacobian(residuals, symbols);
+    // The links know no inputs.
+    let are_inputs = symbols.iter().all(|x| matches!(x, Symbol::Input(_)));
+    let Some(links) = links.filter(|_| !are_inputs) else {
+        return columns;
+    };
+    let along_links = links.derivatives(graph, symbols);
+    let cost = |columns: &[Vec<Expression>]| graph.cost(&[beside, &columns.concat()].concat());
+    if cost(&along_links) < cost(&columns) {
+        along_links
+    } else {
+        columns
+    }
+}
+
+impl LinkEquations {
+    /// The derivatives of M q̈ − f by the symbols, column by column, with the accelerations as symbols.
+    fn derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Vec<Expression>> {
+        let size = self.forces.len();
+        let others = self.residuals_of_others(graph);
+        let mut columns = graph.jacobian(&others, symbols);
+        let entries = DerivativesAlongLinks::new(graph, self).entries(graph);
+        let mut residuals = None;
+        for (column, symbol) in columns.iter_mut().zip(symbols) {
+            let (kind, coordinate) = match *symbol {
+                Symbol::Coordinate(i) => (0, i as usize),
+                Symbol::Velocity(i) => (1, i as usize),
+                other => {
+                    let residuals = residuals.get_or_insert_with(|| self.inverse_dynamics(graph));
+                    *column = graph.derivatives(residuals, other);
+                    continue;
+                }
+            };
+            for (row, value) in column.iter_mut().enumerate() {
+                let position = (kind * size + coordinate) * size + row;
+                let mut terms = entries[position].clone();
+                terms.push((*value, Rational::ONE));
+                *value = graph.sum(terms);
+            }
+        }
+        columns
+    }
+}
+
+/// What is carried towards the root.
+#[derive(Clone, Default)]
+struct Carried {
+    rows: Vec<Row>,
+    columns: Vec<Column>,
+}
+
+/// The power of a change of the wrench on what a coordinate moves, at the rate of this coordinate.
+#[derive(Clone)]
+struct Row {
+    coordinate: usize,
+    /// The coefficients of 2 δω.
+    of_turning: Vector,
+    /// The coefficients of δβ and δa: the momentum at unit rate.
+    momentum: Wrench,
+}
+
+/// The change of the wrench by a coordinate or its velocity.
+#[derive(Clone)]
+struct Column {
+    /// 0: by the coordinate; 1: by its velocity.
+    kind: usize,
+    coordinate: usize,
+    wrench: Wrench,
+}
+
+/// All that is behind a joint.
+#[derive(Clone)]
+struct Body {
+    inertia: Inertia,
+    coriolis: CoriolisMatrix,
+    /// The wrench on it.
+    wrench: Wrench,
+}
+
+struct DerivativesAlongLinks<'a> {
+    equations: &'a LinkEquations,
+    perturbations: JointPerturbations<'a>,
+    bodies: Vec<Body>,
+    /// The terms of each derivative: of each row, by each coordinate and then each velocity.
+    entries: Vec<Vec<(Expression, Rational)>>,
+}
+
+impl<'a> DerivativesAlongLinks<'a> {
+    fn new(graph: &mut Graph, equations: &'a LinkEquations) -> Self {
+        let perturbations = JointPerturbations::new(graph, equations);
+        let wrenches = equations.wrenches(graph, true);
+        let links = equations.mechanism.links.iter();
+        let all = links.zip(&perturbations.motions).zip(wrenches);
+        let bodies = all.map(|((link, motion), wrench)| Body {
+            coriolis: CoriolisMatrix::of(graph, &link.inertia, motion.angular_velocity),
+            inertia: link.inertia.clone(),
+            wrench,
+        });
+        let size = equations.forces.len();
+        Self {
+            bodies: bodies.collect(),
+            perturbations,
+            equations,
+            entries: vec![Vec::new(); 2 * size * size],
+        }
+    }
+
+    fn entries(mut self, graph: &mut Graph) -> Vec<Vec<(Expression, Rational)>> {
+        let equations = self.equations;
+        let links = &equations.mechanism.links;
+        let mut all: Vec<Carried> = vec![Carried::default(); links.len()];
+        for (i, (link, joint)) in links.iter().zip(&equations.joints).enumerate().rev() {
+            let mut carried = core::mem::take(&mut all[i]);
+            self.pass_turning(graph, i, &mut carried);
+            if link.parent.is_none() && joint.sliding.is_empty() {
+                continue;
+            }
+            self.turn(graph, i, &mut carried);
+            self.pass_sliding(graph, i, &mut carried);
+            let Some(parent) = link.parent else {
+                continue;
+            };
+            self.shift(graph, i, &mut carried);
+            let before = &mut all[parent];
+            before.rows.append(&mut carried.rows);
+            before.columns.append(&mut carried.columns);
+        }
+        self.entries
+    }
+
+    fn enter(&mut self, kind: usize, column: usize, row: usize, value: Expression) {
+        let size = self.equations.forces.len();
+        let position = (kind * size + column) * size + row;
+        self.entries[position].push((value, Rational::ONE));
+    }
+
+    /// The turning part of a joint.
+    fn pass_turning(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
+        let equations = self.equations;
+        let slopes = &equations.joints[index].turning;
+        let body = self.bodies[index].clone();
+        let mut columns = Vec::new();
+        for (coordinate, slope) in slopes {
+            let changes = self.perturbations.turned(graph, index, *coordinate, *slope);
+            for (kind, change) in changes.iter().enumerate() {
+                for row in &carried.rows {
+                    let value = change.times(graph, row.of_turning, &row.momentum);
+                    self.enter(kind, *coordinate, row.coordinate, value);
+                }
+                columns.push(Column {
+                    kind,
+                    coordinate: *coordinate,
+                    wrench: body.coriolis.wrench(graph, &body.inertia, change),
+                });
+            }
+        }
+        carried.columns.append(&mut columns);
+        for (coordinate, slope) in slopes {
+            for column in &carried.columns {
+                let pairs = slope.iter().copied().zip(column.wrench.moment);
+                let value = graph.sum_of_products(pairs);
+                self.enter(column.kind, column.coordinate, *coordinate, value);
+            }
+            carried.rows.push(Row {
+                coordinate: *coordinate,
+                of_turning: body.coriolis.power_of_turning(graph, *slope),
+                momentum: body.inertia.momentum_of_turning(graph, *slope),
+            });
+        }
+        self.enter_changes_of_slopes(graph, slopes, body.wrench.moment);
+        // What the joint turns along with it.
+        for (coordinate, slope) in slopes {
+            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
+            let Some(column) = carried.columns.iter_mut().rev().find(own) else {
+                continue;
+            };
+            let moment = graph.cross(*slope, body.wrench.moment);
+            let force = graph.cross(*slope, body.wrench.force);
+            let wrench = Wrench { moment, force };
+            column.wrench = column.wrench.plus(graph, wrench);
+        }
+    }
+
+    /// Where the direction of a rate depends on the coordinates.
+    fn enter_changes_of_slopes(
+        &mut self,
+        graph: &mut Graph,
+        slopes: &[(usize, Vector)],
+        load: Vector,
+    ) {
+        for (row, slope) in slopes {
+            for (column, _) in slopes {
+                let change = derivative(graph, *slope, symbols(*column)[0]);
+                let value = graph.sum_of_products(change.into_iter().zip(load));
+                self.enter(0, *column, *row, value);
+            }
+        }
+    }
+
+    /// The sliding part of a joint, along the axes of the link before.
+    fn pass_sliding(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
+        let equations = self.equations;
+        let slopes = &equations.joints[index].sliding;
+        let body = self.bodies[index].clone();
+        let mut columns = Vec::new();
+        for (coordinate, slope) in slopes {
+            let changes = self.perturbations.moved(graph, index, *coordinate, *slope);
+            for (kind, change) in changes.into_iter().enumerate() {
+                for row in &carried.rows {
+                    let pairs = row.momentum.force.into_iter().zip(change);
+                    let value = graph.sum_of_products(pairs);
+                    self.enter(kind, *coordinate, row.coordinate, value);
+                }
+                columns.push(Column {
+                    kind,
+                    coordinate: *coordinate,
+                    wrench: body.inertia.momentum_of_sliding(graph, change),
+                });
+            }
+        }
+        carried.columns.append(&mut columns);
+        for (coordinate, slope) in slopes {
+            for column in &carried.columns {
+                let pairs = slope.iter().copied().zip(column.wrench.force);
+                let value = graph.sum_of_products(pairs);
+                self.enter(column.kind, column.coordinate, *coordinate, value);
+            }
+            carried.rows.push(Row {
+                coordinate: *coordinate,
+                of_turning: body.coriolis.power_of_sliding(graph, *slope),
+                momentum: body.inertia.momentum_of_sliding(graph, *slope),
+            });
+        }
+        self.enter_changes_of_slopes(graph, slopes, body.wrench.force);
+        // The lever of the force changes.
+        for (coordinate, slope) in slopes {
+            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
+            if let Some(column) = carried.columns.iter_mut().rev().find(own) {
+                let lever = cross(graph, *slope, body.wrench.force);
+                let moment = column.wrench.moment;
+                column.wrench.moment = [0, 1, 2].map(|i| total(graph, &[moment[i], lever[i]]));
+            }
+        }
+    }
+
+    /// Along the axes of the link before.
+    fn turn(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
+        let turn = self.equations.mechanism.links[index].turn;
+        let mut turned = |wrench: Wrench| Wrench {
+            force: turn.outward(graph, wrench.force),
+            moment: turn.outward(graph, wrench.moment),
+        };
+        for row in &mut carried.rows {
+            row.momentum = turned(row.momentum);
+        }
+        for column in &mut carried.columns {
+            column.wrench = turned(column.wrench);
+        }
+        let body = &mut self.bodies[index];
+        body.wrench = turned(body.wrench);
+        body.inertia = body.inertia.turned(graph, &turn);
+        body.coriolis = body.coriolis.turned(graph, &turn);
+        for row in &mut carried.rows {
+            row.of_turning = turn.outward(graph, row.of_turning);
+        }
+    }
+
+    /// About the origin of the link before.
+    fn shift(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
+        let equations = self.equations;
+        let link = &equations.mechanism.links[index];
+        let Some(parent) = link.parent else {
+            return;
+        };
+        let speed = self.perturbations.speed(graph, index);
+        for row in &mut carried.rows {
+            let change = graph.cross(speed, row.momentum.force);
+            let before = row.of_turning;
+            row.of_turning = [0, 1, 2].map(|i| total(graph, &[before[i], change[i]]));
+            row.momentum = row.momentum.moved(graph, link.place);
+        }
+        for column in &mut carried.columns {
+            column.wrench = column.wrench.moved(graph, link.place);
+        }
+        let Body {
+            inertia,
+            coriolis,
+            wrench,
+        } = self.bodies[index].clone();
+        let coriolis = coriolis.moved(graph, &inertia, link.place, speed);
+        let mut inertia = inertia.moved(graph, link.place);
+        inertia.keep(graph);
+        let wrench = wrench.moved(graph, link.place);
+        let before = &mut self.bodies[parent];
+        before.inertia.add(graph, &inertia);
+        before.inertia.keep(graph);
+        before.coriolis.add(graph, &coriolis);
+        before.wrench = before.wrench.plus(graph, wrench);
+    }
+}
