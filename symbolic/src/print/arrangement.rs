@@ -32,7 +32,8 @@ impl Graph {
         self.shortest(expression, letters, 2)
     }
 
-    /// The shortest arrangement, where one by velocities may be so many times as long.
+    /// The shortest arrangement, where one by velocities may be so many times as long. It is taken where an exact test
+    /// says that it is the same.
     fn shortest(&mut self, expression: Expression, letters: &Letters, margin: usize) -> Expression {
         let names: BTreeSet<Expression> = letters
             .named()
@@ -59,7 +60,12 @@ impl Graph {
                 best = (length, candidate);
             }
         }
-        best.1
+        let difference = self.subtract(best.1, expression);
+        if self.is_zero(difference) || self.vanishes(&[difference]) {
+            best.1
+        } else {
+            expression
+        }
     }
 
     /// `expression` as Σ cᵢ·mᵢ, where `atoms` are not taken apart, unless there are too many terms.

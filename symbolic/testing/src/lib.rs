@@ -17,6 +17,7 @@ pub mod external;
 pub mod frames;
 pub mod machine;
 pub mod mutation;
+pub mod reader;
 pub mod rows;
 pub mod tree;
 
