@@ -219,6 +219,13 @@ pub(crate) const LONGEST_ACCELERATION: u64 = 40;
 /// Nor are those of more coordinates.
 pub(crate) const MOST_LISTED_ACCELERATIONS: usize = 3;
 
+/// With less room under a heading, no further equation is tried.
+pub(crate) const SHORTEST_LINE: usize = 20;
+
+/// Equations of more symbols are not arranged, since they would be too long even then. Made by the general top, whose
+/// longest has some 200, and by chains, whose equations take a second to arrange.
+pub(crate) const LONGEST_UNARRANGED: u64 = 300;
+
 /// The equations under one heading together, in characters: a third of a page.
 pub(crate) const LONGEST_SECTION: usize = 1200;
 

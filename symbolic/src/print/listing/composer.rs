@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::limits::LONGEST_UNARRANGED;
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
 use crate::print::listing::section::{Section, Side};
@@ -49,7 +50,7 @@ impl<'a> Composer<'a> {
     /// Adds an equation to a section if there is room. What is too long is not even arranged.
     fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
         let symbols = self.model.graph.written_symbols(&[right], &self.letters);
-        if section.has_room(symbols / 2) {
+        if symbols <= LONGEST_UNARRANGED && section.has_room() {
             let right = Side::Expression(self.arranged(right));
             section.push(&self.model.graph, &self.letters, left, right);
         } else {
@@ -149,7 +150,7 @@ impl<'a> Composer<'a> {
             let force = equations.generalized_forces[i];
             let roots = [&**row, &[equations.forcing[i]]].concat();
             let symbols = self.model.graph.written_symbols(&roots, &self.letters);
-            if !section.has_room(symbols / 3) {
+            if symbols > LONGEST_UNARRANGED || !section.has_room() {
                 section.leave_out(symbols);
                 continue;
             }

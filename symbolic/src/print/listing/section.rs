@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::limits::{LONGEST_LINE, LONGEST_SECTION};
+use crate::limits::{LONGEST_LINE, LONGEST_SECTION, SHORTEST_LINE};
 use crate::print::listing::Listing;
 use crate::print::names::Letters;
 use crate::{Expression, Graph};
@@ -44,9 +44,9 @@ impl Section {
         }
     }
 
-    /// Whether an equation of so many symbols may have room.
-    pub(crate) fn has_room(&self, symbols: u64) -> bool {
-        usize::try_from(symbols).is_ok_and(|symbols| symbols <= self.room.min(LONGEST_LINE))
+    /// Whether a short equation may have room.
+    pub(crate) const fn has_room(&self) -> bool {
+        self.room > SHORTEST_LINE
     }
 
     /// Leaves out an equation of so many symbols.
