@@ -55,6 +55,7 @@ mod check;
 pub mod elliptic;
 pub mod rotation;
 pub mod rigid_body;
+pub mod analysis;
 pub mod prelude;
 
 #[doc(hidden)]

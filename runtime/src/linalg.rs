@@ -3,7 +3,7 @@
 mod factorization;
 mod into_vector;
 pub(crate) mod lane_select;
-mod pivoting;
+pub(crate) mod pivoting;
 mod error_tolerance;
 mod vector_space;
 mod lane_states;

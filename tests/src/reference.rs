@@ -34,6 +34,16 @@ pub fn near_the_poles() -> Value {
     document("near_the_poles.json")
 }
 
+/// Linear systems with their regulators and discretizations.
+///
+/// # Panics
+///
+/// If the file cannot be read.
+#[must_use]
+pub fn linear_control() -> Value {
+    document("linear_control.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

@@ -1,0 +1,52 @@
+//! The analysis of models: equilibria and steady motions, small oscillations and stability, linear state-space models and
+//! their control.
+//!
+//! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.
+//! - [`SmallOscillations`] are the linear equations about these: [`NormalModes`], [`DampedModes`], the [`Spectrum`] and the
+//!   [`Stability`].
+//! - [`StateSpace`] is a linear model with inputs and outputs, about any state: its poles, its [`Controllability`], its
+//!   discretization and its linear-quadratic [`Regulator`].
+//!
+//! Nothing allocates. Eigenvalues of matrices that are not symmetric are `f64`; all else is generic over scalars that are one
+//! number.
+
+mod jacobian_rows;
+mod balance;
+mod equilibrium;
+mod equilibrium_error;
+mod newton;
+mod eigenvalues;
+mod symmetric_eigenvalues;
+mod spectrum;
+mod oscillation_error;
+mod small_oscillations;
+mod normal_modes;
+mod damped_modes;
+mod stability;
+mod controllability;
+mod matrix_exponential;
+mod state_space;
+#[cfg(feature = "num-dual")]
+mod linear_outputs;
+mod riccati;
+mod regulator;
+mod regulator_error;
+
+pub use balance::{Balance, FreeInputs, HeldInputs};
+pub use controllability::{Controllability, UncontrollableMode};
+pub use damped_modes::{DampedMode, DampedModes};
+pub use equilibrium::{Equilibrium, EquilibriumSearch, SearchReport, Variable};
+pub use equilibrium_error::EquilibriumError;
+pub use normal_modes::NormalModes;
+pub use oscillation_error::OscillationError;
+pub use regulator::Regulator;
+pub use regulator_error::RegulatorError;
+pub use small_oscillations::SmallOscillations;
+pub use spectrum::Spectrum;
+pub use stability::{LinearStability, SecondVariation, Stability, Verdict};
+pub use state_space::{DiscreteStateSpace, StateSpace};
+
+/// Whether a number exceeds a limit; NaN does.
+fn exceeds(value: f64, limit: f64) -> bool {
+    value.is_nan() || value > limit
+}

@@ -1,0 +1,230 @@
+//! The equations whose solutions are equilibria and steady motions, with their exact Jacobian.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::jacobian_rows::{Residuals, Variables};
+use crate::integrate::SingleNumber;
+use crate::model::{Inputs, Lagrangian, Linearization, State};
+use crate::scalar::Scalar;
+
+/// What is asked of a model, with `U` inputs that a search may change.
+pub trait Balance<S: Scalar, const N: usize, const U: usize> {
+    /// The names of the coordinates.
+    const COORDINATES: [&'static str; N];
+    /// Which coordinates are ignorable.
+    const IGNORABLE: [bool; N];
+
+    /// The values of the inputs.
+    fn inputs(&self) -> SVector<S, U>;
+    /// The accelerations q̈.
+    fn accelerations(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+    /// The derivatives of the accelerations.
+    fn linearize(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N>;
+    /// The derivatives of the accelerations by the inputs.
+    fn input_jacobian(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U>;
+    /// The generalized momenta.
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N>;
+    /// The mass matrix.
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
+    /// The forcing f in M q̈ = f.
+    fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+}
+
+/// A model with the inputs that it has, none of which is to be found.
+#[derive(Debug)]
+pub struct HeldInputs<'a, M: ?Sized>(pub(super) &'a M);
+
+/// A model with inputs of which some may be found.
+#[derive(Debug)]
+pub struct FreeInputs<'a, M: ?Sized>(pub(super) &'a M);
+
+impl<S, M, const N: usize> Balance<S, N, 0> for HeldInputs<'_, M>
+where
+    S: Scalar,
+    M: Lagrangian<N, S> + ?Sized,
+{
+    const COORDINATES: [&'static str; N] = M::COORDINATES;
+    const IGNORABLE: [bool; N] = M::IGNORABLE;
+
+    fn inputs(&self) -> SVector<S, 0> {
+        SVector::zeros()
+    }
+
+    fn accelerations(&self, state: &State<S, N>, _: &SVector<S, 0>) -> SVector<S, N> {
+        self.0.accelerations(state)
+    }
+
+    fn linearize(&self, state: &State<S, N>, _: &SVector<S, 0>) -> Linearization<S, N> {
+        self.0.linearize(state)
+    }
+
+    fn input_jacobian(&self, _: &State<S, N>, _: &SVector<S, 0>) -> SMatrix<S, N, 0> {
+        SMatrix::zeros()
+    }
+
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.0.momenta(state)
+    }
+
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
+        self.0.mass_matrix(state)
+    }
+
+    fn forcing(&self, state: &State<S, N>, _: &SVector<S, 0>) -> SVector<S, N> {
+        self.0.forcing(state)
+    }
+}
+
+impl<S, M, const N: usize, const U: usize> Balance<S, N, U> for FreeInputs<'_, M>
+where
+    S: Scalar,
+    M: Inputs<N, U, S> + ?Sized,
+{
+    const COORDINATES: [&'static str; N] = M::COORDINATES;
+    const IGNORABLE: [bool; N] = M::IGNORABLE;
+
+    fn inputs(&self) -> SVector<S, U> {
+        self.0.inputs()
+    }
+
+    fn accelerations(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
+        self.0.accelerations_with(state, inputs)
+    }
+
+    fn linearize(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N> {
+        self.0.linearize_with(state, inputs)
+    }
+
+    fn input_jacobian(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U> {
+        self.0.input_jacobian_with(state, inputs)
+    }
+
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.0.momenta(state)
+    }
+
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
+        self.0.mass_matrix(state)
+    }
+
+    fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
+        self.0.forcing_with(state, inputs)
+    }
+}
+
+/// A point of the search: a state and inputs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point<S: Scalar, const N: usize, const U: usize> {
+    pub(super) state: State<S, N>,
+    pub(super) inputs: SVector<S, U>,
+}
+
+impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
+    /// The point at `factor · step`, where a step is measured in `sizes`.
+    pub(super) fn moved(
+        &self,
+        step: &Variables<S, N, U>,
+        factor: f64,
+        sizes: &Variables<S, N, U>,
+    ) -> Self {
+        let factor = S::from_f64(factor);
+        let change = step.zip_map(sizes, |x, size| factor * x * size);
+        let Self { state, inputs } = *self;
+        Self {
+            state: State {
+                t: state.t,
+                q: state.q + change.positions,
+                v: state.v + change.velocities,
+            },
+            inputs: inputs + change.inputs,
+        }
+    }
+}
+
+/// The derivatives ∂pᵢ/∂qⱼ of the momenta of ignorable coordinates i by the others, at a state at which only ignorable
+/// coordinates have velocities.
+///
+/// For such i, Lagrange's equation is ṗᵢ = Qᵢ, so that fᵢ = Qᵢ − Σ ∂pᵢ/∂qⱼ q̇ⱼ. The part of fᵢ that is odd in one q̇ⱼ is
+/// −∂pᵢ/∂qⱼ q̇ⱼ, exactly where L is of second degree in the velocities and Qᵢ does not contain q̇ⱼ.
+pub(super) fn momentum_gradients<S, B, const N: usize, const U: usize>(
+    model: &B,
+    point: &Point<S, N, U>,
+) -> SMatrix<S, N, N>
+where
+    S: SingleNumber,
+    B: Balance<S, N, U>,
+{
+    let Point { state, inputs } = point;
+    let fastest = state
+        .v
+        .iter()
+        .fold(0.0, |most, v| v.abs().largest().max(most));
+    let speed = S::from_f64(if fastest > 0.0 { fastest } else { 1.0 });
+    let mut gradients = SMatrix::zeros();
+    for j in (0..N).filter(|j| !B::IGNORABLE[*j]) {
+        let forcing = |velocity: S| {
+            let mut moving = *state;
+            moving.v[j] = velocity;
+            model.forcing(&moving, inputs)
+        };
+        let odd = forcing(-speed) - forcing(speed);
+        for i in (0..N).filter(|i| B::IGNORABLE[*i]) {
+            gradients[(i, j)] = odd[i] / (speed + speed);
+        }
+    }
+    gradients
+}
+
+/// The accelerations, and what the momenta are less what they are to be.
+pub(super) fn residuals<S, B, const N: usize, const U: usize>(
+    model: &B,
+    point: &Point<S, N, U>,
+    momenta: &[Option<S>; N],
+) -> Residuals<S, N>
+where
+    S: SingleNumber,
+    B: Balance<S, N, U>,
+{
+    let accelerations = model.accelerations(&point.state, &point.inputs);
+    if momenta.iter().all(Option::is_none) {
+        return [accelerations, SVector::zeros()];
+    }
+    let found = model.momenta(&point.state);
+    let differences =
+        SVector::from_fn(|i, _| momenta[i].map_or(S::zero(), |momentum| found[i] - momentum));
+    [accelerations, differences]
+}
+
+/// The rows of the Jacobian of the residuals by all variables.
+pub(super) fn jacobian<S, B, const N: usize, const U: usize>(
+    model: &B,
+    point: &Point<S, N, U>,
+    momenta: &[Option<S>; N],
+) -> [[Variables<S, N, U>; N]; 2]
+where
+    S: SingleNumber,
+    B: Balance<S, N, U>,
+{
+    let Point { state, inputs } = point;
+    let slopes = model.linearize(state, inputs);
+    let by_inputs = model.input_jacobian(state, inputs);
+    let accelerations = core::array::from_fn(|i| Variables {
+        positions: SVector::from_fn(|j, _| slopes.position[(i, j)]),
+        velocities: SVector::from_fn(|j, _| slopes.velocity[(i, j)]),
+        inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
+    });
+    if momenta.iter().all(Option::is_none) {
+        return [accelerations, [Variables::zeros(); N]];
+    }
+    let mass = model.mass_matrix(state);
+    let gradients = momentum_gradients(model, point);
+    let rows = core::array::from_fn(|i| match momenta[i] {
+        None => Variables::zeros(),
+        Some(_) => Variables {
+            positions: SVector::from_fn(|j, _| gradients[(i, j)]),
+            velocities: SVector::from_fn(|j, _| mass[(i, j)]),
+            inputs: SVector::zeros(),
+        },
+    });
+    [accelerations, rows]
+}

@@ -1,0 +1,238 @@
+//! Modes of small oscillations with damping and gyroscopic forces.
+//!
+//! (λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q) φ = 0, a quadratic eigenvalue problem: F. Tisseur and K. Meerbergen, *The quadratic eigenvalue
+//! problem*, SIAM Review **43** (2001) 235–286. Eigenvalues are those of the first-order system; a shape is found from its
+//! eigenvalue by inverse iteration: J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 9.
+
+use nalgebra::{Complex, SMatrix, SVector};
+
+use super::oscillation_error::OscillationError;
+use super::small_oscillations::{Part, SmallOscillations, negligible};
+use super::spectrum::modulus;
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::INVERSE_ITERATIONS;
+
+type C = Complex<f64>;
+
+/// A mode δq = Re(φ eᵏᵗ) with k = λ, of a conjugate pair that above the real axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DampedMode<const N: usize> {
+    /// λ, in rad over time: the real part is the rate of growth, the imaginary part the damped frequency.
+    pub eigenvalue: Complex<f64>,
+    /// The shape φ, complex since coordinates are out of phase. The largest component is 1. Eliminated coordinates
+    /// have theirs, by their constant momenta; they drift if λ is 0, and have 0 then. A double eigenvalue may have only one.
+    pub shape: SVector<Complex<f64>, N>,
+}
+
+impl<const N: usize> DampedMode<N> {
+    /// The natural frequency |λ| in rad over time.
+    #[must_use]
+    pub fn natural_frequency(&self) -> f64 {
+        modulus(self.eigenvalue)
+    }
+
+    /// The damping ratio −Re λ/|λ|: 0 without damping, 1 for a mode that does not oscillate, negative for one that grows, and NaN
+    /// for λ = 0.
+    #[must_use]
+    pub fn damping_ratio(&self) -> f64 {
+        -self.eigenvalue.re / modulus(self.eigenvalue)
+    }
+}
+
+/// The modes of small oscillations, by ascending natural frequency; a slice of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DampedModes<const N: usize> {
+    modes: [[DampedMode<N>; N]; 2],
+    count: usize,
+}
+
+impl<const N: usize> core::ops::Deref for DampedModes<N> {
+    type Target = [DampedMode<N>];
+
+    fn deref(&self) -> &[DampedMode<N>] {
+        &self.modes.as_flattened()[..self.count]
+    }
+}
+
+impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
+    /// The modes, whatever the forces: one for each real eigenvalue and for each conjugate pair.
+    ///
+    /// # Errors
+    ///
+    /// If the eigenvalues are not found.
+    pub fn damped_modes(&self) -> Result<DampedModes<N>, OscillationError> {
+        let spectrum = self.spectrum()?;
+        let zero = SVector::repeat(C::new(0.0, 0.0));
+        let mut found = DampedModes {
+            modes: [[DampedMode {
+                eigenvalue: C::new(0.0, 0.0),
+                shape: zero,
+            }; N]; 2],
+            count: 0,
+        };
+        let mut vectors = [[zero; N]; 2];
+        let near = negligible::<S>().max(negligible::<f64>()) * spectrum.radius();
+        for eigenvalue in spectrum.iter().filter(|value| value.im >= 0.0) {
+            let vectors = vectors.as_flattened_mut();
+            let pairs = found.iter().zip(vectors.iter());
+            let equal = pairs.filter(|(mode, _)| modulus(mode.eigenvalue - eigenvalue) <= near);
+            let vector = null_vector(&self.quadratic(*eigenvalue), equal.map(|(_, x)| *x));
+            if let Some(mode) = found.modes.as_flattened_mut().get_mut(found.count) {
+                mode.eigenvalue = *eigenvalue;
+                mode.shape = normalized(self.of_coordinates(&vector, *eigenvalue));
+                vectors[found.count] = vector;
+                found.count += 1;
+            }
+        }
+        Ok(found)
+    }
+
+    /// The matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the coordinates that oscillate; the columns of velocities that are left are
+    /// those of λ − ∂q̈/∂q̇. Diagonal entries of what is not there are 1.
+    fn quadratic(&self, eigenvalue: C) -> SMatrix<C, N, N> {
+        let real = |x: S| C::new(x.largest(), 0.0);
+        SMatrix::from_fn(|i, j| {
+            let unit = if i == j {
+                C::new(1.0, 0.0)
+            } else {
+                C::new(0.0, 0.0)
+            };
+            match (self.parts[i], self.parts[j]) {
+                (Part::Eliminated, _) | (_, Part::Eliminated) => unit,
+                (_, Part::Moving) => eigenvalue * unit - real(self.velocity[(i, j)]),
+                (_, Part::Oscillating) => {
+                    eigenvalue * (eigenvalue * unit - real(self.velocity[(i, j)]))
+                        - real(self.position[(i, j)])
+                }
+            }
+        })
+    }
+
+    /// The amplitudes of all coordinates, from those of coordinates that oscillate and of velocities that are left.
+    fn of_coordinates(&self, vector: &SVector<C, N>, eigenvalue: C) -> SVector<C, N> {
+        let [by_position, by_velocity] = &self.eliminated;
+        let oscillates = |i: usize| self.parts[i] == Part::Oscillating;
+        let drifts = modulus(eigenvalue) <= 0.0;
+        SVector::from_fn(|i, _| {
+            if oscillates(i) {
+                return vector[i];
+            }
+            if drifts {
+                return C::new(0.0, 0.0);
+            }
+            // The velocities of all, less those of what oscillates in case of what is left.
+            let sum = (0..N).fold(C::new(0.0, 0.0), |sum, j| {
+                let velocity = if oscillates(j) {
+                    eigenvalue * vector[j]
+                } else {
+                    vector[j]
+                };
+                let [of_position, of_velocity] =
+                    [by_position, by_velocity].map(|matrix| matrix[(i, j)].largest());
+                sum + vector[j] * of_position + velocity * of_velocity
+            });
+            sum / eigenvalue
+        })
+    }
+}
+
+/// A unit vector that a singular matrix takes nearly to zero, orthogonal to others.
+pub(super) fn null_vector<const N: usize>(
+    matrix: &SMatrix<C, N, N>,
+    others: impl Iterator<Item = SVector<C, N>> + Clone,
+) -> SVector<C, N> {
+    let size = matrix.iter().fold(0.0, |most, x| modulus(*x).max(most));
+    // Of a matrix of zeros, every vector is one.
+    let least = if size > 1e-100 {
+        f64::EPSILON * size
+    } else {
+        1.0
+    };
+    let mut factors = *matrix;
+    let mut rows: [usize; N] = core::array::from_fn(|i| i);
+    for j in 0..N {
+        let pivot = (j..N).fold(j, |best, i| {
+            if modulus(factors[(i, j)]) > modulus(factors[(best, j)]) {
+                i
+            } else {
+                best
+            }
+        });
+        factors.swap_rows(j, pivot);
+        rows.swap(j, pivot);
+        if modulus(factors[(j, j)]) <= least {
+            factors[(j, j)] = C::new(least, 0.0);
+        }
+        for i in j + 1..N {
+            let multiplier = factors[(i, j)] / factors[(j, j)];
+            factors[(i, j)] = multiplier;
+            for k in j + 1..N {
+                let change = multiplier * factors[(j, k)];
+                factors[(i, k)] -= change;
+            }
+        }
+    }
+    // No component of a start without a pattern is near zero.
+    let mut x = SVector::<C, N>::from_fn(|i, _| {
+        #[allow(clippy::cast_precision_loss)] // An index.
+        let phase = 1.0 + 2.4 * i as f64;
+        C::new(libm::sin(phase) + 1.5, libm::cos(phase))
+    });
+    for _ in 0..INVERSE_ITERATIONS {
+        orthogonalize(&mut x, others.clone());
+        let right = x;
+        x = SVector::from_fn(|i, _| right[rows[i]]);
+        for i in 0..N {
+            for k in 0..i {
+                let change = factors[(i, k)] * x[k];
+                x[i] -= change;
+            }
+        }
+        for i in (0..N).rev() {
+            for k in i + 1..N {
+                let change = factors[(i, k)] * x[k];
+                x[i] -= change;
+            }
+            x[i] /= factors[(i, i)];
+        }
+    }
+    orthogonalize(&mut x, others);
+    x
+}
+
+/// Takes from a vector its components along unit vectors, and makes it a unit vector.
+fn orthogonalize<const N: usize>(
+    x: &mut SVector<C, N>,
+    others: impl Iterator<Item = SVector<C, N>>,
+) {
+    scale(x);
+    for other in others {
+        let products = other.iter().zip(x.iter());
+        let component: C = products.map(|(y, x)| y.conj() * x).sum();
+        *x -= other * component;
+    }
+    scale(x);
+}
+
+/// Makes a vector one of length 1, without overflow.
+fn scale<const N: usize>(x: &mut SVector<C, N>) {
+    let most = x.iter().fold(0.0, |most, x| modulus(*x).max(most));
+    if most > 0.0 && most.is_finite() {
+        *x /= C::new(most, 0.0);
+        let squares: f64 = x.iter().map(C::norm_sqr).sum();
+        *x /= C::new(libm::sqrt(squares), 0.0);
+    }
+}
+
+/// A multiple with a largest component of 1; of those that are equal to rounding, the first.
+fn normalized<const N: usize>(shape: SVector<C, N>) -> SVector<C, N> {
+    let most = shape.iter().fold(0.0, |most, x| modulus(*x).max(most));
+    let near = most * (1.0 - negligible::<f64>());
+    match shape.iter().find(|x| modulus(**x) >= near) {
+        Some(component) if most > 0.0 => {
+            let component = *component;
+            shape.map(|x| x / component)
+        }
+        _ => shape,
+    }
+}

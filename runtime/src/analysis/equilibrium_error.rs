@@ -1,0 +1,128 @@
+//! Why no equilibrium was found.
+
+use core::fmt;
+
+use super::equilibrium::{Equilibrium, Variable};
+use crate::number_format::Readable;
+use crate::scalar::Scalar;
+
+/// Why no equilibrium or steady motion was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
+    /// An index is none of a coordinate or of an input.
+    NoSuchVariable {
+        /// The variable that was to be unknown, or whose momentum was given.
+        variable: Variable,
+    },
+    /// Nothing is unknown: all coordinates are ignorable, or the list is empty.
+    NoUnknown,
+    /// A coordinate that is not ignorable has a velocity in the guess, or one that is to be found.
+    Moving {
+        /// Its name.
+        name: &'static str,
+        /// Its velocity in the guess.
+        velocity: f64,
+    },
+    /// The momentum of a coordinate was given that is not ignorable, so that it is no constant.
+    NoConstantMomentum {
+        /// Its name.
+        name: &'static str,
+    },
+    /// The accelerations or their derivatives are infinite or not a number.
+    NotFinite {
+        /// Where.
+        last: Equilibrium<S, N, U>,
+    },
+    /// The search did not come to an end within its steps.
+    NoConvergence {
+        /// The last iterate.
+        last: Equilibrium<S, N, U>,
+    },
+    /// No step, however short, made the next correction less: the Jacobian is singular near the last iterate, or there is no
+    /// equilibrium nearby.
+    Stalled {
+        /// The last iterate.
+        last: Equilibrium<S, N, U>,
+    },
+    /// The unknowns do not act on what is left: accelerations are least here, and not zero.
+    Unbalanced {
+        /// The last iterate.
+        last: Equilibrium<S, N, U>,
+        /// The coordinate with the largest acceleration, or whose momentum differs most.
+        name: &'static str,
+        /// That acceleration or difference.
+        residual: f64,
+    },
+}
+
+impl<S: Scalar, const N: usize, const U: usize> EquilibriumError<S, N, U> {
+    /// The last iterate, if there was a search.
+    pub fn last(&self) -> Option<&Equilibrium<S, N, U>> {
+        match self {
+            Self::NotFinite { last }
+            | Self::NoConvergence { last }
+            | Self::Stalled { last }
+            | Self::Unbalanced { last, .. } => Some(last),
+            _ => None,
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumError<S, N, U> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let left = |last: &Equilibrium<S, N, U>| Readable(last.report.residual);
+        match self {
+            Self::NoSuchVariable { variable } => write!(
+                f,
+                "there is no {variable:?} among {N} coordinates and {U} inputs that may be unknown; inputs may be in \
+                 `EquilibriumSearch::trim`"
+            ),
+            Self::NoUnknown => f.write_str(
+                "nothing is unknown; all coordinates are ignorable or the list of unknowns is empty: name some by `unknown`",
+            ),
+            Self::Moving { name, velocity } => write!(
+                f,
+                "`{name}` is not ignorable, so that its velocity has to be given as 0 in an equilibrium or a steady motion; it is {}",
+                Readable(*velocity)
+            ),
+            Self::NoConstantMomentum { name } => write!(
+                f,
+                "`{name}` is not ignorable, so that its momentum is no constant that could be given"
+            ),
+            Self::NotFinite { last } => write!(
+                f,
+                "the accelerations or their derivatives are not finite after {} Newton steps, at {:?}",
+                last.report.iterations, last.state
+            ),
+            Self::NoConvergence { last } => write!(
+                f,
+                "Newton's method has not converged after {} steps; accelerations are up to {} at {:?}",
+                last.report.iterations,
+                left(last),
+                last.state
+            ),
+            Self::Stalled { last } => write!(
+                f,
+                "Newton's method cannot go on after {} steps: the Jacobian is singular or there is no equilibrium near {:?}, \
+                 where accelerations are up to {}",
+                last.report.iterations,
+                last.state,
+                left(last)
+            ),
+            Self::Unbalanced {
+                last,
+                name,
+                residual,
+            } => write!(
+                f,
+                "the unknowns cannot balance `{name}`: its acceleration, or the difference of its momentum, is {} at {:?}, \
+                 where the sum of squares is least",
+                Readable(*residual),
+                last.state
+            ),
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize, const U: usize> core::error::Error for EquilibriumError<S, N, U> {}

@@ -1,0 +1,264 @@
+//! Newton's method with damping, for equilibria.
+//!
+//! Algorithm NLEQ-ERR of P. Deuflhard, *Newton Methods for Nonlinear Problems. Affine Invariance and Adaptive Algorithms*,
+//! Springer 2004, 3.3.3: a step is accepted if the simplified Newton correction after it, with the same Jacobian, is shorter
+//! than the step's own (natural monotonicity test), and its damping factor is predicted from both. It does not depend on the units of the
+//! equations. The corrections are those of least length among the solutions of least squares (4.4 there), so that ignorable
+//! directions and equations that are always satisfied do no harm. Besides, no step is longer than the sizes of the variables.
+
+use nalgebra::SVector;
+
+use super::balance::{Balance, Point, jacobian, residuals};
+use super::equilibrium::{Equilibrium, EquilibriumSearch, SearchReport};
+use super::equilibrium_error::EquilibriumError;
+use super::jacobian_rows::{JacobianRows, Residuals, Variables};
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::{LEAST_DAMPING, LONGEST_NEWTON_STEP, UNBALANCED};
+use crate::scalar::Scalar;
+
+/// A running search.
+pub(super) struct Newton<'a, B, S: Scalar, const N: usize, const U: usize> {
+    search: &'a EquilibriumSearch<B, S, N, U>,
+    /// The sizes of the unknowns; 0 for what is given.
+    sizes: Variables<S, N, U>,
+    point: Point<S, N, U>,
+    residuals: Residuals<S, N>,
+    report: SearchReport,
+}
+
+type Failure<S, const N: usize, const U: usize> = EquilibriumError<S, N, U>;
+
+/// A step that was accepted: what the next damping factor is predicted from.
+struct Accepted<S: Scalar, const N: usize, const U: usize> {
+    correction: f64,
+    simplified: Variables<S, N, U>,
+    damping: f64,
+}
+
+/// What came of a step.
+enum Trial<S: Scalar, const N: usize, const U: usize> {
+    Accepted(Accepted<S, N, U>),
+    Converged,
+}
+
+impl<'a, B, S, const N: usize, const U: usize> Newton<'a, B, S, N, U>
+where
+    B: Balance<S, N, U>,
+    S: SingleNumber,
+{
+    pub(super) fn new(search: &'a EquilibriumSearch<B, S, N, U>, start: &Point<S, N, U>) -> Self {
+        let magnitudes = search.sizes.unwrap_or(Variables {
+            positions: start.state.q,
+            velocities: start.state.v,
+            inputs: start.inputs,
+        });
+        let sizes = magnitudes.zip_map(&search.unknown, |value, unknown| {
+            let size = value.abs().largest();
+            let size = if size > 0.0 { size } else { 1.0 };
+            S::from_f64(size) * unknown
+        });
+        Self {
+            search,
+            sizes,
+            point: *start,
+            residuals: [SVector::zeros(); 2],
+            report: SearchReport::default(),
+        }
+    }
+
+    pub(super) fn run(mut self) -> Result<Equilibrium<S, N, U>, Failure<S, N, U>> {
+        self.residuals = self.evaluate(&self.point.clone());
+        let mut before: Option<Accepted<S, N, U>> = None;
+        loop {
+            let rows = self.factored()?;
+            let correction = newton_correction(&rows, &self.residuals);
+            let length = correction.norm();
+            if !length.is_finite() {
+                return Err(EquilibriumError::NotFinite { last: self.found() });
+            }
+            if length <= self.search.tolerance {
+                self.move_by(&correction, 1.0);
+                return self.finish(&rows);
+            }
+            if self.report.iterations == self.search.max_iterations {
+                return Err(EquilibriumError::NoConvergence { last: self.found() });
+            }
+            let damping = predicted(before.as_ref(), &correction, length);
+            match self.step(&rows, &correction, damping)? {
+                Trial::Converged => return self.finish(&rows),
+                Trial::Accepted(accepted) => before = Some(accepted),
+            }
+        }
+    }
+
+    fn evaluate(&mut self, point: &Point<S, N, U>) -> Residuals<S, N> {
+        self.report.evaluations += 1;
+        let found = residuals(&self.search.model, point, &self.search.momenta);
+        self.report.residual = largest(&found);
+        found
+    }
+
+    /// The Jacobian by the unknowns, in their sizes.
+    fn factored(&mut self) -> Result<JacobianRows<S, N, U>, Failure<S, N, U>> {
+        let mut rows = jacobian(&self.search.model, &self.point, &self.search.momenta);
+        for row in rows.as_flattened_mut() {
+            *row = row.zip_map(&self.sizes, |slope, size| {
+                if size.largest() > 0.0 {
+                    slope * size
+                } else {
+                    S::zero()
+                }
+            });
+        }
+        let lengths = rows.as_flattened().iter().map(Variables::norm);
+        let is_finite = lengths.sum::<f64>().is_finite();
+        if !is_finite || !largest(&self.residuals).is_finite() {
+            return Err(EquilibriumError::NotFinite { last: self.found() });
+        }
+        let rows = JacobianRows::new(&rows);
+        self.report.rank = rows.rank();
+        self.report.condition = rows.condition();
+        Ok(rows)
+    }
+
+    /// Moves by a damped step; nothing but the damping factor is tried anew.
+    fn step(
+        &mut self,
+        rows: &JacobianRows<S, N, U>,
+        correction: &Variables<S, N, U>,
+        predicted: f64,
+    ) -> Result<Trial<S, N, U>, Failure<S, N, U>> {
+        let length = correction.norm();
+        let longest = (LONGEST_NEWTON_STEP / length).min(1.0);
+        let mut damping = predicted.min(longest);
+        let mut is_reduced = false;
+        loop {
+            if damping < LEAST_DAMPING * longest {
+                self.report.residual = largest(&self.residuals);
+                return Err(EquilibriumError::Stalled { last: self.found() });
+            }
+            let trial = self.point.moved(correction, damping, &self.sizes);
+            let residuals = self.evaluate(&trial);
+            let simplified = newton_correction(rows, &residuals);
+            let after = simplified.norm();
+            let rest = S::from_f64(1.0 - damping);
+            let nonlinear = simplified
+                .zip_map(correction, |x, full| x - rest * full)
+                .norm();
+            let estimated = 0.5 * length * damping * damping / nonlinear;
+            let is_finite = after.is_finite() && largest(&residuals).is_finite();
+            if !is_finite || after >= length {
+                is_reduced = true;
+                self.report.step_reductions += 1;
+                // NaN and infinity say nothing of the right length.
+                let less = if is_finite { estimated } else { 0.0 };
+                damping = less.min(0.5 * damping).max(0.1 * damping);
+                continue;
+            }
+            if !is_reduced && estimated.min(longest) >= 4.0 * damping {
+                is_reduced = true;
+                damping = estimated.min(longest);
+                continue;
+            }
+            self.point = trial;
+            self.residuals = residuals;
+            self.report.iterations += 1;
+            if damping >= 1.0 && after <= self.search.tolerance {
+                self.move_by(&simplified, 1.0);
+                return Ok(Trial::Converged);
+            }
+            return Ok(Trial::Accepted(Accepted {
+                correction: length,
+                simplified,
+                damping,
+            }));
+        }
+    }
+
+    fn move_by(&mut self, correction: &Variables<S, N, U>, factor: f64) {
+        self.point = self.point.moved(correction, factor, &self.sizes);
+    }
+
+    fn found(&self) -> Equilibrium<S, N, U> {
+        Equilibrium {
+            state: self.point.state,
+            inputs: self.point.inputs,
+            report: self.report,
+        }
+    }
+
+    /// Whether what is left is zero, and not only beyond the reach of the unknowns.
+    fn finish(
+        mut self,
+        rows: &JacobianRows<S, N, U>,
+    ) -> Result<Equilibrium<S, N, U>, Failure<S, N, U>> {
+        self.residuals = self.evaluate(&self.point.clone());
+        let left = largest(&self.residuals);
+        if left.is_nan() {
+            return Err(EquilibriumError::NotFinite { last: self.found() });
+        }
+        let accurate = libm::pow(S::machine_epsilon(), UNBALANCED).max(self.search.tolerance);
+        if left <= accurate * rows.largest() {
+            return Ok(self.found());
+        }
+        let flattened = self.residuals.iter().flat_map(|block| block.iter());
+        let sizes = flattened.map(|x| x.abs().largest()).enumerate();
+        let (worst, residual) =
+            sizes.fold(
+                (0, 0.0),
+                |worst, (i, size)| {
+                    if size > worst.1 { (i, size) } else { worst }
+                },
+            );
+        Err(EquilibriumError::Unbalanced {
+            last: self.found(),
+            name: B::COORDINATES[worst % N],
+            residual,
+        })
+    }
+}
+
+/// The correction of these residuals.
+fn newton_correction<S: SingleNumber, const N: usize, const U: usize>(
+    rows: &JacobianRows<S, N, U>,
+    residuals: &Residuals<S, N>,
+) -> Variables<S, N, U> {
+    rows.solve(&residuals.map(|block| -block))
+}
+
+/// The damping factor of the next step: how far the last simplified correction is from the new one shows the nonlinearity.
+fn predicted<S: SingleNumber, const N: usize, const U: usize>(
+    before: Option<&Accepted<S, N, U>>,
+    correction: &Variables<S, N, U>,
+    length: f64,
+) -> f64 {
+    let Some(Accepted {
+        correction: last,
+        simplified,
+        damping,
+    }) = before
+    else {
+        return 1.0;
+    };
+    let difference = simplified.zip_map(correction, |x, y| x - y).norm();
+    let predicted = damping * last * simplified.norm() / (difference * length);
+    // 0/0 where both agree.
+    if predicted.is_nan() {
+        1.0
+    } else {
+        predicted.min(1.0)
+    }
+}
+
+/// The largest magnitude; NaN if an entry is.
+fn largest<S: SingleNumber, const N: usize>(residuals: &Residuals<S, N>) -> f64 {
+    let entries = residuals.iter().flat_map(|block| block.iter());
+    entries.fold(0.0, |most, x| {
+        let size = x.abs().largest();
+        if size > most || size.is_nan() {
+            size
+        } else {
+            most
+        }
+    })
+}

@@ -1,0 +1,83 @@
+//! Why there are no small oscillations, or no modes of them.
+
+use core::fmt;
+
+use crate::number_format::Readable;
+
+/// Why there are no small oscillations about a state, or no modes of the kind that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum OscillationError {
+    /// An acceleration is not zero: the state is no equilibrium and no steady motion.
+    Accelerated {
+        /// The coordinate.
+        name: &'static str,
+        /// Its acceleration.
+        acceleration: f64,
+    },
+    /// A coordinate moves that is not ignorable: the motion is not steady.
+    Moving {
+        /// The coordinate.
+        name: &'static str,
+        /// Its velocity.
+        velocity: f64,
+    },
+    /// The mass matrix is not positive definite.
+    NoPositiveMass {
+        /// The index of the coordinate at which its factorization fails.
+        coordinate: usize,
+        /// The pivot there.
+        pivot: f64,
+    },
+    /// The stiffness matrix is not symmetric: positions have forces that are not conservative, and real modes do not exist.
+    NotConservative {
+        /// The largest difference of two entries that should be equal.
+        asymmetry: f64,
+    },
+    /// There are gyroscopic or damping forces: modes are complex.
+    VelocityForces {
+        /// The largest entry of G + C.
+        largest: f64,
+    },
+    /// The QR algorithm has not converged, or an entry is infinite or not a number.
+    NoEigenvalues,
+}
+
+impl fmt::Display for OscillationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Accelerated { name, acceleration } => write!(
+                f,
+                "the state is no equilibrium: `{name}` has the acceleration {}; `EquilibriumSearch` finds one, and \
+                 `StateSpace` is linearized about any state",
+                Readable(acceleration)
+            ),
+            Self::Moving { name, velocity } => write!(
+                f,
+                "the motion is not steady: `{name}`, which is not ignorable, has the velocity {}",
+                Readable(velocity)
+            ),
+            Self::NoPositiveMass { coordinate, pivot } => write!(
+                f,
+                "the mass matrix is not positive definite: the pivot of coordinate {coordinate} is {}",
+                Readable(pivot)
+            ),
+            Self::NotConservative { asymmetry } => write!(
+                f,
+                "the stiffness matrix is not symmetric, by up to {}: forces are not conservative; `damped_modes` has the modes",
+                Readable(asymmetry)
+            ),
+            Self::VelocityForces { largest } => write!(
+                f,
+                "there are gyroscopic or damping forces, with coefficients up to {}: `damped_modes` has the modes, which are \
+                 complex",
+                Readable(largest)
+            ),
+            Self::NoEigenvalues => f.write_str(
+                "the eigenvalues were not found: an entry is not finite, or the QR algorithm has not converged",
+            ),
+        }
+    }
+}
+
+impl core::error::Error for OscillationError {}

@@ -1,0 +1,116 @@
+//! Why there is no regulator.
+
+use core::fmt;
+
+use super::controllability::UncontrollableMode;
+use crate::number_format::Readable;
+
+/// Why there is no linear-quadratic regulator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RegulatorError {
+    /// An entry of A, B or Q is infinite or not a number.
+    NotFinite,
+    /// A weight is not symmetric.
+    NotSymmetric {
+        /// Which one.
+        matrix: &'static str,
+        /// The row of an entry that differs from the opposite one, from 0.
+        row: usize,
+        /// Its column.
+        column: usize,
+        /// By how much.
+        difference: f64,
+    },
+    /// A weight has an eigenvalue that is not positive.
+    NotPositive {
+        /// Which one.
+        matrix: &'static str,
+        /// The least eigenvalue.
+        eigenvalue: f64,
+        /// Whether it may be zero.
+        zero_is_allowed: bool,
+    },
+    /// No input reaches a mode that is not stable.
+    NotStabilizable {
+        /// The mode.
+        mode: UncontrollableMode,
+    },
+    /// A mode that neither grows nor decays has no cost, so that no optimal input acts on it.
+    NoCost {
+        /// The mode; the component is the one with the greatest part in it.
+        mode: UncontrollableMode,
+    },
+    /// The doubling algorithm has not converged: eigenvalues of the closed loop are too near the border of stability.
+    NoConvergence,
+    /// What was found does not satisfy the Riccati equation, or does not stabilize the system: it is too badly scaled.
+    Inaccurate {
+        /// The norm of what is left of the equation, in relation to its terms.
+        residual: f64,
+    },
+}
+
+impl fmt::Display for RegulatorError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotFinite => f.write_str("an entry of A, B or Q is not finite"),
+            Self::NotSymmetric {
+                matrix,
+                row,
+                column,
+                difference,
+            } => write!(
+                f,
+                "{matrix} is not symmetric: its entries ({row}, {column}) and ({column}, {row}) differ by {}",
+                Readable(difference)
+            ),
+            Self::NotPositive {
+                matrix,
+                eigenvalue,
+                zero_is_allowed,
+            } => {
+                let required = if zero_is_allowed {
+                    "must not be negative"
+                } else {
+                    "have to be positive"
+                };
+                let eigenvalue = Readable(eigenvalue);
+                write!(f, "the eigenvalues of {matrix} {required}, and one is {eigenvalue}")
+            }
+            Self::NotStabilizable { mode } => {
+                f.write_str("no input reaches the mode")?;
+                write_mode(f, &mode)?;
+                f.write_str(", which is not stable")
+            }
+            Self::NoCost { mode } => {
+                f.write_str("the mode")?;
+                write_mode(f, &mode)?;
+                f.write_str(" neither grows nor decays and has no cost: give it a weight in Q")
+            }
+            Self::NoConvergence => f.write_str(
+                "the Riccati equation was not solved: eigenvalues of the closed loop are too near the border of stability",
+            ),
+            Self::Inaccurate { residual } => write!(
+                f,
+                "the solution of the Riccati equation is not accurate, with a relative residual of {}: choose units in which the \
+                 entries of A, B and of the weights are of similar size",
+                Readable(residual)
+            ),
+        }
+    }
+}
+
+fn write_mode(f: &mut fmt::Formatter<'_>, mode: &UncontrollableMode) -> fmt::Result {
+    let value = mode.eigenvalue;
+    write!(f, " with the eigenvalue {}", Readable(value.re))?;
+    if value.im.abs() > 0.0 {
+        write!(f, " ± {} i", Readable(value.im.abs()))?;
+    }
+    write!(
+        f,
+        ", which is mostly in component {} of the state",
+        mode.component
+    )
+}
+
+impl core::error::Error for RegulatorError {}

@@ -1,0 +1,298 @@
+//! Small oscillations about equilibria and steady motions.
+//!
+//! Ignorable coordinates whose momenta are constant are eliminated (E. J. Routh, *A Treatise on the Stability of a Given
+//! State of Motion*, 1877): δpᵢ = 0 gives their velocities. What is left has the equation M δq̈ + (G + C) δq̇ + K δq = 0 with the
+//! Hessian K of the effective potential, gyroscopic forces G and damping C; D. R. Merkin, *Introduction to the Theory of Stability*,
+//! 1997, chapters 3 and 6.
+
+use nalgebra::{Complex, SMatrix, SVector};
+
+use super::balance::{HeldInputs, Point, momentum_gradients};
+use super::eigenvalues::eigenvalues;
+use super::exceeds;
+use super::oscillation_error::OscillationError;
+use super::spectrum::Spectrum;
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::NEGLIGIBLE;
+use crate::linalg::Factorization;
+use crate::model::{Lagrangian, State};
+use crate::scalar::Scalar;
+
+/// The linear equations of small oscillations about an equilibrium or a steady motion, at which only ignorable coordinates move.
+///
+/// Ignorable coordinates whose momenta are constant to first order are eliminated: perturbations have the
+/// same momenta. Those on which a force acts, such as friction, keep their velocities. The rows and the columns of what is eliminated
+/// are zero in the matrices here, so that the constants of the model, such as `Top::THETA`, are their indices.
+///
+/// ```
+/// use lagrangian::analysis::SmallOscillations;
+/// use lagrangian::prelude::*;
+/// use lagrangian::rigid_body::SteadyPrecession;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(phi, theta, psi),
+///     kinetic = 0.5 * (i * (dot(phi).powi(2) * sin(theta).powi(2) + dot(theta).powi(2))
+///         + i_s * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
+///     potential = mgl * cos(theta),
+/// )]
+/// struct Top { i: f64, i_s: f64, mgl: f64 }
+///
+/// let top = Top { i: 1.2, i_s: 0.5, mgl: 5.1 };
+/// let (theta, spin) = (0.5_f64, 40.0);
+/// let slope = -top.mgl * theta.sin();
+/// let precession = SteadyPrecession::of_top(top.i, top.i_s, spin, theta, slope);
+/// let SteadyPrecession::Two { slow, .. } = precession else { unreachable!() };
+/// let steady = State::new(0.0, [0.0, theta, 0.0], [slow, 0.0, spin - slow * theta.cos()]);
+///
+/// // Nutation: Ω² = φ̇² − 2 (m g l/I) cos θ + (m g l/(I φ̇))².
+/// let ratio = top.mgl / top.i;
+/// let expected = slow * slow - 2.0 * ratio * theta.cos() + (ratio / slow).powi(2);
+/// let oscillations = SmallOscillations::about(&top, &steady)?;
+/// let modes = oscillations.normal_modes()?;
+/// assert_eq!(modes.len(), 1);
+/// assert!((modes.squared_frequency(0) / expected - 1.0).abs() < 1e-12);
+/// assert!(oscillations.stability()?.is_stable());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SmallOscillations<S: Scalar, const N: usize> {
+    /// What becomes of each coordinate.
+    pub(super) parts: [Part; N],
+    /// The mass matrix M, without what is eliminated (a Schur complement).
+    pub mass: SMatrix<S, N, N>,
+    /// ∂q̈ᵢ/∂qⱼ under the constant momenta.
+    pub position: SMatrix<S, N, N>,
+    /// ∂q̈ᵢ/∂q̇ⱼ under the constant momenta.
+    pub velocity: SMatrix<S, N, N>,
+    /// What eliminated velocities are by coordinates and by velocities.
+    pub(super) eliminated: [SMatrix<S, N, N>; 2],
+}
+
+/// What becomes of a coordinate in small oscillations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// It oscillates.
+    Oscillating,
+    /// It is ignorable, and its momentum is not constant: its velocity is left.
+    Moving,
+    /// It is ignorable, and its momentum is constant.
+    Eliminated,
+}
+
+impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
+    /// Those about a state at which accelerations are zero and only ignorable coordinates move, as [`EquilibriumSearch`] finds
+    /// it.
+    ///
+    /// # Errors
+    ///
+    /// [`OscillationError`]: the state is none of these.
+    ///
+    /// [`EquilibriumSearch`]: crate::analysis::EquilibriumSearch
+    pub fn about<M>(model: &M, state: &State<S, N>) -> Result<Self, OscillationError>
+    where
+        M: Lagrangian<N, S> + ?Sized,
+    {
+        let slopes = model.linearize(state);
+        let (position, velocity) = (slopes.position, slopes.velocity);
+        check_steady::<S, M, N>(model, state, &[&position, &velocity])?;
+        let mass = model.mass_matrix(state);
+        let point = Point {
+            state: *state,
+            inputs: SVector::zeros(),
+        };
+        let gradients = momentum_gradients(&HeldInputs(model), &point);
+        let constant = constant_momenta::<S, M, N>(&mass, &gradients, &position, &velocity);
+        let parts = core::array::from_fn(|i| match (M::IGNORABLE[i], constant[i]) {
+            (false, _) => Part::Oscillating,
+            (true, false) => Part::Moving,
+            (true, true) => Part::Eliminated,
+        });
+        let eliminated = eliminated_velocities(&parts, &mass, &gradients);
+        let [by_position, by_velocity] = &eliminated;
+        let is_left = |i: usize| parts[i] != Part::Eliminated;
+        let is_coordinate = |i: usize| parts[i] == Part::Oscillating;
+        let keep = |matrix: SMatrix<S, N, N>, column: &dyn Fn(usize) -> bool| {
+            SMatrix::from_fn(|i, j| {
+                if is_left(i) && column(j) {
+                    matrix[(i, j)]
+                } else {
+                    S::zero()
+                }
+            })
+        };
+        let transposed = by_velocity.transpose();
+        Ok(Self {
+            parts,
+            mass: keep(transposed * mass * by_velocity, &is_left),
+            position: keep(position + velocity * by_position, &is_coordinate),
+            velocity: keep(velocity * by_velocity, &is_left),
+            eliminated,
+        })
+    }
+
+    /// The coordinates that oscillate.
+    pub fn coordinates(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..N).filter(|i| self.parts[*i] == Part::Oscillating)
+    }
+
+    /// The coordinates that oscillate, then those whose velocities are left, and how many there are of both.
+    pub(super) fn variables(&self) -> ([usize; N], [usize; 2]) {
+        let moving = (0..N).filter(|i| self.parts[*i] == Part::Moving);
+        let mut variables = [0; N];
+        let mut count = 0;
+        for (entry, i) in variables.iter_mut().zip(self.coordinates().chain(moving)) {
+            *entry = i;
+            count += 1;
+        }
+        (variables, [self.coordinates().count(), count])
+    }
+
+    /// The stiffness matrix K = −M ∂q̈/∂q: where all forces are conservative, the Hessian of the potential energy, or, if
+    /// coordinates were eliminated, of the effective potential (4.10).
+    #[must_use]
+    pub fn stiffness(&self) -> SMatrix<S, N, N> {
+        -(self.mass * self.position)
+    }
+
+    /// The matrix G + C = −M ∂q̈/∂q̇. Its antisymmetric part G is that of gyroscopic forces, its symmetric part C that of damping.
+    #[must_use]
+    pub fn velocity_forces(&self) -> SMatrix<S, N, N> {
+        -(self.mass * self.velocity)
+    }
+
+    /// The eigenvalues of the first-order system in the coordinates that oscillate, their velocities, and those of ignorable
+    /// coordinates without constant momenta.
+    ///
+    /// # Errors
+    ///
+    /// If they are not found: the QR algorithm has not converged, or an entry is not finite.
+    pub fn spectrum(&self) -> Result<Spectrum<N>, OscillationError> {
+        let (variables, [coordinates, count]) = self.variables();
+        let order = coordinates + count;
+        let mut entries = [[[[0.0; N]; 2]; N]; 2];
+        let flat = entries.as_flattened_mut().as_flattened_mut();
+        let flat = flat.as_flattened_mut();
+        for i in 0..coordinates {
+            flat[i * 2 * N + coordinates + i] = 1.0;
+        }
+        for (i, row) in variables[..count].iter().enumerate() {
+            let start = (coordinates + i) * 2 * N;
+            for (j, column) in variables[..coordinates].iter().enumerate() {
+                flat[start + j] = self.position[(*row, *column)].largest();
+            }
+            for (j, column) in variables[..count].iter().enumerate() {
+                flat[start + coordinates + j] = self.velocity[(*row, *column)].largest();
+            }
+        }
+        let mut found = [[Complex::new(0.0, 0.0); N]; 2];
+        if eigenvalues(flat, 2 * N, order, found.as_flattened_mut()) {
+            Ok(Spectrum::new(found, order))
+        } else {
+            Err(OscillationError::NoEigenvalues)
+        }
+    }
+}
+
+/// Whether accelerations are zero, and velocities but those of ignorable coordinates.
+fn check_steady<S, M, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    slopes: &[&SMatrix<S, N, N>; 2],
+) -> Result<(), OscillationError>
+where
+    S: SingleNumber,
+    M: Lagrangian<N, S> + ?Sized,
+{
+    let steepest = slopes
+        .iter()
+        .map(|slopes| largest(slopes))
+        .fold(0.0, f64::max);
+    let accelerations = model.accelerations(state);
+    for (i, name) in M::COORDINATES.into_iter().enumerate() {
+        let velocity = state.v[i].largest();
+        if !M::IGNORABLE[i] && velocity.abs() > 0.0 {
+            return Err(OscillationError::Moving { name, velocity });
+        }
+        let acceleration = accelerations[i].largest();
+        if exceeds(acceleration.abs(), negligible::<S>() * steepest) {
+            return Err(OscillationError::Accelerated { name, acceleration });
+        }
+    }
+    Ok(())
+}
+
+/// Which momenta are constant to first order: ṗᵢ = Σ ∂pᵢ/∂qⱼ δq̇ⱼ + Σ Mᵢⱼ δq̈ⱼ vanishes for all perturbations.
+fn constant_momenta<S, M, const N: usize>(
+    mass: &SMatrix<S, N, N>,
+    gradients: &SMatrix<S, N, N>,
+    position: &SMatrix<S, N, N>,
+    velocity: &SMatrix<S, N, N>,
+) -> [bool; N]
+where
+    S: SingleNumber,
+    M: Lagrangian<N, S> + ?Sized,
+{
+    let by_position = mass * position;
+    let by_velocity = mass * velocity + gradients;
+    let absolute = |matrix: &SMatrix<S, N, N>| matrix.map(S::abs);
+    let position_terms = absolute(mass) * absolute(position);
+    let velocity_terms = absolute(mass) * absolute(velocity) + absolute(gradients);
+    core::array::from_fn(|i| {
+        let pairs = [
+            (&by_position, &position_terms),
+            (&by_velocity, &velocity_terms),
+        ];
+        M::IGNORABLE[i]
+            && pairs.iter().all(|(sums, terms)| {
+                let most = |matrix: &SMatrix<S, N, N>| {
+                    let row = matrix.row(i);
+                    row.iter().fold(0.0, |most, x| x.abs().largest().max(most))
+                };
+                most(sums) <= negligible::<S>() * most(terms)
+            })
+    })
+}
+
+/// The velocities of all coordinates by coordinates and by velocities that are left: those that are eliminated follow from
+/// their constant momenta.
+fn eliminated_velocities<S: SingleNumber, const N: usize>(
+    parts: &[Part; N],
+    mass: &SMatrix<S, N, N>,
+    gradients: &SMatrix<S, N, N>,
+) -> [SMatrix<S, N, N>; 2] {
+    let is_eliminated = |i: usize| parts[i] == Part::Eliminated;
+    let unit = |i: usize, j: usize| if i == j { S::one() } else { S::zero() };
+    let block = SMatrix::from_fn(|i, j| {
+        if is_eliminated(i) && is_eliminated(j) {
+            mass[(i, j)]
+        } else {
+            unit(i, j)
+        }
+    });
+    let factors = Factorization::new(block);
+    let by_position = SMatrix::from_fn(|i, j| {
+        if is_eliminated(i) && parts[j] == Part::Oscillating {
+            -gradients[(i, j)]
+        } else {
+            S::zero()
+        }
+    });
+    let by_velocity = SMatrix::from_fn(|i, j| match (is_eliminated(i), is_eliminated(j)) {
+        (true, false) => -mass[(i, j)],
+        (false, false) => unit(i, j),
+        (_, true) => S::zero(),
+    });
+    [factors.solve(&by_position), factors.solve(&by_velocity)]
+}
+
+/// What is negligible in relation to 1.
+pub(super) fn negligible<S: Scalar>() -> f64 {
+    libm::pow(S::machine_epsilon(), NEGLIGIBLE)
+}
+
+/// The largest magnitude.
+pub(super) fn largest<S: Scalar, const N: usize>(matrix: &SMatrix<S, N, N>) -> f64 {
+    let entries = matrix.iter().map(|x| x.abs().largest());
+    entries.fold(0.0, f64::max)
+}

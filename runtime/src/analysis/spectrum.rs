@@ -1,0 +1,54 @@
+//! The eigenvalues of a linear system of first order.
+
+use nalgebra::Complex;
+
+/// Up to 2 `N` eigenvalues of a linear system of first order, by ascending magnitude, of a conjugate pair the one above the
+/// real axis first; a slice of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spectrum<const N: usize> {
+    values: [[Complex<f64>; N]; 2],
+    count: usize,
+}
+
+impl<const N: usize> Spectrum<N> {
+    pub(super) fn new(values: [[Complex<f64>; N]; 2], count: usize) -> Self {
+        let mut spectrum = Self { values, count };
+        sort(&mut spectrum.values.as_flattened_mut()[..count]);
+        spectrum
+    }
+
+    /// The largest magnitude; 0 if there are no eigenvalues.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.iter().fold(0.0, |most, x| modulus(*x).max(most))
+    }
+
+    /// The largest real part: the rate at which perturbations grow; −∞ if there are no eigenvalues.
+    #[must_use]
+    pub fn abscissa(&self) -> f64 {
+        self.iter()
+            .fold(f64::NEG_INFINITY, |most, x| x.re.max(most))
+    }
+}
+
+impl<const N: usize> core::ops::Deref for Spectrum<N> {
+    type Target = [Complex<f64>];
+
+    fn deref(&self) -> &[Complex<f64>] {
+        &self.values.as_flattened()[..self.count]
+    }
+}
+
+/// The magnitude of a complex number.
+pub(super) fn modulus(x: Complex<f64>) -> f64 {
+    libm::hypot(x.re, x.im)
+}
+
+/// By ascending magnitude; those of equal magnitude by their real parts, and a pair from above.
+pub(super) fn sort(values: &mut [Complex<f64>]) {
+    values.sort_unstable_by(|x, y| {
+        let magnitudes = modulus(*x).total_cmp(&modulus(*y));
+        let reals = magnitudes.then(x.re.total_cmp(&y.re));
+        reals.then(y.im.total_cmp(&x.im))
+    });
+}

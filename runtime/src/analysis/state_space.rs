@@ -1,0 +1,228 @@
+//! Linear state-space models.
+
+use nalgebra::{Complex, SMatrix, SVector};
+
+use super::controllability::Controllability;
+use super::eigenvalues::eigenvalues;
+use super::matrix_exponential::exponential;
+use super::spectrum::Spectrum;
+use crate::integrate::SingleNumber;
+use crate::model::{Inputs, Lagrangian, State};
+use crate::scalar::Scalar;
+
+/// A linear model ẋ = A x + B u + f₀, y = C x + D u + y₀ in the deviations x = (δq, δq̇) and u from the point of linearization.
+///
+/// `D` is 2 `N`, `U` the number of inputs and `Y` that of outputs, which are the states unless others are declared. About an
+/// equilibrium f₀ is 0; elsewhere it is the derivative (q̇, q̈) there, and the model holds for short times.
+///
+/// ```
+/// use lagrangian::analysis::StateSpace;
+/// use lagrangian::prelude::*;
+///
+/// /// An inverted pendulum with a motor: l² θ̈ = g l sin θ + torque/m.
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
+///     potential = m * g * l * cos(theta),
+///     force(theta = torque),
+/// )]
+/// struct Inverted { m: f64, l: f64, g: f64, #[lagrangian(input)] torque: f64 }
+///
+/// let model = Inverted { m: 2.0, l: 0.5, g: 9.81, torque: 0.0 };
+/// let plant = StateSpace::<f64, 2, 1, 2>::of(&model, &State::new(0.0, [0.0], [0.0]));
+/// assert!(plant.is_at_equilibrium(1e-12));
+/// let rate = (9.81_f64 / 0.5).sqrt();
+/// let poles = plant.poles().unwrap();
+/// assert!((poles.abscissa() - rate).abs() < 1e-14);
+///
+/// // With a zero-order hold over 10 ms.
+/// let sampled = plant.discretized(0.01);
+/// assert!((sampled.a[(0, 0)] - (0.01 * rate).cosh()).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateSpace<S: Scalar, const D: usize, const U: usize, const Y: usize> {
+    /// The state matrix A.
+    pub a: SMatrix<S, D, D>,
+    /// The input matrix B.
+    pub b: SMatrix<S, D, U>,
+    /// The output matrix C.
+    pub c: SMatrix<S, Y, D>,
+    /// The feedthrough matrix D.
+    pub d: SMatrix<S, Y, U>,
+    /// The derivative f₀ = (q̇, q̈) at the point of linearization.
+    pub derivative: SVector<S, D>,
+    /// The outputs y₀ at the point of linearization.
+    pub output: SVector<S, Y>,
+}
+
+/// A linear model in discrete time, xₖ₊₁ = A xₖ + B uₖ + f, yₖ = C xₖ + D uₖ + y₀; given by [`StateSpace::discretized`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscreteStateSpace<S: Scalar, const D: usize, const U: usize, const Y: usize> {
+    /// The state matrix A.
+    pub a: SMatrix<S, D, D>,
+    /// The input matrix B.
+    pub b: SMatrix<S, D, U>,
+    /// The output matrix C.
+    pub c: SMatrix<S, Y, D>,
+    /// The feedthrough matrix D.
+    pub d: SMatrix<S, Y, U>,
+    /// What f₀ adds in a period.
+    pub increment: SVector<S, D>,
+    /// The outputs y₀ at the point of linearization.
+    pub output: SVector<S, Y>,
+    /// The sampling period.
+    pub period: S,
+}
+
+fn identity<S: Scalar, const D: usize>() -> SMatrix<S, D, D> {
+    SMatrix::from_fn(|i, j| if i == j { S::one() } else { S::zero() })
+}
+
+impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
+    /// The linearization of a model without inputs, or under those of its fields, about a state.
+    ///
+    /// Another `D` than 2 `N` does not compile.
+    pub fn free<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
+    where
+        M: Lagrangian<N, S> + ?Sized,
+    {
+        Self {
+            a: model.linearize(state).state_matrix(),
+            b: SMatrix::zeros(),
+            c: identity(),
+            d: SMatrix::zeros(),
+            derivative: stacked(&state.v, &model.accelerations(state)),
+            output: stacked(&state.q, &state.v),
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
+    /// The linearization of a model about a state and the inputs of its fields.
+    ///
+    /// Another `D` than 2 `N` does not compile.
+    pub fn of<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
+    where
+        M: Inputs<N, U, S> + ?Sized,
+    {
+        Self::about(model, state, &model.inputs())
+    }
+
+    /// The linearization of a model about a state and inputs, such as those that
+    /// [`EquilibriumSearch::trim`](crate::analysis::EquilibriumSearch::trim) finds.
+    ///
+    /// Another `D` than 2 `N` does not compile.
+    pub fn about<M, const N: usize>(model: &M, state: &State<S, N>, inputs: &SVector<S, U>) -> Self
+    where
+        M: Inputs<N, U, S> + ?Sized,
+    {
+        Self {
+            a: model.linearize_with(state, inputs).state_matrix(),
+            b: model.input_matrix_with(state, inputs),
+            c: identity(),
+            d: SMatrix::zeros(),
+            derivative: stacked(&state.v, &model.accelerations_with(state, inputs)),
+            output: stacked(&state.q, &state.v),
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize, const U: usize, const Y: usize> StateSpace<S, D, U, Y> {
+    /// The same model with other outputs y = C x + D u + y₀.
+    #[must_use]
+    pub fn with_outputs<const Z: usize>(
+        &self,
+        c: SMatrix<S, Z, D>,
+        d: SMatrix<S, Z, U>,
+        output: SVector<S, Z>,
+    ) -> StateSpace<S, D, U, Z> {
+        StateSpace {
+            a: self.a,
+            b: self.b,
+            c,
+            d,
+            derivative: self.derivative,
+            output,
+        }
+    }
+
+    /// Whether the point of linearization is an equilibrium: whether no component of f₀ exceeds `tolerance`.
+    ///
+    /// At a steady motion it is not, since ignorable coordinates move.
+    #[must_use]
+    pub fn is_at_equilibrium(&self, tolerance: f64) -> bool {
+        let mut components = self.derivative.iter();
+        components.all(|x| x.abs().largest() <= tolerance)
+    }
+}
+
+impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize> StateSpace<S, D, U, Y> {
+    /// The poles: the eigenvalues of A. None if they are not found, since an entry is not finite or the QR algorithm has not converged.
+    #[must_use]
+    pub fn poles(&self) -> Option<Spectrum<D>> {
+        poles(&self.a)
+    }
+
+    /// Which part of the state the inputs reach.
+    #[must_use]
+    pub fn controllability(&self) -> Controllability<D> {
+        Controllability::of(&self.a, &self.b)
+    }
+
+    /// Which part of the state the outputs show: the controllability of (Aᵀ, Cᵀ).
+    #[must_use]
+    pub fn observability(&self) -> Controllability<D> {
+        Controllability::of(&self.a.transpose(), &self.c.transpose())
+    }
+
+    /// The model with a zero-order hold: inputs are constant over each period. Not finite where the exponential overflows.
+    #[must_use]
+    pub fn discretized(&self, period: S) -> DiscreteStateSpace<S, D, U, Y> {
+        let [a, integral] = exponential(&self.a, period);
+        DiscreteStateSpace {
+            a,
+            b: integral * self.b,
+            c: self.c,
+            d: self.d,
+            increment: integral * self.derivative,
+            output: self.output,
+            period,
+        }
+    }
+}
+
+impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize>
+    DiscreteStateSpace<S, D, U, Y>
+{
+    /// The poles: the eigenvalues of A, stable within the unit circle. None if they are not found.
+    #[must_use]
+    pub fn poles(&self) -> Option<Spectrum<D>> {
+        poles(&self.a)
+    }
+
+    /// Which part of the state the inputs reach.
+    #[must_use]
+    pub fn controllability(&self) -> Controllability<D> {
+        Controllability::of(&self.a, &self.b)
+    }
+}
+
+/// The eigenvalues of a matrix.
+pub(super) fn poles<S: Scalar, const D: usize>(a: &SMatrix<S, D, D>) -> Option<Spectrum<D>> {
+    let mut entries: [[f64; D]; D] =
+        core::array::from_fn(|i| core::array::from_fn(|j| a[(i, j)].largest()));
+    let mut found = [[Complex::new(0.0, 0.0); D]; 2];
+    let converged = eigenvalues(entries.as_flattened_mut(), D, D, found.as_flattened_mut());
+    converged.then(|| Spectrum::new(found, D))
+}
+
+fn stacked<S: Scalar, const N: usize, const D: usize>(
+    upper: &SVector<S, N>,
+    lower: &SVector<S, N>,
+) -> SVector<S, D> {
+    SVector::from_fn(|i, _| match i.checked_sub(N) {
+        None => upper[i],
+        Some(i) => lower[i],
+    })
+}
