@@ -37,6 +37,7 @@ pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
 pub use mechanics::model::{Energies, EnergiesInFrames, Model};
 pub use mechanics::solvers::form::SolvedForm;
+pub use mechanics::solvers::implicit_equations::ImplicitEquations;
 pub use mechanics::solvers::pivots::Pivot;
 pub use mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 pub use mechanics::solvers::solution::Solution;

@@ -29,12 +29,14 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Input(i) => field(&quantities.inputs, i),
             Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
-            // Symbols of recurrences, which are read from their terms, and of vectors before they are resolved.
+            // Symbols of recurrences, which are read from their terms, of equations before they are solved, and of vectors
+            // before they are resolved.
             Symbol::Order
             | Symbol::ReciprocalOrder
             | Symbol::Convolution(_)
             | Symbol::QuasiVelocity(_)
             | Symbol::QuasiVelocityRate(_)
+            | Symbol::RightHandSide(_)
             | Symbol::PositionComponent(_)
             | Symbol::VelocityComponent(_) => TokenStream::new(),
         }

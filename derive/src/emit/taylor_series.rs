@@ -39,6 +39,7 @@ impl SymbolReader for TermSymbols {
             Symbol::Invariant(i)
             | Symbol::Parameter(i)
             | Symbol::Argument(i)
+            | Symbol::RightHandSide(i)
             | Symbol::PositionComponent(i)
             | Symbol::VelocityComponent(i)
             | Symbol::QuasiVelocityRate(i) => element(&quote!(invariants), i),

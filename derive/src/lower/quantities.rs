@@ -114,7 +114,7 @@ impl Quantities {
             Symbol::Order => "k".to_owned(),
             Symbol::ReciprocalOrder => "k_recip".to_owned(),
             Symbol::Convolution(i) => format!("s{i}"),
-            Symbol::PositionComponent(i) => format!("r{i}"),
+            Symbol::PositionComponent(i) | Symbol::RightHandSide(i) => format!("r{i}"),
             Symbol::QuasiVelocityRate(i) => format!("w{i}_dot"),
             Symbol::QuasiVelocity(i) | Symbol::VelocityComponent(i) => format!("w{i}"),
         }

@@ -35,19 +35,8 @@ impl Method {
     /// The accelerations in two stages: the invariants, which depend on the parameters alone, and the rest.
     pub(super) fn accelerations(model: &Model, kinetics: &Kinetics) -> [Self; 2] {
         let mut layout = ProgramLayout::new();
-        let (outputs, is_numerical) = if let Some(solution) = &kinetics.solution {
-            let outputs = AccelerationOutputs::Symbolic {
-                pivots: layout.add(&solution.pivots),
-                accelerations: layout.add(&solution.accelerations),
-            };
-            (outputs, false)
-        } else {
-            let outputs = AccelerationOutputs::Numerical {
-                mass: layout.add_mass(&kinetics.system),
-                forcing: layout.add(&kinetics.system.forcing),
-            };
-            (outputs, true)
-        };
+        let outputs = AccelerationOutputs::add_to(&mut layout, kinetics);
+        let is_numerical = matches!(outputs, AccelerationOutputs::Numerical { .. });
         let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
         let prepare = Self::preparation(setup);

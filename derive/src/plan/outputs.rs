@@ -5,7 +5,7 @@
 
 use core::ops::Range;
 
-use lagrangian_symbolic::{Expression, LinearSystem, Model, Operand, Program};
+use lagrangian_symbolic::{Expression, Kinetics, LinearSystem, Model, Operand, Program};
 
 use crate::syntax::shape::Shape;
 
@@ -87,6 +87,22 @@ pub(crate) enum AccelerationOutputs {
         mass: LowerTriangle,
         forcing: OutputSlice,
     },
+}
+
+impl AccelerationOutputs {
+    /// Adds what q̈ is found from.
+    pub(crate) fn add_to(layout: &mut ProgramLayout, kinetics: &Kinetics) -> Self {
+        if let Some(solution) = &kinetics.solution {
+            return Self::Symbolic {
+                pivots: layout.add(&solution.pivots),
+                accelerations: layout.add(&solution.accelerations),
+            };
+        }
+        Self::Numerical {
+            mass: layout.add_mass(&kinetics.system),
+            forcing: layout.add(&kinetics.system.forcing),
+        }
+    }
 }
 
 /// What a program for the derivatives of q̈ by q, q̇ and t returns.

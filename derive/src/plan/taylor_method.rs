@@ -1,8 +1,8 @@
 //! The Taylor series of a motion.
 
 use lagrangian_symbolic::{
-    Equations, Graph, Model, NoSeries, Program, QuasiVelocityEquations, SeriesCheck, SeriesOutputs,
-    TaylorProgram, ValueSeriesCheck,
+    Equations, Graph, ImplicitEquations, Model, NoSeries, Program, QuasiVelocityEquations,
+    SeriesCheck, SeriesOutputs, TaylorProgram, ValueSeriesCheck,
 };
 
 use super::method::Method;
@@ -37,8 +37,8 @@ pub(crate) enum NoTaylorSeries {
 }
 
 impl Methods {
-    /// The Taylor series of the motion: that of q̇ and q̈, or that of quasi-velocities and their rates where its recurrence
-    /// takes fewer operations. What is prepared serves both.
+    /// The Taylor series of the motion: that of q̇ and q̈ by the program for q̈ or by implicit equations, or that of
+    /// quasi-velocities and their rates, whichever recurrence takes fewest operations. What is prepared serves both.
     pub(crate) fn taylor_method(
         &mut self,
         model: &mut Model,
@@ -48,6 +48,9 @@ impl Methods {
         let mut choices = vec![(self.prepare.program.clone(), accelerations)];
         for choice in self.kinetics.quasi_velocity_equations(model, equations) {
             choices.extend(self.series_in_quasi_velocities(model, &choice));
+        }
+        for choice in self.kinetics.implicit_equations(model, equations) {
+            choices.extend(self.series_of_implicit_equations(model, &choice));
         }
         choices.sort_by_key(|(_, method)| method.program.cost());
         let coordinates = model.coordinates as usize;
@@ -110,18 +113,62 @@ impl Methods {
             rates: rates.operands(&kernel),
         };
         let taylor = TaylorProgram::of(&model.graph, &kernel, outputs).ok()?;
-        let programs = [&preparation, &taylor.initial, &taylor.recurrence];
-        let constants = programs.into_iter().flat_map(Program::constants);
-        if constants.into_iter().any(|number| !in_range(number)) {
-            return None;
-        }
         let method = TaylorMethod {
             invariants: OutputSlice::of_last_group(&taylor.initial),
             initial: Method::initial(&taylor, MethodOutputs::Vector(rates.clone())),
             rates: Rates::QuasiVelocities(rates),
             program: taylor,
         };
-        Some((preparation, method))
+        method.in_range(preparation)
+    }
+
+    /// The series of accelerations by implicit equations, and the setup program with their invariants; none if a constant
+    /// is beyond the range of `f64`.
+    fn series_of_implicit_equations(
+        &self,
+        model: &Model,
+        equations: &ImplicitEquations,
+    ) -> Option<(Program, TaylorMethod)> {
+        let mut layout = ProgramLayout::new();
+        let rates = AccelerationOutputs::add_to(&mut layout, &self.kinetics);
+        layout.begin_group();
+        let residuals = layout.add(&equations.residuals);
+        let solution = layout.add(&equations.solution);
+        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
+        let mut preparation = self.prepare.program.clone();
+        let staged = whole.staged(model.graph.passes);
+        let kernel = staged.with_setup_in(&mut preparation);
+        let outputs = SeriesOutputs::Implicit {
+            accelerations: match &rates {
+                AccelerationOutputs::Symbolic { accelerations, .. } => {
+                    accelerations.operands(&kernel)
+                }
+                AccelerationOutputs::Numerical { .. } => &[],
+            },
+            residuals: residuals.operands(&kernel),
+            solution: solution.operands(&kernel),
+        };
+        let taylor = TaylorProgram::of(&model.graph, &kernel, outputs).ok()?;
+        let method = TaylorMethod {
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, MethodOutputs::Accelerations(rates.clone())),
+            rates: Rates::Accelerations(rates),
+            program: taylor,
+        };
+        method.in_range(preparation)
+    }
+}
+
+impl TaylorMethod {
+    /// The method with its setup program, unless one has a constant beyond the range of `f64`.
+    fn in_range(self, preparation: Program) -> Option<(Program, Self)> {
+        let Self { program, .. } = &self;
+        let programs = [&preparation, &program.initial, &program.recurrence];
+        let is_in_range = programs
+            .into_iter()
+            .flat_map(Program::constants)
+            .all(in_range);
+        is_in_range.then_some((preparation, self))
     }
 }
 

@@ -37,7 +37,9 @@ impl Contents {
             Symbol::Time => Self::TIME,
             Symbol::Coordinate(_) => Self::COORDINATE,
             Symbol::Velocity(_) | Symbol::QuasiVelocity(_) => Self::VELOCITY,
-            Symbol::Acceleration(_) | Symbol::QuasiVelocityRate(_) => Self::ACCELERATION,
+            Symbol::Acceleration(_) | Symbol::QuasiVelocityRate(_) | Symbol::RightHandSide(_) => {
+                Self::ACCELERATION
+            }
             Symbol::Parameter(_) => Self::PARAMETER,
             Symbol::Input(_) => Self::INPUT,
             Symbol::Invariant(_) => Self::INVARIANT,

@@ -30,6 +30,8 @@ pub enum Symbol {
     QuasiVelocity(u32),
     /// Its rate ẇᵢ, in formulas that are printed.
     QuasiVelocityRate(u32),
+    /// A component rᵢ of the right-hand side of M x = r, in [implicit equations](crate::ImplicitEquations).
+    RightHandSide(u32),
     /// A component of a vector that is not resolved yet and depends on positions alone, in energies
     /// [in frames](crate::EnergiesInFrames).
     PositionComponent(u32),
@@ -56,6 +58,7 @@ impl Symbol {
             Self::PositionComponent(index) => (12, index),
             Self::VelocityComponent(index) => (13, index),
             Self::QuasiVelocityRate(index) => (14, index),
+            Self::RightHandSide(index) => (15, index),
         }
     }
 }

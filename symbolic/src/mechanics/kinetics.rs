@@ -4,13 +4,14 @@
 //! each other, recursions along them take fewer operations. Here the solvers for q̈ that apply are set up; [`Solution::cheapest`] chooses among them.
 //! Where none applies, the emitted code factors M numerically.
 
-use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS};
+use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::mechanics::solvers::implicit_equations::ImplicitEquations;
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
 use crate::mechanics::solvers::link_derivatives::cheapest_derivatives;
 use crate::mechanics::solvers::link_equations::LinkEquations;
@@ -157,6 +158,30 @@ impl Kinetics {
         choices
             .map(|choice| choice.equations(&mut model.graph, forces))
             .collect()
+    }
+
+    /// The equations of motion as M q̈ − f = 0, by each known way to compute this.
+    pub fn implicit_equations(
+        &self,
+        model: &mut Model,
+        equations: &Equations,
+    ) -> Vec<ImplicitEquations> {
+        let graph = &mut model.graph;
+        let Some(solution) = &self.solution else {
+            return vec![ImplicitEquations {
+                residuals: self.system.inverse_dynamics.clone(),
+                solution: Vec::new(),
+            }];
+        };
+        let mut residuals = vec![
+            self.inverse_dynamics.clone(),
+            equations.inverse_dynamics.clone(),
+        ];
+        residuals.dedup();
+        let costs = residuals.iter().map(|residuals| graph.cost(residuals));
+        let least = costs.min().unwrap_or(0);
+        residuals.retain(|residuals| graph.cost(residuals) <= SCHEDULING_MARGIN * least);
+        solution.implicit_equations(graph, residuals)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The solvers for q̈, except the symbolic factorization (`matrix/ldlt.rs`). [Kinetics](crate::Kinetics) chooses among them.
 
 pub(crate) mod pivots;
+pub(crate) mod implicit_equations;
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
 pub(crate) mod newton_euler;

@@ -97,7 +97,9 @@ impl Letters {
             Symbol::Argument(index) => (find(&[], "x", index), 0),
             Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
             Symbol::Convolution(index) => (find(&[], "s", index), 0),
-            Symbol::PositionComponent(index) => (find(&[], "r", index), 0),
+            Symbol::PositionComponent(index) | Symbol::RightHandSide(index) => {
+                (find(&[], "r", index), 0)
+            }
             Symbol::QuasiVelocity(index) => (find(&self.quasi_velocities, "w", index), 0),
             Symbol::QuasiVelocityRate(index) => (find(&self.quasi_velocities, "w", index), 1),
             Symbol::VelocityComponent(index) => (find(&[], "w", index), 0),

@@ -101,7 +101,9 @@ pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
         Symbol::Velocity(index)
         | Symbol::VelocityComponent(index)
         | Symbol::QuasiVelocity(index) => (8, index),
-        Symbol::Acceleration(index) | Symbol::QuasiVelocityRate(index) => (9, index),
+        Symbol::Acceleration(index)
+        | Symbol::QuasiVelocityRate(index)
+        | Symbol::RightHandSide(index) => (9, index),
     }
 }
 

@@ -10,6 +10,7 @@
 mod builder;
 mod external_functions;
 mod functions;
+mod implicit;
 mod linear_forms;
 mod quotients;
 mod terms;
@@ -63,6 +64,15 @@ pub enum SeriesOutputs<'a> {
     Accelerations(&'a [Operand]),
     /// The lower triangle of M, row by row, and f: q̈ is solved for numerically.
     System(&'a [Operand], &'a [Operand]),
+    /// q̈, from the series of M q̈ − f and the solution of M x = r.
+    Implicit {
+        /// q̈, in a group before the others; none where it is solved for numerically.
+        accelerations: &'a [Operand],
+        /// M q̈ − f, in terms of q̈.
+        residuals: &'a [Operand],
+        /// x, in terms of r; empty where q̈ is solved for numerically.
+        solution: &'a [Operand],
+    },
     /// q̇ and ẇ, in terms of q and w.
     QuasiVelocities {
         /// w, in terms of q and q̇, in a group before the others.
@@ -80,7 +90,12 @@ impl SeriesOutputs<'_> {
     /// All but w.
     fn operands(&self) -> impl Iterator<Item = &Operand> {
         let (first, second) = match self {
-            Self::Accelerations(operands) | Self::Values(operands) => (*operands, &[][..]),
+            Self::Accelerations(operands)
+            | Self::Values(operands)
+            | Self::Implicit {
+                residuals: operands,
+                ..
+            } => (*operands, &[][..]),
             Self::System(mass, forcing) => (*mass, *forcing),
             Self::QuasiVelocities {
                 velocities, rates, ..
@@ -92,7 +107,9 @@ impl SeriesOutputs<'_> {
     /// The velocities and quasi-velocities that are constants of motion, since their rate is 0.
     fn constants_of_motion(&self) -> Vec<Symbol> {
         let (rates, symbol): (_, fn(u32) -> Symbol) = match self {
-            Self::Accelerations(accelerations) => (*accelerations, Symbol::Velocity),
+            Self::Accelerations(accelerations) | Self::Implicit { accelerations, .. } => {
+                (*accelerations, Symbol::Velocity)
+            }
             Self::QuasiVelocities { rates, .. } => (*rates, Symbol::QuasiVelocity),
             Self::System(..) | Self::Values(_) => (&[][..], Symbol::Velocity),
         };
@@ -143,6 +160,9 @@ impl TaylorProgram {
             let series = outputs.operands().map(|operand| builder.series(operand));
             series.map(|series| series.coefficient).collect()
         };
+        if let SeriesOutputs::Implicit { solution, .. } = outputs {
+            return Ok(builder.solved(program, &coefficients, solution));
+        }
         let mut taylor = builder.finish(program, coefficients);
         if let SeriesOutputs::QuasiVelocities { values, .. } = outputs {
             taylor.is_in_quasi_velocities = true;

@@ -280,6 +280,7 @@ fn moving(
         | Symbol::Convolution(_)
         | Symbol::QuasiVelocity(_)
         | Symbol::QuasiVelocityRate(_)
+        | Symbol::RightHandSide(_)
         | Symbol::PositionComponent(_)
         | Symbol::VelocityComponent(_) => {}
     }

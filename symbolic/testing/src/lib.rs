@@ -82,6 +82,7 @@ pub fn value(symbol: Symbol) -> f64 {
         | Symbol::Convolution(_)
         | Symbol::QuasiVelocity(_)
         | Symbol::QuasiVelocityRate(_)
+        | Symbol::RightHandSide(_)
         | Symbol::PositionComponent(_)
         | Symbol::VelocityComponent(_) => 0.2,
     }

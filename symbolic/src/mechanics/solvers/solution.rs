@@ -13,6 +13,7 @@ use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::mechanics::solvers::implicit_equations::ImplicitEquations;
 use crate::mechanics::solvers::link_derivatives::cheapest_derivatives;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::pivots::Pivot;
@@ -35,6 +36,18 @@ pub(crate) enum Solver {
     ArticulatedLinks(ArticulatedLinks),
     /// The factors of M, and f.
     Ldlt(Ldlt, Vec<Expression>),
+}
+
+impl Solver {
+    /// x in M x = r; empty where M is not what is factored.
+    fn solution(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        match self {
+            Self::ArticulatedBodies(solver) => solver.solution(graph, right),
+            Self::ArticulatedLinks(solver) => solver.solution(graph, right),
+            Self::Ldlt(solver, _) => solver.solve(graph, right),
+            Self::BoltzmannHamel(_) => Vec::new(),
+        }
+    }
 }
 
 impl Solution {
@@ -129,14 +142,34 @@ impl Solution {
         let mut columns = Vec::new();
         for slopes in cheapest_derivatives(graph, links, &residuals, symbols, &beside) {
             let right: Vec<_> = slopes.iter().map(|slope| graph.negate(*slope)).collect();
-            columns.extend(match &self.solver {
-                Solver::ArticulatedBodies(solver) => solver.solution(graph, &right),
-                Solver::ArticulatedLinks(solver) => solver.solution(graph, &right),
-                Solver::Ldlt(solver, _) => solver.solve(graph, &right),
-                Solver::BoltzmannHamel(_) => Vec::new(),
-            });
+            columns.extend(self.solver.solution(graph, &right));
         }
         Some(columns)
+    }
+
+    /// The equations of motion in the form in which they are solved, with each of these residuals M q̈ − f that are for the
+    /// same M; none where no matrix is factored.
+    pub(crate) fn implicit_equations(
+        &self,
+        graph: &mut Graph,
+        mut residuals: Vec<Vec<Expression>>,
+    ) -> Vec<ImplicitEquations> {
+        match &self.solver {
+            Solver::BoltzmannHamel(_) => return Vec::new(),
+            // Theirs are in the unit of the tree.
+            Solver::ArticulatedBodies(solver) => residuals = vec![solver.inverse_dynamics(graph)],
+            Solver::ArticulatedLinks(solver) => residuals.push(solver.inverse_dynamics(graph)),
+            Solver::Ldlt(..) => {}
+        }
+        let symbols = (0..).map(Symbol::RightHandSide);
+        let symbols = symbols.take(self.accelerations.len());
+        let right: Vec<_> = symbols.map(|symbol| graph.symbol(symbol)).collect();
+        let solution = self.solver.solution(graph, &right);
+        let equations = residuals.into_iter().map(|residuals| ImplicitEquations {
+            residuals,
+            solution: solution.clone(),
+        });
+        equations.collect()
     }
 
     /// Whether the accelerations solve M q̈ = f, as far as a random point in modular arithmetic tells;

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::external_functions::{Derivative, Pending};
 use super::functions::Pair;
 use super::linear_forms::Recurrence;
-use super::{Convolution, NoSeries, TaylorProgram};
+use super::{Convolution, NoSeries, TaylorProgram, implicit};
 use crate::algebra::hashing::Table;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 use crate::{ExternalFunction, Graph, Rational, Symbol};
@@ -96,7 +96,7 @@ impl Instructions {
     }
 }
 
-fn renumber(operand: &mut Operand, numbers: &Table<usize, usize>) {
+pub(super) fn renumber(operand: &mut Operand, numbers: &Table<usize, usize>) {
     if let Operand::Value(value) = operand
         && let Some(number) = numbers.get(value)
     {
@@ -205,6 +205,7 @@ impl<'a> Builder<'a> {
                 Symbol::Time
                     | Symbol::Coordinate(_)
                     | Symbol::Velocity(_)
+                    | Symbol::Acceleration(_)
                     | Symbol::QuasiVelocity(_)
                     | Symbol::Input(_)
             );
@@ -338,18 +339,10 @@ impl<'a> Builder<'a> {
         } = recurrence.balanced(&mut in_initial);
         let mut initial = program.clone();
         initial.groups.push(in_initial.group(invariants));
-        let coefficients = OutputGroup {
-            instructions,
-            outputs: coefficients,
-        };
-        let factors = OutputGroup {
-            instructions: Vec::new(),
-            outputs: factors,
-        };
         TaylorProgram {
             initial,
             recurrence: Program {
-                groups: vec![coefficients, factors],
+                groups: implicit::in_two_groups(instructions, coefficients, factors),
             },
             convolutions: self.convolutions.items,
             is_in_quasi_velocities: false,
