@@ -67,8 +67,16 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
             let known = self.order.min(x.len());
             let (x, y) = (&mut x[..known], &mut y[..known]);
             if let (Some(x), Some(y)) = (x.last_mut(), y.last_mut()) {
-                *x = core::array::from_fn(|lane| factors[pairs[lane][0]]);
-                *y = core::array::from_fn(|lane| factors[pairs[lane][1]]);
+                if LANES <= LANES_AT_ONCE {
+                    *x = core::array::from_fn(|lane| factors[pairs[lane][0]]);
+                    *y = core::array::from_fn(|lane| factors[pairs[lane][1]]);
+                } else {
+                    // Longer rows do not fit into registers: they are written where they stay.
+                    for ((x, y), pair) in x.iter_mut().zip(y).zip(pairs) {
+                        *x = factors[pair[0]];
+                        *y = factors[pair[1]];
+                    }
+                }
             }
             *sums = sum(begun.as_chunks_mut::<LANES>().0, x, y);
         }
