@@ -122,6 +122,7 @@ impl Accelerations {
             quasi_velocities,
             velocities,
             rates,
+            ..
         } = equations;
         let roots = [&quasi_velocities[..], velocities, rates];
         let program = Program::schedule_for_staging(&model.graph, &roots);
