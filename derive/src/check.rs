@@ -26,6 +26,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
     check_events(declaration, diagnostics);
+    check_gravity(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);
     }
@@ -107,6 +108,19 @@ fn check_events(declaration: &Declaration, diagnostics: &mut Diagnostics) {
             );
             diagnostics.error(&event.name, message);
         }
+    }
+}
+
+/// Gravity is that of the bodies.
+fn check_gravity(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    if let (Some(gravity), true) = (
+        &clauses.gravity,
+        clauses.bodies.is_empty() && !clauses.unreadable,
+    ) {
+        let message = "gravity acts on the bodies of `body(…)`, and there is none: write `body(link = (r, p))`, or the \
+                       weight under `potential`";
+        diagnostics.error(&gravity.keyword, message);
     }
 }
 

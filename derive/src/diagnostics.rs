@@ -1,12 +1,18 @@
 //! Errors, collected so that all of them are reported together.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 
 /// The errors found so far.
+///
+/// What is used twice, such as the place of a body in both of its energies, is wrong once.
 #[derive(Default)]
 pub(crate) struct Diagnostics {
     errors: Option<syn::Error>,
+    /// The places and messages of those.
+    seen: BTreeSet<String>,
 }
 
 impl Diagnostics {
@@ -22,9 +28,14 @@ impl Diagnostics {
 
     /// Adds an error that was made elsewhere.
     pub(crate) fn add(&mut self, error: syn::Error) {
-        match &mut self.errors {
-            Some(errors) => errors.combine(error),
-            None => self.errors = Some(error),
+        for error in error {
+            if !self.seen.insert(format!("{:?} {error}", error.span())) {
+                continue;
+            }
+            match &mut self.errors {
+                Some(errors) => errors.combine(error),
+                None => self.errors = Some(error),
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod quantities;
 pub(crate) mod value;
+pub(crate) mod body;
 pub(crate) mod scope;
 pub(crate) mod builtins;
 mod hints;

@@ -7,6 +7,8 @@ pub(crate) mod coordinate;
 pub(crate) mod named;
 pub(crate) mod external_function;
 pub(crate) mod field;
+pub(crate) mod body_type;
+pub(crate) mod placed_body;
 pub(crate) mod field_type;
 pub(crate) mod scalar;
 pub(crate) mod root;

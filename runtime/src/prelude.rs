@@ -2,6 +2,7 @@
 //!
 //! The derive macro, the traits of models, the integrators, and the vectors and matrices of their signatures.
 
+pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
     Advance, AugmentedPhase, ConstantsOfMotion, ControlledBy, Crossing, Dop853, Driver, Dynamics,
     Energies, Event, Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs,

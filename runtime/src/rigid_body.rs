@@ -28,6 +28,8 @@ mod inertia_tensor;
 mod principal_axes;
 mod validity;
 mod body;
+mod principal_body;
+mod symmetric_body;
 mod solid;
 #[cfg(feature = "alloc")]
 mod mesh;
@@ -57,9 +59,11 @@ pub use moments::{
 pub use momentum::rate_in_space;
 pub use motion::RigidMotion;
 pub use principal_axes::{PrincipalAxes, Symmetry};
+pub use principal_body::PrincipalBody;
 pub use reports::{CadReport, ProductSign, UrdfInertial};
 pub use resultant::Resultant;
 pub use rotation_state::RotationState;
 pub use solid::Solid;
 pub use steady_precession::SteadyPrecession;
 pub use steady_rotation::SteadyRotation;
+pub use symmetric_body::SymmetricBody;

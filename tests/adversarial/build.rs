@@ -60,6 +60,7 @@ fn source(model: &Value) -> String {
     };
     format!(
         "use lagrangian::prelude::*;
+use lagrangian::rigid_body::InertiaTensor;
 use crate::{{At, Found, Values, external}};
 
 {}
@@ -120,13 +121,21 @@ fn calls(model: &Value, inputs: &[&str]) -> String {
 
 /// How a field is read from the values in order.
 fn read(field: &Value) -> String {
-    let one = if list(&field["shape"]).is_empty() {
-        "values.number()"
+    let one = if let Some(body) = field["body"].as_str() {
+        let arguments = match body {
+            "RigidBody" => "1.0, Vector3::zeros(), InertiaTensor::principal([1.0; 3])",
+            "PrincipalBody" => "1.0, [1.0; 3]",
+            _ => "1.0, 0.0, 1.0, 1.0",
+        };
+        // No real body has any numbers, and a formula does not care.
+        format!("{body}::new({arguments}).expect(\"a body\").map(|_| values.number())")
+    } else if list(&field["shape"]).is_empty() {
+        "values.number()".to_owned()
     } else {
-        "values.matrix()"
+        "values.matrix()".to_owned()
     };
     match field["family"].as_u64() {
-        None => one.to_owned(),
+        None => one,
         Some(_) => format!("std::array::from_fn(|_| {one})"),
     }
 }

@@ -4,8 +4,9 @@ use crate::diagnostics::Diagnostics;
 use crate::limits::MOST_COMPONENTS;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
+use crate::syntax::field_type::Content;
 use crate::syntax::field_type::UnsupportedType;
-use crate::syntax::scalar::is_number;
+use crate::syntax::scalar::{has_numbers, is_number};
 
 /// The components of a vector of coordinates are numbers of the model.
 pub(super) fn check_coordinate_types(declaration: &Declaration, diagnostics: &mut Diagnostics) {
@@ -27,10 +28,15 @@ pub(super) fn check_field_types(declaration: &Declaration, diagnostics: &mut Dia
     {
         let ty = field.declared_type();
         let message = match field.field_type() {
-            Ok(read) if is_number(declaration, read.element) => continue,
+            Ok(read) if has_numbers(declaration, &read) => {
+                if let (Role::Input, Content::Body(_)) = (field.role, read.content()) {
+                    diagnostics.error(ty, NO_INPUT);
+                }
+                continue;
+            }
             Ok(_) | Err(UnsupportedType::Unknown) => {
-                "parameters are of type `f64`, `f32`, arrays of them such as `[f64; 5]`, or vectors and \
-                 matrices of nalgebra such as `Vector3<f64>`: change the type, name what it is an alias of by \
+                "parameters are of type `f64`, `f32`, arrays of them such as `[f64; 5]`, vectors and \
+                 matrices of nalgebra such as `Vector3<f64>`, or bodies such as `RigidBody`: change the type, name what it is an alias of by \
                  `#[lagrangian(type = Vector3<f64>)]`, or mark the field `#[lagrangian(skip)]` if the \
                  equations do not need it"
             }
@@ -51,3 +57,6 @@ pub(super) fn check_field_types(declaration: &Declaration, diagnostics: &mut Dia
         diagnostics.error(ty, message);
     }
 }
+
+const NO_INPUT: &str = "an input is a number, a vector or a matrix, and a body is none: let it be a parameter, or its numbers \
+                        inputs of their own";

@@ -80,7 +80,8 @@ impl<'a> Emitter<'a> {
     pub(super) fn read(&self, component: &Component) -> TokenStream {
         let field = &component.field;
         let field = self.lowered.scope.first_use(field).unwrap_or(field);
-        self.scalar.read(&component.read(field), &component.element)
+        let place = component.read(field, &self.declaration.root);
+        self.scalar.read(&place, &component.element)
     }
 
     /// What the types in signatures are made of.

@@ -45,6 +45,9 @@ const OF_ROTATIONS: [&str; 8] = [
     "angular_velocity_zxz_inertial",
 ];
 
+/// Functions of a body and of where it is.
+const OF_BODIES: [&str; 2] = ["kinetic_energy", "potential_energy"];
+
 /// Whether a function is built in.
 pub(crate) fn is_function(name: &str) -> bool {
     functions().any(|function| function == name)
@@ -55,6 +58,7 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
     of_scalars()
         .chain(OF_ARRAYS)
         .chain(OF_ROTATIONS)
+        .chain(OF_BODIES)
         .chain(["vector"])
 }
 

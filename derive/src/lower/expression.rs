@@ -8,6 +8,7 @@ mod external_function;
 mod array;
 mod call;
 mod binary_operators;
+mod body;
 mod component;
 mod derivative;
 mod repetition;
@@ -76,7 +77,7 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) => self.method(call, context),
             Expr::Array(array) => self.array(array, context),
             Expr::Repeat(repeat) => self.repeat(repeat, context),
-            Expr::Index(index) => self.indexed(index, context),
+            Expr::Index(_) => self.indexed(expression, context),
             Expr::Field(field) => self.field(field, context),
             other => self.reject(other, hints::unsupported_syntax(other)),
         }
@@ -174,6 +175,10 @@ impl Lowerer<'_> {
                 );
                 self.reject(name, message)
             }
+            Some(Binding::Bodies(family)) => {
+                let message = hints::bodies(name, &family);
+                self.reject(name, message)
+            }
             Some(other) => self.refuse(name, &other),
             None => self.unknown(name),
         }
@@ -213,7 +218,10 @@ impl Lowerer<'_> {
                 self.scope.silence(name);
                 format!("the field `{name}` is marked `skip`: remove the mark to use it here")
             }
-            Binding::Quantity(..) | Binding::Family(..) | Binding::Poisoned => return None,
+            Binding::Quantity(..)
+            | Binding::Family(..)
+            | Binding::Bodies(..)
+            | Binding::Poisoned => return None,
         };
         self.reject(name, message)
     }

@@ -164,7 +164,11 @@ pub(crate) fn every_member(name: &Ident, family: &Family) -> String {
 }
 
 /// For a coordinate beyond the last one of its name.
-pub(crate) fn out_of_range(name: &Ident, indices: &[impl Display], family: &Family) -> String {
+pub(crate) fn out_of_range<T>(
+    name: &Ident,
+    indices: &[impl Display],
+    family: &Family<T>,
+) -> String {
     let written = member(name, indices);
     match family.members.keys().next_back() {
         Some(last) if family.rank > 1 => format!(
@@ -176,6 +180,27 @@ pub(crate) fn out_of_range(name: &Ident, indices: &[impl Display], family: &Fami
             family.members.len()
         ),
     }
+}
+
+/// For one or several bodies where a number belongs.
+pub(crate) fn bodies<T>(name: &Ident, family: &Family<T>) -> String {
+    if family.rank == 0 {
+        return one_body(name, family);
+    }
+    let one = member(name, &vec!["i"; family.rank]);
+    format!(
+        "`{name}` is an array of {} bodies: write which of them, as in `{one}.mass` or `kinetic_energy({one}, r, p)`",
+        family.members.len()
+    )
+}
+
+/// For a body where a number belongs.
+pub(crate) fn one_body<T>(name: &Ident, family: &Family<T>) -> String {
+    let one = member(name, &vec!["i"; family.rank]);
+    format!(
+        "this is a body and no quantity: write `{one}.mass`, `{one}.center` or `{one}.inertia`, or its energies \
+         `kinetic_energy({one}, r, p)` and `potential_energy({one}, r, p, gravity)`"
+    )
 }
 
 /// For a force on what may be a velocity, or a position to which a velocity is added.
@@ -230,8 +255,8 @@ pub(crate) fn unsupported_field(field: &ExprField) -> String {
             format!("fields are written without `self`: write `{member}`")
         }
         (_, Member::Named(member)) if member == "T" => "write `.transpose()`".to_owned(),
-        _ => "fields of fields cannot be used here, but for `v.x`, `v.y`, `v.z` and `v.w` of vectors: make this \
-              a field of the struct"
+        _ => "fields of fields cannot be used here, but for `v.x`, `v.y`, `v.z` and `v.w` of vectors, and `mass`, \
+              `center` and `inertia` of bodies: make this a field of the struct"
             .to_owned(),
     }
 }

@@ -3,15 +3,18 @@
 use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
-use syn::Type;
 use syn::spanned::Spanned as _;
+use syn::{Type, parse_quote};
 
 use crate::lower::value::Value;
+use crate::syntax::body_type::{BodyNumber, BodyType};
 use crate::syntax::coordinate::Coordinate;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::{Field, Role};
+use crate::syntax::field_type::{Content, FieldType};
 use crate::syntax::label::{Index, Label};
 use crate::syntax::names::unraw;
+use crate::syntax::root::Root;
 use crate::syntax::shape::Shape;
 
 /// Coordinates, parameters and inputs, in the order in which symbols count them.
@@ -25,12 +28,23 @@ pub(crate) struct Quantities {
 pub(crate) struct Component {
     pub(crate) field: Ident,
     pub(crate) label: Label,
-    /// The tokens that follow the field to read the component.
-    access: TokenStream,
+    access: Access,
     /// The type of the component.
     pub(crate) element: Type,
     /// The declared type of the field, where it is declared by `type = …`.
     declared_type: Option<Type>,
+}
+
+/// How a component of a field is read.
+enum Access {
+    /// By the tokens that follow the field.
+    Behind(TokenStream),
+    /// By a method of the body that these tokens behind the field select.
+    OfBody {
+        member: TokenStream,
+        ty: BodyType,
+        number: BodyNumber,
+    },
 }
 
 impl Component {
@@ -40,21 +54,22 @@ impl Component {
         let Ok(field_type) = field.field_type() else {
             return Vec::new();
         };
-        let accesses = field_type.accesses();
+        let element = field_type.element.cloned();
+        let element = element.unwrap_or_else(|| parse_quote!(::core::primitive::f64));
         let mut components = Vec::new();
         for member in field_type.members() {
             let indices = member.iter().map(|i| Literal::usize_unsuffixed(*i));
             let index: TokenStream = indices.map(|i| quote!([#i])).collect();
-            for (i, access) in accesses.iter().enumerate() {
+            for (inner, access) in accesses(&field_type, &index) {
                 let outer = member.iter().copied().map(Index::One);
                 components.push(Self {
                     field: field.name.clone(),
                     label: Label {
                         stem: unraw(&field.name),
-                        indices: outer.chain(field_type.shape().index(i)).collect(),
+                        indices: outer.chain(inner).collect(),
                     },
-                    access: quote!(#index #access),
-                    element: field_type.element.clone(),
+                    access,
+                    element: element.clone(),
                     declared_type: field.declared_type.clone(),
                 });
             }
@@ -63,17 +78,50 @@ impl Component {
     }
 
     /// The expression that reads the component, with the name of the field where it is mentioned.
-    pub(crate) fn read(&self, field: &Ident) -> TokenStream {
-        let access = &self.access;
-        let Some(declared_type) = &self.declared_type else {
-            return quote!(self.#field #access);
-        };
+    pub(crate) fn read(&self, field: &Ident, root: &Root) -> TokenStream {
         // The compiler says so where the type is another.
-        let checked = quote_spanned!(declared_type.span()=> ::core::convert::identity::<&#declared_type>(&self.#field));
-        if access.is_empty() {
-            quote!(*#checked)
-        } else {
-            quote!(#checked #access)
+        let checked = self
+            .declared_type
+            .as_ref()
+            .map(|ty| quote_spanned!(ty.span()=> ::core::convert::identity::<&#ty>(&self.#field)));
+        match (&self.access, checked) {
+            (Access::Behind(access), None) => quote!(self.#field #access),
+            (Access::Behind(access), Some(checked)) if access.is_empty() => quote!(*#checked),
+            (Access::Behind(access), Some(checked)) => quote!(#checked #access),
+            (Access::OfBody { member, ty, number }, checked) => {
+                let body = match checked {
+                    None => quote!(&self.#field #member),
+                    Some(checked) if member.is_empty() => checked,
+                    Some(checked) => quote!(&#checked #member),
+                };
+                ty.read(root, *number, &body)
+            }
+        }
+    }
+}
+
+/// The indices of the components of a member of a field behind those of the member, and how they are read.
+fn accesses(field_type: &FieldType<'_>, member: &TokenStream) -> Vec<(Vec<Index>, Access)> {
+    match field_type.content() {
+        Content::Numbers(shape) => {
+            let accesses = field_type.accesses().into_iter().enumerate();
+            accesses
+                .map(|(i, access)| {
+                    let indices = shape.index(i).into_iter().collect();
+                    (indices, Access::Behind(quote!(#member #access)))
+                })
+                .collect()
+        }
+        Content::Body(ty) => {
+            let numbers = ty.numbers().iter();
+            numbers
+                .map(|number| {
+                    let member = member.clone();
+                    let number = *number;
+                    let access = Access::OfBody { member, ty, number };
+                    (number.indices().collect(), access)
+                })
+                .collect()
         }
     }
 }
@@ -146,7 +194,7 @@ impl Symbols {
         Matrix::new(rows, columns, elements).map_or(Value::EmptySum, Value::Array)
     }
 
-    fn take(&mut self, graph: &mut Graph) -> Expression {
+    pub(crate) fn take(&mut self, graph: &mut Graph) -> Expression {
         let symbol = (self.kind)(self.next);
         self.next = self.next.saturating_add(1);
         graph.symbol(symbol)

@@ -7,13 +7,16 @@ use lagrangian_symbolic::{Expression, ExternalFunction, Graph, Symbol};
 use proc_macro2::Ident;
 
 use crate::diagnostics::similar;
+use crate::lower::body::Body;
 use crate::lower::quantities::Symbols;
 use crate::lower::value::Value;
+use crate::syntax::body_type::BodyType;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
+use crate::syntax::field_type::Content;
 use crate::syntax::label::{Index, Label};
 use crate::syntax::names::{to_source, unraw};
-use crate::syntax::scalar::is_number;
+use crate::syntax::scalar::has_numbers;
 use crate::syntax::shape::Shape;
 
 /// What a name refers to.
@@ -23,6 +26,8 @@ pub(crate) enum Binding {
     Quantity(Origin, Value),
     /// Several quantities, distinguished by indices.
     Family(Origin, Rc<Family>),
+    /// A body, or several, distinguished by indices.
+    Bodies(Rc<Family<Body>>),
     /// A quantity from `define` further down.
     DefinedLater,
     /// Poisoned: an error in its declaration has been reported.
@@ -48,12 +53,25 @@ pub(crate) enum Origin {
     Variable,
 }
 
-/// Quantities that are distinguished by indices.
+/// Quantities, or bodies, that are distinguished by indices.
 #[derive(Clone)]
-pub(crate) struct Family {
+pub(crate) struct Family<T = Value> {
     /// How many indices distinguish them.
     pub(crate) rank: usize,
-    pub(crate) members: BTreeMap<Vec<usize>, Value>,
+    pub(crate) members: BTreeMap<Vec<usize>, T>,
+}
+
+impl<T> Family<T> {
+    /// The members with these indices.
+    fn of(indices: Vec<Vec<usize>>, mut member: impl FnMut() -> T) -> Self {
+        Self {
+            rank: indices.first().map_or(0, Vec::len),
+            members: indices
+                .into_iter()
+                .map(|indices| (indices, member()))
+                .collect(),
+        }
+    }
 }
 
 /// The names of a declaration, with what they refer to.
@@ -103,7 +121,10 @@ impl Scope {
     pub(crate) fn resolve(&mut self, name: &Ident) -> Option<Binding> {
         let written = unraw(name);
         let binding = self.bindings.get(&written)?.clone();
-        if let Binding::Quantity(Origin::Field, _) | Binding::Family(Origin::Field, _) = binding {
+        if let Binding::Quantity(Origin::Field, _)
+        | Binding::Family(Origin::Field, _)
+        | Binding::Bodies(..) = binding
+        {
             self.uses.entry(written).or_insert_with(|| name.clone());
         }
         Some(binding)
@@ -215,6 +236,7 @@ impl Scope {
     pub(crate) fn quantities(&self) -> Vec<&str> {
         let is_quantity = |binding: &Binding| match binding {
             Binding::Quantity(kind, _) | Binding::Family(kind, _) => *kind != Origin::Reserved,
+            Binding::Bodies(..) => true,
             _ => false,
         };
         let known = self.bindings.iter();
@@ -291,9 +313,15 @@ fn add_fields(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Gr
         let mut symbols = Symbols::of(kind);
         for field in declaration.fields_with(role) {
             let binding = match field.field_type() {
-                Ok(field_type) if is_number(declaration, field_type.element) => {
+                Ok(field_type) if has_numbers(declaration, &field_type) => {
                     let indices = (field_type.rank() > 0).then(|| field_type.members());
-                    symbols.binding(graph, Origin::Field, field_type.shape(), indices)
+                    match field_type.content() {
+                        Content::Numbers(shape) => {
+                            symbols.binding(graph, Origin::Field, shape, indices)
+                        }
+                        Content::Body(_) if role == Role::Input => Binding::Poisoned,
+                        Content::Body(ty) => symbols.bodies(graph, ty, indices),
+                    }
                 }
                 Ok(_) | Err(_) => Binding::Poisoned,
             };
@@ -341,13 +369,19 @@ impl Symbols {
         let Some(indices) = indices else {
             return Binding::Quantity(kind, self.value(graph, shape));
         };
-        let family = Family {
-            rank: indices.first().map_or(0, Vec::len),
-            members: indices
-                .into_iter()
-                .map(|indices| (indices, self.value(graph, shape)))
-                .collect(),
-        };
+        let family = Family::of(indices, || self.value(graph, shape));
         Binding::Family(kind, Rc::new(family))
+    }
+
+    /// A body whose numbers are symbols, or a family of those with these indices.
+    fn bodies(
+        &mut self,
+        graph: &mut Graph,
+        ty: BodyType,
+        indices: Option<Vec<Vec<usize>>>,
+    ) -> Binding {
+        let indices = indices.unwrap_or_else(|| vec![Vec::new()]);
+        let family = Family::of(indices, || Body::of_symbols(ty, self, graph));
+        Binding::Bodies(Rc::new(family))
     }
 }

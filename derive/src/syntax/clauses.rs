@@ -9,6 +9,7 @@ use crate::syntax::coordinate::{Coordinate, coordinates};
 use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::grammar::{equated, position, separated, word};
 use crate::syntax::named::{NamedExpression, named_expressions};
+use crate::syntax::placed_body::PlacedBody;
 use crate::syntax::root::Root;
 
 /// All clauses of the struct's `#[lagrangian(…)]` attributes.
@@ -20,6 +21,10 @@ pub(crate) struct Clauses {
     pub(crate) kinetic: Vec<Clause>,
     pub(crate) potential: Vec<Clause>,
     pub(crate) lagrangian: Vec<Clause>,
+    /// The bodies of `body(…)`, whose energies are among the others.
+    pub(crate) bodies: Vec<PlacedBody>,
+    /// The acceleration of gravity, `gravity = …`.
+    pub(crate) gravity: Option<Clause>,
     pub(crate) dissipation: Vec<Clause>,
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
     pub(crate) forces: Vec<Vec<NamedExpression>>,
@@ -45,13 +50,15 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 12] = [
+const KEYWORDS: [&str; 14] = [
     "coordinates",
     "function",
     "define",
     "kinetic",
     "potential",
     "lagrangian",
+    "body",
+    "gravity",
     "dissipation",
     "force",
     "output",
@@ -117,6 +124,30 @@ impl Clauses {
         Ok(())
     }
 
+    fn read_gravity(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
+        let gravity = Clause::read(keyword, input)?;
+        if self.gravity.is_some() {
+            let message = "gravity is given already: keep one `gravity = …`";
+            return Err(syn::Error::new(gravity.keyword.span(), message));
+        }
+        self.gravity = Some(gravity);
+        Ok(())
+    }
+
+    /// Adds the energies of the bodies to the others.
+    pub(crate) fn add_bodies(&mut self) {
+        for body in &self.bodies {
+            let energy = |expression| Clause {
+                keyword: body.keyword.clone(),
+                expression,
+            };
+            self.kinetic.push(energy(body.kinetic()));
+            let gravity = self.gravity.iter();
+            let weights = gravity.map(|gravity| energy(body.potential(&gravity.expression)));
+            self.potential.extend(weights);
+        }
+    }
+
     fn read_taylor(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         if !input.is_empty() && !input.peek(Token![,]) {
             let message = "write `taylor` alone: the order and the tolerance are those of the integrator `Taylor`";
@@ -159,6 +190,8 @@ impl Clauses {
             "potential" => self.potential.push(Clause::read(keyword, input)?),
             "lagrangian" => self.lagrangian.push(Clause::read(keyword, input)?),
             "dissipation" => self.dissipation.push(Clause::read(keyword, input)?),
+            "body" => PlacedBody::read(&keyword, input, &mut self.bodies)?,
+            "gravity" => self.read_gravity(keyword, input)?,
             "scalar" => self.read_scalar(&keyword, input)?,
             "taylor" => self.read_taylor(keyword, input)?,
             "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"

@@ -40,6 +40,7 @@ impl Declaration {
         for attribute in own(&input.attrs) {
             clauses.read(attribute, diagnostics);
         }
+        clauses.add_bodies();
         Self {
             name: input.ident,
             visibility: input.vis,

@@ -5,15 +5,24 @@ use quote::quote;
 use syn::{Expr, GenericArgument, Lit, PathArguments, Type};
 
 use crate::limits::MOST_COMPONENTS;
+use crate::syntax::body_type::BodyType;
 use crate::syntax::shape::Shape;
 
-/// The type of a field, analysed: a number, a vector or a matrix, or an array of those.
+/// The type of a field, analysed: a number, a vector, a matrix or a body, or an array of those.
 pub(crate) struct FieldType<'a> {
-    /// The type of one component.
-    pub(crate) element: &'a Type,
+    /// The type of one component; none where it is not written, as that of a `RigidBody` of plain numbers.
+    pub(crate) element: Option<&'a Type>,
     layout: ComponentLayout,
-    /// The lengths of the arrays around a vector or matrix, from the outermost.
+    /// The lengths of the arrays around a vector, a matrix or a body, from the outermost.
     lengths: Vec<usize>,
+}
+
+/// What a field, or each member of an array, holds.
+#[derive(Clone, Copy)]
+pub(crate) enum Content {
+    /// Numbers of this shape.
+    Numbers(Shape),
+    Body(BodyType),
 }
 
 /// How the components of a quantity are laid out.
@@ -24,6 +33,8 @@ enum ComponentLayout {
     Vector(usize),
     /// A matrix of nalgebra with so many rows and columns.
     Matrix(usize, usize),
+    /// A body.
+    Body(BodyType),
 }
 
 /// Why a type is unsupported for parameters.
@@ -40,12 +51,12 @@ impl<'a> FieldType<'a> {
     /// Analyses a type.
     pub(crate) fn read(ty: &'a Type) -> Result<Self, UnsupportedType> {
         let read = Self::parts(ty)?;
-        let (rows, columns) = match read.layout {
-            ComponentLayout::Scalar => (1, 1),
-            ComponentLayout::Vector(rows) => (rows, 1),
-            ComponentLayout::Matrix(rows, columns) => (rows, columns),
+        let each = match read.content() {
+            Content::Numbers(Shape::Scalar) => [1, 1],
+            Content::Numbers(Shape::Array { rows, columns }) => [rows, columns],
+            Content::Body(body) => [body.numbers().len(), 1],
         };
-        let lengths = read.lengths.iter().copied().chain([rows, columns]);
+        let lengths = read.lengths.iter().copied().chain(each);
         if lengths.fold(1, usize::saturating_mul) > MOST_COMPONENTS {
             return Err(UnsupportedType::TooMany);
         }
@@ -61,7 +72,9 @@ impl<'a> FieldType<'a> {
                 let mut inner = Self::parts(&array.elem)?;
                 match inner.layout {
                     ComponentLayout::Scalar => inner.layout = ComponentLayout::Vector(length),
-                    ComponentLayout::Vector(_) | ComponentLayout::Matrix(..) => {
+                    ComponentLayout::Vector(_)
+                    | ComponentLayout::Matrix(..)
+                    | ComponentLayout::Body(_) => {
                         inner.lengths.insert(0, length);
                     }
                 }
@@ -69,10 +82,11 @@ impl<'a> FieldType<'a> {
             }
             Type::Path(path) => {
                 let last = path.path.segments.last().ok_or(UnsupportedType::Unknown)?;
+                let body = BodyType::named(&last.ident);
                 match &last.arguments {
                     PathArguments::None => Ok(Self {
-                        element: ty,
-                        layout: ComponentLayout::Scalar,
+                        element: body.is_none().then_some(ty),
+                        layout: body.map_or(ComponentLayout::Scalar, ComponentLayout::Body),
                         lengths: Vec::new(),
                     }),
                     PathArguments::AngleBracketed(arguments) => {
@@ -80,10 +94,12 @@ impl<'a> FieldType<'a> {
                         let Some(GenericArgument::Type(element)) = arguments.next() else {
                             return Err(UnsupportedType::Unknown);
                         };
-                        let layout =
-                            ComponentLayout::of_nalgebra(&last.ident.to_string(), arguments)?;
+                        let layout = match body {
+                            Some(body) if arguments.len() == 0 => ComponentLayout::Body(body),
+                            _ => ComponentLayout::of_nalgebra(&last.ident.to_string(), arguments)?,
+                        };
                         Ok(Self {
-                            element,
+                            element: Some(element),
                             layout,
                             lengths: Vec::new(),
                         })
@@ -95,31 +111,35 @@ impl<'a> FieldType<'a> {
         }
     }
 
-    /// The shape of the field's value, or of each member of an array of vectors or matrices.
-    pub(crate) const fn shape(&self) -> Shape {
-        match self.layout {
+    /// What the field holds, or each member of an array of vectors, matrices or bodies.
+    pub(crate) const fn content(&self) -> Content {
+        Content::Numbers(match self.layout {
             ComponentLayout::Scalar => Shape::Scalar,
             ComponentLayout::Vector(rows) => Shape::Array { rows, columns: 1 },
             ComponentLayout::Matrix(rows, columns) => Shape::Array { rows, columns },
-        }
+            ComponentLayout::Body(body) => return Content::Body(body),
+        })
     }
 
-    /// How many indices distinguish the members of an array of vectors or matrices; 0 for no such array.
+    /// How many indices distinguish the members of an array of vectors, matrices or bodies; 0 for no such array.
     pub(crate) const fn rank(&self) -> usize {
         self.lengths.len()
     }
 
-    /// The indices of the members of an array of vectors or matrices, in row-major order; one
+    /// The indices of the members of an array of vectors, matrices or bodies, in row-major order; one
     /// empty list for no such array.
     pub(crate) fn members(&self) -> Vec<Vec<usize>> {
         members(&self.lengths)
     }
 
-    /// The tokens that follow a member to read each of its components, in column-major order.
+    /// The tokens that follow a member of numbers to read each of them, in column-major order.
     pub(crate) fn accesses(&self) -> Vec<TokenStream> {
+        let Content::Numbers(shape) = self.content() else {
+            return Vec::new();
+        };
         let literal = Literal::usize_unsuffixed;
         let access = |component: usize| match self.layout {
-            ComponentLayout::Scalar => TokenStream::new(),
+            ComponentLayout::Scalar | ComponentLayout::Body(_) => TokenStream::new(),
             ComponentLayout::Vector(_) => {
                 let i = literal(component);
                 quote!([#i])
@@ -129,7 +149,7 @@ impl<'a> FieldType<'a> {
                 quote!([(#row, #column)])
             }
         };
-        (0..self.shape().count()).map(access).collect()
+        (0..shape.count()).map(access).collect()
     }
 }
 

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use super::body_type::BodyQuantity;
+
 /// A name with its indices, such as `theta[2]` or `inertia[(0, 1)]`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Label {
@@ -28,7 +30,7 @@ impl fmt::Display for Label {
 }
 
 /// One index.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Index {
     /// `[i]`.
     One(usize),
@@ -36,6 +38,8 @@ pub(crate) enum Index {
     Pair { row: usize, column: usize },
     /// `.x`, `.y`, `.z` or `.w`.
     Axis(usize),
+    /// `.mass`, `.center` or `.inertia` of a body.
+    Quantity(BodyQuantity),
 }
 
 impl Index {
@@ -48,6 +52,7 @@ impl Index {
             Self::One(i) => i.to_string(),
             Self::Pair { row, column } => format!("{row}_{column}"),
             Self::Axis(i) => Self::AXES.get(i).copied().unwrap_or_default().to_owned(),
+            Self::Quantity(quantity) => quantity.name().to_owned(),
         }
     }
 }
@@ -57,7 +62,7 @@ impl fmt::Display for Index {
         match self {
             Self::One(i) => write!(f, "[{i}]"),
             Self::Pair { row, column } => write!(f, "[({row}, {column})]"),
-            Self::Axis(_) => write!(f, ".{}", self.word()),
+            Self::Axis(_) | Self::Quantity(_) => write!(f, ".{}", self.word()),
         }
     }
 }

@@ -11,6 +11,7 @@ use syn::{Generics, PathSegment, TraitBound, Type, TypeParamBound, WherePredicat
 
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
+use crate::syntax::field_type::FieldType;
 use crate::syntax::root::Root;
 
 /// The scalar of a model's impls. As tokens it is its name.
@@ -159,7 +160,7 @@ pub(crate) fn scalar_parameters(
     fields
         .filter(|field| field.role != Role::Skipped)
         .filter_map(|field| {
-            let element = field.field_type().ok()?.element;
+            let element = field.field_type().ok()?.element?;
             let parameter = type_parameter(&declaration.generics, element)?;
             Some((parameter, element))
         })
@@ -214,6 +215,13 @@ fn bounds<'a>(
             TypeParamBound::Trait(bound) => Some(bound),
             _ => None,
         })
+}
+
+/// Whether the components of a field are numbers: where their type is written, plain ones or the scalar of the model.
+pub(crate) fn has_numbers(declaration: &Declaration, field_type: &FieldType<'_>) -> bool {
+    field_type
+        .element
+        .is_none_or(|element| is_number(declaration, element))
 }
 
 /// Whether a type is one of plain numbers, or the scalar of a generic struct.

@@ -1,6 +1,7 @@
 //! Mechanisms in space, declared as a textbook does: their cost grows with the number of links, whatever way the energy is
 //! spelt.
 
+mod bodies;
 mod declarations;
 mod derivatives;
 mod kane;
@@ -10,6 +11,7 @@ use proc_macro2::TokenStream;
 
 use crate::plan::Method;
 use crate::tests::derived::{Derived, derive};
+use bodies::arm_of_bodies;
 pub(super) use declarations::arm;
 use declarations::{arm_along_inertial_axes, arm_written_out, others, parallel_joints};
 use kane::{Arm, Numbers, solve};
@@ -136,6 +138,21 @@ fn the_spelling_of_an_arm_does_not_matter() {
     let [relative, absolute] = [false, true].map(|is_absolute| costs(parallel_joints(is_absolute)));
     assert_eq!(relative, [469, 309]);
     assert_eq!(absolute, relative);
+}
+
+/// With what has been prepared. That the tensor of a body is symmetric is known, and that of a matrix is not.
+#[test]
+fn an_arm_of_bodies_costs_no_more_than_one_of_numbers() {
+    let costs = |declaration| {
+        let Derived { model, methods, .. } = derived(declaration);
+        let methods = [methods.accelerations, methods.inverse_dynamics];
+        methods.map(|method| operations(&method.program.staged(model.graph.passes).kernel))
+    };
+    for links in [2, 3, 6] {
+        let [bodies, numbers] = [arm_of_bodies(links), arm(links)].map(costs);
+        println!("{links}: {bodies:?}, {numbers:?}");
+        assert!(bodies[0] <= numbers[0] && bodies[1] <= numbers[1]);
+    }
 }
 
 /// Exactly, at random points of modular arithmetic.

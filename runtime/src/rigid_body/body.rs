@@ -139,6 +139,15 @@ fn allowance<S: Scalar>(inertia: &InertiaTensor<S>) -> f64 {
 }
 
 impl<S: Scalar> RigidBody<S> {
+    /// The body of numbers that are known to be those of a body.
+    pub(super) fn of_valid(mass: S, center: Vector3<S>, inertia: InertiaTensor<S>) -> Self {
+        Self {
+            mass,
+            center,
+            inertia,
+        }
+    }
+
     /// The mass m.
     #[must_use]
     pub fn mass(&self) -> S {

@@ -56,6 +56,13 @@ pub enum BodyError {
         /// I₃ − (I₁ + I₂).
         excess: f64,
     },
+    /// The third axis of a body is no axis of symmetry.
+    NotSymmetricAboutAxis {
+        /// What has to be zero, such as "the product of inertia xz".
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A line has no direction: the vector along it is zero.
     NoDirection {
         /// The length of the vector.
@@ -120,6 +127,11 @@ impl fmt::Display for BodyError {
                  {}; {CAUSES}",
                 Readable(excess),
                 Moments(moments)
+            ),
+            Self::NotSymmetricAboutAxis { quantity, value } => write!(
+                f,
+                "the third axis of the body is no axis of symmetry: {quantity} is {}, and has to be zero",
+                Readable(value)
             ),
             Self::NoDirection { length } => write!(
                 f,

@@ -28,11 +28,17 @@ def assembled(name, model, text, states, shapes):
         "kind": model.kind,
         "n": len(model.coordinate_labels()),
         "energies": model.lagrangian is None,
-        "fields": [{"name": f.name, "shape": f.shape, "family": f.family, "input": f.input} for f in model.fields],
+        "fields": [field(f) for f in model.fields],
         "outputs": shapes,
         "declaration": text,
         "states": [spelled(state) for state in states],
     }
+
+
+def field(f):
+    """A field; its type is named where that is a body."""
+    row = {"name": f.name, "shape": f.shape, "family": f.family, "input": f.input}
+    return row if f.body is None else {**row, "body": f.body}
 
 
 def spelled(state):

@@ -8,6 +8,7 @@ import math
 from mpmath import mp, mpf
 
 import arrays
+import bodies
 from derivatives import PRECISE, Dual, angle, apply, level, power, reciprocal, select
 from arrays import entrywise
 from tree import angular_velocity, rotation
@@ -141,6 +142,21 @@ class Evaluator:
             return exact(args[0])
         return apply(e.data, args[0])
 
+    def of_number_of_body(self, e, order, env):
+        return self(e.args[0], order, env)[e.data]
+
+    def of_quantity_of_body(self, e, order, env):
+        return self.of_made(e, order, env, lambda: bodies.quantity(e.args[0], *e.data))
+
+    def of_energy_of_body(self, e, order, env):
+        return self.of_made(e, order, env, lambda: bodies.energy(*e.data, *e.args))
+
+    def of_made(self, e, order, env, make):
+        """The value of what an expression stands for."""
+        if id(e) not in self.made:
+            self.made[id(e)] = make()
+        return self(self.made[id(e)], order, env)
+
     def of_dot(self, e, order, env):
         moving = self(e.args[0], order + 1, env)
         return entrywise(lambda x: x.b if level(x) == TIME + order else 0, moving)
@@ -185,9 +201,7 @@ class Evaluator:
 
     def of_angular_velocity_of(self, e, order, env):
         sequence, inertial = e.data
-        if id(e) not in self.made:
-            self.made[id(e)] = angular_velocity(rotation(sequence, *e.args), inertial)
-        return self(self.made[id(e)], order, env)
+        return self.of_made(e, order, env, lambda: angular_velocity(rotation(sequence, *e.args), inertial))
 
 
 def exact(x):

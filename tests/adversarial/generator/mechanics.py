@@ -20,8 +20,8 @@ class Equations:
         )
         of = Evaluator(model, point)
         if model.lagrangian is None:
-            self.kinetic = added(of(e) for e in model.kinetic)
-            self.potential = added(of(e) for e in model.potential)
+            self.kinetic = added(of(e) for e in model.all_kinetic())
+            self.potential = added(of(e) for e in model.all_potential())
             lagrangian = self.kinetic - self.potential
         else:
             lagrangian = of(model.lagrangian)

@@ -53,7 +53,7 @@ def smaller(e):
 
 def steps(model):
     """The models that are smaller by one step: those without a clause or a row, then those with less in one."""
-    for table in (*CLAUSES, *ROWS):
+    for table in (*CLAUSES, *ROWS, "placed"):
         for i in range(len(getattr(model, table))):
             made = copy.copy(model)
             setattr(made, table, [x for k, x in enumerate(getattr(model, table)) if k != i])

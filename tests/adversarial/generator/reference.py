@@ -190,12 +190,26 @@ def drawn_field(f, rng, mode):
 def drawn_value(f, rng, mode):
     if f.draw == "inertia":
         return inertia(rng, mode, f.shape[0])
+    if f.body is not None:
+        return drawn_body(f.body, rng, mode)
     number = lambda: drawn_number(f.draw, rng, mode)
     if f.shape == ():
         return number()
     if len(f.shape) == 1:
         return [number() for _ in range(f.shape[0])]
     return [[number() for _ in range(f.shape[1])] for _ in range(f.shape[0])]
+
+
+def drawn_body(kind, rng, mode):
+    """The numbers of a body, in the order in which its `map` visits them; whether a real body can have them does not matter."""
+    number = lambda draw: drawn_number(draw, rng, mode)
+    moments = lambda n: [number("positive") + (0 if mode == "negative" else 1) for _ in range(n)]
+    if kind == "PrincipalBody":
+        return [number("positive"), *moments(3)]
+    if kind == "SymmetricBody":
+        return [number("positive"), number("unit"), *moments(2)]
+    products = [0.3 * number("unit") for _ in range(3)]
+    return [number("positive"), *(number("unit") for _ in range(3)), *moments(3), *products]
 
 
 def drawn_number(draw, rng, mode):

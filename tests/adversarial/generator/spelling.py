@@ -127,6 +127,17 @@ class Printer:
         return f"angular_velocity_{sequence}{'_inertial' if inertial else ''}({angles})", ATOM
 
 
+    def spell_quantity_of_body(self, e):
+        return f"{self.text(e.args[0])}.{e.data[1]}", ATOM
+
+    def spell_energy_of_body(self, e):
+        body, *place = (self.text(a) for a in e.args)
+        function, place = e.data[0], ", ".join(place)
+        if self.rng.random() < 0.3:
+            return f"{body}.{function}({place})", ATOM
+        return f"{function}({body}, {place})", ATOM
+
+
 def named(printer, row):
     indices = "".join(f"[{printer.index(i)}]" for i in row.indices)
     ranges = "".join(f" for {v} in {low}..{high}" for v, low, high in row.ranges)
@@ -153,6 +164,12 @@ def declaration(model, rng):
     lines += table(printer, "define", model.definitions)
     for clause in ("kinetic", "potential", "dissipation"):
         lines += [f"    {clause} = {printer.text(e)}," for e in getattr(model, clause)]
+    if model.placed:
+        place = lambda r, p: f"({printer.text(r)}, {printer.text(p)})"
+        rows = [f"        {printer.text(body)} = {place(r, p)}," for body, _, r, p in model.placed]
+        lines += ["    body(", *rows, "    ),"]
+    if model.gravity is not None:
+        lines.append(f"    gravity = {printer.text(model.gravity)},")
     if model.lagrangian is not None:
         lines.append(f"    lagrangian = {printer.text(model.lagrangian)},")
     for force in model.forces:
@@ -172,4 +189,6 @@ def type_of(f):
         inner = f"Vector{f.shape[0]}<f64>"
     elif f.shape in ((2, 2), (3, 3)):
         inner = f"Matrix{f.shape[0]}<f64>"
+    elif f.body is not None:
+        inner = f.body
     return inner if f.family is None else f"[{inner}; {f.family}]"

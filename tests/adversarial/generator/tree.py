@@ -110,6 +110,21 @@ def angular_velocity_of(sequence, *angles, inertial=False):
     return E("angular_velocity_of", *angles, data=(sequence, inertial))
 
 
+def number_of_body(body, i):
+    """One of the numbers of a body, in the order in which its `map` visits them. It has no spelling."""
+    return E("number_of_body", body, data=i)
+
+
+def quantity_of_body(body, kind, quantity):
+    """`body.mass`, `body.center`, `body.inertia` of a body of this type."""
+    return E("quantity_of_body", body, data=(kind, quantity))
+
+
+def energy_of_body(function, body, kind, *place):
+    """`kinetic_energy(body, r, p)`, `potential_energy(body, r, p, gravity)`."""
+    return E("energy_of_body", body, *place, data=(function, kind))
+
+
 def functions():
     """sin, cos, … as Python functions of nodes."""
     names = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt abs signum recip atan2 min max"
@@ -142,6 +157,7 @@ class Field:
     family: int | None = None
     draw: str = "any"
     input: bool = False
+    body: str | None = None  # The name of the type, if it is a body; its shape is then that of its numbers.
 
     def size(self):
         size = self.family or 1
@@ -174,6 +190,8 @@ class Model:
     forces: list = field(default_factory=list)
     outputs: list = field(default_factory=list)
     q_draw: dict = field(default_factory=dict)
+    placed: list = field(default_factory=list)  # (body, its type, r, p) of the clause `body`.
+    gravity: E | None = None
     # States to evaluate besides drawn ones: dictionaries of `q`, `v`, and parameters.
     states: list = field(default_factory=list)
 
@@ -193,6 +211,21 @@ class Model:
         text = self.unused(text)
         self.fields.append(Field(text, shape, family, draw))
         return name(text)
+
+    def body(self, text, kind, family=None):
+        text = self.unused(text)
+        numbers = {"RigidBody": 10, "PrincipalBody": 4, "SymmetricBody": 4}[kind]
+        self.fields.append(Field(text, (numbers,), family, kind, body=kind))
+        return name(text)
+
+    def all_kinetic(self):
+        """With what the clause `body` stands for."""
+        return self.kinetic + [energy_of_body("kinetic_energy", *placed) for placed in self.placed]
+
+    def all_potential(self):
+        if self.gravity is None:
+            return self.potential
+        return self.potential + [energy_of_body("potential_energy", *placed, self.gravity) for placed in self.placed]
 
     def input(self, text, shape=()):
         text = self.unused(text)

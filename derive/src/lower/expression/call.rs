@@ -32,6 +32,9 @@ impl Lowerer<'_> {
         if let Some(value) = self.rotation(name, call, &arguments, context) {
             return value;
         }
+        if let Some(value) = self.function_of_body(name, &arguments, call, context) {
+            return value;
+        }
         self.apply(name, &arguments, call, context)
     }
 
@@ -73,6 +76,9 @@ impl Lowerer<'_> {
         }
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
+        if let Some(value) = self.function_of_body(&call.method, &arguments, call, context) {
+            return value;
+        }
         self.apply(&call.method, &arguments, call, context)
     }
 
@@ -164,6 +170,7 @@ impl Lowerer<'_> {
         };
         match self.scope.resolve(path.path.get_ident()?)? {
             Binding::Family(_, family) => i64::try_from(family.members.len()).ok(),
+            Binding::Bodies(family) if family.rank > 0 => i64::try_from(family.members.len()).ok(),
             _ => None,
         }
     }

@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::Matrix;
 use proc_macro2::Ident;
-use syn::{Expr, ExprField, ExprIndex, Member};
+use syn::{Expr, ExprField, Member};
 
 use super::repetition::without_parentheses;
 use super::{ExpressionContext, Lowerer};
@@ -14,18 +14,8 @@ use crate::syntax::shape::Shape;
 
 impl Lowerer<'_> {
     /// `theta[i]`, `m[(i, j)]`, `rows[i][j]`.
-    pub(super) fn indexed(
-        &mut self,
-        index: &ExprIndex,
-        context: ExpressionContext,
-    ) -> Option<Value> {
-        let mut indices = vec![&*index.index];
-        let mut base = without_parentheses(&index.expr);
-        while let Expr::Index(inner) = base {
-            indices.push(&*inner.index);
-            base = without_parentheses(&inner.expr);
-        }
-        indices.reverse();
+    pub(super) fn indexed(&mut self, whole: &Expr, context: ExpressionContext) -> Option<Value> {
+        let (base, indices) = base_and_indices(whole);
         let name = match base {
             Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
             _ => None,
@@ -40,6 +30,11 @@ impl Lowerer<'_> {
                 );
                 return self.reject(name, message);
             }
+            Some((name, Binding::Bodies(family))) => {
+                self.body(whole)??;
+                let message = hints::one_body(name, &family);
+                return self.reject(whole, message);
+            }
             _ => {
                 let value = self.lower(base, context)?;
                 return self.components(value, &indices);
@@ -51,9 +46,22 @@ impl Lowerer<'_> {
                 family.rank,
                 "[i]".repeat(family.rank)
             );
-            return self.reject(index, message);
+            return self.reject(whole, message);
         }
-        let (outer, inner) = indices.split_at(family.rank);
+        let value = self.family_member(name, origin, &family, &indices)?;
+        self.check_accelerations(name, origin, &value, context)?;
+        self.components(value, &indices[family.rank..])
+    }
+
+    /// The member of a family with the first of some indices, of which there are enough.
+    pub(super) fn family_member<T: Clone>(
+        &mut self,
+        name: &Ident,
+        origin: Origin,
+        family: &Family<T>,
+        indices: &[&Expr],
+    ) -> Option<T> {
+        let outer = &indices[..family.rank];
         let first = outer.first().map(|index| without_parentheses(index));
         if let Some(Expr::Tuple(pair)) = first {
             let message = format!(
@@ -65,13 +73,12 @@ impl Lowerer<'_> {
         let member: Vec<i64> = member.collect::<Option<_>>()?;
         let positions = member.iter().map(|i| usize::try_from(*i).ok());
         let positions: Option<Vec<usize>> = positions.collect();
-        let value = positions.and_then(|positions| family.members.get(&positions).cloned());
-        let Some(value) = value else {
-            let message = absent(name, origin, &member, &family);
-            return self.reject(outer[0], message);
-        };
-        self.check_accelerations(name, origin, &value, context)?;
-        self.components(value, inner)
+        let found = positions.and_then(|positions| family.members.get(&positions).cloned());
+        if found.is_none() {
+            let message = absent(name, origin, &member, family);
+            return self.reject(outer.first(), message);
+        }
+        found
     }
 
     /// The component of a value at the indices that follow it.
@@ -152,6 +159,9 @@ impl Lowerer<'_> {
             Member::Named(name) => Index::AXES.iter().position(|axis| name == axis),
             Member::Unnamed(_) => None,
         };
+        if let Some(quantity) = self.quantity_of_body(&field.base, &field.member) {
+            return quantity;
+        }
         let is_self = matches!(&*field.base, Expr::Path(base) if base.path.is_ident("self"));
         let Some(position) = position.filter(|_| !is_self) else {
             return self.reject(field, hints::unsupported_field(field));
@@ -171,8 +181,20 @@ impl Lowerer<'_> {
     }
 }
 
+/// What stands before all indices behind an expression, and those, the first first.
+pub(super) fn base_and_indices(whole: &Expr) -> (&Expr, Vec<&Expr>) {
+    let mut indices = Vec::new();
+    let mut base = without_parentheses(whole);
+    while let Expr::Index(inner) = base {
+        indices.push(&*inner.index);
+        base = without_parentheses(&inner.expr);
+    }
+    indices.reverse();
+    (base, indices)
+}
+
 /// The message for a member that a family does not have.
-fn absent(name: &Ident, origin: Origin, member: &[i64], family: &Family) -> String {
+fn absent<T>(name: &Ident, origin: Origin, member: &[i64], family: &Family<T>) -> String {
     let written = hints::member(name, member);
     match (origin, bounds(family)) {
         (Origin::Coordinate, _) => hints::out_of_range(name, member, family),
@@ -189,7 +211,7 @@ fn absent(name: &Ident, origin: Origin, member: &[i64], family: &Family) -> Stri
 }
 
 /// The least and the greatest index of a family that is distinguished by one.
-fn bounds(family: &Family) -> Option<(usize, usize)> {
+fn bounds<T>(family: &Family<T>) -> Option<(usize, usize)> {
     let first = family.members.keys().next()?.first()?;
     let last = family.members.keys().next_back()?.first()?;
     Some((*first, *last))

@@ -54,7 +54,11 @@ impl Lowerer<'_> {
     }
 
     /// Rejects the time derivative of inputs and accelerations.
-    pub(super) fn check_differentiable(&mut self, call: &ExprCall, value: &Value) -> Option<()> {
+    pub(super) fn check_differentiable(
+        &mut self,
+        call: &dyn ToTokens,
+        value: &Value,
+    ) -> Option<()> {
         if self.within_derivative {
             return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
         }
@@ -79,7 +83,7 @@ impl Lowerer<'_> {
     /// A time derivative with accelerations is for outputs only.
     pub(super) fn check_derivative(
         &mut self,
-        call: &ExprCall,
+        call: &dyn ToTokens,
         derivative: &Value,
         context: ExpressionContext,
     ) -> Option<()> {

@@ -120,9 +120,9 @@ impl Lowerer<'_> {
         }
     }
 
-    fn velocity(
+    pub(super) fn velocity(
         &mut self,
-        call: &ExprCall,
+        call: &dyn ToTokens,
         argument: &dyn ToTokens,
         rotation: &Matrix,
         inertial: bool,

@@ -35,7 +35,7 @@ fn along_own_axes() -> TokenStream {
 }
 
 /// The rotation by an angle about an axis.
-fn by_name(axis: &str, angle: &TokenStream) -> TokenStream {
+pub(super) fn by_name(axis: &str, angle: &TokenStream) -> TokenStream {
     let name = format_ident!("rotation_{axis}");
     quote!(#name(#angle))
 }
@@ -56,21 +56,7 @@ fn arm_with(
     angular_velocity: &TokenStream,
     each: &TokenStream,
 ) -> TokenStream {
-    let axes = ["z", "y", "x", "y"];
-    let first = rotation("z", &quote!(q[0]));
-    let mut definitions = quote! {
-        r[0] = #first,
-        p[0] = [0.0, 0.0, 0.0],
-    };
-    for i in 1..links {
-        let axis = axes[i % axes.len()];
-        let [before, i] = [i - 1, i].map(Literal::usize_unsuffixed);
-        let rotation = rotation(axis, &quote!(q[#i]));
-        definitions.extend(quote! {
-            r[#i] = r[#before] * #rotation,
-            p[#i] = p[#before] + r[#before] * link[#before],
-        });
-    }
+    let definitions = joints(links, rotation);
     let links = Literal::usize_unsuffixed(links);
     quote! {
         #[lagrangian(
@@ -91,6 +77,26 @@ fn arm_with(
             g: f64,
         }
     }
+}
+
+/// The axes of the links, and the positions of the joints.
+pub(super) fn joints(links: usize, rotation: fn(&str, &TokenStream) -> TokenStream) -> TokenStream {
+    let axes = ["z", "y", "x", "y"];
+    let first = rotation("z", &quote!(q[0]));
+    let mut definitions = quote! {
+        r[0] = #first,
+        p[0] = [0.0, 0.0, 0.0],
+    };
+    for i in 1..links {
+        let axis = axes[i % axes.len()];
+        let [before, i] = [i - 1, i].map(Literal::usize_unsuffixed);
+        let rotation = rotation(axis, &quote!(q[#i]));
+        definitions.extend(quote! {
+            r[#i] = r[#before] * #rotation,
+            p[#i] = p[#before] + r[#before] * link[#before],
+        });
+    }
+    definitions
 }
 
 /// Mechanisms of other kinds, by name.

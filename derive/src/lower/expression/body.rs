@@ -1,0 +1,269 @@
+//! Bodies among the parameters: their quantities, and the energies of one that moves.
+//!
+//! A body with the axes r, a rotation that takes components along them to inertial ones, and with their origin at p has the
+//! centre of gravity c = p + r `r_C`, the kinetic energy ½ m |ċ|² + ½ ω·\[`I_C`\] ω (4.3), and in a uniform field of gravity
+//! with the acceleration g the potential energy −m g·c.
+
+use lagrangian_symbolic::{Expression, Matrix, Rational};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::{Expr, Member};
+
+use super::component::base_and_indices;
+use super::{ExpressionContext, Lowerer};
+use crate::diagnostics::similar;
+use crate::lower::body::Body;
+use crate::lower::hints;
+use crate::lower::scope::{Binding, Origin};
+use crate::lower::value::Value;
+use crate::syntax::body_type::BodyQuantity;
+use crate::syntax::shape::Shape;
+
+/// A function of a body and of where it is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum BodyFunction {
+    KineticEnergy,
+    PotentialEnergy,
+}
+
+impl BodyFunction {
+    fn named(name: &Ident) -> Option<Self> {
+        [Self::KineticEnergy, Self::PotentialEnergy]
+            .into_iter()
+            .find(|function| name == function.name())
+    }
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::KineticEnergy => "kinetic_energy",
+            Self::PotentialEnergy => "potential_energy",
+        }
+    }
+
+    const fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Self::KineticEnergy => &["body", "r", "p"],
+            Self::PotentialEnergy => &["body", "r", "p", "gravity"],
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// The body to which an expression refers; `None` if that is something else.
+    #[allow(clippy::option_option)] // Whether it is a body, and whether there are no errors.
+    pub(super) fn body(&mut self, written: &Expr) -> Option<Option<Body>> {
+        let (base, indices) = base_and_indices(written);
+        let Expr::Path(path) = base else {
+            return None;
+        };
+        let name = path.path.get_ident().filter(|_| path.qself.is_none())?;
+        let Binding::Bodies(family) = self.scope.resolve(name)? else {
+            return None;
+        };
+        if indices.len() < family.rank {
+            return Some(self.reject(written, hints::bodies(name, &family)));
+        }
+        if let Some(more) = indices.get(family.rank) {
+            let message = "this is one body, which has no index: leave it out";
+            return Some(self.reject(more, message));
+        }
+        Some(self.family_member(name, Origin::Field, &family, &indices))
+    }
+
+    /// `body.mass`, `body.center`, `body.inertia`; `None` if what stands before the dot is no body.
+    #[allow(clippy::option_option)] // Whether it is a body, and whether there are no errors.
+    pub(super) fn quantity_of_body(
+        &mut self,
+        base: &Expr,
+        member: &Member,
+    ) -> Option<Option<Value>> {
+        let body = match self.body(base)? {
+            Some(body) => body,
+            None => return Some(None),
+        };
+        let written = member.to_token_stream().to_string();
+        let mut all = BodyQuantity::ALL.into_iter();
+        if let Some(quantity) = all.find(|quantity| quantity.name() == written) {
+            return Some(body.quantity(quantity));
+        }
+        let names = BodyQuantity::ALL.map(BodyQuantity::name);
+        let hint = similar(&written, names).map_or_else(
+            || format!("write one of `{}`", names.join("`, `")),
+            |meant| format!("did you mean `{meant}`?"),
+        );
+        Some(self.reject(member, format!("a body has no `{written}`: {hint}")))
+    }
+
+    /// `kinetic_energy(body, r, p)` and `potential_energy(body, r, p, gravity)`; `None` if `name` is neither.
+    #[allow(clippy::option_option)] // Whether it is a function of bodies, and whether there are no errors.
+    pub(super) fn function_of_body(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        call: &dyn ToTokens,
+        context: ExpressionContext,
+    ) -> Option<Option<Value>> {
+        let function = BodyFunction::named(name)?;
+        let value = self.energy_of_body(function, arguments, call, context);
+        Some(value.map(Value::Scalar))
+    }
+
+    fn energy_of_body(
+        &mut self,
+        function: BodyFunction,
+        arguments: &[&Expr],
+        call: &dyn ToTokens,
+        context: ExpressionContext,
+    ) -> Option<Expression> {
+        let name = function.name();
+        let expected = function.arguments();
+        if arguments.len() != expected.len() {
+            let others = match function {
+                BodyFunction::KineticEnergy => "and the position p of their origin",
+                BodyFunction::PotentialEnergy => {
+                    "the position p of their origin, and the acceleration of gravity"
+                }
+            };
+            let message = format!(
+                "`{name}` takes a body, its rotation r from its own axes to inertial ones, {others}: write \
+                 `{name}({})`",
+                expected.join(", ")
+            );
+            return self.reject(call, message);
+        }
+        let body = self.expected_body(name, arguments[0]);
+        // What the kinetic energy is made of is differentiated.
+        let context_of_place = match function {
+            BodyFunction::KineticEnergy => ExpressionContext::Observation,
+            BodyFunction::PotentialEnergy => context,
+        };
+        let rotation = self.matrix_of(
+            3,
+            arguments[1],
+            "a rotation, which is a 3×3 matrix,",
+            context_of_place,
+        );
+        let position = self.matrix_of(
+            1,
+            arguments[2],
+            "a position, which has three components,",
+            context_of_place,
+        );
+        match (function, arguments) {
+            (BodyFunction::PotentialEnergy, [.., gravity]) => {
+                let what =
+                    "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
+                let gravity = self.matrix_of(1, gravity, what, context);
+                self.potential_of_body(&body?, &rotation?, &position?, &gravity?)
+            }
+            _ => self.kinetic_of_body(
+                &body?,
+                (&rotation?, arguments[1]),
+                &position?,
+                call,
+                context,
+            ),
+        }
+    }
+
+    /// The body that an argument is.
+    fn expected_body(&mut self, function: &str, argument: &Expr) -> Option<Body> {
+        match self.body(argument) {
+            Some(body) => body,
+            None => {
+                // An unknown name is reported as such.
+                let value = self.lower(argument, ExpressionContext::Observation)?;
+                let message = format!(
+                    "`{function}` is of a body, a field of type `RigidBody`, `PrincipalBody` or `SymmetricBody`, and this is \
+                     {}",
+                    value.shape()
+                );
+                self.reject(argument, message)
+            }
+        }
+    }
+
+    /// The value of an argument that has three rows and so many columns.
+    fn matrix_of(
+        &mut self,
+        columns: usize,
+        argument: &Expr,
+        what: &str,
+        context: ExpressionContext,
+    ) -> Option<Matrix> {
+        let expected = Shape::Array { rows: 3, columns };
+        let value = match self.lower(argument, context)? {
+            // A sum without terms.
+            Value::EmptySum if columns == 1 => {
+                let zero = self.graph.zero();
+                expected.filled(zero)
+            }
+            value => value,
+        };
+        match value {
+            Value::Array(matrix) if Shape::of(&matrix) == expected => Some(matrix),
+            other => {
+                let message = format!("{what} belongs here, and this is {}", other.shape());
+                self.reject(argument, message)
+            }
+        }
+    }
+
+    /// The centre of gravity c = p + r `r_C`.
+    fn center_of_body(
+        &mut self,
+        body: &Body,
+        rotation: &Matrix,
+        position: &Matrix,
+    ) -> Option<Matrix> {
+        if body.is_centered(&self.graph) {
+            return Some(position.clone());
+        }
+        let arm = self.graph.matrix_product(rotation, &body.center()?)?;
+        let terms = [(position, Rational::ONE), (&arm, Rational::ONE)];
+        self.graph.matrix_sum(&terms)
+    }
+
+    /// ½ m |ċ|² + ½ ω·\[`I_C`\] ω (4.3).
+    fn kinetic_of_body(
+        &mut self,
+        body: &Body,
+        (rotation, argument): (&Matrix, &Expr),
+        position: &Matrix,
+        call: &dyn ToTokens,
+        context: ExpressionContext,
+    ) -> Option<Expression> {
+        let center = self.center_of_body(body, rotation, position)?;
+        let angular = self.velocity(call, argument, rotation, false, context)?;
+        let Value::Array(angular) = angular else {
+            return None;
+        };
+        self.check_differentiable(call, &Value::Array(center.clone()))?;
+        if self.at_rest {
+            return Some(self.graph.zero());
+        }
+        let velocity = self.graph.matrix_time_derivative(&center, self.coordinates);
+        self.check_derivative(call, &Value::Array(velocity.clone()), context)?;
+        let graph = &mut self.graph;
+        let square = graph.norm_squared(&velocity);
+        let translation = graph.multiply(body.mass, square);
+        let momentum = graph.matrix_product(&body.inertia()?, &angular)?;
+        let rotation = graph.dot_product(&angular, &momentum)?;
+        Some(graph.sum([(translation, Rational::HALF), (rotation, Rational::HALF)]))
+    }
+
+    /// −m g·c.
+    fn potential_of_body(
+        &mut self,
+        body: &Body,
+        rotation: &Matrix,
+        position: &Matrix,
+        gravity: &Matrix,
+    ) -> Option<Expression> {
+        let center = self.center_of_body(body, rotation, position)?;
+        let graph = &mut self.graph;
+        let along = graph.dot_product(gravity, &center)?;
+        let weight = graph.multiply(body.mass, along);
+        Some(graph.negate(weight))
+    }
+}

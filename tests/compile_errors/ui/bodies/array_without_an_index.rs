@@ -1,0 +1,14 @@
+use lagrangian::prelude::*;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(r = rotation_zxz(phi, theta, psi), o = [0.0, 0.0, 0.0]),
+    body(wheels = (r, o)),
+    potential = wheels.mass + vector(wheels).norm(),
+)]
+struct Top {
+    wheels: [SymmetricBody; 2],
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+use lagrangian::prelude::*;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(r = rotation_zxz(phi, theta, psi), o = [0.0, 0.0, 0.0]),
+    body(wheels[i] = (r, o) for i in 0..2),
+    gravity = 9.81,
+)]
+struct Top {
+    wheels: [RigidBody; 2],
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+use lagrangian::prelude::*;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(r = rotation_zxz(phi, theta, psi), o = [0.0, 0.0, 0.0]),
+    kinetic = kinetic_energy(top, r, o),
+    potential = top.weight * (r * top.center).z,
+)]
+struct Top {
+    top: RigidBody,
+}
+
+fn main() {}
