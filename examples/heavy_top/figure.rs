@@ -2,11 +2,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::axis::Axis;
+use lagrangian_examples::{Anchor, Panel, Point, Svg, extent};
+
 use crate::model::HeavyTop;
 use crate::nutation::Nutation;
 use crate::record::Record;
-use crate::svg::{Anchor, Point, Svg};
 
 /// The most points of a curve; more would only make the file larger.
 const MOST_POINTS: usize = 20_000;
@@ -46,18 +46,16 @@ fn tilt_panel(svg: &mut Svg, records: &[Record], limits: &[f64]) {
     let [low, high] = extent(tilts().chain(limits.iter().copied()));
     // A steady precession is a straight line, and not a magnified rounding error.
     let margin = (0.06 * (high - low)).max(0.05);
-    let panel = Panel::of_time(TILT, records, [low - margin, high + margin]);
+    let panel = panel_of_time(TILT, records, [low - margin, high + margin]);
     panel.draw(svg, "Tilt of the axis", "time t / s", "tilt θ / degrees");
     for &limit in &limits {
         let [from, to] = panel.x.range;
         svg.line("limit", panel.at(from, limit), panel.at(to, limit));
     }
-    svg.curve(
-        "curve",
-        panel.points(records, |record| {
-            record.state.q[HeavyTop::THETA].to_degrees()
-        }),
-    );
+    let tilts = points(records, |record| {
+        record.state.q[HeavyTop::THETA].to_degrees()
+    });
+    panel.curve(svg, "curve", tilts);
 }
 
 /// The relative energy error on a scale that is symmetric about 0.
@@ -69,14 +67,15 @@ fn energy_panel(svg: &mut Svg, records: &[Record]) {
     let exponent = most.log10().floor();
     let unit = 10_f64.powf(exponent);
     let bound = 1.1 * most / unit;
-    let panel = Panel::of_time(ENERGY, records, [-bound, bound]);
+    let panel = panel_of_time(ENERGY, records, [-bound, bound]);
     let label = format!("error / 10{}", superscript(exponent));
     panel.draw(svg, "Relative error of the energy", "time t / s", &label);
     let [from, to] = panel.x.range;
     svg.line("zero", panel.at(from, 0.0), panel.at(to, 0.0));
-    svg.curve(
+    panel.curve(
+        svg,
         "curve",
-        panel.points(records, |record| record.errors[0] / unit),
+        points(records, |record| record.errors[0] / unit),
     );
 }
 
@@ -91,11 +90,7 @@ fn path_panel(svg: &mut Svg, records: &[Record], limits: &[f64]) {
         least.sin().max(greatest.sin())
     };
     let range = [-1.08 * widest, 1.08 * widest];
-    let [left, right, top, bottom] = PATH;
-    let panel = Panel {
-        x: Axis::new(range, [left, right], 6.0),
-        y: Axis::new(range, [bottom, top], 6.0),
-    };
+    let panel = Panel::new(PATH, (range, range), [6.0, 6.0]);
     panel.draw(
         svg,
         "Path of the axis, seen from above",
@@ -147,62 +142,15 @@ fn legend(svg: &mut Svg, limits: &[f64], horizon: bool) {
     }
 }
 
-/// Two axes and what lies between them.
-struct Panel {
-    x: Axis,
-    y: Axis,
+/// A panel with the times of the motion along x.
+fn panel_of_time(pixels: [f64; 4], records: &[Record], range: [f64; 2]) -> Panel {
+    let times = extent(records.iter().map(|record| record.state.t));
+    Panel::new(pixels, (times, range), [8.0, 5.0])
 }
 
-impl Panel {
-    /// A panel with the times of the motion along x.
-    fn of_time([left, right, top, bottom]: [f64; 4], records: &[Record], range: [f64; 2]) -> Self {
-        Self {
-            x: Axis::new(
-                extent(records.iter().map(|record| record.state.t)),
-                [left, right],
-                8.0,
-            ),
-            y: Axis::new(range, [bottom, top], 5.0),
-        }
-    }
-
-    /// Where two values lie, in pixels.
-    fn at(&self, x: f64, y: f64) -> Point {
-        [self.x.at(x), self.y.at(y)]
-    }
-
-    /// A quantity against time.
-    fn points(
-        &self,
-        records: &[Record],
-        value: impl Fn(&Record) -> f64,
-    ) -> impl Iterator<Item = Point> {
-        thinned(records).map(move |record| self.at(record.state.t, value(record)))
-    }
-
-    /// Frame, grid, ticks and labels.
-    fn draw(&self, svg: &mut Svg, heading: &str, x_label: &str, y_label: &str) {
-        let ([left, right], [bottom, top]) = (self.x.pixels, self.y.pixels);
-        for (value, label) in self.x.ticks() {
-            let x = self.x.at(value);
-            svg.line("grid", [x, top], [x, bottom]);
-            svg.text("tick", Anchor::Middle, [x, bottom + 18.0], &label);
-        }
-        for (value, label) in self.y.ticks() {
-            let y = self.y.at(value);
-            svg.line("grid", [left, y], [right, y]);
-            svg.text("tick", Anchor::End, [left - 8.0, y + 4.5], &label);
-        }
-        svg.rectangle("frame", [left, top], [right, bottom]);
-        svg.text("heading", Anchor::Start, [left, top - 10.0], heading);
-        svg.text(
-            "label",
-            Anchor::Middle,
-            [0.5 * (left + right), bottom + 40.0],
-            x_label,
-        );
-        svg.vertical_text("label", [left - 60.0, 0.5 * (top + bottom)], y_label);
-    }
+/// A quantity against time.
+fn points(records: &[Record], value: impl Fn(&Record) -> f64) -> impl Iterator<Item = [f64; 2]> {
+    thinned(records).map(move |record| [record.state.t, value(record)])
 }
 
 /// Every so many records, that not too many remain.
@@ -217,16 +165,6 @@ fn seen_from_above(record: &Record) -> Point {
     let (sine, cosine) = record.state.q[HeavyTop::PHI].sin_cos();
     let radius = record.state.q[HeavyTop::THETA].sin();
     [radius * sine, -radius * cosine]
-}
-
-/// The least and the greatest of some values; 0 and 1 if there are none.
-fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [low, high] = values
-        .filter(|value| value.is_finite())
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
-    if low <= high { [low, high] } else { [0.0, 1.0] }
 }
 
 /// A whole number in superscript digits.

@@ -38,9 +38,7 @@ mod report;
 mod files;
 mod table;
 
-mod axis;
 mod figure;
-mod svg;
 
 fn main() -> ExitCode {
     match run(&Options::parse()) {

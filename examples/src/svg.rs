@@ -6,10 +6,10 @@
 use std::fmt::Write;
 
 /// A point in pixels.
-pub(crate) type Point = [f64; 2];
+pub type Point = [f64; 2];
 
 /// Colours that stay apart for the colour-blind, by Okabe and Ito: blue for what was integrated and
-/// vermilion for the closed form.
+/// vermilion for the closed form; green and purple for more curves beside the first.
 const STYLE: &str = "\
 text { font-family: Helvetica, Arial, 'DejaVu Sans', sans-serif; font-size: 14px; fill: #222 }
 .title { font-size: 20px; font-weight: bold }
@@ -19,6 +19,9 @@ text { font-family: Helvetica, Arial, 'DejaVu Sans', sans-serif; font-size: 14px
 .grid { stroke: #ddd; stroke-width: 1 }
 .zero { stroke: #888; stroke-width: 1 }
 .curve { fill: none; stroke: #0072b2; stroke-width: 1.6; stroke-linejoin: round }
+.second { fill: none; stroke: #009e73; stroke-width: 1.6; stroke-linejoin: round }
+.third { fill: none; stroke: #cc79a7; stroke-width: 1.6; stroke-linejoin: round }
+.outline { fill: #f3f3f3; stroke: #222; stroke-width: 1.2; stroke-linejoin: round }
 .limit { fill: none; stroke: #d55e00; stroke-width: 1.4; stroke-dasharray: 7 5 }
 .horizon { fill: none; stroke: #888; stroke-width: 1.2; stroke-dasharray: 2 4 }
 .start { fill: #fff; stroke: #222; stroke-width: 1.6 }
@@ -26,21 +29,25 @@ text { font-family: Helvetica, Arial, 'DejaVu Sans', sans-serif; font-size: 14px
 
 /// A drawing, to which shapes are added from back to front.
 #[derive(Debug)]
-pub(crate) struct Svg {
+pub struct Svg {
     text: String,
 }
 
 /// Which end of a text stands at its point.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Anchor {
+pub enum Anchor {
+    /// Its beginning.
     Start,
+    /// Its middle.
     Middle,
+    /// Its end.
     End,
 }
 
 impl Svg {
     /// An empty drawing on a white ground.
-    pub(crate) fn new(width: f64, height: f64) -> Self {
+    #[must_use]
+    pub fn new(width: f64, height: f64) -> Self {
         let mut svg = Self {
             text: String::new(),
         };
@@ -53,20 +60,21 @@ impl Svg {
     }
 
     /// The finished file.
-    pub(crate) fn finish(mut self) -> String {
+    #[must_use]
+    pub fn finish(mut self) -> String {
         self.push(format_args!("</svg>"));
         self.text
     }
 
     /// A straight line.
-    pub(crate) fn line(&mut self, class: &str, [x1, y1]: Point, [x2, y2]: Point) {
+    pub fn line(&mut self, class: &str, [x1, y1]: Point, [x2, y2]: Point) {
         self.push(format_args!(
             "<line class=\"{class}\" x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>"
         ));
     }
 
     /// A line through points. Points that are not finite are left out, for no viewer takes them.
-    pub(crate) fn curve(&mut self, class: &str, points: impl Iterator<Item = Point>) {
+    pub fn curve(&mut self, class: &str, points: impl Iterator<Item = Point>) {
         let mut path = String::new();
         for [x, y] in points.filter(|[x, y]| x.is_finite() && y.is_finite()) {
             let _ = write!(path, " {x:.2},{y:.2}");
@@ -78,7 +86,7 @@ impl Svg {
     }
 
     /// A rectangle with two given corners.
-    pub(crate) fn rectangle(&mut self, class: &str, [left, top]: Point, [right, bottom]: Point) {
+    pub fn rectangle(&mut self, class: &str, [left, top]: Point, [right, bottom]: Point) {
         let (width, height) = (right - left, bottom - top);
         self.push(format_args!(
             "<rect class=\"{class}\" x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" \
@@ -87,14 +95,14 @@ impl Svg {
     }
 
     /// A circle.
-    pub(crate) fn circle(&mut self, class: &str, [x, y]: Point, radius: f64) {
+    pub fn circle(&mut self, class: &str, [x, y]: Point, radius: f64) {
         self.push(format_args!(
             "<circle class=\"{class}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\"/>"
         ));
     }
 
     /// A horizontal text.
-    pub(crate) fn text(&mut self, class: &str, anchor: Anchor, [x, y]: Point, text: &str) {
+    pub fn text(&mut self, class: &str, anchor: Anchor, [x, y]: Point, text: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
@@ -106,7 +114,7 @@ impl Svg {
     }
 
     /// A text that is centred at a point and runs upwards.
-    pub(crate) fn vertical_text(&mut self, class: &str, [x, y]: Point, text: &str) {
+    pub fn vertical_text(&mut self, class: &str, [x, y]: Point, text: &str) {
         self.push(format_args!(
             "<text class=\"{class}\" text-anchor=\"middle\" \
              transform=\"translate({x:.2},{y:.2}) rotate(-90)\">{text}</text>"

@@ -2,18 +2,19 @@
 
 /// An axis of a panel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Axis {
+pub struct Axis {
     /// The values at both ends.
-    pub(crate) range: [f64; 2],
+    pub range: [f64; 2],
     /// The pixels at both ends.
-    pub(crate) pixels: [f64; 2],
+    pub pixels: [f64; 2],
     /// The distance between ticks: 1, 2 or 5 times a power of ten.
     step: f64,
 }
 
 impl Axis {
     /// An axis with at most `ticks` ticks or so. A range without width is widened.
-    pub(crate) fn new(range: [f64; 2], pixels: [f64; 2], ticks: f64) -> Self {
+    #[must_use]
+    pub fn new(range: [f64; 2], pixels: [f64; 2], ticks: f64) -> Self {
         let [low, high] = range;
         // Distances below the resolution of the numbers themselves have no round values in between.
         let least = 1e-9 * low.abs().max(high.abs()).max(1e-300);
@@ -37,14 +38,15 @@ impl Axis {
     }
 
     /// Where a value lies, in pixels.
-    pub(crate) fn at(&self, value: f64) -> f64 {
+    #[must_use]
+    pub fn at(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let [from, to] = self.pixels;
         from + (value - low) / (high - low) * (to - from)
     }
 
     /// The values of the ticks and their labels.
-    pub(crate) fn ticks(&self) -> impl Iterator<Item = (f64, String)> + use<> {
+    pub fn ticks(&self) -> impl Iterator<Item = (f64, String)> + use<> {
         let Self { range, step, .. } = *self;
         let first = (range[0] / step - 1e-9).ceil();
         let count = (range[1] / step + 1e-9).floor() - first;
