@@ -10,6 +10,7 @@ pub(crate) mod graph;
 pub(crate) mod sum;
 pub(crate) mod pythagoras;
 pub(crate) mod product;
+pub(crate) mod angle_differences;
 pub(crate) mod hyperbolic;
 pub(crate) mod call;
 pub(crate) mod circular;

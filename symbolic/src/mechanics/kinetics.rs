@@ -181,7 +181,10 @@ impl Kinetics {
         let costs = residuals.iter().map(|residuals| graph.cost(residuals));
         let least = costs.min().unwrap_or(0);
         residuals.retain(|residuals| graph.cost(residuals) <= SCHEDULING_MARGIN * least);
-        solution.implicit_equations(graph, residuals)
+        let in_differences = (model.coordinates <= MOST_EXPANDED_COORDINATES)
+            .then(|| in_angle_differences(graph, &equations.inverse_dynamics));
+        let in_differences = in_differences.flatten();
+        solution.implicit_equations(graph, residuals, in_differences)
     }
 }
 
@@ -266,6 +269,18 @@ fn boltzmann_hamel_solvers(
         solvers.extend(found);
     }
     solvers
+}
+
+/// Residuals with functions of sums and differences of angles, where there are such.
+fn in_angle_differences(graph: &mut Graph, residuals: &[Expression]) -> Option<Vec<Expression>> {
+    let mut is_changed = false;
+    let mut changed = Vec::with_capacity(residuals.len());
+    for residual in residuals {
+        let other = graph.with_angle_differences(*residual);
+        is_changed |= other.is_some();
+        changed.push(other.unwrap_or(*residual));
+    }
+    is_changed.then_some(changed)
 }
 
 /// The second of two lists if it costs less than the first.

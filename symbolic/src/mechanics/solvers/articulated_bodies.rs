@@ -106,6 +106,11 @@ impl ArticulatedBodies {
         self.solve(graph, right, &velocity_products)
     }
 
+    /// The unit of inertia.
+    pub(crate) fn unit(&self) -> Expression {
+        self.tree.unit
+    }
+
     /// M q̈ − f in the tree's unit.
     pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
         self.tree.inverse_dynamics(graph)

@@ -148,19 +148,27 @@ impl Solution {
     }
 
     /// The equations of motion in the form in which they are solved, with each of these residuals M q̈ − f that are for the
-    /// same M; none where no matrix is factored.
+    /// same M, and with those in differences of angles; none where no matrix is factored.
     pub(crate) fn implicit_equations(
         &self,
         graph: &mut Graph,
         mut residuals: Vec<Vec<Expression>>,
+        in_differences: Option<Vec<Expression>>,
     ) -> Vec<ImplicitEquations> {
+        let mut others = in_differences;
         match &self.solver {
             Solver::BoltzmannHamel(_) => return Vec::new(),
             // Theirs are in the unit of the tree.
-            Solver::ArticulatedBodies(solver) => residuals = vec![solver.inverse_dynamics(graph)],
+            Solver::ArticulatedBodies(solver) => {
+                residuals = vec![solver.inverse_dynamics(graph)];
+                for residual in others.iter_mut().flatten() {
+                    *residual = graph.divide(*residual, solver.unit());
+                }
+            }
             Solver::ArticulatedLinks(solver) => residuals.push(solver.inverse_dynamics(graph)),
             Solver::Ldlt(..) => {}
         }
+        residuals.extend(others);
         let symbols = (0..).map(Symbol::RightHandSide);
         let symbols = symbols.take(self.accelerations.len());
         let right: Vec<_> = symbols.map(|symbol| graph.symbol(symbol)).collect();
