@@ -103,11 +103,8 @@ impl Graph {
             self.subtract(x, y)
         };
         let function = if is_mixed { Unary::Sin } else { Unary::Cos };
-        let changes_sign = match (first, second) {
-            // cos x sin y − sin x cos y = −sin (x − y), and sin x sin y − cos x cos y = −cos (x + y).
-            (Unary::Cos, Unary::Sin) | (Unary::Sin, Unary::Sin) => !is_sum,
-            _ => false,
-        };
+        // cos x sin y − sin x cos y = −sin (x − y), and sin x sin y − cos x cos y = −cos (x + y).
+        let changes_sign = second == Unary::Sin && !is_sum;
         let value = self.unary(function, angle);
         (self.multiply(rest, value), changes_sign)
     }
