@@ -219,6 +219,17 @@ pub(crate) const LONGEST_ACCELERATION: u64 = 40;
 /// Nor are those of more coordinates.
 pub(crate) const MOST_LISTED_ACCELERATIONS: usize = 3;
 
+/// Equations may be so many characters before they are folded, and those under one heading together.
+pub(crate) const LONGEST_UNFOLDED_LINE: usize = 2000;
+/// See [`LONGEST_UNFOLDED_LINE`].
+pub(crate) const LONGEST_UNFOLDED_SECTION: usize = 16_000;
+
+/// Fewer terms are not folded to a sum over an index: three are as easily read.
+pub(crate) const FEWEST_FOLDED_TERMS: usize = 4;
+
+/// Fewer members of a family are not folded to one equation.
+pub(crate) const FEWEST_FOLDED_LINES: usize = 4;
+
 /// With less room under a heading, no further equation is tried.
 pub(crate) const SHORTEST_LINE: usize = 20;
 

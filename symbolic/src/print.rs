@@ -10,4 +10,5 @@ pub(crate) mod application;
 pub(crate) mod layout;
 pub(crate) mod formula;
 pub(crate) mod arrangement;
+pub(crate) mod folding;
 pub(crate) mod listing;

@@ -87,6 +87,9 @@ impl Formula<'_> {
     /// The number of characters, or one more than `most` if there are more.
     pub(crate) fn length(&self, most: usize) -> usize {
         let text = self.limit(most.saturating_add(1)).to_string();
+        if text.contains(self.notation.ellipsis()) {
+            return most.saturating_add(1);
+        }
         text.chars().count().min(most.saturating_add(1))
     }
 }

@@ -122,7 +122,7 @@ impl<'a> Layout<'a> {
 
     fn expression(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
         match self.letters.definition(expression) {
-            Some(name) => line.push(Piece::owned(name.print(0, self.notation))),
+            Some(name) => line.push(Piece::owned(self.letters.print(name, 0, self.notation))),
             None => self.body(line, expression),
         }
     }
@@ -138,7 +138,11 @@ impl<'a> Layout<'a> {
             Node::Pi => line.push(Piece::Text(self.notation.pi().into())),
             Node::Symbol(symbol) => {
                 let (spelling, dots) = self.letters.symbol(*symbol);
-                line.push(Piece::owned(spelling.print(dots, self.notation)));
+                line.push(Piece::owned(self.letters.print(
+                    &spelling,
+                    dots,
+                    self.notation,
+                )));
             }
             Node::Sum(terms) => self.sum(line, terms, &Rational::ONE, true),
             Node::Product(_) => self.term(line, expression, &Rational::ONE, true),

@@ -32,6 +32,8 @@ pub struct Letters {
     inputs: Vec<Spelling>,
     quasi_velocities: Vec<Spelling>,
     definitions: BTreeMap<Expression, Spelling>,
+    /// Whether indices are marked.
+    pub(crate) marks_indices: bool,
 }
 
 impl Letters {
@@ -53,20 +55,30 @@ impl Letters {
                 .iter()
                 .map(|(expression, name)| (*expression, spelled.spelling(name)))
                 .collect(),
+            marks_indices: false,
         }
     }
 
     /// A symbol as it is printed in Unicode and in LaTeX, such as θ̇.
     pub(crate) fn print_both(&self, symbol: Symbol) -> [String; 2] {
         let (spelling, dots) = self.symbol(symbol);
-        [Notation::Unicode, Notation::Latex].map(|notation| spelling.print(dots, notation))
+        [Notation::Unicode, Notation::Latex].map(|notation| self.print(&spelling, dots, notation))
+    }
+
+    /// A name with dots above it.
+    pub(crate) fn print(&self, spelling: &Spelling, dots: usize, notation: Notation) -> String {
+        if self.marks_indices {
+            spelling.print_marked(dots, notation)
+        } else {
+            spelling.print(dots, notation)
+        }
     }
 
     /// The name of an expression as it is printed in Unicode and in LaTeX, if it has one.
     pub(crate) fn print_both_of(&self, expression: Expression) -> Option<[String; 2]> {
         let spelling = self.definition(expression)?;
         let notations = [Notation::Unicode, Notation::Latex];
-        Some(notations.map(|notation| spelling.print(0, notation)))
+        Some(notations.map(|notation| self.print(spelling, 0, notation)))
     }
 
     /// The expressions that are printed by name.

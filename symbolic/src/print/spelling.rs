@@ -1,5 +1,6 @@
 //! The letters in which a name is printed.
 
+use crate::print::folding::MARKS;
 use crate::print::notation::{Notation, subscript};
 
 /// A name taken apart: a letter or word, and what is written below the line behind it.
@@ -7,6 +8,8 @@ use crate::print::notation::{Notation, subscript};
 pub(crate) struct Spelling {
     stem: String,
     subscripts: Vec<String>,
+    /// Whether its numbers are indices of a family.
+    is_indexed: bool,
 }
 
 /// The Greek letters that differ from Latin ones, as names are written in Rust. LaTeX has the same
@@ -66,6 +69,7 @@ impl Spelling {
         Self {
             stem: letter(stem),
             subscripts: number.into_iter().chain(parts).map(letter).collect(),
+            is_indexed: name.contains('['),
         }
     }
 
@@ -74,6 +78,7 @@ impl Spelling {
         Self {
             stem: name.into(),
             subscripts: Vec::new(),
+            is_indexed: false,
         }
     }
 
@@ -87,6 +92,32 @@ impl Spelling {
                 .subscripts
                 .iter()
                 .all(|part| number(part) || letter(part))
+    }
+
+    /// The name with dots above it, with [marks](crate::print::folding::MARKS) around its indices.
+    pub(crate) fn print_marked(&self, dots: usize, notation: Notation) -> String {
+        if !self.is_indexed {
+            return self.print(dots, notation);
+        }
+        let stem = Self {
+            subscripts: Vec::new(),
+            ..self.clone()
+        };
+        let mut text = stem.print(dots, notation);
+        let is_number = |part: &String| part.chars().all(|c| c.is_ascii_digit());
+        let mut parts = Vec::new();
+        for part in &self.subscripts {
+            parts.push(match notation {
+                _ if is_number(part) => format!("{}{part}{}", MARKS[0], MARKS[1]),
+                Notation::Unicode => format!("_{part}"),
+                Notation::Latex => latex_letter(part),
+            });
+        }
+        match notation {
+            Notation::Unicode => text.push_str(&parts.concat()),
+            Notation::Latex => text.extend(["_{", &parts.join(","), "}"]),
+        }
+        text
     }
 
     /// The name with dots above it.

@@ -24,8 +24,12 @@ impl<'a> Composer<'a> {
             definitions: declared.names.definitions.clone(),
             ..declared.names.clone()
         };
+        // A family has names for all of its members or for none.
+        let worthy = declared.definitions.iter();
+        let worthy = worthy.filter(|(_, x)| is_worth_a_name(&model.graph, *x));
+        let families: BTreeSet<_> = worthy.map(|(name, _)| family(name)).collect();
         for (name, expression) in &declared.definitions {
-            if is_worth_a_name(&model.graph, *expression) {
+            if families.contains(&family(name)) && !is_a_letter(&model.graph, *expression) {
                 let entry = names.definitions.entry(*expression);
                 entry.or_insert_with(|| name.clone());
             }
@@ -34,8 +38,10 @@ impl<'a> Composer<'a> {
             names.quasi_velocities =
                 quasi_velocity_names(&model.graph, &names, &equations.quasi_velocities);
         }
+        let mut letters = Letters::new(&names);
+        letters.marks_indices = true;
         Self {
-            letters: Letters::new(&names),
+            letters,
             model,
             declared,
             mentioned: Vec::new(),
@@ -203,6 +209,20 @@ fn are_constant(names: &[&str]) -> String {
         [one] => format!("{one} is constant."),
         [others @ .., last] => format!("{} and {last} are constant.", others.join(", ")),
     }
+}
+
+/// The name of a definition without its first index.
+fn family(name: &str) -> (&str, &str) {
+    let Some((stem, rest)) = name.split_once('[') else {
+        return (name, "");
+    };
+    (stem, rest.split_once(']').map_or("", |(_, rest)| rest))
+}
+
+/// Whether an expression is a number or a symbol.
+fn is_a_letter(graph: &Graph, expression: Expression) -> bool {
+    let node = graph.node(expression);
+    matches!(node, Node::Constant(_) | Node::Pi | Node::Symbol(_))
 }
 
 /// Whether a definition is longer than a letter or a single product, which are as easily read as its name.

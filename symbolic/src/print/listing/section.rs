@@ -2,9 +2,13 @@
 
 use std::fmt::Write as _;
 
-use crate::limits::{LONGEST_LINE, LONGEST_SECTION, SHORTEST_LINE};
+use crate::limits::{
+    LONGEST_LINE, LONGEST_SECTION, LONGEST_UNFOLDED_LINE, LONGEST_UNFOLDED_SECTION, SHORTEST_LINE,
+};
+use crate::print::folding::{Folded, families, tokens, written};
 use crate::print::listing::Listing;
 use crate::print::names::Letters;
+use crate::print::notation::Notation;
 use crate::{Expression, Graph};
 
 /// One side of an equation.
@@ -28,7 +32,7 @@ pub(crate) struct Section {
     left_out: Vec<u64>,
     /// A sentence behind the equations, in Unicode and in LaTeX.
     pub(crate) sentence: [String; 2],
-    /// How many characters there is room for.
+    /// How many characters may be added before lines are folded.
     room: usize,
 }
 
@@ -40,7 +44,7 @@ impl Section {
             lines: Vec::new(),
             left_out: Vec::new(),
             sentence: [String::new(), String::new()],
-            room: LONGEST_SECTION,
+            room: LONGEST_UNFOLDED_SECTION,
         }
     }
 
@@ -59,7 +63,7 @@ impl Section {
         let sides = [&left, &right];
         let lengths = sides.map(|side| side.unicode(graph, letters).chars().count());
         let length = lengths[0] + lengths[1] + 4;
-        if length > self.room.min(LONGEST_LINE) {
+        if length > self.room.min(LONGEST_UNFOLDED_LINE) {
             let symbols = sides.map(|side| side.symbols(graph, letters));
             self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
         } else {
@@ -77,9 +81,58 @@ impl Section {
         })
     }
 
+    /// The equations of families folded to one, in both notations.
+    fn folded(&self, graph: &Graph, letters: &Letters) -> [Vec<Folded>; 2] {
+        let lines = |print: fn(&Side, &Graph, &Letters) -> String| -> Vec<_> {
+            let lines = self.lines.iter().map(|(left, right)| {
+                let [left, right] = [left, right].map(|side| print(side, graph, letters));
+                tokens(&format!("{left} = {right}"))
+            });
+            lines.collect()
+        };
+        let lines = [lines(Side::unicode), lines(Side::latex)];
+        let folded = [&lines[0], &lines[1]].map(|lines| families(lines));
+        let [unicode, latex] =
+            [&folded[0], &folded[1]].map(|list| list.iter().map(|fold| &fold.members));
+        if unicode.eq(latex) {
+            return folded;
+        }
+        lines.map(|lines| {
+            let singles = lines.into_iter().enumerate();
+            singles
+                .map(|(position, line)| Folded::single(position, line))
+                .collect()
+        })
+    }
+
+    /// The equations that there is room for, in both notations, and the sizes of the others.
+    fn fitting(&self, graph: &Graph, letters: &Letters) -> ([Vec<String>; 2], Vec<u64>) {
+        let mut left_out = self.left_out.clone();
+        let mut room = LONGEST_SECTION;
+        let [unicode, latex] = self.folded(graph, letters);
+        let (mut displayed, mut displays) = (Vec::new(), Vec::new());
+        let size = |position: &usize| {
+            let (left, right) = &self.lines[*position];
+            u64::saturating_add(left.symbols(graph, letters), right.symbols(graph, letters))
+        };
+        for (unicode, latex) in unicode.iter().zip(&latex) {
+            let text = unicode.written(Notation::Unicode);
+            let length = text.chars().count();
+            if length > room.min(LONGEST_LINE) {
+                left_out.extend(unicode.members.iter().map(size));
+                continue;
+            }
+            room -= length;
+            displayed.push(text);
+            displays.push(latex.written(Notation::Latex).replacen(" = ", " &= ", 1));
+        }
+        ([displayed, displays], left_out)
+    }
+
     pub(crate) fn write(&self, graph: &Graph, letters: &Letters, listing: &mut Listing) {
-        let left_out = self.what_is_left_out();
-        if self.lines.is_empty() && left_out.is_empty() && self.sentence[0].is_empty() {
+        let ([lines, displays], sizes) = self.fitting(graph, letters);
+        let left_out = self.what_is_left_out(&sizes);
+        if lines.is_empty() && left_out.is_empty() && self.sentence[0].is_empty() {
             return;
         }
         // Writing to a `String` does not fail.
@@ -87,12 +140,8 @@ impl Section {
             let _ = writeln!(listing.unicode, "\n{unicode}");
             let _ = writeln!(listing.latex, "{latex}");
         }
-        let mut displays = Vec::new();
-        for (left, right) in &self.lines {
-            let [before, behind] = [left, right].map(|side| side.unicode(graph, letters));
-            let _ = writeln!(listing.unicode, "{before} = {behind}");
-            let [before, behind] = [left, right].map(|side| side.latex(graph, letters));
-            displays.push(format!("{before} &= {behind}"));
+        for line in lines {
+            let _ = writeln!(listing.unicode, "{line}");
         }
         if !displays.is_empty() {
             let displays = displays.join(" \\\\\n");
@@ -104,6 +153,8 @@ impl Section {
         let in_latex = left_out.replace('`', "").replace('_', "\\_");
         for [unicode, latex] in [&[left_out, in_latex], &self.sentence] {
             if !unicode.is_empty() {
+                let unicode = written(&tokens(unicode), Notation::Unicode);
+                let latex = written(&tokens(latex), Notation::Latex);
                 let _ = writeln!(listing.unicode, "{unicode}");
                 let _ = writeln!(listing.latex, "{latex}");
             }
@@ -111,12 +162,11 @@ impl Section {
     }
 
     /// What is said of equations that are left out.
-    fn what_is_left_out(&self) -> String {
-        let sizes = &self.left_out;
+    fn what_is_left_out(&self, sizes: &[u64]) -> String {
         let (Some(least), Some(most)) = (sizes.iter().min(), sizes.iter().max()) else {
             return String::new();
         };
-        let (left_out, all) = (sizes.len(), sizes.len() + self.lines.len());
+        let (left_out, all) = (sizes.len(), self.left_out.len() + self.lines.len());
         let which = match left_out {
             1 if all == 1 => "The equation is".to_owned(),
             1 => format!("One of {all} equations is"),
@@ -150,7 +200,7 @@ impl Side {
             Self::Text(text, _) => text.clone(),
             Self::Expression(x) => {
                 let formula = graph.display_in(*x, letters);
-                formula.limit(LONGEST_LINE + 1).to_string()
+                formula.limit(LONGEST_UNFOLDED_LINE + 1).to_string()
             }
         }
     }
