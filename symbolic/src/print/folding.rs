@@ -55,7 +55,7 @@ pub(crate) fn written(line: &[Token], notation: Notation) -> String {
                 bounds = 2;
             }
             Token::Sum(variable, _) => {
-                text.push_str(&format!("\\sum_{{{variable}="));
+                text.extend(["\\sum_{", &variable.to_string(), "="]);
                 bounds = 2;
             }
             Token::EndOfSum => {}
@@ -69,8 +69,8 @@ pub(crate) fn written(line: &[Token], notation: Notation) -> String {
                         text.push_str(if apart && bounds == 0 { "," } else { "" });
                         text.push_str(&lowered(&index));
                     }
-                    (Notation::Latex, 2) => text.push_str(&format!("{index}}}^{{")),
-                    (Notation::Latex, 1) => text.push_str(&format!("{index}}} ")),
+                    (Notation::Latex, 2) => text.extend([&*index, "}^{"]),
+                    (Notation::Latex, 1) => text.extend([&*index, "} "]),
                     (Notation::Latex, _) => text.push_str(&index),
                 }
                 if bounds == 1 && notation == Notation::Unicode {

@@ -219,10 +219,13 @@ fn family(name: &str) -> (&str, &str) {
     (stem, rest.split_once(']').map_or("", |(_, rest)| rest))
 }
 
-/// Whether an expression is a number or a symbol.
+/// Whether an expression is a number, a symbol or a function, which has no name even in a family.
 fn is_a_letter(graph: &Graph, expression: Expression) -> bool {
     let node = graph.node(expression);
-    matches!(node, Node::Constant(_) | Node::Pi | Node::Symbol(_))
+    matches!(
+        node,
+        Node::Constant(_) | Node::Pi | Node::Symbol(_) | Node::Unary(..)
+    )
 }
 
 /// Whether a definition is longer than a letter or a single product, which are as easily read as its name.
