@@ -97,9 +97,8 @@ fn implement(
         declaration,
         lowered,
         &model,
-        &equations,
+        (&equations, &listing),
         &methods,
-        &listing,
         (taylor.as_ref(), event_series.as_ref()),
         most_scopes,
     );

@@ -50,7 +50,7 @@ impl Page {
     }
 
     /// The state at a time s after a moment, when velocities and accelerations are constant in turn.
-    fn at(&self, s: f64, accelerations: &[f64]) -> impl Fn(Symbol) -> f64 {
+    fn at(s: f64, accelerations: &[f64]) -> impl Fn(Symbol) -> f64 {
         let position = |i: u32| 0.9 - 0.35 * f64::from(i);
         let velocity = |i: u32| 0.7 + 0.45 * f64::from(i);
         let accelerations = accelerations.to_vec();
@@ -73,7 +73,7 @@ impl Page {
             .solution
             .as_ref()
             .expect("they are solved for");
-        let at = self.at(0.0, &[]);
+        let at = Self::at(0.0, &[]);
         self.model.graph.evaluate(&solution.accelerations, at)
     }
 
@@ -114,7 +114,7 @@ impl Page {
                 let expected = self
                     .model
                     .graph
-                    .evaluate(&[expected], self.at(0.0, &accelerations));
+                    .evaluate(&[expected], Self::at(0.0, &accelerations));
                 assert_near(value(right), expected[0], 1e-12, right);
             } else if is_definition(&plain) {
                 definitions.insert(plain, (*right).to_owned());
@@ -139,7 +139,7 @@ impl Page {
         accelerations: &[f64],
         definitions: &BTreeMap<String, String>,
     ) -> f64 {
-        let at = self.at(s, accelerations);
+        let at = Self::at(s, accelerations);
         let symbols =
             |name: &str| Bounded::exact(self.symbol(name, s, accelerations, definitions, &at));
         Reader::read(text, &symbols).value
@@ -192,13 +192,12 @@ impl Page {
             .get(&letter)
             .unwrap_or_else(|| panic!("{name} is not defined before it is used"));
         let step = 1e-5;
-        match dots {
-            0 => self.value(body, s, accelerations, definitions),
-            _ => {
-                let [before, after] = [-step, step]
-                    .map(|step| self.value(body, s + step, accelerations, definitions));
-                (after - before) / (2.0 * step)
-            }
+        if dots == 0 {
+            self.value(body, s, accelerations, definitions)
+        } else {
+            let [before, after] =
+                [-step, step].map(|step| self.value(body, s + step, accelerations, definitions));
+            (after - before) / (2.0 * step)
         }
     }
 }
@@ -229,10 +228,8 @@ fn equations_of_tops_hold_as_they_are_printed() {
             assert!(page.check() >= 3, "{}", page.listing.unicode);
         }
     }
-    for spelling in [Spelling::Squares] {
-        let page = Page::of(systems::general_top(spelling), &[]);
-        assert!(page.check() >= 6, "{}", page.listing.unicode);
-    }
+    let page = Page::of(systems::general_top(Spelling::Squares), &[]);
+    assert!(page.check() >= 6, "{}", page.listing.unicode);
 }
 
 #[test]

@@ -34,9 +34,8 @@ impl<'a> Emitter<'a> {
         declaration: &'a Declaration,
         lowered: &'a Lowered,
         model: &'a Model,
-        equations: &'a Equations,
+        (equations, listing): (&'a Equations, &'a Listing),
         methods: &'a Methods,
-        listing: &'a Listing,
         (taylor, event_series): (Option<&'a TaylorMethod>, Option<&'a EventSeries>),
         most_scopes: usize,
     ) -> Self {
