@@ -15,6 +15,7 @@ mod balance;
 mod equilibrium;
 mod equilibrium_error;
 mod newton;
+mod levenberg_marquardt;
 mod eigenvalues;
 mod symmetric_eigenvalues;
 mod spectrum;

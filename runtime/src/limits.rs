@@ -330,6 +330,12 @@ pub(crate) mod analysis {
     /// The smallest damping factor of a Newton step, in relation to the longest one that is allowed: Deuflhard's value.
     pub(crate) const LEAST_DAMPING: f64 = 1e-8;
 
+    /// The first damping of a descent, in squares of the largest singular value: the middle of the values that Nielsen proposes.
+    pub(crate) const DESCENT_DAMPING: f64 = 1e-3;
+
+    /// A descent ends where its steps are this short, in sizes of the variables: Newton's method goes on.
+    pub(crate) const DESCENT_END: f64 = 1e-6;
+
     /// Singular values of a Jacobian below this many machine epsilons of the largest one are zero.
     pub(crate) const SINGULAR: f64 = 4096.0;
 

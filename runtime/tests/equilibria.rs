@@ -328,6 +328,30 @@ fn conical_pendulum() {
     assert_eq!(found.report.rank, 1);
 }
 
+/// Along the ring of the orbit the potential is nearly constant, and where Newton's paths from these guesses lead, the Jacobian is
+/// singular.
+#[test]
+fn from_beyond_a_singular_jacobian() {
+    let mut descents = 0;
+    for mu in [0.3, 0.05, 0.012, 0.001] {
+        for [x, y] in [
+            [0.4, 0.8],
+            [0.45, 0.85],
+            [0.3, 0.9],
+            [0.6, 0.6],
+            [0.45, -0.7_f64],
+        ] {
+            let found = EquilibriumSearch::of(&ThreeBodies { mu })
+                .near(&rest([x, y]))
+                .unwrap();
+            assert_near(found.state.q[0], 0.5 - mu, 1e-12);
+            assert_near(found.state.q[1], y.signum() * 0.75_f64.sqrt(), 1e-12);
+            descents += usize::from(found.report.descent_steps > 0);
+        }
+    }
+    assert!(descents > 0);
+}
+
 /// Lagrange's points: the triangular ones exactly, the collinear ones of the Earth and the Moon as published
 /// (V. Szebehely, *Theory of Orbits*, 1967, for μ = 0.012150 and thereabouts) by the quintic equations of Euler.
 #[test]

@@ -399,7 +399,7 @@ fn triangular_points() {
     for mu in [0.001, 0.012_15, ratio - 1e-6, ratio + 1e-6, 0.1, 0.5] {
         let model = ThreeBodies { mu };
         let state = EquilibriumSearch::of(&model)
-            .near(&rest([0.52, 0.856]))
+            .near(&rest([0.4, 0.8]))
             .unwrap()
             .state;
         let oscillations = SmallOscillations::about(&model, &state).unwrap();

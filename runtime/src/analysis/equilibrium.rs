@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::balance::{Balance, FreeInputs, HeldInputs, Point};
 use super::equilibrium_error::EquilibriumError;
 use super::jacobian_rows::Variables;
+use super::levenberg_marquardt::descended;
 use super::newton::Newton;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{EQUILIBRIUM_TOLERANCE, NEWTON_STEPS};
@@ -112,6 +113,9 @@ pub enum Variable {
 /// There may be more or fewer unknowns than equations: of several solutions the one is found to which Newton's
 /// steps of least length lead, and equations that contradict each other are an error.
 ///
+/// Newton's method is damped. Where its path meets a singular Jacobian, the search descends from the guess to where
+/// accelerations are least, in the sense of least squares, and Newton's method goes on from there.
+///
 /// On dual numbers, what is found has the derivatives by parameters and by whatever else is given.
 #[derive(Debug)]
 pub struct EquilibriumSearch<B, S: Scalar, const N: usize, const U: usize> {
@@ -141,6 +145,9 @@ pub struct Equilibrium<S: Scalar, const N: usize, const U: usize> {
 pub struct SearchReport {
     /// How many Newton steps were taken.
     pub iterations: usize,
+    /// How many steps of the descent by Levenberg and Marquardt were taken, if Newton's method from the guess had failed;
+    /// [`iterations`](Self::iterations) are those after it.
+    pub descent_steps: usize,
     /// How many steps were shortened, so that the next correction became less.
     pub step_reductions: usize,
     /// How often accelerations were evaluated.
@@ -274,7 +281,19 @@ where
             state: *guess,
             inputs: self.model.inputs(),
         };
-        Newton::new(self, &start).run()
+        let failed = match Newton::new(self, &start).run() {
+            Err(
+                error @ (EquilibriumError::Stalled { .. } | EquilibriumError::NoConvergence { .. }),
+            ) => error,
+            result => return result,
+        };
+        let mut report = failed
+            .last()
+            .map_or_else(SearchReport::default, |last| last.report);
+        // Newton's steps begin anew.
+        report.iterations = 0;
+        let near = descended(self, &start, &mut report);
+        Newton::new(self, &near).after(report).run()
     }
 
     fn check(&self, guess: &State<S, N>) -> Result<(), EquilibriumError<S, N, U>> {

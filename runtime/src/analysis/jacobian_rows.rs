@@ -161,6 +161,25 @@ impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
     }
 }
 
+impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
+    /// The x for which |J x − right|² + damping |x|² is least, and what the linear model predicts for the decrease of |right|²:
+    /// xᵀ(damping x + Jᵀ right).
+    pub(super) fn damped(&self, right: &Residuals<S, N>, damping: S) -> (Variables<S, N, U>, f64) {
+        let mut x = Variables::zeros();
+        let mut predicted = S::zero();
+        for row in self.rows.as_flattened() {
+            let square = row.entries.dot(&row.entries);
+            if square.largest() > 0.0 {
+                let component = row.component(right);
+                let factor = component / (square + damping);
+                x = x.zip_map(&row.entries, |sum, entry| entry.mul_add(factor, sum));
+                predicted += factor * square * (component + damping * factor);
+            }
+        }
+        (x, predicted.largest())
+    }
+}
+
 impl<S: Scalar, const N: usize, const U: usize> Row<S, N, U> {
     fn component(&self, right: &Residuals<S, N>) -> S {
         self.combination[0].dot(&right[0]) + self.combination[1].dot(&right[1])

@@ -66,6 +66,16 @@ where
         }
     }
 
+    /// The sizes of the unknowns; 0 for what is given.
+    pub(super) fn sizes(&self) -> Variables<S, N, U> {
+        self.sizes
+    }
+
+    /// The same search after some steps of another method.
+    pub(super) fn after(self, report: SearchReport) -> Self {
+        Self { report, ..self }
+    }
+
     pub(super) fn run(mut self) -> Result<Equilibrium<S, N, U>, Failure<S, N, U>> {
         self.residuals = self.evaluate(&self.point.clone());
         let mut before: Option<Accepted<S, N, U>> = None;
@@ -80,7 +90,7 @@ where
                 self.move_by(&correction, 1.0);
                 return self.finish(&rows);
             }
-            if self.report.iterations == self.search.max_iterations {
+            if self.report.iterations >= self.search.max_iterations {
                 return Err(EquilibriumError::NoConvergence { last: self.found() });
             }
             let damping = predicted(before.as_ref(), &correction, length);
@@ -100,22 +110,13 @@ where
 
     /// The Jacobian by the unknowns, in their sizes.
     fn factored(&mut self) -> Result<JacobianRows<S, N, U>, Failure<S, N, U>> {
-        let mut rows = jacobian(&self.search.model, &self.point, &self.search.momenta);
-        for row in rows.as_flattened_mut() {
-            *row = row.zip_map(&self.sizes, |slope, size| {
-                if size.largest() > 0.0 {
-                    slope * size
-                } else {
-                    S::zero()
-                }
-            });
-        }
-        let lengths = rows.as_flattened().iter().map(Variables::norm);
-        let is_finite = lengths.sum::<f64>().is_finite();
-        if !is_finite || !largest(&self.residuals).is_finite() {
+        if !largest(&self.residuals).is_finite() {
             return Err(EquilibriumError::NotFinite { last: self.found() });
         }
-        let rows = JacobianRows::new(&rows);
+        let rows = scaled_jacobian(self.search, &self.point, &self.sizes);
+        if !rows.largest().is_finite() {
+            return Err(EquilibriumError::NotFinite { last: self.found() });
+        }
         self.report.rank = rows.rank();
         self.report.condition = rows.condition();
         Ok(rows)
@@ -216,6 +217,29 @@ where
             residual,
         })
     }
+}
+
+/// The Jacobian at a point by the unknowns, in their sizes.
+pub(super) fn scaled_jacobian<B, S, const N: usize, const U: usize>(
+    search: &EquilibriumSearch<B, S, N, U>,
+    point: &Point<S, N, U>,
+    sizes: &Variables<S, N, U>,
+) -> JacobianRows<S, N, U>
+where
+    B: Balance<S, N, U>,
+    S: SingleNumber,
+{
+    let mut rows = jacobian(&search.model, point, &search.momenta);
+    for row in rows.as_flattened_mut() {
+        *row = row.zip_map(sizes, |slope, size| {
+            if size.largest() > 0.0 {
+                slope * size
+            } else {
+                S::zero()
+            }
+        });
+    }
+    JacobianRows::new(&rows)
 }
 
 /// The correction of these residuals.

@@ -1,0 +1,62 @@
+//! Descent to where accelerations are least, for searches whose Newton path meets a singular Jacobian.
+//!
+//! The method of Levenberg and Marquardt: K. Levenberg, *A method for the solution of certain non-linear problems in least squares*,
+//! Quart. Appl. Math. **2** (1944) 164–168; D. W. Marquardt, *An algorithm for least-squares estimation of nonlinear parameters*,
+//! J. SIAM **11** (1963) 431–441. The damping is that of H. B. Nielsen, *Damping parameter in Marquardt's method*, 1999. It ends near
+//! a solution or a local minimum, where [`Newton`](super::newton::Newton) goes on.
+
+use super::balance::{Balance, Point, residuals};
+use super::equilibrium::{EquilibriumSearch, SearchReport};
+use super::jacobian_rows::Residuals;
+use super::newton::{Newton, scaled_jacobian};
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::{DESCENT_DAMPING, DESCENT_END, LONGEST_NEWTON_STEP};
+
+/// The point to which the descent from a point leads, and what it took, added to a report.
+pub(super) fn descended<B, S, const N: usize, const U: usize>(
+    search: &EquilibriumSearch<B, S, N, U>,
+    start: &Point<S, N, U>,
+    report: &mut SearchReport,
+) -> Point<S, N, U>
+where
+    B: Balance<S, N, U>,
+    S: SingleNumber,
+{
+    let sizes = Newton::new(search, start).sizes();
+    let evaluated = |point: &Point<S, N, U>| residuals(&search.model, point, &search.momenta);
+    let mut point = *start;
+    let mut found = evaluated(&point);
+    let mut rows = scaled_jacobian(search, &point, &sizes);
+    let mut damping = DESCENT_DAMPING * rows.largest() * rows.largest();
+    let mut growth = 2.0;
+    for _ in 0..search.max_iterations {
+        let right = found.map(|block| -block);
+        let (step, predicted) = rows.damped(&right, S::from_f64(damping));
+        // NaN ends it, too.
+        if step.norm().is_nan() || step.norm() <= DESCENT_END || predicted <= 0.0 {
+            break;
+        }
+        let trial = point.moved(&step, 1.0, &sizes);
+        let after = evaluated(&trial);
+        report.evaluations += 1;
+        let gain = (squared(&found) - squared(&after)) / predicted;
+        if gain > 0.0 && step.norm() <= LONGEST_NEWTON_STEP {
+            point = trial;
+            found = after;
+            rows = scaled_jacobian(search, &point, &sizes);
+            let bend = 2.0 * gain - 1.0;
+            damping *= (1.0 - bend * bend * bend).max(1.0 / 3.0);
+            growth = 2.0;
+            report.descent_steps += 1;
+        } else {
+            damping *= growth;
+            growth *= 2.0;
+        }
+    }
+    point
+}
+
+fn squared<S: SingleNumber, const N: usize>(residuals: &Residuals<S, N>) -> f64 {
+    let [accelerations, momenta] = residuals;
+    (accelerations.dot(accelerations) + momenta.dot(momenta)).largest()
+}
