@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::model::{DURATION, Point};
+use crate::model::Point;
 
 /// A motion and what it is called.
 pub(crate) struct Curve {
@@ -12,6 +12,9 @@ pub(crate) struct Curve {
 
 const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 900.0;
+
+/// How much of the motions is plotted, in s.
+const SHOWN: u8 = 4;
 
 /// Colours that stay apart for the colour-blind, by Okabe and Ito.
 const COLOURS: [&str; 4] = ["#0072b2", "#009e73", "#e69f00", "#d55e00"];
@@ -78,7 +81,7 @@ fn put(svg: &mut String, line: std::fmt::Arguments<'_>) {
 
 /// The cart and its pole every tenth of a second while they move fast, later ones darker.
 fn movement(svg: &mut String, curve: &Curve, length: f64) {
-    let shown: Vec<_> = curve.motion.iter().take(260).step_by(10).collect();
+    let shown: Vec<_> = curve.motion.iter().take(130).step_by(5).collect();
     let positions = || shown.iter().map(|(state, _)| state.q[0]);
     let [low, high] = [
         positions().fold(0.0, f64::min) - length,
@@ -132,9 +135,9 @@ fn plot(svg: &mut String, panel: &Panel, curves: &[Curve], [top, bottom]: [f64; 
     let margin = 0.06 * (high - low).max(1e-9);
     let (low, high) = (low - margin, high + margin);
     let [left, right] = [70.0, WIDTH - 30.0];
-    let x = |time: f64| left + time / DURATION * (right - left);
+    let x = |time: f64| left + time / f64::from(SHOWN) * (right - left);
     let y = |value: f64| bottom - (value - low) / (high - low) * (bottom - top);
-    for second in 0..=8_u8 {
+    for second in 0..=SHOWN {
         let at = x(f64::from(second));
         put(
             svg,
@@ -143,7 +146,7 @@ fn plot(svg: &mut String, panel: &Panel, curves: &[Curve], [top, bottom]: [f64; 
             ),
         );
         if bottom > HEIGHT - 60.0 {
-            let unit = if second == 8 { " s" } else { "" };
+            let unit = if second == SHOWN { " s" } else { "" };
             put(
                 svg,
                 format_args!(
@@ -179,7 +182,8 @@ fn plot(svg: &mut String, panel: &Panel, curves: &[Curve], [top, bottom]: [f64; 
     }
     for (curve, colour) in curves.iter().zip(COLOURS) {
         let mut points = String::new();
-        for point in &curve.motion {
+        let is_shown = |point: &&Point| point.0.t < f64::from(SHOWN) + 1e-9;
+        for point in curve.motion.iter().filter(is_shown) {
             let _ = write!(points, " {:.1},{:.1}", x(point.0.t), y((panel.of)(point)));
         }
         put(

@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let upright = EquilibriumSearch::of(&model).near(&guess)?;
     let stability = SmallOscillations::about(&model, &upright.state)?.stability()?;
     println!(
-        "Equilibrium: θ = {:.1e} rad after {} Newton steps, {:?}.",
+        "Equilibrium at θ = {:.3} rad after {} Newton steps: {:?}.",
         upright.state.q[CartPole::THETA].abs(),
         upright.report.iterations,
         stability.verdict(),

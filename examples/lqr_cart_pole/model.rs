@@ -31,7 +31,7 @@ pub(crate) struct CartPole {
 pub(crate) const DURATION: f64 = 8.0;
 
 /// The time between two points of a motion, in s.
-const INTERVAL: f64 = 0.01;
+const INTERVAL: f64 = 0.02;
 
 /// A point of a motion: the state, and the force on the cart.
 pub(crate) type Point = (State<f64, 2>, f64);
@@ -42,20 +42,23 @@ fn force(gain: &RowVector4<f64>, state: &State<f64, 2>) -> f64 {
 }
 
 impl CartPole {
-    /// The motion from rest at an angle in rad, in continuous time.
+    /// The motion from rest at an angle in rad, in continuous time, until the pole is level if it falls.
     pub(crate) fn continuous(
         &self,
         gain: &RowVector4<f64>,
         tilt: f64,
     ) -> Result<Vec<Point>, IntegrationError> {
         let law = |state: &State<f64, 2>| force(gain, state);
-        let start = State::new(0.0, [0.0, tilt], [0.0, 0.0]);
-        let times: Vec<f64> = (0_u16..)
-            .map(|k| f64::from(k) * INTERVAL)
-            .take_while(|time| *time <= DURATION)
-            .collect();
-        let motion = Dop853::new().sample(&self.controlled_by(law), start, &times)?;
-        Ok(motion.states().map(|state| (state, law(&state))).collect())
+        let closed = self.controlled_by(law);
+        let mut state = State::new(0.0, [0.0, tilt], [0.0, 0.0]);
+        let mut points = vec![(state, law(&state))];
+        while state.t < DURATION && is_up(&state) {
+            state = Dop853::new()
+                .integrate_to(&closed, state, state.t + INTERVAL)?
+                .state();
+            points.push((state, law(&state)));
+        }
+        Ok(points)
     }
 
     /// The motion with a force that is set every `period` seconds and held in between.
@@ -67,7 +70,7 @@ impl CartPole {
     ) -> Result<Vec<Point>, IntegrationError> {
         let mut state = State::new(0.0, [0.0, tilt], [0.0, 0.0]);
         let mut points = Vec::new();
-        while state.t < DURATION {
+        while state.t < DURATION && is_up(&state) {
             let held = force(gain, &state);
             points.push((state, held));
             let pushed = self.with_inputs([held]);
@@ -79,11 +82,15 @@ impl CartPole {
     }
 }
 
-/// Whether a motion never has the pole level or below, and ends near the equilibrium.
+/// Whether the pole is above the horizontal.
+fn is_up(state: &State<f64, 2>) -> bool {
+    state.q[1].abs() < std::f64::consts::FRAC_PI_2
+}
+
+/// Whether a motion ends near the equilibrium.
 pub(crate) fn is_balanced(motion: &[Point]) -> bool {
-    let is_up = |(state, _): &Point| state.q[1].abs() < std::f64::consts::FRAC_PI_2;
     let is_still = |(state, _): &Point| state.q.norm() < 0.05 && state.v.norm() < 0.05;
-    motion.iter().all(is_up) && motion.last().is_some_and(is_still)
+    motion.last().is_some_and(is_still)
 }
 
 /// The largest tilt in rad from which motions are balanced, by bisection.
