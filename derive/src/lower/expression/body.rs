@@ -77,9 +77,8 @@ impl Lowerer<'_> {
         base: &Expr,
         member: &Member,
     ) -> Option<Option<Value>> {
-        let body = match self.body(base)? {
-            Some(body) => body,
-            None => return Some(None),
+        let Some(body) = self.body(base)? else {
+            return Some(None);
         };
         let written = member.to_token_stream().to_string();
         let mut all = BodyQuantity::ALL.into_iter();
@@ -168,19 +167,16 @@ impl Lowerer<'_> {
 
     /// The body that an argument is.
     fn expected_body(&mut self, function: &str, argument: &Expr) -> Option<Body> {
-        match self.body(argument) {
-            Some(body) => body,
-            None => {
-                // An unknown name is reported as such.
-                let value = self.lower(argument, ExpressionContext::Observation)?;
-                let message = format!(
-                    "`{function}` is of a body, a field of type `RigidBody`, `PrincipalBody` or `SymmetricBody`, and this is \
-                     {}",
-                    value.shape()
-                );
-                self.reject(argument, message)
-            }
+        if let Some(body) = self.body(argument) {
+            return body;
         }
+        // An unknown name is reported as such.
+        let value = self.lower(argument, ExpressionContext::Observation)?;
+        let message = format!(
+            "`{function}` is of a body, a field of type `RigidBody`, `PrincipalBody` or `SymmetricBody`, and this is {}",
+            value.shape()
+        );
+        self.reject(argument, message)
     }
 
     /// The value of an argument that has three rows and so many columns.

@@ -1,0 +1,16 @@
+//! Ready models of rigid bodies, each declared as a user would: its file is its declaration.
+//!
+//! Equation numbers are those of the text on rigid bodies to which `lagrangian` refers. Units are the user's, one system
+//! throughout; those of SI are named. All have the clause `taylor`, so that [`Taylor`](lagrangian::Taylor) steps them.
+
+mod cart_pole;
+mod free_body;
+mod general_top;
+mod spherical_pendulum;
+mod symmetric_top;
+
+pub use cart_pole::CartPole;
+pub use free_body::FreeBody;
+pub use general_top::GeneralTop;
+pub use spherical_pendulum::SphericalPendulum;
+pub use symmetric_top::SymmetricTop;
