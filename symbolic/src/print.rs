@@ -10,5 +10,6 @@ pub(crate) mod application;
 pub(crate) mod layout;
 pub(crate) mod formula;
 pub(crate) mod arrangement;
+pub(crate) mod size;
 pub(crate) mod folding;
 pub(crate) mod listing;

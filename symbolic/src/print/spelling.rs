@@ -1,6 +1,6 @@
 //! The letters in which a name is printed.
 
-use crate::print::folding::MARKS;
+use crate::print::folding::token::MARKS;
 use crate::print::notation::{Notation, subscript};
 
 /// A name taken apart: a letter or word, and what is written below the line behind it.
@@ -94,7 +94,7 @@ impl Spelling {
                 .all(|part| number(part) || letter(part))
     }
 
-    /// The name with dots above it, with [marks](crate::print::folding::MARKS) around its indices.
+    /// The name with dots above it, with [marks](crate::print::folding::token::MARKS) around its indices.
     pub(crate) fn print_marked(&self, dots: usize, notation: Notation) -> String {
         if !self.is_indexed {
             return self.print(dots, notation);

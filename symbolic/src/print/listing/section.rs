@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use crate::limits::{
     LONGEST_LINE, LONGEST_SECTION, LONGEST_UNFOLDED_LINE, LONGEST_UNFOLDED_SECTION, SHORTEST_LINE,
 };
-use crate::print::folding::{Folded, families, tokens, written};
+use crate::print::folding::token::{tokens, written};
+use crate::print::folding::{Folded, families};
 use crate::print::listing::Listing;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
