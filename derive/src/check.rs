@@ -5,6 +5,7 @@
 mod fields;
 mod functions;
 mod names;
+mod parameter_lists;
 mod scalar;
 
 use std::collections::BTreeSet;
@@ -26,6 +27,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
     check_events(declaration, diagnostics);
+    parameter_lists::check(declaration, diagnostics);
     check_gravity(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);

@@ -1,8 +1,10 @@
 //! Errors of the equations of motion, reported where the declaration can be corrected.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use lagrangian_symbolic::{Defect, Energies, ExternalFunction, Model, NoSeries, Symbol};
+use lagrangian_symbolic::{
+    Defect, Energies, ExternalFunction, Model, NoRegressor, NoSeries, Symbol,
+};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -12,6 +14,8 @@ use crate::plan::NoTaylorSeries;
 use crate::syntax::clauses::Clause;
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
+use crate::syntax::names::unraw;
+use crate::syntax::parameter_list::ParameterList;
 
 /// Says which derivatives of external functions are missing.
 pub(crate) fn report_undeclared(
@@ -83,6 +87,65 @@ fn report_function_without_series(
 
 /// What remains where a function has no Taylor series.
 const OTHERWISE: &str = "leave `taylor` out and integrate by `Dop853`";
+
+/// Says why there is no regressor, at the parameter that is the reason or at the clause.
+pub(crate) fn report_no_regressor(
+    reason: &NoRegressor,
+    declaration: &Declaration,
+    lowered: &Lowered,
+    diagnostics: &mut Diagnostics,
+) {
+    let Some(clause) = &declaration.clauses.regressor else {
+        return;
+    };
+    let message = match reason {
+        NoRegressor::NotPolynomial(parameters) => {
+            return report_not_polynomial(parameters, clause, lowered, diagnostics);
+        }
+        NoRegressor::NothingUnknown => {
+            "no equation of motion depends on these parameters: name others, or leave `regressor` out"
+        }
+        NoRegressor::TooManyMonomials => {
+            "the energies and forces are sums of too many products of these parameters: name fewer of them, as in \
+             `regressor(m, inertia)`, and the others are known"
+        }
+        NoRegressor::UnknownRegrouping => {
+            "the equations depend on some of these parameters in combinations that are not found, by known parameters \
+             within functions of the motion: name fewer parameters, one of each combination"
+        }
+    };
+    diagnostics.error(&clause.keyword, message);
+}
+
+/// Names the parameters in which the equations are no polynomials.
+fn report_not_polynomial(
+    parameters: &BTreeSet<Symbol>,
+    clause: &ParameterList,
+    lowered: &Lowered,
+    diagnostics: &mut Diagnostics,
+) {
+    let mut seen = BTreeSet::new();
+    for symbol in parameters {
+        let Symbol::Parameter(i) = symbol else {
+            continue;
+        };
+        let Some(component) = lowered.quantities.parameters.get(*i as usize) else {
+            continue;
+        };
+        let name = unraw(&component.field);
+        if !seen.insert(name.clone()) {
+            continue;
+        }
+        let message = format!(
+            "the equations of motion are not linear in `{label}` and its powers and products: it stands within a \
+             function, a root or a sum that is divided by; leave `{name}` out of this list, and it is known",
+            label = component.label
+        );
+        let mut fields = clause.fields.iter().flatten();
+        let field = fields.find(|field| unraw(field) == name);
+        diagnostics.error(field.unwrap_or(&clause.keyword), message);
+    }
+}
 
 /// The first clause of the energies.
 fn energy(declaration: &Declaration) -> Option<&Clause> {

@@ -7,11 +7,13 @@ mod constants_of_motion;
 mod inputs;
 mod outputs;
 mod events;
+mod requested;
 mod external_functions;
 mod item_names;
 mod signatures;
 mod parameters;
 mod writer;
+mod sensitivities;
 mod taylor_series;
 mod model_symbols;
 mod body;
@@ -41,6 +43,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.functions(),
         emitter.taylor_series(),
         emitter.events(),
+        emitter.requested(),
     ]
     .into_iter()
     .collect()

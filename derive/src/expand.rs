@@ -11,7 +11,7 @@ use crate::diagnostics::Diagnostics;
 use crate::emit::{Emitter, items, items_without_equations, listing, warning};
 use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
-use crate::plan::Methods;
+use crate::plan::{Methods, Requested};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::size;
 
@@ -68,8 +68,18 @@ fn implement(
             return None;
         }
     };
-    let mut methods = Methods::schedule(&mut model, &equations, &lowered.outputs);
-    let disagreements = methods.validate(&validator, &mut model, &mut equations, &lowered.outputs);
+    let clauses = &declaration.clauses;
+    let requested = match Requested::derive(clauses, &lowered.quantities, &mut model) {
+        Ok(requested) => requested,
+        Err(reason) => {
+            defects::report_no_regressor(&reason, declaration, lowered, diagnostics);
+            return None;
+        }
+    };
+    let shapes = &lowered.outputs;
+    let mut methods = Methods::schedule(&mut model, &equations, shapes, &requested);
+    let disagreements =
+        methods.validate(&validator, &mut model, &mut equations, (shapes, &requested));
     let undeclared = methods.undeclared(&model.graph);
     if !undeclared.is_empty() {
         defects::report_undeclared(&undeclared, declaration, diagnostics);

@@ -4,6 +4,7 @@ mod methods;
 mod method;
 mod derivatives;
 mod outputs;
+mod requested;
 mod table;
 mod taylor_method;
 mod undeclared;
@@ -14,8 +15,9 @@ pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{
     AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, MethodOutputs,
-    OutputSlice, PivotOutputs, StateJacobian,
+    OutputSlice, PivotOutputs, SensitivityOutputs, StateJacobian,
 };
+pub(crate) use requested::Requested;
 pub(crate) use table::{
     EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant, is_method,
 };

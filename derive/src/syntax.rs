@@ -5,6 +5,7 @@ pub(crate) mod declaration;
 pub(crate) mod clauses;
 pub(crate) mod coordinate;
 pub(crate) mod named;
+pub(crate) mod parameter_list;
 pub(crate) mod external_function;
 pub(crate) mod field;
 pub(crate) mod body_type;

@@ -115,6 +115,21 @@ pub(crate) const MOST_FACTORS: usize = 12;
 
 // mechanics
 
+/// Polynomials in parameters with more monomials are given up: there is no regressor. Made by the arm of six joints, whose
+/// energies have some 250. Moved by longer chains with unknown lengths, whose monomials grow with their square.
+pub(crate) const MOST_PARAMETER_MONOMIALS: usize = 4096;
+
+/// Higher powers of parameters are no polynomials. A defence against `l.powi(1_000_000)`.
+pub(crate) const HIGHEST_PARAMETER_POWER: i64 = 64;
+
+/// More different functions of the motion among the columns of a regressor are given up: their elimination modulo a prime
+/// takes the cube of their number.
+pub(crate) const MOST_MOTION_FUNCTIONS: usize = 600;
+
+/// Random motions, one after the other, at which the rank of a regressor does not grow, when it is taken to be complete.
+/// At each, an incomplete rank stays by an accident of a probability of the degree of the columns over 2·10¹⁵.
+pub(crate) const MOTIONS_WITHOUT_GAIN: usize = 2;
+
 /// A mass matrix of more rows is not expanded: it swells. Made by the general top, expanded; measured: with 2 it
 /// costs 149 instead of 69, with 8 only five different links change, from 293 to 290.
 pub(crate) const MOST_EXPANDED_COORDINATES: u32 = 4;

@@ -12,3 +12,4 @@ pub(crate) mod mechanism;
 pub(crate) mod solvers;
 pub(crate) mod energy_functions;
 pub(crate) mod kinetics;
+pub(crate) mod regressor;

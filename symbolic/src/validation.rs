@@ -16,6 +16,7 @@ mod lagrange;
 mod number;
 mod perturbation;
 mod programs;
+mod requested_check;
 mod recurrence_tape;
 mod series_check;
 mod value_series_check;
@@ -23,7 +24,10 @@ mod square_matrix;
 mod sum_with_size;
 mod tape;
 
-pub use programs::{AccelerationProgram, LinearizationProgram, Method, Programs};
+pub use programs::{
+    AccelerationProgram, LinearizationProgram, Method, Programs, SensitivityProgram,
+};
+pub use requested_check::RequestedPrograms;
 pub use series_check::SeriesCheck;
 pub use validator::Validator;
 pub use value_series_check::ValueSeriesCheck;

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::diagnostics::Diagnostics;
 use crate::plan::constants::{
     CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS,
-    CONSTANTS_OF_SYSTEMS,
+    CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
 };
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
@@ -98,7 +98,7 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
     let has_functions = !declaration.clauses.functions.is_empty();
     let has_events = !declaration.clauses.events.is_empty();
     let every = "a constant of every model";
-    let all: [(&[&str], bool, &str); 5] = [
+    let all: [(&[&str], bool, &str); 7] = [
         (&CONSTANTS, true, every),
         (&CONSTANTS_OF_SYSTEMS, true, every),
         (
@@ -115,6 +115,16 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
             &CONSTANTS_OF_EVENTS,
             has_events,
             "a constant of every model with events",
+        ),
+        (
+            &CONSTANTS_OF_SENSITIVITIES,
+            declaration.clauses.sensitivities.is_some(),
+            "a constant of every model with `sensitivities`",
+        ),
+        (
+            &CONSTANTS_OF_REGRESSORS,
+            declaration.clauses.regressor.is_some(),
+            "a constant of every model with a `regressor`",
         ),
     ];
     let all = all.into_iter().filter(|(_, there, _)| *there);

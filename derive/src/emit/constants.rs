@@ -34,6 +34,7 @@ impl Emitter<'_> {
         });
         let inputs = self.input_constants();
         let events = self.event_constants();
+        let requested = self.requested_constants();
         // A lifetime of the struct stands in its impl but once.
         let lifetimes = self.declaration.generics.lifetimes().next().is_some();
         let lints = lifetimes.then(|| quote!(#[allow(single_use_lifetimes)]));
@@ -46,6 +47,7 @@ impl Emitter<'_> {
                 #(#indices)*
                 #inputs
                 #events
+                #requested
                 /// The equations of motion as they were derived, in lines of Unicode.
                 #visibility const EQUATIONS: &'static str = #unicode;
                 /// The same in displays of LaTeX, for `amsmath`, KaTeX and MathJax.

@@ -50,13 +50,7 @@ pub(crate) fn listing(
     lowered: &Lowered,
     methods: &Methods,
 ) -> Listing {
-    let Lowered {
-        scope, quantities, ..
-    } = lowered;
-    let all = |components: &[Component]| -> Vec<String> {
-        let labels = components.iter().map(|component| &component.label);
-        labels.map(ToString::to_string).collect()
-    };
+    let scope = &lowered.scope;
     let mut definitions = Vec::new();
     let mut seen = BTreeSet::new();
     for definition in &declaration.clauses.definitions {
@@ -69,20 +63,27 @@ pub(crate) fn listing(
     let before = lowered.outputs.iter().map(|shape| shape.count()).sum();
     let functions = model.outputs.iter().skip(before).copied();
     let declared = Declared {
-        names: Names {
-            coordinates: quantities
-                .coordinates
-                .iter()
-                .map(ToString::to_string)
-                .collect(),
-            parameters: all(&quantities.parameters),
-            inputs: all(&quantities.inputs),
-            ..Names::default()
-        },
+        names: printed_names(lowered),
         definitions,
         operations: methods.accelerations.count.total(),
         events: names(declaration, &lowered.events).zip(functions).collect(),
     };
     let solved = methods.solved_form(model, equations);
     Listing::of(model, equations, &solved, &declared)
+}
+
+/// The names of coordinates, parameters and inputs.
+pub(super) fn printed_names(lowered: &Lowered) -> Names {
+    let quantities = &lowered.quantities;
+    let all = |components: &[Component]| -> Vec<String> {
+        let labels = components.iter().map(|component| &component.label);
+        labels.map(ToString::to_string).collect()
+    };
+    let coordinates = quantities.coordinates.iter();
+    Names {
+        coordinates: coordinates.map(ToString::to_string).collect(),
+        parameters: all(&quantities.parameters),
+        inputs: all(&quantities.inputs),
+        ..Names::default()
+    }
 }

@@ -87,12 +87,22 @@ impl<'a> Emitter<'a> {
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
         let prepared = &self.methods.prepare.program.groups;
+        let requested = &self.methods.requested;
+        let base_parameters = requested
+            .regressor
+            .as_ref()
+            .map_or(0, |found| found.values.len());
         let invariants = prepared.first().map_or(0, |group| group.outputs.len());
         Signatures {
             root: &self.declaration.root,
             scalar,
             dimension: self.coordinates().to_token_stream(),
             inputs: self.model.inputs as usize,
+            parameters: requested
+                .sensitivities
+                .as_ref()
+                .map_or(0, |found| found.parameters.len()),
+            base_parameters: base_parameters.to_token_stream(),
             prepared: quote!([#scalar; #invariants]),
         }
     }

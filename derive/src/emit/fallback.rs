@@ -3,6 +3,8 @@
 //! Code that uses the model then shows no errors of its own. Unresolved names are accessed as fields here, for
 //! rust-analyzer alone, which completes them to the names of fields.
 
+mod requested;
+
 use core::ops::Range;
 use std::collections::BTreeSet;
 
@@ -37,6 +39,7 @@ pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream
         fallback.functions(),
         fallback.taylor_series(),
         fallback.events(),
+        fallback.requested(),
     ]
     .into_iter()
     .collect()
@@ -110,6 +113,17 @@ impl<'a> Fallback<'a> {
         scalar: Option<&Scalar<'_>>,
         items: &TokenStream,
     ) -> TokenStream {
+        self.implement_for(interface, scalar, items, None)
+    }
+
+    /// The same with one more parameter.
+    fn implement_for(
+        &self,
+        interface: &TokenStream,
+        scalar: Option<&Scalar<'_>>,
+        items: &TokenStream,
+        parameter: Option<&TokenStream>,
+    ) -> TokenStream {
         let name = &self.declaration.name;
         let declared = &self.declaration.generics;
         let mut generics = match scalar {
@@ -118,6 +132,9 @@ impl<'a> Fallback<'a> {
         };
         if let Some(dimension) = &self.dimension_parameter {
             generics.params.push(syn::parse_quote!(#dimension));
+        }
+        if let Some(parameter) = parameter {
+            generics.params.push(syn::parse_quote!(#parameter));
         }
         let (generics, _, conditions) = generics.split_for_impl();
         let (_, arguments, _) = declared.split_for_impl();
@@ -209,6 +226,8 @@ impl<'a> Fallback<'a> {
             scalar: &self.scalar,
             dimension: self.dimension.clone(),
             inputs: self.lowered.quantities.inputs.len(),
+            parameters: self.parameters().len(),
+            base_parameters: requested::base_parameters().into_token_stream(),
             prepared: quote!(()),
         }
     }

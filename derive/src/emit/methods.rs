@@ -7,7 +7,7 @@ use super::emitter::Emitter;
 use super::parameters::marked_if_unused;
 use super::signatures::{InputsFrom, method_name};
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
-use crate::plan::{EmittedMethod, Interface, Invariants, Method, MethodRow, Variant};
+use crate::plan::{EmittedMethod, Interface, Invariants, Method, MethodRow, ResultType, Variant};
 
 impl Emitter<'_> {
     pub(super) fn lagrangian(&self) -> TokenStream {
@@ -62,8 +62,11 @@ impl Emitter<'_> {
     /// The emitted functions of one row.
     fn method(&self, emitted: EmittedMethod, method: &Method, inputs: InputsFrom) -> TokenStream {
         let row = emitted.row();
-        if !row.takes_state() {
+        if row.result == ResultType::Invariants {
             return self.prepare(row, method);
+        }
+        if !row.takes_state() {
+            return self.of_parameters(row, method);
         }
         row.variants()
             .map(|variant| {
@@ -114,6 +117,18 @@ impl Emitter<'_> {
         quote! {
             type Prepared = #output;
             fn prepare(&self) -> #output {
+                #body
+            }
+        }
+    }
+
+    /// A function of the parameters.
+    fn of_parameters(&self, row: MethodRow, method: &Method) -> TokenStream {
+        let name = method_name(row.unprepared(), InputsFrom::Fields);
+        let output = self.signatures().result(row.result);
+        let body = self.body(method, InputsFrom::Fields, &[]);
+        quote! {
+            fn #name(&self) -> #output {
                 #body
             }
         }

@@ -24,6 +24,10 @@ pub(crate) struct Signatures<'a> {
     pub(crate) dimension: TokenStream,
     /// How many inputs there are.
     pub(crate) inputs: usize,
+    /// By how many parameters accelerations are differentiated.
+    pub(crate) parameters: usize,
+    /// How many base parameters there are.
+    pub(crate) base_parameters: TokenStream,
     /// The type of the hoisted invariants.
     pub(crate) prepared: TokenStream,
 }
@@ -69,6 +73,8 @@ impl Signatures<'_> {
             dimension: n,
             inputs: u,
             prepared,
+            parameters: p,
+            base_parameters: b,
         } = self;
         match result {
             ResultType::Scalar => quote!(#scalar),
@@ -79,6 +85,9 @@ impl Signatures<'_> {
             ResultType::Invariants => prepared.clone(),
             ResultType::Outputs => quote!(Self::Outputs),
             ResultType::EventValues => quote!(Self::EventValues),
+            ResultType::ParameterMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #p>),
+            ResultType::Regressor => quote!(#root::__private::SMatrix<#scalar, #n, #b>),
+            ResultType::BaseParameters => quote!(#root::__private::SVector<#scalar, #b>),
         }
     }
 
@@ -102,6 +111,8 @@ impl Signatures<'_> {
             scalar,
             dimension: n,
             inputs: u,
+            parameters: p,
+            base_parameters: b,
             ..
         } = self;
         match (interface, inputs) {
@@ -109,6 +120,30 @@ impl Signatures<'_> {
             (Interface::Events, InputsFrom::Fields) => quote!(#root::Events::<#n, #scalar>),
             (Interface::Events, InputsFrom::Argument) => {
                 quote!(#root::EventsWith::<#n, #u, #scalar>)
+            }
+            (Interface::Hamiltonian, InputsFrom::Fields) => {
+                quote!(#root::Hamiltonian::<#n, #scalar>)
+            }
+            (Interface::Hamiltonian, InputsFrom::Argument) => {
+                quote!(#root::HamiltonianWith::<#n, #u, #scalar>)
+            }
+            (Interface::EnergyBalance, InputsFrom::Fields) => {
+                quote!(#root::EnergyBalance::<#n, #scalar>)
+            }
+            (Interface::EnergyBalance, InputsFrom::Argument) => {
+                quote!(#root::EnergyBalanceWith::<#n, #u, #scalar>)
+            }
+            (Interface::Sensitivities, InputsFrom::Fields) => {
+                quote!(#root::Sensitivities::<#n, #p, #scalar>)
+            }
+            (Interface::Sensitivities, InputsFrom::Argument) => {
+                quote!(#root::SensitivitiesWith::<#n, #u, #p, #scalar>)
+            }
+            (Interface::Regressor, InputsFrom::Fields) => {
+                quote!(#root::Regressor::<#n, #b, #scalar>)
+            }
+            (Interface::Regressor, InputsFrom::Argument) => {
+                quote!(#root::RegressorWith::<#n, #u, #b, #scalar>)
             }
             (Interface::Energies, _) => quote!(#root::Energies::<#n, #scalar>),
             (Interface::Lagrangian, InputsFrom::Argument) | (Interface::Inputs, _) => {

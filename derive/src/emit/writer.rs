@@ -106,6 +106,7 @@ impl Writer<'_> {
             }
             MethodOutputs::Linearization(outputs) => self.linearization(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
+            MethodOutputs::Sensitivities(outputs) => self.sensitivities(outputs),
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
         }
@@ -150,7 +151,11 @@ impl Writer<'_> {
     }
 
     /// Accelerations that hold where all pivots are positive; elsewhere M is factored numerically.
-    fn if_positive(&self, pivots: &[TokenStream], accelerations: &[TokenStream]) -> TokenStream {
+    pub(super) fn if_positive(
+        &self,
+        pivots: &[TokenStream],
+        accelerations: &[TokenStream],
+    ) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let accelerations = self.vector(accelerations);
         if pivots.is_empty() {
@@ -165,7 +170,7 @@ impl Writer<'_> {
         }
     }
 
-    fn factors_of_mass_matrix(&self) -> TokenStream {
+    pub(super) fn factors_of_mass_matrix(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let mass = self.mass_matrix();
         quote!(#root::Factorization::new(#mass))
@@ -231,7 +236,7 @@ impl Writer<'_> {
     }
 
     /// Whether the program reads accelerations.
-    fn reads_accelerations(&self) -> bool {
+    pub(super) fn reads_accelerations(&self) -> bool {
         let symbols = self.method.program.symbols();
         let mut symbols = symbols.iter();
         symbols.any(|symbol| matches!(symbol, Symbol::Acceleration(_)))
@@ -340,7 +345,7 @@ impl Writer<'_> {
     }
 
     /// Factors M, of which a program computes the lower triangle.
-    fn factors(&mut self, mass: &LowerTriangle) -> (TokenStream, TokenStream) {
+    pub(super) fn factors(&mut self, mass: &LowerTriangle) -> (TokenStream, TokenStream) {
         let root = &self.emitter.declaration.root;
         let functions = self.emitter.scalar.functions();
         let zero = quote!(#functions::from_f64(0.0));
@@ -390,7 +395,7 @@ impl Writer<'_> {
     }
 
     /// A matrix with a row for each coordinate, from its elements, column by column.
-    fn matrix(&self, elements: &[TokenStream]) -> TokenStream {
+    pub(super) fn matrix(&self, elements: &[TokenStream]) -> TokenStream {
         self.matrix_of(elements, self.emitter.coordinates())
     }
 

@@ -140,6 +140,23 @@ impl Quantities {
         }
     }
 
+    /// All parameters.
+    pub(crate) fn parameter_symbols(&self) -> Vec<Symbol> {
+        let symbols = (0..).zip(&self.parameters);
+        symbols.map(|(i, _)| Symbol::Parameter(i)).collect()
+    }
+
+    /// The components of parameters with these names, in the order of the names.
+    pub(crate) fn symbols_of(&self, fields: &[Ident]) -> Vec<Symbol> {
+        let mut symbols = Vec::new();
+        for field in fields {
+            let named = (0..).zip(&self.parameters);
+            let named = named.filter(|(_, component)| unraw(&component.field) == unraw(field));
+            symbols.extend(named.map(|(i, _)| Symbol::Parameter(i)));
+        }
+        symbols
+    }
+
     /// The name of a symbol in the emitted code.
     pub(crate) fn variable(&self, symbol: Symbol) -> String {
         let coordinate = |i: u32, suffix: &str| {

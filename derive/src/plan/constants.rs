@@ -15,5 +15,9 @@ pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 5] = [
 pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
 /// The constants of a model with external functions.
 pub(crate) const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
+/// The constants of a model with derivatives by parameters.
+pub(crate) const CONSTANTS_OF_SENSITIVITIES: [&str; 1] = ["PARAMETERS"];
+/// The constants of a model with a regressor.
+pub(crate) const CONSTANTS_OF_REGRESSORS: [&str; 1] = ["BASE_PARAMETERS"];
 /// The constants of a model with events.
 pub(crate) const CONSTANTS_OF_EVENTS: [&str; 1] = ["EVENTS"];

@@ -3,7 +3,9 @@
 use lagrangian_symbolic::{Expression, Kinetics, Model, Solution, Symbol};
 
 use super::method::Method;
-use super::outputs::{InputJacobianOutputs, LinearizationOutputs, MethodOutputs, ProgramLayout};
+use super::outputs::{
+    InputJacobianOutputs, LinearizationOutputs, MethodOutputs, ProgramLayout, SensitivityOutputs,
+};
 
 /// The derivatives of the accelerations, before they are scheduled.
 pub(super) struct Derivatives {
@@ -89,6 +91,49 @@ impl Derivatives {
                 residuals,
             }),
             right_hand_sides: Some(symbols.len()),
+        }
+    }
+
+    /// By parameters, on which M depends, too.
+    pub(super) fn of_parameters(
+        model: &mut Model,
+        kinetics: &Kinetics,
+        symbols: &[Symbol],
+    ) -> Self {
+        let mut layout = ProgramLayout::new();
+        if let Some((solution, derivatives)) = solved(model, kinetics, symbols) {
+            let residuals = residuals_beside(model, kinetics, solution, symbols);
+            let pivots = layout.add(&solution.pivots);
+            let accelerations = layout.add(&solution.accelerations);
+            layout.begin_group();
+            let derivatives = layout.add(&derivatives);
+            layout.begin_group();
+            let residuals = residuals.map(|columns| layout.add(&columns));
+            return Self {
+                layout,
+                outputs: MethodOutputs::Sensitivities(SensitivityOutputs::Symbolic {
+                    pivots,
+                    accelerations,
+                    derivatives,
+                    residuals,
+                }),
+                right_hand_sides: None,
+            };
+        }
+        let system = &kinetics.system;
+        let residuals = columns(model, &system.inverse_dynamics, symbols);
+        let mass = layout.add_mass(system);
+        let forcing = layout.add(&system.forcing);
+        layout.begin_group();
+        let residuals = layout.add(&residuals);
+        Self {
+            layout,
+            outputs: MethodOutputs::Sensitivities(SensitivityOutputs::Numerical {
+                mass,
+                forcing,
+                residuals,
+            }),
+            right_hand_sides: Some(symbols.len() + 1),
         }
     }
 

@@ -5,6 +5,7 @@ use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational, Solv
 use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
+use super::requested::{Requested, RequestedMethods};
 use super::table::EmittedMethod;
 use crate::limits::{MOST_PIVOTS, in_range};
 use crate::syntax::shape::Shape;
@@ -34,6 +35,8 @@ pub(crate) struct Methods {
     pub(crate) event_functions: Option<Method>,
     /// The declared derivatives of external functions.
     pub(crate) functions: Vec<FunctionDerivative>,
+    /// What clauses ask for.
+    pub(crate) requested: RequestedMethods,
     /// From which they were made.
     pub(super) kinetics: Kinetics,
 }
@@ -51,6 +54,8 @@ impl Methods {
     /// The program of a method, where the model has it.
     pub(crate) fn get(&self, method: EmittedMethod) -> Option<&Method> {
         let energies = self.energies.as_ref();
+        let requested = &self.requested;
+        let regressor = requested.regressor.as_ref();
         match method {
             EmittedMethod::Lagrangian => Some(&self.lagrangian),
             EmittedMethod::Energy => Some(&self.energy),
@@ -68,6 +73,15 @@ impl Methods {
             EmittedMethod::InputJacobian => Some(&self.input_jacobian),
             EmittedMethod::Outputs => Some(&self.outputs),
             EmittedMethod::EventFunctions => self.event_functions.as_ref(),
+            EmittedMethod::MomentumRates => requested.momentum_rates.as_ref(),
+            EmittedMethod::EnergyRate => requested.energy_rate.as_ref(),
+            EmittedMethod::Sensitivities => {
+                let sensitivities = requested.sensitivities.as_ref();
+                sensitivities.map(|sensitivities| &sensitivities.method)
+            }
+            EmittedMethod::Regressor => regressor.map(|methods| &methods.regressor),
+            EmittedMethod::KnownTerms => regressor.map(|methods| &methods.known_terms),
+            EmittedMethod::BaseParameters => regressor.map(|methods| &methods.base_parameters),
         }
     }
 
@@ -86,12 +100,18 @@ impl Methods {
 
     /// Differentiates what is still to be differentiated, and schedules each method. The declared outputs have
     /// these `shapes`.
-    pub(crate) fn schedule(model: &mut Model, equations: &Equations, shapes: &[Shape]) -> Self {
+    pub(crate) fn schedule(
+        model: &mut Model,
+        equations: &Equations,
+        shapes: &[Shape],
+        requested: &Requested,
+    ) -> Self {
         let kinetics = Kinetics::cheapest(model, equations);
         let linearize = Derivatives::of_state(model, &kinetics);
         let input_jacobian = Derivatives::of_inputs(model, &kinetics);
         let pivots = PivotExpressions::of(model, equations, &kinetics);
         let stays_regular = stays_regular(model, &kinetics);
+        let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.clone();
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
@@ -118,6 +138,7 @@ impl Methods {
             outputs: Method::declared_outputs(model, shapes),
             event_functions: Method::event_functions(model, shapes),
             functions: function_derivatives(model),
+            requested,
             kinetics,
         }
     }

@@ -141,6 +141,25 @@ pub(crate) enum InputJacobianOutputs {
     },
 }
 
+/// What a program for the derivatives of q̈ by parameters returns.
+#[derive(Clone, Debug)]
+pub(crate) enum SensitivityOutputs {
+    /// They were solved for symbolically, which holds where all pivots are positive.
+    Symbolic {
+        pivots: OutputSlice,
+        accelerations: OutputSlice,
+        derivatives: OutputSlice,
+        /// The derivatives of M q̈ − f, where there are pivots that can fail.
+        residuals: Option<OutputSlice>,
+    },
+    /// M, f and the derivatives of M q̈ − f, up to a common factor.
+    Numerical {
+        mass: LowerTriangle,
+        forcing: OutputSlice,
+        residuals: OutputSlice,
+    },
+}
+
 /// What the relative pivots of a symbolic solution are computed from.
 #[derive(Clone, Debug)]
 pub(crate) struct PivotOutputs {
@@ -170,6 +189,7 @@ pub(crate) enum MethodOutputs {
     Accelerations(AccelerationOutputs),
     Linearization(LinearizationOutputs),
     InputJacobian(InputJacobianOutputs),
+    Sensitivities(SensitivityOutputs),
     RelativePivots(PivotOutputs),
     /// The declared outputs, in their order.
     Declared(Vec<(Shape, OutputSlice)>),
@@ -181,7 +201,8 @@ impl MethodOutputs {
         match self {
             Self::Accelerations(AccelerationOutputs::Symbolic { pivots, .. })
             | Self::Linearization(LinearizationOutputs::Symbolic { pivots, .. })
-            | Self::InputJacobian(InputJacobianOutputs::Symbolic { pivots, .. }) => {
+            | Self::InputJacobian(InputJacobianOutputs::Symbolic { pivots, .. })
+            | Self::Sensitivities(SensitivityOutputs::Symbolic { pivots, .. }) => {
                 Some(pivots.len())
             }
             _ => None,

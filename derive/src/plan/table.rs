@@ -12,6 +12,10 @@ pub(crate) enum Interface {
     Inputs,
     Outputs,
     Events,
+    Hamiltonian,
+    EnergyBalance,
+    Sensitivities,
+    Regressor,
 }
 
 /// What a method returns.
@@ -32,6 +36,12 @@ pub(crate) enum ResultType {
     Outputs,
     /// One value for each event.
     EventValues,
+    /// A row for each coordinate and a column for each of some parameters.
+    ParameterMatrix,
+    /// A row for each coordinate and a column for each base parameter.
+    Regressor,
+    /// One component for each base parameter.
+    BaseParameters,
 }
 
 /// What a method takes besides the inputs.
@@ -116,6 +126,12 @@ table! {
     InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Within,    true,  false;
     Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Within,    true,  false;
     EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Within,    true,  false;
+    MomentumRates:     "momentum_rates",     Hamiltonian, Vector,       StateOnly,     Within,    true,  false;
+    EnergyRate:        "energy_rate",        EnergyBalance, Scalar,     StateOnly,     Within,    true,  false;
+    Sensitivities:     "sensitivities",      Sensitivities, ParameterMatrix, StateOnly, Within,   true,  false;
+    Regressor:         "regressor",          Regressor,  Regressor,     Accelerations, Within,    true,  false;
+    KnownTerms:        "known_terms",        Regressor,  Vector,        Accelerations, Within,    true,  false;
+    BaseParameters:    "base_parameters",    Regressor,  BaseParameters, Parameters,   Within,    false, false;
 }
 
 /// The methods that the traits of the runtime have besides.

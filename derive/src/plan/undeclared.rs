@@ -26,7 +26,7 @@ impl Methods {
 /// What needs the derivatives that occur in a method, as an error says it.
 const fn needs(method: EmittedMethod) -> &'static str {
     match method {
-        EmittedMethod::Linearize | EmittedMethod::InputJacobian => {
+        EmittedMethod::Linearize | EmittedMethod::InputJacobian | EmittedMethod::Sensitivities => {
             "the derivatives of the accelerations need"
         }
         EmittedMethod::Outputs => "an output needs",

@@ -11,7 +11,7 @@ use lagrangian_symbolic::{
     Validator,
 };
 
-use crate::plan::Methods;
+use crate::plan::{Methods, Requested};
 use crate::syntax::shape::Shape;
 
 impl Methods {
@@ -22,7 +22,7 @@ impl Methods {
         validator: &Validator,
         model: &mut Model,
         equations: &mut Equations,
-        shapes: &[Shape],
+        (shapes, requested): (&[Shape], &Requested),
     ) -> BTreeSet<symbolic::Method> {
         let disagreements = validator.disagreements(self.programs(&self.observations()));
         if disagreements.is_empty() {
@@ -30,7 +30,7 @@ impl Methods {
         }
         let passes = core::mem::replace(&mut model.graph.passes, Passes::NONE);
         if let Ok(plain) = Equations::derive(model) {
-            *self = Self::schedule(model, &plain, shapes);
+            *self = Self::schedule(model, &plain, shapes, requested);
             *equations = plain;
         }
         model.graph.passes = passes;
@@ -72,6 +72,7 @@ impl Methods {
                 None => LinearizationProgram::System { state, inputs },
             },
             outputs,
+            requested: self.requested.programs(),
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::syntax::coordinate::{Coordinate, coordinates};
 use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::grammar::{equated, position, separated, word};
 use crate::syntax::named::{NamedExpression, named_expressions};
+use crate::syntax::parameter_list::{ParameterList, word_alone};
 use crate::syntax::placed_body::PlacedBody;
 use crate::syntax::root::Root;
 
@@ -32,6 +33,14 @@ pub(crate) struct Clauses {
     pub(crate) events: Vec<NamedExpression>,
     /// The word `taylor`.
     pub(crate) taylor: Option<Ident>,
+    /// The word `hamiltonian`.
+    pub(crate) hamiltonian: Option<Ident>,
+    /// The word `energy_balance`.
+    pub(crate) energy_balance: Option<Ident>,
+    /// By which parameters accelerations are differentiated.
+    pub(crate) sensitivities: Option<ParameterList>,
+    /// Which parameters are unknown in the regressor.
+    pub(crate) regressor: Option<ParameterList>,
     /// The type of `scalar = …`.
     pub(crate) scalar: Option<Type>,
     /// The path of `crate = …`.
@@ -50,7 +59,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 14] = [
+const KEYWORDS: [&str; 18] = [
     "coordinates",
     "function",
     "define",
@@ -65,6 +74,10 @@ const KEYWORDS: [&str; 14] = [
     "event",
     "scalar",
     "taylor",
+    "hamiltonian",
+    "energy_balance",
+    "sensitivities",
+    "regressor",
 ];
 
 impl Clauses {
@@ -194,6 +207,10 @@ impl Clauses {
             "gravity" => self.read_gravity(keyword, input)?,
             "scalar" => self.read_scalar(&keyword, input)?,
             "taylor" => self.read_taylor(keyword, input)?,
+            "hamiltonian" => word_alone(keyword, input, &mut self.hamiltonian)?,
+            "energy_balance" => word_alone(keyword, input, &mut self.energy_balance)?,
+            "sensitivities" => ParameterList::read(keyword, input, &mut self.sensitivities)?,
+            "regressor" => ParameterList::read(keyword, input, &mut self.regressor)?,
             "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"
             | "multiplier" | "multipliers" => {
                 return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use crate::check::check;
 use crate::diagnostics::Diagnostics;
 use crate::lower::lower;
-use crate::plan::Methods;
+use crate::plan::{Methods, Requested};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::shape::Shape;
 
@@ -35,7 +35,7 @@ pub(super) fn derive(declaration: TokenStream) -> Derived {
     let validator = Validator::new(&model);
     let equations = Equations::derive(&mut model).unwrap();
     let shapes = lowered.outputs;
-    let methods = Methods::schedule(&mut model, &equations, &shapes);
+    let methods = Methods::schedule(&mut model, &equations, &shapes, &Requested::default());
     Derived {
         model,
         equations,

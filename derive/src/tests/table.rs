@@ -20,6 +20,10 @@ fn cart(potential: &TokenStream) -> TokenStream {
             force(x = u),
             output(acceleration = dot(dot(x))),
             event(centre = x, upright = [theta, dot(theta)]),
+            hamiltonian,
+            energy_balance,
+            sensitivities,
+            regressor,
         )]
         struct Cart { mc: f64, m: f64, l: f64, g: f64, #[lagrangian(input)] u: f64 }
     }
@@ -57,6 +61,13 @@ fn expected(variant: Variant) -> Vec<(&'static str, String)> {
         Interface::Inputs => vec![("Inputs", with)],
         Interface::Outputs => vec![("Outputs", name), ("OutputsWith", with)],
         Interface::Events => vec![("Events", name), ("EventsWith", with)],
+        Interface::Hamiltonian => vec![("Hamiltonian", name), ("HamiltonianWith", with)],
+        Interface::EnergyBalance => vec![("EnergyBalance", name), ("EnergyBalanceWith", with)],
+        Interface::Sensitivities => vec![("Sensitivities", name), ("SensitivitiesWith", with)],
+        Interface::Regressor if variant.row.takes_inputs => {
+            vec![("Regressor", name), ("RegressorWith", with)]
+        }
+        Interface::Regressor => vec![("Regressor", name)],
     }
 }
 

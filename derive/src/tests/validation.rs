@@ -5,7 +5,7 @@ use lagrangian_symbolic::{Operation, Program};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::plan::Methods;
+use crate::plan::{Methods, Requested};
 use crate::tests::derived::{Derived, derive};
 
 /// A pendulum on a cart on a shaken rail, of every kind of term.
@@ -224,7 +224,12 @@ fn what_disagrees_is_replaced() {
         methods.accelerations.program = wrong(&methods.accelerations.program);
         methods.forcing.program = wrong(&methods.forcing.program);
         methods.linearize.program = wrong(&methods.linearize.program);
-        let found = methods.validate(&validator, &mut model, &mut equations, &shapes);
+        let found = methods.validate(
+            &validator,
+            &mut model,
+            &mut equations,
+            (&shapes, &Requested::default()),
+        );
         assert!(found.contains(&symbolic::Method::Accelerations));
         assert!(found.contains(&symbolic::Method::Forcing));
         assert!(!found.contains(&symbolic::Method::MassMatrix));

@@ -20,6 +20,9 @@ pub struct ModularPoint {
     pub seed: u64,
     /// A symbol that has another value than the seed gives it.
     pub moved: Option<Symbol>,
+    /// Which of several motions this is: of points that share a seed, those of different motions differ in all symbols
+    /// other than parameters.
+    motion: u64,
     /// Whether addition theorems hold, and not only relations between functions of equal arguments.
     addition_theorems: bool,
     /// Whether functions with several branches are uninterpreted.
@@ -49,6 +52,7 @@ impl ModularPoint {
         Self {
             seed,
             moved: None,
+            motion: 0,
             addition_theorems: true,
             uninterpreted: false,
         }
@@ -66,6 +70,11 @@ impl ModularPoint {
             moved: Some(symbol),
             ..self
         }
+    }
+
+    /// The same values of the parameters in another motion.
+    pub(crate) const fn in_motion(self, motion: u64) -> Self {
+        Self { motion, ..self }
     }
 
     /// The same point without addition theorems: functions of different arguments are unrelated.
@@ -161,7 +170,12 @@ impl ModularPoint {
     pub(crate) fn symbol(self, symbol: Symbol) -> u64 {
         let (kind, index) = symbol.code();
         let moved = u64::from(self.moved == Some(symbol));
-        self.draw(16 + kind + 8 * moved, index.into()) % self.p()
+        let value = self.draw(16 + kind + 8 * moved, index.into());
+        let is_parameter = matches!(symbol, Symbol::Parameter(_) | Symbol::Invariant(_));
+        match self.motion {
+            motion @ 1.. if !is_parameter => residue::mix(value, motion) % self.p(),
+            _ => value % self.p(),
+        }
     }
 
     pub(crate) fn power(self, base: u64, exponent: &Rational) -> Option<u64> {

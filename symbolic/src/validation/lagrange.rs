@@ -4,6 +4,8 @@
 //! in (q, q̇, t), so that the adjoint of q̇ᵢ is pᵢ with dpᵢ/dt; the second is a variation of state and
 //! inputs at fixed accelerations, which gives the directional derivatives of a linearization.
 
+use std::collections::BTreeMap;
+
 use crate::identity::real_point::RealPoint;
 use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
@@ -37,6 +39,10 @@ pub(crate) struct Values {
     /// M w.
     pub(crate) mass_products: Vec<f64>,
     pub(crate) outputs: Vec<f64>,
+    /// ∂L/∂q + Q.
+    pub(crate) momentum_rates: Vec<SumWithSize>,
+    /// Q·q̇ − ∂L/∂t.
+    pub(crate) energy_rate: SumWithSize,
 }
 
 /// What is varied at a point, and how fast.
@@ -47,6 +53,8 @@ pub(crate) struct Variation {
     pub(crate) inputs: Vec<f64>,
     /// w, a direction of velocities.
     pub(crate) velocities: Vec<f64>,
+    /// δπ of some parameters.
+    pub(crate) parameters: BTreeMap<Symbol, f64>,
 }
 
 impl Variation {
@@ -59,6 +67,7 @@ impl Variation {
             state: weights(0, 2 * coordinates + 1),
             inputs: weights(1, inputs),
             velocities: weights(2, coordinates),
+            parameters: BTreeMap::new(),
         }
     }
 }
@@ -110,6 +119,8 @@ impl Lagrange {
             variations: Vec::with_capacity(n),
             mass_products: self.mass_products(point, &variation.velocities, perturbation),
             outputs: Vec::new(),
+            momentum_rates: Vec::with_capacity(n),
+            energy_rate: SumWithSize::default(),
         };
         for (position, weight) in self.lagrangian_weights() {
             let energy = at(position).value;
@@ -128,7 +139,10 @@ impl Lagrange {
                 force: at(self.energies + 1 + i),
                 drag: dissipation.velocities[i],
             })?;
+            let power = result.generalized_forces[i] * point.value(Symbol::Velocity(position(i)));
+            result.energy_rate.add(power);
         }
+        result.energy_rate.add(-lagrangian.time.value);
         let state = |symbol: Symbol| match symbol {
             Symbol::Acceleration(i) => accelerations[i as usize],
             _ => point.value(symbol),
@@ -158,6 +172,7 @@ impl Lagrange {
         let mut receive = |symbol: Symbol, adjoint: HyperDual| match symbol {
             Symbol::Coordinate(i) => gradient.coordinates[i as usize] = adjoint,
             Symbol::Velocity(i) => gradient.velocities[i as usize] = adjoint,
+            Symbol::Time => gradient.time = adjoint,
             _ => {}
         };
         self.tape
@@ -221,6 +236,11 @@ impl Values {
             residual.add(rate);
             change.add(mixed);
         }
+        let mut rate = SumWithSize::default();
+        for term in [slope.value, force.value, -drag.value] {
+            rate.add(term);
+        }
+        self.momentum_rates.push(rate);
         self.momenta.push(momentum.value);
         self.generalized_forces.push(force.value - drag.value);
         self.residuals.push(residual);
@@ -229,10 +249,11 @@ impl Values {
     }
 }
 
-/// The derivatives by coordinates and velocities.
+/// The derivatives by coordinates, velocities and time.
 struct Gradient {
     coordinates: Vec<HyperDual>,
     velocities: Vec<HyperDual>,
+    time: HyperDual,
 }
 
 impl Gradient {
@@ -241,6 +262,7 @@ impl Gradient {
         Self {
             coordinates: zero.clone(),
             velocities: zero,
+            time: HyperDual::constant(0.0),
         }
     }
 }
@@ -271,8 +293,10 @@ fn moving(
             number.second = variation.state[2 * n];
         }
         Symbol::Input(i) => number.second = variation.inputs[i as usize],
+        Symbol::Parameter(_) => {
+            number.second = variation.parameters.get(&symbol).copied().unwrap_or(0.0);
+        }
         Symbol::Acceleration(_)
-        | Symbol::Parameter(_)
         | Symbol::Invariant(_)
         | Symbol::Argument(_)
         | Symbol::Order

@@ -3,6 +3,7 @@
 use crate::identity::real_point::RealPoint;
 use crate::validation::linearization_check::LinearizationOutputs;
 use crate::validation::perturbation::Perturbation;
+use crate::validation::requested_check::{RequestedPrograms, RequestedTapes};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
 use crate::{Program, Symbol};
@@ -32,6 +33,14 @@ pub enum Method {
     Linearization,
     /// Quantities for observers.
     Outputs,
+    /// ∂L/∂q + Q.
+    MomentumRates,
+    /// Q·q̇ − ∂L/∂t.
+    EnergyRate,
+    /// The derivatives of q̈ by parameters.
+    Sensitivities,
+    /// Y, r and π in M q̈ − f = Y π + r.
+    Regressor,
 }
 
 impl Method {
@@ -43,12 +52,16 @@ impl Method {
             | Self::Energy
             | Self::Momenta
             | Self::GeneralizedForces
-            | Self::Outputs => true,
+            | Self::Outputs
+            | Self::MomentumRates
+            | Self::EnergyRate => true,
             Self::MassMatrix
             | Self::Forcing
             | Self::InverseDynamics
             | Self::Accelerations
-            | Self::Linearization => false,
+            | Self::Linearization
+            | Self::Sensitivities
+            | Self::Regressor => false,
         }
     }
 }
@@ -85,6 +98,17 @@ pub enum LinearizationProgram<'a> {
     },
 }
 
+/// The program for derivatives of q̈ by parameters.
+#[derive(Clone, Copy)]
+pub struct SensitivityProgram<'a> {
+    /// What a [`LinearizationProgram`] computes by the state, here by parameters.
+    pub program: &'a Program,
+    /// The number of pivots, if q̈ is solved for symbolically.
+    pub pivots: Option<usize>,
+    /// The parameters, in the order of the columns.
+    pub parameters: &'a [Symbol],
+}
+
 /// The programs of a model.
 #[derive(Clone, Copy)]
 pub struct Programs<'a> {
@@ -112,6 +136,8 @@ pub struct Programs<'a> {
     pub linearization: LinearizationProgram<'a>,
     /// Quantities for observers, as one program or one after the other.
     pub outputs: &'a [&'a Program],
+    /// What clauses ask for.
+    pub requested: RequestedPrograms<'a>,
 }
 
 /// The same as tapes.
@@ -129,6 +155,7 @@ pub(crate) struct Tapes {
     /// By the state and by the inputs.
     pub(crate) linearization: [Tape; 2],
     pub(crate) linearization_outputs: LinearizationOutputs,
+    pub(crate) requested: RequestedTapes,
     preparation: Tape,
     accelerations: Tape,
     /// The number of pivots before q̈, unless M and f are computed.
@@ -164,6 +191,7 @@ impl Tapes {
             outputs: Tape::of_programs(programs.outputs.iter().copied()),
             linearization: linearization.map(Tape::of_program),
             linearization_outputs,
+            requested: RequestedTapes::new(&programs.requested),
             preparation: Tape::of_program(programs.preparation),
             accelerations: Tape::of_program(accelerations),
             pivots,

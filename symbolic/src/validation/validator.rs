@@ -130,6 +130,13 @@ impl Validator {
         reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
         if solved.is_some() {
             reference.compare_accelerations(tapes, &mass, &mut comparisons);
+            tapes.requested.compare_sensitivities(
+                |tape| reference.at(tape),
+                lagrange,
+                (&mass, accelerations),
+                (point, perturbation),
+                &mut comparisons,
+            );
         } else {
             // Where M is singular there are none.
             let right: Vec<f64> = expected.iter().map(|force| force.total).collect();
@@ -221,6 +228,8 @@ impl Reference<'_> {
         ] {
             comparisons.values(method, &self.at(tape), expected);
         }
+        let at = |tape: &Tape| self.at(tape);
+        tapes.requested.compare_rates(at, values, comparisons);
     }
 
     /// f = M q̈ − (M q̈ − f).
@@ -251,6 +260,10 @@ impl Reference<'_> {
         let value = self.value(velocities);
         let found = tapes.prepared(&tapes.inverse_dynamics, value, self.perturbation);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
+        let at = |tape: &Tape| self.evaluate(velocities, tape);
+        tapes
+            .requested
+            .compare_regressor(at, &residuals, comparisons);
     }
 
     /// The accelerations and their derivatives.

@@ -1,0 +1,78 @@
+//! Impls without equations of what clauses ask for.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::Fallback;
+use crate::emit::requested::names;
+use crate::emit::signatures::InputsFrom;
+use crate::plan::Interface;
+use crate::syntax::parameter_list::ParameterList;
+
+impl Fallback<'_> {
+    /// The impls of what clauses ask for.
+    pub(super) fn requested(&self) -> TokenStream {
+        let clauses = &self.declaration.clauses;
+        let none = TokenStream::new();
+        let mut impls = TokenStream::new();
+        if clauses.hamiltonian.is_some() {
+            impls.extend(self.asked_for(Interface::Hamiltonian, &none));
+        }
+        if clauses.energy_balance.is_some() {
+            impls.extend(self.asked_for(Interface::EnergyBalance, &none));
+        }
+        if clauses.sensitivities.is_some() {
+            let count = self.parameters().len();
+            let items = quote!(const PARAMETERS: [&'static str; #count] = [""; #count];);
+            impls.extend(self.asked_for(Interface::Sensitivities, &items));
+        }
+        if clauses.regressor.is_some() {
+            let (signatures, count) = (self.signatures(), base_parameters());
+            let output = signatures.result(crate::plan::ResultType::BaseParameters);
+            let items = quote! {
+                const BASE_PARAMETERS: [&'static str; #count] = [""; #count];
+                const WITHOUT_EFFECT: &'static [&'static str] = &[];
+                fn base_parameters(&self) -> #output { ::core::unreachable!() }
+            };
+            impls.extend(self.asked_for(Interface::Regressor, &items));
+        }
+        impls
+    }
+
+    /// The names of the parameters by which accelerations are differentiated.
+    pub(super) fn parameters(&self) -> Vec<String> {
+        let quantities = &self.lowered.quantities;
+        let list = self.declaration.clauses.sensitivities.as_ref();
+        let symbols = list.map(|list: &ParameterList| match &list.fields {
+            Some(fields) => quantities.symbols_of(fields),
+            None => quantities.parameter_symbols(),
+        });
+        names(quantities, &symbols.unwrap_or_default())
+    }
+
+    /// The impl of a trait, and that of its companion for models with inputs. How many base parameters there are is
+    /// not known: any number fits.
+    fn asked_for(&self, interface: Interface, items: &TokenStream) -> TokenStream {
+        let signatures = self.signatures();
+        let count = base_parameters();
+        let parameter = (interface == Interface::Regressor).then(|| quote!(const #count: usize));
+        let mut impls = TokenStream::new();
+        let with_inputs = !self.lowered.quantities.inputs.is_empty();
+        for inputs in [InputsFrom::Fields, InputsFrom::Argument] {
+            let methods = self.methods_where(inputs, |row| row.interface == interface);
+            let path = signatures.interface(interface, inputs);
+            let items = match inputs {
+                InputsFrom::Fields => quote!(#items #methods),
+                InputsFrom::Argument if with_inputs => methods,
+                InputsFrom::Argument => continue,
+            };
+            impls.extend(self.implement_for(&path, Some(&self.scalar), &items, parameter.as_ref()));
+        }
+        impls
+    }
+}
+
+/// The parameter of impls that stands for the number of base parameters.
+pub(super) fn base_parameters() -> Ident {
+    Ident::new("__B", Span::mixed_site())
+}

@@ -1,0 +1,114 @@
+//! The impls of what clauses ask for: `Hamiltonian`, `EnergyBalance`, `Sensitivities` and `Regressor`.
+
+use lagrangian_symbolic::{Letters, Symbol};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::documentation::printed_names;
+use super::emitter::Emitter;
+use super::signatures::InputsFrom;
+use crate::lower::quantities::Quantities;
+use crate::plan::Interface;
+
+impl Emitter<'_> {
+    /// The impls of what clauses ask for.
+    pub(super) fn requested(&self) -> TokenStream {
+        let requested = &self.methods.requested;
+        let none = TokenStream::new();
+        let mut impls = TokenStream::new();
+        if requested.momentum_rates.is_some() {
+            impls.extend(self.with_and_without_inputs(Interface::Hamiltonian, &none));
+        }
+        if requested.energy_rate.is_some() {
+            impls.extend(self.with_and_without_inputs(Interface::EnergyBalance, &none));
+        }
+        if let Some(sensitivities) = &requested.sensitivities {
+            let names = names(&self.lowered.quantities, &sensitivities.parameters);
+            let count = names.len();
+            let items = quote!(const PARAMETERS: [&'static str; #count] = [#(#names),*];);
+            impls.extend(self.with_and_without_inputs(Interface::Sensitivities, &items));
+        }
+        if let Some(regressor) = &requested.regressor {
+            let (names, count) = (self.base_parameters(), regressor.values.len());
+            let without = self::names(&self.lowered.quantities, &regressor.without_effect);
+            let items = quote! {
+                const BASE_PARAMETERS: [&'static str; #count] = [#(#names),*];
+                const WITHOUT_EFFECT: &'static [&'static str] = &[#(#without),*];
+            };
+            impls.extend(self.with_and_without_inputs(Interface::Regressor, &items));
+        }
+        impls
+    }
+
+    /// The impl of a trait, and that of its companion for models with inputs.
+    fn with_and_without_inputs(&self, interface: Interface, items: &TokenStream) -> TokenStream {
+        let signatures = self.signatures();
+        let path = signatures.interface(interface, InputsFrom::Fields);
+        if !self.has_inputs() {
+            let methods = self.methods_where(InputsFrom::Fields, |row| row.interface == interface);
+            return self.implement(&path, &quote!(#items #methods));
+        }
+        let methods = self.methods_where(InputsFrom::Fields, |row| {
+            row.interface == interface && !row.takes_inputs
+        });
+        let delegations = self.delegations(interface);
+        let held = self.implement(&path, &quote!(#items #methods #delegations));
+        let path = signatures.interface(interface, InputsFrom::Argument);
+        let methods = self.methods_where(InputsFrom::Argument, |row| {
+            row.interface == interface && row.takes_inputs
+        });
+        let with_inputs = self.implement(&path, &methods);
+        quote!(#held #with_inputs)
+    }
+
+    /// The base parameters as they are printed.
+    fn base_parameters(&self) -> Vec<String> {
+        let letters = Letters::new(&printed_names(self.lowered));
+        let regressor = self.methods.requested.regressor.iter();
+        let values = regressor.flat_map(|regressor| &regressor.values);
+        let graph = &self.model.graph;
+        values
+            .map(|value| graph.display_in(*value, &letters).to_string())
+            .collect()
+    }
+
+    /// The lists of names, as constants of the type.
+    pub(super) fn requested_constants(&self) -> TokenStream {
+        let visibility = &self.declaration.visibility;
+        let requested = &self.methods.requested;
+        let regressor = requested.regressor.is_some().then(|| {
+            let names = self.base_parameters();
+            let count = names.len();
+            let lines: Vec<String> = names.iter().map(|name| format!("- `{name}`")).collect();
+            let text = format!(
+                "The base parameters of the regressor:\n\n{}",
+                lines.join("\n")
+            );
+            quote! {
+                #[doc = #text]
+                #visibility const BASE_PARAMETERS: [&'static str; #count] = [#(#names),*];
+            }
+        });
+        let sensitivities = requested.sensitivities.as_ref().map(|sensitivities| {
+            let names = names(&self.lowered.quantities, &sensitivities.parameters);
+            let count = names.len();
+            quote! {
+                /// The parameters by which accelerations are differentiated, in order.
+                #visibility const PARAMETERS: [&'static str; #count] = [#(#names),*];
+            }
+        });
+        quote!(#regressor #sensitivities)
+    }
+}
+
+/// The names of some parameters.
+pub(super) fn names(quantities: &Quantities, parameters: &[Symbol]) -> Vec<String> {
+    let names = parameters.iter().map(|symbol| match symbol {
+        Symbol::Parameter(i) => {
+            let component = quantities.parameters.get(*i as usize);
+            component.map(|component| component.label.to_string())
+        }
+        _ => None,
+    });
+    names.map(Option::unwrap_or_default).collect()
+}

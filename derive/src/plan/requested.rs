@@ -1,0 +1,176 @@
+//! What clauses ask for besides the equations of motion: the Hamiltonian form, the balance of energy, the derivatives of
+//! the accelerations by parameters, and the regressor.
+
+use lagrangian_symbolic::{
+    Equations, Expression, Kinetics, Model, NoRegressor, Rational, Regressor, RequestedPrograms,
+    SensitivityProgram, Symbol, UnknownParameters,
+};
+
+use super::derivatives::Derivatives;
+use super::method::Method;
+use super::outputs::MethodOutputs;
+use crate::lower::quantities::Quantities;
+use crate::syntax::clauses::Clauses;
+use crate::syntax::parameter_list::ParameterList;
+
+/// What the clauses of a declaration ask for.
+#[derive(Default)]
+pub(crate) struct Requested {
+    hamiltonian: bool,
+    energy_balance: bool,
+    /// The parameters by which is differentiated.
+    sensitivities: Option<Vec<Symbol>>,
+    regressor: Option<Regressor>,
+}
+
+impl Requested {
+    /// Derives the regressor, if there is to be one.
+    pub(crate) fn derive(
+        clauses: &Clauses,
+        quantities: &Quantities,
+        model: &mut Model,
+    ) -> Result<Self, NoRegressor> {
+        let named = |list: &ParameterList| {
+            let fields = list.fields.as_ref();
+            fields.map(|fields| quantities.symbols_of(fields))
+        };
+        let regressor = clauses.regressor.as_ref().map(|list| {
+            let named = named(list);
+            let unknown = match &named {
+                Some(symbols) => UnknownParameters::Named(symbols),
+                None => UnknownParameters::Every,
+            };
+            Regressor::derive(model, unknown)
+        });
+        let sensitivities = clauses.sensitivities.as_ref();
+        Ok(Self {
+            hamiltonian: clauses.hamiltonian.is_some(),
+            energy_balance: clauses.energy_balance.is_some(),
+            sensitivities: sensitivities
+                .map(|list| named(list).unwrap_or_else(|| quantities.parameter_symbols())),
+            regressor: regressor.transpose()?,
+        })
+    }
+}
+
+/// The programs of what is asked for.
+pub(crate) struct RequestedMethods {
+    /// ∂L/∂q + Q.
+    pub(crate) momentum_rates: Option<Method>,
+    /// Q·q̇ − ∂L/∂t.
+    pub(crate) energy_rate: Option<Method>,
+    pub(crate) sensitivities: Option<Sensitivities>,
+    pub(crate) regressor: Option<RegressorMethods>,
+}
+
+/// The derivatives of the accelerations by parameters.
+pub(crate) struct Sensitivities {
+    pub(crate) parameters: Vec<Symbol>,
+    pub(crate) method: Method,
+}
+
+/// M q̈ − f = Y π + r.
+pub(crate) struct RegressorMethods {
+    /// The base parameters π as expressions.
+    pub(crate) values: Vec<Expression>,
+    /// The unknown parameters that no equation depends on.
+    pub(crate) without_effect: Vec<Symbol>,
+    /// Y, column by column.
+    pub(crate) regressor: Method,
+    /// r.
+    pub(crate) known_terms: Method,
+    /// π.
+    pub(crate) base_parameters: Method,
+}
+
+impl RequestedMethods {
+    pub(super) fn schedule(
+        model: &mut Model,
+        equations: &Equations,
+        kinetics: &Kinetics,
+        requested: &Requested,
+    ) -> Self {
+        let lagrangian = kinetics.energies.lagrangian;
+        let forces = &equations.generalized_forces;
+        let momentum_rates = requested.hamiltonian.then(|| {
+            let rates = momentum_rates(model, lagrangian, forces);
+            Method::single(model, &rates, MethodOutputs::Vector)
+        });
+        let energy_rate = requested.energy_balance.then(|| {
+            let rate = energy_rate(model, lagrangian, forces);
+            Method::single(model, &[rate], MethodOutputs::Scalar)
+        });
+        let sensitivities = requested.sensitivities.as_ref().map(|parameters| {
+            let derivatives = Derivatives::of_parameters(model, kinetics, parameters);
+            Sensitivities {
+                parameters: parameters.clone(),
+                method: derivatives.schedule(model),
+            }
+        });
+        let regressor = requested.regressor.as_ref();
+        Self {
+            momentum_rates,
+            energy_rate,
+            sensitivities,
+            regressor: regressor.map(|regressor| RegressorMethods::schedule(model, regressor)),
+        }
+    }
+
+    /// The programs as they are validated.
+    pub(super) fn programs(&self) -> RequestedPrograms<'_> {
+        RequestedPrograms {
+            momentum_rates: self.momentum_rates.as_ref().map(|method| &method.program),
+            energy_rate: self.energy_rate.as_ref().map(|method| &method.program),
+            sensitivities: self.sensitivities.as_ref().map(|found| SensitivityProgram {
+                program: &found.method.program,
+                pivots: found.method.outputs.pivots(),
+                parameters: &found.parameters,
+            }),
+            regressor: self.regressor.as_ref().map(|found| {
+                [&found.regressor, &found.known_terms, &found.base_parameters]
+                    .map(|method| &method.program)
+            }),
+        }
+    }
+}
+
+impl RegressorMethods {
+    fn schedule(model: &Model, regressor: &Regressor) -> Self {
+        let columns = regressor.columns.concat();
+        let values = &regressor.base_parameters;
+        Self {
+            values: values.clone(),
+            without_effect: regressor.without_effect.clone(),
+            regressor: Method::single(model, &columns, MethodOutputs::SquareMatrix),
+            known_terms: Method::single(model, &regressor.known, MethodOutputs::Vector),
+            base_parameters: Method::single(model, values, MethodOutputs::Vector),
+        }
+    }
+}
+
+/// ∂L/∂q + Q.
+fn momentum_rates(
+    model: &mut Model,
+    lagrangian: Expression,
+    forces: &[Expression],
+) -> Vec<Expression> {
+    let coordinates = model.coordinate_symbols();
+    let slopes = model.graph.jacobian(&[lagrangian], &coordinates).concat();
+    let pairs = slopes.into_iter().zip(forces);
+    pairs
+        .map(|(slope, force)| model.graph.add(slope, *force))
+        .collect()
+}
+
+/// Q·q̇ − ∂L/∂t.
+fn energy_rate(model: &mut Model, lagrangian: Expression, forces: &[Expression]) -> Expression {
+    let velocities = model.velocity_symbols();
+    let graph = &mut model.graph;
+    let rate = graph.derivative(lagrangian, Symbol::Time);
+    let mut terms = vec![(rate, Rational::MINUS_ONE)];
+    for (velocity, force) in velocities.into_iter().zip(forces) {
+        let velocity = graph.symbol(velocity);
+        terms.push((graph.multiply(velocity, *force), Rational::ONE));
+    }
+    graph.sum(terms)
+}
