@@ -56,6 +56,7 @@ pub mod elliptic;
 pub mod rotation;
 pub mod rigid_body;
 pub mod analysis;
+pub mod identification;
 pub mod prelude;
 
 #[doc(hidden)]
@@ -87,6 +88,11 @@ pub use model::{
 };
 #[cfg(feature = "num-dual")]
 pub use model::{ByParameters, StateTransition};
+pub use model::{
+    CanonicalEquations, CanonicalPhase, EnergyBalance, EnergyBalanceWith, EnergyResidual,
+    Hamiltonian, HamiltonianWith, NoVelocities, Regressor, RegressorWith, Sensitivities,
+    SensitivitiesWith,
+};
 pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use nalgebra;
 pub use num_traits;

@@ -30,6 +30,24 @@ pub(crate) const RIGHT_HAND_SIDES_AT_ONCE: usize = 4;
 /// Coordinates of a singularity that a report carries, so that errors stay `Copy` and small.
 pub(crate) const REPORTED_COORDINATES: usize = 6;
 
+/// Sweeps of Jacobi rotations, of which some ten suffice since convergence is quadratic: an end for numbers that are not
+/// finite.
+pub(crate) const JACOBI_SWEEPS: usize = 60;
+
+/// The condition number of a scaled regressor above which a combination of parameters counts as not excited: half of the
+/// digits of `f64` are lost.
+pub(crate) const LARGEST_CONDITION_NUMBER: f64 = 1e8;
+
+/// Steps of Newton's method for the velocities that belong to momenta: two where L is quadratic in the velocities, some
+/// five for relativistic ones.
+pub(crate) const LEGENDRE_ITERATIONS: usize = 50;
+
+/// A change of the velocities below so many of their rounding errors is one.
+pub(crate) const LEGENDRE_ROUNDING: f64 = 8.0;
+
+/// Newton's method for velocities is given up where a step of this length, relative to a whole one, does not come nearer.
+pub(crate) const SHORTEST_NEWTON_STEP: f64 = 1e-9;
+
 /// Numbers whose magnitude is in this range are printed without an exponent.
 pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 

@@ -11,6 +11,10 @@ pub use crate::{
     Reaction, RungeKutta, RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics,
     Step, Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
 };
+pub use crate::{
+    EnergyBalance, EnergyBalanceWith, Hamiltonian, HamiltonianWith, Regressor, RegressorWith,
+    Sensitivities, SensitivitiesWith,
+};
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 #[cfg(feature = "derivative-checks")]

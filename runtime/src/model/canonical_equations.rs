@@ -1,0 +1,95 @@
+//! Hamilton's equations of a model, as an integrator sees them.
+
+use core::marker::PhantomData;
+
+use nalgebra::SVector;
+
+use super::canonical_phase::CanonicalPhase;
+use super::hamiltonian::{Hamiltonian, NoVelocities};
+use super::state::State;
+use crate::integrate::{ComponentName, Dynamics, Sample};
+use crate::linalg::{ErrorTolerance, VectorSpace};
+use crate::scalar::Scalar;
+
+/// Hamilton's equations q̇ = ∂H/∂p, ṗ = −∂H/∂q + Q of a model, made by
+/// [`canonical_equations`](Hamiltonian::canonical_equations). Every method that needs derivatives alone integrates them.
+///
+/// Where there are no velocities for the momenta, derivatives are not numbers, and the integration ends with an error.
+#[derive(Debug)]
+pub struct CanonicalEquations<'a, M, S, const N: usize> {
+    model: &'a M,
+    scalar: PhantomData<S>,
+}
+
+impl<'a, M, S, const N: usize> CanonicalEquations<'a, M, S, N>
+where
+    M: Hamiltonian<N, S>,
+    S: Scalar,
+{
+    pub(super) const fn new(model: &'a M) -> Self {
+        Self {
+            model,
+            scalar: PhantomData,
+        }
+    }
+
+    /// The coordinates and momenta of a state, at its time: an initial value.
+    pub fn canonical(&self, state: &State<S, N>) -> Sample<CanonicalPhase<S, N>> {
+        let (least, most) = (state.t.smallest(), state.t.largest());
+        Sample {
+            // The time is that of all lanes, and NaN if they differ.
+            t: if least < most { f64::NAN } else { least },
+            x: CanonicalPhase {
+                q: state.q,
+                p: self.model.momenta(state),
+            },
+        }
+    }
+
+    /// The state with the velocities that belong to the momenta.
+    ///
+    /// # Errors
+    ///
+    /// [`NoVelocities`] where there are none.
+    pub fn state(&self, t: f64, phase: &CanonicalPhase<S, N>) -> Result<State<S, N>, NoVelocities> {
+        let t = S::from_f64(t);
+        let v = self.model.velocities(t, phase)?;
+        Ok(State { t, q: phase.q, v })
+    }
+}
+
+impl<M, S, const N: usize> Dynamics<S> for CanonicalEquations<'_, M, S, N>
+where
+    M: Hamiltonian<N, S>,
+    S: Scalar,
+{
+    type State = CanonicalPhase<S, N>;
+
+    fn derivative(&self, t: S, x: &Self::State) -> Self::State {
+        let not_a_number = |_| SVector::repeat(S::from_f64(f64::NAN));
+        let v = self.model.velocities(t, x).unwrap_or_else(not_a_number);
+        let state = State { t, q: x.q, v };
+        CanonicalPhase {
+            q: v,
+            p: self.model.momentum_rates(&state),
+        }
+    }
+
+    /// That of an angle is relative to 1: whole turns do not matter.
+    fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
+        let mut sizes = *x;
+        for (size, is_angle) in sizes.q.iter_mut().zip(M::ANGLES) {
+            if is_angle {
+                *size = S::one();
+            }
+        }
+        VectorSpace::allowed_error(&sizes, tolerance)
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        match M::COORDINATES.get(index) {
+            Some(name) => ComponentName::Coordinate(name),
+            None => ComponentName::Index(index),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Models in Hamiltonian form: q̇ = ∂H/∂p, ṗ = −∂H/∂q + Q (Hamilton, Second essay on a general method in dynamics, 1835).
+
+use core::fmt;
+
+use nalgebra::SVector;
+
+use super::canonical_equations::CanonicalEquations;
+use super::canonical_phase::CanonicalPhase;
+use super::inputs::{Inputs, WithInputs};
+use super::lagrangian::Lagrangian;
+use super::state::State;
+use crate::limits::{LEGENDRE_ITERATIONS, LEGENDRE_ROUNDING, SHORTEST_NEWTON_STEP};
+use crate::linalg::Factorization;
+use crate::scalar::Scalar;
+
+/// A model whose declaration has the clause `hamiltonian`: its motion in coordinates and momenta.
+///
+/// H = Σ pᵢ q̇ᵢ − L is the energy function in terms of q, p and t. Its derivatives are those of L at the velocities that
+/// belong to the momenta: ∂H/∂p = q̇ and ∂H/∂q = −∂L/∂q (Goldstein, Poole and Safko, Classical Mechanics, 2002,
+/// section 8.1).
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(r, phi),
+///     kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
+///     potential = -k / r,
+///     hamiltonian,
+/// )]
+/// struct Planet { m: f64, k: f64 }
+///
+/// let planet = Planet { m: 2.0, k: 3.0 };
+/// let start = State::new(0.0, [1.0, 0.0], [0.0, 1.1]);
+/// let equations = planet.canonical_equations();
+/// let end = Dop853::new().integrate_to(&equations, equations.canonical(&start), 2.0)?;
+/// // The momentum of the ignorable coordinate stays, to the last digit.
+/// assert_eq!(end.x.p[Planet::PHI], 2.0 * 1.1);
+/// let state = equations.state(end.t, &end.x)?;
+/// let expected = Dop853::new().integrate_to(&planet.dynamics(), start, 2.0)?.state();
+/// assert!((state.q - expected.q).norm() < 1e-9 && (state.v - expected.v).norm() < 1e-9);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no Hamiltonian form",
+    note = "write the clause `hamiltonian` in its declaration"
+)]
+pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
+    /// The rates of the momenta, ṗ = ∂L/∂q + Q, at constant velocities.
+    fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N>;
+
+    /// The velocities that have these momenta at a time, p = ∂L/∂q̇ solved for q̇ (the Legendre transformation).
+    ///
+    /// Where L is quadratic in the velocities, M(q, t) q̇ = p − p(q, 0, t) is solved, and once more for the rounding errors
+    /// that are left; else Newton's method goes on until the velocities stay, with steps that are halved where they miss.
+    ///
+    /// # Errors
+    ///
+    /// [`NoVelocities`] where M is singular, or where Newton's method does not converge.
+    fn velocities(
+        &self,
+        t: S,
+        phase: &CanonicalPhase<S, N>,
+    ) -> Result<SVector<S, N>, NoVelocities> {
+        let mut state = State {
+            t,
+            q: phase.q,
+            v: SVector::zeros(),
+        };
+        let mut missing = phase.p - self.momenta(&state);
+        let mut change = f64::NAN;
+        for _ in 0..LEGENDRE_ITERATIONS {
+            let step = Factorization::new(self.mass_matrix(&state)).solve(&missing);
+            change = largest(&step);
+            if !change.is_finite() {
+                break;
+            }
+            let before = state.v;
+            let (mut factor, least) = (1.0, largest(&missing));
+            let reached = loop {
+                state.v = before + step * S::from_f64(factor);
+                missing = phase.p - self.momenta(&state);
+                if largest(&missing) < least || least == 0.0 {
+                    break true;
+                }
+                factor *= 0.5;
+                if factor < SHORTEST_NEWTON_STEP {
+                    break false;
+                }
+            };
+            if !reached {
+                state.v = before;
+            }
+            // What is left are rounding errors.
+            let rounding = S::machine_epsilon() * largest(&state.v);
+            if change <= LEGENDRE_ROUNDING * rounding {
+                return Ok(state.v);
+            }
+            if !reached {
+                let is_small = change <= S::machine_epsilon().sqrt() * largest(&state.v);
+                return if is_small {
+                    Ok(state.v)
+                } else {
+                    Err(NoVelocities { change })
+                };
+            }
+        }
+        Err(NoVelocities { change })
+    }
+
+    /// The Hamiltonian function H(q, p, t) = Σ pᵢ q̇ᵢ − L.
+    ///
+    /// # Errors
+    ///
+    /// As of [`velocities`](Self::velocities).
+    fn hamiltonian(&self, t: S, phase: &CanonicalPhase<S, N>) -> Result<S, NoVelocities> {
+        let v = self.velocities(t, phase)?;
+        Ok(self.energy(&State { t, q: phase.q, v }))
+    }
+
+    /// Hamilton's equations, for an integrator.
+    fn canonical_equations(&self) -> CanonicalEquations<'_, Self, S, N>
+    where
+        Self: Sized,
+    {
+        CanonicalEquations::new(self)
+    }
+}
+
+/// The largest magnitude of a component, in any lane.
+fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
+    let sizes = vector.iter().map(|component| component.abs().largest());
+    // What is not a number stays so.
+    sizes.fold(0.0, |most, size| if size <= most { most } else { size })
+}
+
+/// There are no velocities that have some momenta, or none was found.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct NoVelocities {
+    /// The last change of a velocity by Newton's method; not finite where the mass matrix is singular.
+    pub change: f64,
+}
+
+impl fmt::Display for NoVelocities {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.change.is_finite() {
+            write!(
+                f,
+                "no velocities with these momenta were found: Newton's method still changes them by {:e}",
+                self.change
+            )
+        } else {
+            f.write_str(
+                "there are no velocities with these momenta: the mass matrix is singular, or a momentum is not finite",
+            )
+        }
+    }
+}
+
+impl core::error::Error for NoVelocities {}
+
+/// The same under inputs that vary in time.
+///
+/// [`WithInputs`](crate::WithInputs) has it under constant inputs.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no Hamiltonian form",
+    note = "write the clause `hamiltonian` in its declaration"
+)]
+pub trait HamiltonianWith<const N: usize, const U: usize, S: Scalar = f64>:
+    Inputs<N, U, S> + Hamiltonian<N, S>
+{
+    /// The rates of the momenta under these inputs.
+    fn momentum_rates_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+}
+
+impl<M, S, const N: usize, const U: usize> Hamiltonian<N, S> for WithInputs<'_, M, S, U>
+where
+    M: HamiltonianWith<N, U, S> + ?Sized,
+    S: Scalar,
+{
+    fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.momentum_rates_with(state, &self.inputs)
+    }
+}

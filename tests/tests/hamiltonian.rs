@@ -1,0 +1,201 @@
+//! The Hamiltonian form, against the same motions in velocities and against derivatives of H, and the balance of energy.
+
+use lagrangian::prelude::*;
+use lagrangian::{CanonicalPhase, EnergyResidual, NoVelocities};
+use lagrangian_tests::{Dual, Random, assert_close};
+
+/// A pendulum on a driven, damped cart: T depends on time, and forces act.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x, theta),
+    define(p = [x + a * sin(w * t) + l * sin(theta), -l * cos(theta)]),
+    kinetic = 0.5 * cart * dot(x).powi(2) + 0.5 * m * dot(p).norm_squared(),
+    potential = m * g * p.y + 0.5 * k * x.powi(2) + 0.3 * dot(x) * x * sin(theta),
+    dissipation = 0.5 * d * dot(theta).powi(2),
+    force(x = push),
+    hamiltonian,
+    energy_balance,
+)]
+struct DrivenCart {
+    cart: f64,
+    m: f64,
+    l: f64,
+    g: f64,
+    k: f64,
+    a: f64,
+    w: f64,
+    d: f64,
+    #[lagrangian(input)]
+    push: f64,
+}
+
+const CART: DrivenCart = DrivenCart {
+    cart: 2.0,
+    m: 0.7,
+    l: 0.8,
+    g: 9.81,
+    k: 5.0,
+    a: 0.3,
+    w: 1.7,
+    d: 0.2,
+    push: 0.6,
+};
+
+/// A relativistic particle in a field: L is not quadratic in the velocity.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    coordinates(r: Vector2),
+    lagrangian = -m * c.powi(2) * (1.0 - dot(r).norm_squared() / c.powi(2)).sqrt() - k * r.x,
+    hamiltonian,
+)]
+struct Relativistic {
+    m: f64,
+    c: f64,
+    k: f64,
+}
+
+#[test]
+fn velocities_and_momenta_are_converted_both_ways() {
+    let mut random = Random::default();
+    for _ in 0..100 {
+        let state: State<f64, 2> = random.state();
+        let phase = CART.canonical_equations().canonical(&state);
+        let back = CART.canonical_equations().state(phase.t, &phase.x).unwrap();
+        assert_close("velocities", back.v.as_slice(), state.v.as_slice(), 1e-14);
+        let hamiltonian = CART.hamiltonian(state.t, &phase.x).unwrap();
+        assert_close("H", &[hamiltonian], &[CART.energy(&state)], 1e-13);
+    }
+}
+
+/// q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q, with the derivatives of H by dual numbers.
+#[test]
+fn the_equations_are_those_of_hamilton() {
+    let mut random = Random::default();
+    for _ in 0..30 {
+        let state: State<f64, 2> = random.state();
+        let equations = CART.canonical_equations();
+        let phase = equations.canonical(&state);
+        let found = equations.derivative(state.t, &phase.x);
+        let forces = CART.generalized_forces(&state);
+        for i in 0..2 {
+            let by = |of_q: f64, of_p: f64| {
+                let moved = |x: &SVector<f64, 2>, rate: f64| {
+                    SVector::from_fn(|j, _| Dual::new(x[j], if i == j { rate } else { 0.0 }))
+                };
+                let moved = CanonicalPhase {
+                    q: moved(&phase.x.q, of_q),
+                    p: moved(&phase.x.p, of_p),
+                };
+                let h = CART.hamiltonian(Dual::from_f64(state.t), &moved).unwrap();
+                h.derivative()
+            };
+            assert_close("q̇", &[found.q[i]], &[by(0.0, 1.0)], 1e-12);
+            assert_close("ṗ", &[found.p[i]], &[forces[i] - by(1.0, 0.0)], 1e-12);
+        }
+    }
+}
+
+#[test]
+fn motions_are_those_in_velocities() {
+    let start = State::new(0.3, [0.1, 0.5], [0.2, -1.0]);
+    let method = Dop853::new()
+        .relative_tolerance(1e-12)
+        .absolute_tolerance(1e-12);
+    let given = CART.with_inputs([-1.5]);
+    let equations = given.canonical_equations();
+    let end = method
+        .integrate_to(&equations, equations.canonical(&start), 5.0)
+        .unwrap();
+    let found = equations.state(end.t, &end.x).unwrap();
+    let expected = method
+        .integrate_to(&given.dynamics(), start, 5.0)
+        .unwrap()
+        .state();
+    assert_close("q", found.q.as_slice(), expected.q.as_slice(), 1e-9);
+    assert_close("q̇", found.v.as_slice(), expected.v.as_slice(), 1e-9);
+    assert_ne!(given.momentum_rates(&start), CART.momentum_rates(&start));
+}
+
+#[test]
+fn a_lagrangian_that_is_not_quadratic_is_transformed_by_newtons_method() {
+    let particle = Relativistic {
+        m: 2.0,
+        c: 3.0,
+        k: 0.4,
+    };
+    let mut random = Random::default();
+    for speed in [0.0, 0.1, 1.0, 2.0, 2.9] {
+        let angle = random.between(0.0, 6.0);
+        let state = State::new(
+            0.0,
+            random.array(-1.0, 1.0),
+            [speed * angle.cos(), speed * angle.sin()],
+        );
+        let phase = particle.canonical_equations().canonical(&state).x;
+        let found = particle.velocities(0.0, &phase).unwrap();
+        let error = (found - state.v).norm();
+        assert!(error < 1e-13, "{speed} {error:e}");
+        // H = √(m² c⁴ + p² c²) + k x.
+        let rest = 2.0 * 9.0_f64;
+        let energy = (rest.powi(2) + phase.p.norm_squared() * 9.0).sqrt() + 0.4 * state.q[0];
+        let found = particle.hamiltonian(0.0, &phase).unwrap();
+        assert_close("H", &[found], &[energy], 1e-13);
+    }
+    let nowhere = CanonicalPhase::new([0.0; 2], [f64::NAN, 0.0]);
+    let error = particle.velocities(0.0, &nowhere).unwrap_err();
+    assert!(!error.change.is_finite());
+    assert!(error.to_string().contains("singular"), "{error}");
+    let slow = NoVelocities { change: 0.5 };
+    assert!(slow.to_string().contains("Newton"), "{slow}");
+}
+
+/// dh/dt by the chain rule along the motion, on dual numbers.
+#[test]
+fn the_rate_of_the_energy_is_that_along_the_motion() {
+    let mut random = Random::default();
+    for _ in 0..50 {
+        let state: State<f64, 2> = random.state();
+        let accelerations = CART.accelerations(&state);
+        let along = State {
+            t: Dual::new(state.t, 1.0),
+            q: SVector::from_fn(|i, _| Dual::new(state.q[i], state.v[i])),
+            v: SVector::from_fn(|i, _| Dual::new(state.v[i], accelerations[i])),
+        };
+        let expected = CART.energy(&along).derivative();
+        assert_close("rate", &[CART.energy_rate(&state)], &[expected], 1e-12);
+        let power = 0.6 * state.v[0] - 0.2 * state.v[1].powi(2);
+        assert_close("power", &[CART.power(&state)], &[power], 1e-13);
+    }
+}
+
+#[test]
+fn every_method_keeps_the_balance_of_energy_as_well_as_its_tolerance() {
+    let start = State::new(0.0, [0.1, 0.5], [0.2, -1.0]);
+    let fine = Taylor::new()
+        .driver()
+        .solve(&CART.dynamics(), start, 10.0)
+        .unwrap();
+    let residual = EnergyResidual::along(&CART, &fine).unwrap();
+    assert!(residual.largest.abs() < 1e-12, "{residual:?}");
+    assert!(residual.exchanged > 1.0, "{residual:?}");
+    let coarse = Dop853::new()
+        .relative_tolerance(1e-5)
+        .absolute_tolerance(1e-5);
+    let coarse = coarse
+        .driver()
+        .solve(&CART.dynamics(), start, 10.0)
+        .unwrap();
+    let rough = EnergyResidual::along(&CART, &coarse).unwrap();
+    assert!((1e-9..1e-2).contains(&rough.largest.abs()), "{rough:?}");
+    // Under another force than that of the model, the work is missing.
+    let pushed = CART.with_inputs([1.6]);
+    let wrong = Taylor::new()
+        .driver()
+        .solve(&pushed.dynamics(), start, 10.0)
+        .unwrap();
+    let right = EnergyResidual::along(&pushed, &wrong).unwrap();
+    assert!(right.largest.abs() < 1e-12, "{right:?}");
+    let wrong = EnergyResidual::along(&CART, &wrong).unwrap();
+    assert!(wrong.largest.abs() > 1e-2, "{wrong:?}");
+}
