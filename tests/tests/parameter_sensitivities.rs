@@ -183,7 +183,7 @@ fn columns_have_the_names_of_their_parameters() {
     let names = Body::<f64>::PARAMETERS;
     assert_eq!(
         names[..4],
-        ["center.x", "center.y", "center.z", "inertia[(0, 0)]"]
+        ["center[0]", "center[1]", "center[2]", "inertia[(0, 0)]"]
     );
     assert_eq!(names.len(), 12);
 }
