@@ -18,6 +18,8 @@ pub(super) struct Derived {
     pub(super) methods: Methods,
     /// The shapes of the outputs.
     pub(super) shapes: Vec<Shape>,
+    /// What clauses ask for.
+    pub(super) requested: Requested,
 }
 
 pub(super) fn derive(declaration: TokenStream) -> Derived {
@@ -31,16 +33,19 @@ pub(super) fn derive(declaration: TokenStream) -> Derived {
         "{}",
         diagnostics.to_compile_errors()
     );
+    let clauses = &declaration.clauses;
     let mut model = lowered.model.unwrap();
     let validator = Validator::new(&model);
     let equations = Equations::derive(&mut model).unwrap();
     let shapes = lowered.outputs;
-    let methods = Methods::schedule(&mut model, &equations, &shapes, &Requested::default());
+    let requested = Requested::derive(clauses, &lowered.quantities, &mut model).unwrap();
+    let methods = Methods::schedule(&mut model, &equations, &shapes, &requested);
     Derived {
         model,
         equations,
         validator,
         methods,
         shapes,
+        requested,
     }
 }

@@ -5,7 +5,7 @@ use lagrangian_symbolic::{Operation, Program};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::plan::{Methods, Requested};
+use crate::plan::Methods;
 use crate::tests::derived::{Derived, derive};
 
 /// A pendulum on a cart on a shaken rail, of every kind of term.
@@ -19,6 +19,7 @@ fn driven_cart() -> TokenStream {
             dissipation = 0.5 * c * dot(theta).powi(2) / (1.0 + x.powi(2)),
             force(x = u * cos(theta) + sqrt(1.0 + theta.powi(2)), theta = h * u),
             output(height = p.y, acceleration = dot(dot(p.x))),
+            hamiltonian, energy_balance, sensitivities(l, m, k, w), regressor(m, mc, l, b, c, h),
         )]
         struct Cart {
             mc: f64, m: f64, l: f64, g: f64, a: f64, w: f64, k: f64, b: f64, c: f64, h: f64,
@@ -40,6 +41,7 @@ fn chain() -> TokenStream {
             kinetic = (0..5).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
             potential = (0..5).map(|i| m[i] * g * p[i].y).sum(),
             force(q[1] = u),
+            hamiltonian, energy_balance, sensitivities(g, l), regressor(m),
         )]
         struct Chain { m: [f64; 5], l: [f64; 5], g: f64, #[lagrangian(input)] u: f64 }
     }
@@ -54,6 +56,7 @@ fn top() -> TokenStream {
             kinetic = 0.5 * (i1 * w.x.powi(2) + i2 * w.y.powi(2) + i3 * w.z.powi(2)),
             potential = m * g * (r * [0.0, d, l]).z,
             force(w = [0.0, tau, 0.0]),
+            hamiltonian, energy_balance, sensitivities, regressor,
         )]
         struct Top { i1: f64, i2: f64, i3: f64, m: f64, g: f64, d: f64, l: f64, tau: f64 }
     }
@@ -99,7 +102,7 @@ fn altered(program: &Program, position: usize) -> Option<Program> {
 /// Where a program stands among the methods.
 type Slot = fn(&mut Methods) -> &mut Program;
 
-const SLOTS: [(symbolic::Method, Slot); 12] = {
+const SLOTS: [(symbolic::Method, Slot); 18] = {
     use lagrangian_symbolic::Method;
     [
         (Method::Lagrangian, |methods| {
@@ -130,6 +133,38 @@ const SLOTS: [(symbolic::Method, Slot); 12] = {
         (Method::Linearization, |methods| {
             &mut methods.input_jacobian.program
         }),
+        (Method::MomentumRates, |methods| {
+            &mut methods.requested.momentum_rates.as_mut().unwrap().program
+        }),
+        (Method::EnergyRate, |methods| {
+            &mut methods.requested.energy_rate.as_mut().unwrap().program
+        }),
+        (Method::Sensitivities, |methods| {
+            let sensitivities = methods.requested.sensitivities.as_mut();
+            &mut sensitivities.unwrap().method.program
+        }),
+        (Method::Regressor, |methods| {
+            &mut methods
+                .requested
+                .regressor
+                .as_mut()
+                .unwrap()
+                .regressor
+                .program
+        }),
+        (Method::Regressor, |methods| {
+            &mut methods
+                .requested
+                .regressor
+                .as_mut()
+                .unwrap()
+                .known_terms
+                .program
+        }),
+        (Method::Regressor, |methods| {
+            let regressor = methods.requested.regressor.as_mut();
+            &mut regressor.unwrap().base_parameters.program
+        }),
     ]
 };
 
@@ -152,7 +187,9 @@ fn values(methods: &Methods, method: symbolic::Method, program: &Program, seed: 
             });
             accelerations.concat().split_off(pivots)
         }
-        symbolic::Method::Linearization => program.evaluate(value).concat().split_off(pivots),
+        symbolic::Method::Linearization | symbolic::Method::Sensitivities => {
+            program.evaluate(value).concat().split_off(pivots)
+        }
         _ => program.evaluate(value).concat(),
     }
 }
@@ -214,6 +251,7 @@ fn what_disagrees_is_replaced() {
             validator,
             mut methods,
             shapes,
+            requested,
         } = derive(model);
         let wrong = |program: &Program| {
             let count = program.instructions().count();
@@ -228,7 +266,7 @@ fn what_disagrees_is_replaced() {
             &validator,
             &mut model,
             &mut equations,
-            (&shapes, &Requested::default()),
+            (&shapes, &requested),
         );
         assert!(found.contains(&symbolic::Method::Accelerations));
         assert!(found.contains(&symbolic::Method::Forcing));
