@@ -121,7 +121,7 @@ impl Derivatives {
             };
         }
         let system = &kinetics.system;
-        let residuals = columns(model, &system.inverse_dynamics, symbols);
+        let residuals = kinetics.system_derivatives(&mut model.graph, symbols);
         let mass = layout.add_mass(system);
         let forcing = layout.add(&system.forcing);
         layout.begin_group();
