@@ -25,6 +25,9 @@ pub(crate) struct BaseParameters {
     pub(crate) values: Vec<Expression>,
 }
 
+/// The rows of a reduced row echelon form, each with the column of its pivot.
+type Rows = Vec<(usize, Vec<u64>)>;
+
 /// Functions of the motion, one for each coordinate.
 type Column = Vec<Expression>;
 
@@ -168,11 +171,7 @@ fn coordinates(graph: &mut Graph, functions: &[Column]) -> Option<Vec<Vec<Ration
 
 /// The reduced row echelon form of the values of some columns at random motions, with its modulus. A motion at which
 /// the rank does not grow shows that it is complete, up to an accident of probability 10⁻¹².
-fn reduced(
-    graph: &Graph,
-    columns: &[Column],
-    point: ModularPoint,
-) -> Option<(Vec<(usize, Vec<u64>)>, u64)> {
+fn reduced(graph: &Graph, columns: &[Column], point: ModularPoint) -> Option<(Rows, u64)> {
     let entries = columns.concat();
     let n = columns.first().map_or(1, |column| column.len().max(1));
     let mut echelon = RowEchelon::new(point.p());
