@@ -116,7 +116,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "{:>28} {:>10} {:>10} {:>9}",
         "base parameter", "identified", "± σ", "real"
     );
-    let expected = real.base_parameters();
+    let expected: SVector<f64, 6> = real.base_parameters();
     let deviations = found.standard_deviations();
     for (i, name) in Arm::BASE_PARAMETERS.iter().enumerate() {
         println!(
