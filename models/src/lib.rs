@@ -3,14 +3,20 @@
 //! Equation numbers are those of the text on rigid bodies to which `lagrangian` refers. Units are the user's, one system
 //! throughout; those of SI are named. All have the clause `taylor`, so that [`Taylor`](lagrangian::Taylor) steps them.
 
+mod arm;
 mod cart_pole;
 mod free_body;
+mod furuta_pendulum;
 mod general_top;
+mod gyroscope;
 mod spherical_pendulum;
 mod symmetric_top;
 
+pub use arm::Arm;
 pub use cart_pole::CartPole;
 pub use free_body::FreeBody;
+pub use furuta_pendulum::FurutaPendulum;
 pub use general_top::GeneralTop;
+pub use gyroscope::Gyroscope;
 pub use spherical_pendulum::SphericalPendulum;
 pub use symmetric_top::SymmetricTop;
