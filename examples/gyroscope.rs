@@ -10,33 +10,7 @@ use lagrangian::nalgebra::Rotation3;
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::{BodyError, Solid, SteadyPrecession};
 use lagrangian_examples::{Anchor, Panel, Svg, extent};
-
-/// The outer gimbal turns about the vertical, the inner one in it about a horizontal axis, and the rotor in that about its
-/// own. The weight is a part of the inner gimbal.
-#[derive(Lagrangian)]
-#[lagrangian(
-    taylor,
-    coordinates(phi, theta, psi),
-    define(
-        outer_axes = rotation_z(phi),
-        inner_axes = outer_axes * rotation_x(theta),
-        rotor_axes = inner_axes * rotation_z(psi),
-        center = [0.0, 0.0, 0.0],
-    ),
-    body(
-        outer = (outer_axes, center),
-        inner = (inner_axes, center),
-        rotor = (rotor_axes, center),
-    ),
-    gravity = [0.0, 0.0, -g],
-    output(axis = inner_axes * [0.0, 0.0, 1.0]),
-)]
-struct Gyroscope {
-    outer: RigidBody,
-    inner: RigidBody,
-    rotor: SymmetricBody,
-    g: f64,
-}
+use lagrangian_models::Gyroscope;
 
 /// Two rings of brass and a rotor of steel; lengths in m, densities in kg/m³. The weight, in kg, hangs on the inner gimbal at
 /// this distance from the centre.

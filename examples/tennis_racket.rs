@@ -115,6 +115,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Where a sample lies in a panel.
+type Place = fn(&Sample) -> [f64; 2];
+
 /// What is drawn at one time.
 struct Sample {
     time: f64,
@@ -173,7 +176,7 @@ fn figure(samples: &[Sample], flip: f64) -> String {
         svg.text("tick", Anchor::Start, [left + 36.0, 101.0], name);
     }
 
-    let panels: [([f64; 4], _, _, _, fn(&Sample) -> [f64; 2], f64); 3] = [
+    let panels: [(_, _, _, _, Place, _); 3] = [
         (
             [84.0, 324.0, 360.0, 560.0],
             "Path of ω in the body",
