@@ -98,7 +98,7 @@ fn triple_pendulum() {
     let modes = oscillations.normal_modes().unwrap();
     let roots = [
         0.415_774_556_783_479_1,
-        2.294_280_360_279_041_7,
+        2.294_280_360_279_042,
         6.289_945_082_937_479,
     ];
     for (found, root) in modes.squared_frequencies().zip(roots) {
