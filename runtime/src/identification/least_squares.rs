@@ -164,7 +164,7 @@ impl<const B: usize> Identification<B> {
         let largest = position_of(&values, |one, most| one > most);
         let condition_number = values[largest] / values[smallest];
         // A quotient that is not a number is too large, too.
-        if !(condition_number <= self.largest_condition_number) {
+        if condition_number.is_nan() || condition_number > self.largest_condition_number {
             let direction = decomposition.right.column(smallest).into_owned();
             return Err(IdentificationError::PoorExcitation {
                 direction: direction

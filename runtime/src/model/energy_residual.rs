@@ -56,7 +56,7 @@ impl EnergyResidual {
         self.last += change - half * total;
         self.exchanged += half.abs() * exchanged;
         // What is not a number is larger than anything.
-        if !(self.last.abs() <= self.largest.abs()) {
+        if self.last.is_nan() || self.last.abs() > self.largest.abs() {
             (self.largest, self.time) = (self.last, end);
         }
         Ok(())
