@@ -64,8 +64,8 @@ impl Reduced {
         SteadyPrecession::of_top(self.across - self.along, self.axial, spin, theta, slope)
     }
 
-    /// The frequency of small nutations about a steady precession, √(V_eff″/N), with V_eff = u²/(2 B) + m g l cos θ and
-    /// u = C_φ − C_ψ cos θ (4.8).
+    /// The frequency of small nutations about a steady precession, `√(V_eff″/N)`, with `V_eff = u²/(2 B) + m g l cos θ` and
+    /// `u = C_φ − C_ψ cos θ` (4.8).
     fn nutation(&self, spin: f64, theta: f64, precession: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let excess = self.across - self.along;
