@@ -9,6 +9,7 @@ mod outputs;
 mod events;
 mod requested;
 mod external_functions;
+mod routhian;
 mod item_names;
 mod signatures;
 mod parameters;
@@ -28,6 +29,7 @@ use proc_macro2::TokenStream;
 pub(crate) use documentation::listing;
 pub(crate) use emitter::Emitter;
 pub(crate) use fallback::items as items_without_equations;
+pub(crate) use routhian::reduced_struct;
 pub(crate) use validation_warning::warning;
 
 /// All items, in the order in which a reader wants them.

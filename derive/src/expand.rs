@@ -1,6 +1,8 @@
 //! The whole macro: parse, check, lower, derive the equations, schedule, emit.
 
-use lagrangian_symbolic::{Equations, Model, Validator};
+use std::collections::BTreeSet;
+
+use lagrangian_symbolic::{Equations, Listing, Method, Model, Validator};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
@@ -8,11 +10,13 @@ use syn::DeriveInput;
 use crate::check::{check, check_whole};
 use crate::defects;
 use crate::diagnostics::Diagnostics;
-use crate::emit::{Emitter, items, items_without_equations, listing, warning};
+use crate::emit::{Emitter, items, items_without_equations, listing, reduced_struct, warning};
 use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
-use crate::plan::{Methods, Requested};
+use crate::plan::{EventSeries, Methods, ReducedMethods, Requested, TaylorMethod};
+use crate::reduce::reduce;
 use crate::syntax::declaration::Declaration;
+use crate::syntax::routhian::RouthianClause;
 use crate::syntax::size;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls without equations.
@@ -56,63 +60,145 @@ const NOT_UNDERSTOOD: &str = "this declaration is not understood, and there is n
 fn implement(
     declaration: &Declaration,
     lowered: &Lowered,
-    mut model: Model,
+    model: Model,
     most_scopes: usize,
     diagnostics: &mut Diagnostics,
 ) -> Option<TokenStream> {
-    let validator = Validator::new(&model);
-    let mut equations = match Equations::derive(&mut model) {
-        Ok(equations) => equations,
-        Err(defect) => {
-            defects::report(&defect, declaration, lowered, &model, diagnostics);
-            return None;
-        }
+    let derived = Derived::of(declaration, lowered, model, diagnostics)?;
+    let emitter = derived.emitter(declaration, lowered, most_scopes);
+    let reduced = match &declaration.clauses.routhian {
+        Some(clause) => implement_reduced(&emitter, clause, diagnostics)?,
+        None => TokenStream::new(),
     };
-    let clauses = &declaration.clauses;
-    let requested = match Requested::derive(clauses, &lowered.quantities, &mut model) {
-        Ok(requested) => requested,
-        Err(reason) => {
-            defects::report_no_regressor(&reason, declaration, lowered, diagnostics);
-            return None;
-        }
-    };
-    let shapes = &lowered.outputs;
-    let mut methods = Methods::schedule(&mut model, &equations, shapes, &requested);
-    let disagreements =
-        methods.validate(&validator, &mut model, &mut equations, (shapes, &requested));
-    let undeclared = methods.undeclared(&model.graph);
-    if !undeclared.is_empty() {
-        defects::report_undeclared(&undeclared, declaration, diagnostics);
-        return None;
-    }
-    if methods.unrepresentable().is_some() {
-        let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
-                       written here are not: choose units in which numbers are nearer to 1";
-        defects::report_at_energy(declaration, message, diagnostics);
-        return None;
-    }
-    let (mut taylor, mut event_series) = (None, None);
-    if let Some(clause) = &declaration.clauses.taylor {
-        let series = methods.taylor_method(&mut model, &equations);
-        match series.and_then(|series| Ok((series, methods.event_series(&model.graph)?))) {
-            Ok((series, events)) => (taylor, event_series) = (Some(series), events),
-            Err(reason) => {
-                defects::report_no_series(reason, clause, declaration, diagnostics);
-                return None;
-            }
-        }
-    }
-    let listing = listing(&mut model, &equations, declaration, lowered, &methods);
-    let emitter = Emitter::new(
+    let items = items(&emitter);
+    let warning = warning(&derived.disagreements, declaration);
+    Some(quote!(#items #warning #reduced))
+}
+
+/// Reduces a model by its ignorable coordinates, and writes the struct of what remains and its impls, unless there is an
+/// error.
+fn implement_reduced(
+    full: &Emitter<'_>,
+    clause: &RouthianClause,
+    diagnostics: &mut Diagnostics,
+) -> Option<TokenStream> {
+    let (declaration, lowered) = (full.declaration, full.lowered);
+    let reduced = reduce(
         declaration,
         lowered,
-        &model,
-        (&equations, &listing),
-        &methods,
-        (taylor.as_ref(), event_series.as_ref()),
-        most_scopes,
-    );
+        full.model,
+        full.equations,
+        clause,
+        diagnostics,
+    )?;
+    let model = reduced.reduction.model.clone();
+    let derived = Derived::of(&reduced.declaration, &reduced.lowered, model, diagnostics)?;
+    let emitter = derived.emitter(&reduced.declaration, &reduced.lowered, full.most_scopes);
+    let mut methods = ReducedMethods::schedule(&reduced.reduction);
+    if let Some(taylor) = &declaration.clauses.taylor {
+        methods = match methods.with_series(&reduced.reduction) {
+            Ok(methods) => methods,
+            Err(reason) => {
+                defects::report_no_series(reason, taylor, declaration, diagnostics);
+                return None;
+            }
+        };
+    }
+    let definition = reduced_struct(declaration, &reduced.declaration);
     let items = items(&emitter);
-    let warning = warning(&disagreements, declaration);
-    Some(quote!(#items #warning))
+    let there = full.routh_reduction(&reduced);
+    let back = emitter.routhian(&reduced, &methods, full);
+    let warning = warning(&derived.disagreements, &reduced.declaration);
+    Some(quote!(#definition #items #there #back #warning))
+}
+
+/// What is derived from a model.
+struct Derived {
+    model: Model,
+    equations: Equations,
+    methods: Methods,
+    taylor: Option<TaylorMethod>,
+    event_series: Option<EventSeries>,
+    listing: Listing,
+    /// The methods that had to be derived again.
+    disagreements: BTreeSet<Method>,
+}
+
+impl Derived {
+    fn of(
+        declaration: &Declaration,
+        lowered: &Lowered,
+        mut model: Model,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Self> {
+        let validator = Validator::new(&model);
+        let mut equations = match Equations::derive(&mut model) {
+            Ok(equations) => equations,
+            Err(defect) => {
+                defects::report(&defect, declaration, lowered, &model, diagnostics);
+                return None;
+            }
+        };
+        let clauses = &declaration.clauses;
+        let requested = match Requested::derive(clauses, &lowered.quantities, &mut model) {
+            Ok(requested) => requested,
+            Err(reason) => {
+                defects::report_no_regressor(&reason, declaration, lowered, diagnostics);
+                return None;
+            }
+        };
+        let shapes = &lowered.outputs;
+        let mut methods = Methods::schedule(&mut model, &equations, shapes, &requested);
+        let disagreements =
+            methods.validate(&validator, &mut model, &mut equations, (shapes, &requested));
+        let undeclared = methods.undeclared(&model.graph);
+        if !undeclared.is_empty() {
+            defects::report_undeclared(&undeclared, declaration, diagnostics);
+            return None;
+        }
+        if methods.unrepresentable().is_some() {
+            let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
+                           written here are not: choose units in which numbers are nearer to 1";
+            defects::report_at_energy(declaration, message, diagnostics);
+            return None;
+        }
+        let (mut taylor, mut event_series) = (None, None);
+        if let Some(clause) = &declaration.clauses.taylor {
+            let series = methods.taylor_method(&mut model, &equations);
+            match series.and_then(|series| Ok((series, methods.event_series(&model.graph)?))) {
+                Ok((series, events)) => (taylor, event_series) = (Some(series), events),
+                Err(reason) => {
+                    defects::report_no_series(reason, clause, declaration, diagnostics);
+                    return None;
+                }
+            }
+        }
+        let listing = listing(&mut model, &equations, declaration, lowered, &methods);
+        Some(Self {
+            model,
+            equations,
+            methods,
+            taylor,
+            event_series,
+            listing,
+            disagreements,
+        })
+    }
+
+    fn emitter<'a>(
+        &'a self,
+        declaration: &'a Declaration,
+        lowered: &'a Lowered,
+        most_scopes: usize,
+    ) -> Emitter<'a> {
+        Emitter::new(
+            declaration,
+            lowered,
+            &self.model,
+            (&self.equations, &self.listing),
+            &self.methods,
+            (self.taylor.as_ref(), self.event_series.as_ref()),
+            most_scopes,
+        )
+    }
 }

@@ -5,6 +5,7 @@ mod syntax;
 mod check;
 mod lower;
 mod defects;
+mod reduce;
 mod plan;
 mod emit;
 mod diagnostics;

@@ -7,6 +7,7 @@ mod outputs;
 mod requested;
 mod table;
 mod taylor_method;
+mod reduced_methods;
 mod undeclared;
 mod validation;
 pub(crate) mod constants;
@@ -18,6 +19,7 @@ pub(crate) use outputs::{
     OutputSlice, PivotOutputs, SensitivityOutputs, StateJacobian,
 };
 pub(crate) use requested::Requested;
+pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use table::{
     EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant, is_method,
 };

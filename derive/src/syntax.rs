@@ -7,6 +7,7 @@ pub(crate) mod coordinate;
 pub(crate) mod named;
 pub(crate) mod parameter_list;
 pub(crate) mod external_function;
+pub(crate) mod routhian;
 pub(crate) mod field;
 pub(crate) mod body_type;
 pub(crate) mod placed_body;

@@ -84,7 +84,8 @@ pub use model::{
     AugmentedPhase, ConstantsOfMotion, ConstantsWatch, ControlledBy, Energies, EquationsOfMotion,
     Events, EventsWith, ExternalFunctions, FunctionSignature, GeneralizedCoordinates, Inputs,
     Lagrangian, LargestChange, Linearization, MotionSeries, OperationCount, Operations, Outputs,
-    OutputsWith, OwnedEquations, Phase, Plant, State, WithController, WithInputs,
+    OutputsWith, OwnedEquations, Phase, Plant, ReconstructedPhase, Reconstruction, RouthReduction,
+    Routhian, RouthianSeries, State, WithController, WithInputs,
 };
 #[cfg(feature = "num-dual")]
 pub use model::{ByParameters, StateTransition};

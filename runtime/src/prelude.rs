@@ -8,8 +8,9 @@ pub use crate::{
     Energies, Event, Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs,
     IntegrationError, IntegrationMethod, Integrator, Interpolant, Lagrangian, Linearization,
     ObservationKind, Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase, Plant, Progress,
-    Reaction, RungeKutta, RunningIntegration, Sample, Scalar, SetTypicalSizes, State, Statistics,
-    Step, Stepper, StopReason, Taylor, VectorSpace, WithController, WithInputs,
+    Reaction, RouthReduction, Routhian, RungeKutta, RunningIntegration, Sample, Scalar,
+    SetTypicalSizes, State, Statistics, Step, Stepper, StopReason, Taylor, VectorSpace,
+    WithController, WithInputs,
 };
 pub use crate::{
     EnergyBalance, EnergyBalanceWith, Hamiltonian, HamiltonianWith, Regressor, RegressorWith,

@@ -25,3 +25,4 @@ pub(crate) mod evaluation;
 pub(crate) mod cost;
 pub(crate) mod expansion;
 pub(crate) mod trigonometric_reduction;
+pub(crate) mod half_angles;

@@ -37,6 +37,7 @@ pub use mechanics::equations::Equations;
 pub use mechanics::kinetics::{Kinetics, LinearSystem};
 pub use mechanics::model::{Energies, EnergiesInFrames, Model};
 pub use mechanics::regressor::{NoRegressor, Regressor, UnknownParameters};
+pub use mechanics::routhian::{NoReduction, Obstacle, PoleForm, Reduction, Spoiler};
 pub use mechanics::solvers::form::SolvedForm;
 pub use mechanics::solvers::implicit_equations::ImplicitEquations;
 pub use mechanics::solvers::pivots::Pivot;
@@ -52,8 +53,8 @@ pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, P
 pub use program::taylor::{Convolution, NoSeries, SeriesOutputs, TaylorProgram};
 pub use program::verify::Fault;
 pub use validation::{
-    AccelerationProgram, LinearizationProgram, Method, Programs, RequestedPrograms,
-    SensitivityProgram, SeriesCheck, Validator, ValueSeriesCheck,
+    AccelerationProgram, LinearizationProgram, Method, Programs, ReductionCheck,
+    RequestedPrograms, SensitivityProgram, SeriesCheck, Validator, ValueSeriesCheck,
 };
 
 /// No part of the interface.

@@ -13,3 +13,4 @@ pub(crate) mod solvers;
 pub(crate) mod energy_functions;
 pub(crate) mod kinetics;
 pub(crate) mod regressor;
+pub(crate) mod routhian;

@@ -18,6 +18,7 @@ mod perturbation;
 mod programs;
 mod requested_check;
 mod recurrence_tape;
+mod reduction_check;
 mod series_check;
 mod value_series_check;
 mod square_matrix;
@@ -28,6 +29,7 @@ pub use programs::{
     AccelerationProgram, LinearizationProgram, Method, Programs, SensitivityProgram,
 };
 pub use requested_check::RequestedPrograms;
+pub use reduction_check::ReductionCheck;
 pub use series_check::SeriesCheck;
 pub use validator::Validator;
 pub use value_series_check::ValueSeriesCheck;

@@ -20,7 +20,7 @@ impl Emitter<'_> {
         let labels = ignorable
             .iter()
             .map(|i| &self.lowered.quantities.coordinates[*i]);
-        let names = labels.map(momentum_name);
+        let names = labels.map(Label::momentum);
         let energy = conservation.energy;
         let names = names.chain(energy.then(|| "energy".to_owned()));
         let indices = ignorable.iter().copied().map(Literal::usize_unsuffixed);
@@ -47,9 +47,4 @@ impl Emitter<'_> {
             &items,
         )
     }
-}
-
-/// The name of the momentum of a coordinate.
-pub(crate) fn momentum_name(coordinate: &Label) -> String {
-    format!("p_{}", coordinate.variable())
 }

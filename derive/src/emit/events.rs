@@ -85,7 +85,7 @@ impl Emitter<'_> {
         })
     }
 
-    fn parameters_of_series(&self) -> TokenStream {
+    pub(super) fn parameters_of_series(&self) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let state = self.signatures().state();
         quote! {
@@ -100,7 +100,7 @@ impl Emitter<'_> {
         quote!(::core::option::Option<#root::TaylorCoefficients<Self::EventValues, HALF>>)
     }
 
-    fn body_of_series(&self, series: &EventSeries, inputs: InputsFrom) -> TokenStream {
+    pub(super) fn body_of_series(&self, series: &EventSeries, inputs: InputsFrom) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let next_inputs = (inputs == InputsFrom::Argument)
             .then(|| quote!(let term_of_inputs = higher_inputs.next();));

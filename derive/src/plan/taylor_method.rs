@@ -174,7 +174,7 @@ impl TaylorMethod {
 
 impl Method {
     /// The method for the terms of order 0.
-    fn initial(taylor: &TaylorProgram, outputs: MethodOutputs) -> Self {
+    pub(super) fn initial(taylor: &TaylorProgram, outputs: MethodOutputs) -> Self {
         Self {
             count: taylor.initial.count(),
             program: taylor.initial.clone(),

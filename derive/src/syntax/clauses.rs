@@ -12,6 +12,7 @@ use crate::syntax::named::{NamedExpression, named_expressions};
 use crate::syntax::parameter_list::{ParameterList, word_alone};
 use crate::syntax::placed_body::PlacedBody;
 use crate::syntax::root::Root;
+use crate::syntax::routhian::RouthianClause;
 
 /// All clauses of the struct's `#[lagrangian(…)]` attributes.
 #[derive(Default)]
@@ -41,6 +42,8 @@ pub(crate) struct Clauses {
     pub(crate) sensitivities: Option<ParameterList>,
     /// Which parameters are unknown in the regressor.
     pub(crate) regressor: Option<ParameterList>,
+    /// The reduced model that is asked for.
+    pub(crate) routhian: Option<RouthianClause>,
     /// The type of `scalar = …`.
     pub(crate) scalar: Option<Type>,
     /// The path of `crate = …`.
@@ -59,7 +62,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 18] = [
+const KEYWORDS: [&str; 19] = [
     "coordinates",
     "function",
     "define",
@@ -78,6 +81,7 @@ const KEYWORDS: [&str; 18] = [
     "energy_balance",
     "sensitivities",
     "regressor",
+    "routhian",
 ];
 
 impl Clauses {
@@ -174,6 +178,17 @@ impl Clauses {
         Ok(())
     }
 
+    fn read_routhian(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
+        let span = keyword.span();
+        let clause = RouthianClause::read(keyword, input)?;
+        if self.routhian.is_some() {
+            let message = "the reduced model is asked for already: keep one `routhian`";
+            return Err(syn::Error::new(span, message));
+        }
+        self.routhian = Some(clause);
+        Ok(())
+    }
+
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         match keyword.to_string().as_str() {
             "coordinates" => {
@@ -211,6 +226,7 @@ impl Clauses {
             "energy_balance" => word_alone(keyword, input, &mut self.energy_balance)?,
             "sensitivities" => ParameterList::read(keyword, input, &mut self.sensitivities)?,
             "regressor" => ParameterList::read(keyword, input, &mut self.regressor)?,
+            "routhian" => self.read_routhian(keyword, input)?,
             "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"
             | "multiplier" | "multipliers" => {
                 return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));

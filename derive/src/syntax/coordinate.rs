@@ -15,6 +15,7 @@ use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
 /// A generalized coordinate, or several under one name.
+#[derive(Clone)]
 pub(crate) struct Coordinate {
     pub(crate) name: Ident,
     /// How many there are of a family for each index, `theta[5]`; none for one alone.
@@ -24,6 +25,7 @@ pub(crate) struct Coordinate {
 }
 
 /// How a vector of coordinates is declared.
+#[derive(Clone)]
 struct Vector {
     rows: usize,
     /// Its type, `Vector3`; none for the last of several indices, `r[5][3]`.
@@ -31,6 +33,15 @@ struct Vector {
 }
 
 impl Coordinate {
+    /// A coordinate that is a number.
+    pub(crate) const fn scalar(name: Ident) -> Self {
+        Self {
+            name,
+            lengths: Vec::new(),
+            vector: None,
+        }
+    }
+
     /// The shape of the coordinate, or of each of a family.
     pub(crate) fn shape(&self) -> Shape {
         match &self.vector {

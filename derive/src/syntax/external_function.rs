@@ -9,6 +9,7 @@ use syn::{Expr, token};
 use crate::syntax::grammar::{expression, position, separated, word};
 
 /// An external function.
+#[derive(Clone)]
 pub(crate) struct FunctionDeclaration {
     pub(crate) name: Ident,
     pub(crate) arguments: Vec<Ident>,
@@ -18,6 +19,7 @@ pub(crate) struct FunctionDeclaration {
 }
 
 /// `derivative(argument) = expression`.
+#[derive(Clone)]
 pub(crate) struct DerivativeDeclaration {
     pub(crate) argument: Ident,
     pub(crate) expression: Expr,

@@ -3,13 +3,14 @@
 use proc_macro2::Ident;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::{Token, Type};
+use syn::{Token, Type, Visibility};
 
 use crate::diagnostics::Diagnostics;
 use crate::syntax::field_type::{FieldType, UnsupportedType};
 use crate::syntax::grammar::own;
 
 /// A named field of the struct.
+#[derive(Clone)]
 pub(crate) struct Field {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
@@ -18,6 +19,7 @@ pub(crate) struct Field {
     pub(crate) role: Role,
     /// Whether its attributes could be read.
     pub(crate) readable: bool,
+    pub(crate) visibility: Visibility,
 }
 
 /// What a field is to the model.
@@ -58,6 +60,7 @@ impl Field {
             declared_type: attributes.declared_type,
             role: attributes.role,
             readable,
+            visibility: field.vis,
         })
     }
 

@@ -18,6 +18,11 @@ impl Label {
         parts.extend(self.indices.iter().map(|index| index.word()));
         parts.join("_")
     }
+
+    /// The name of the momentum of a coordinate: `p_theta_2`.
+    pub(crate) fn momentum(&self) -> String {
+        format!("p_{}", self.variable())
+    }
 }
 
 impl fmt::Display for Label {

@@ -13,6 +13,7 @@ use syn::{LitStr, Path, Token};
 use crate::syntax::grammar::position;
 
 /// The path of the crate `lagrangian`.
+#[derive(Clone)]
 pub(crate) struct Root(TokenStream);
 
 impl Default for Root {

@@ -1,4 +1,4 @@
-//! Coordinates, velocities, and the states of a controller.
+//! Coordinates, velocities, and further components: the states of a controller.
 
 use nalgebra::SVector;
 
@@ -43,148 +43,156 @@ pub struct AugmentedPhase<S: Scalar, const N: usize, const K: usize> {
     pub controller: SVector<S, K>,
 }
 
-impl<S: Scalar, const N: usize, const K: usize> AugmentedPhase<S, N, K> {
-    /// Coordinates and velocities alone.
-    #[inline]
-    #[must_use]
-    pub fn phase(&self) -> Phase<S, N> {
-        Phase {
-            q: self.q,
-            v: self.v,
+/// What a phase with further components `$more` is to an integrator.
+macro_rules! further_components {
+    ($phase:ident, $more:ident) => {
+        impl<S: Scalar, const N: usize, const K: usize> $phase<S, N, K> {
+            /// Coordinates and velocities alone.
+            #[inline]
+            #[must_use]
+            pub fn phase(&self) -> Phase<S, N> {
+                Phase {
+                    q: self.q,
+                    v: self.v,
+                }
+            }
+
+            /// The state of the mechanical system at time `t`.
+            #[inline]
+            #[must_use]
+            pub fn at(&self, t: S) -> State<S, N> {
+                self.phase().at(t)
+            }
         }
-    }
 
-    /// The state of the mechanical system at time `t`.
-    #[inline]
-    #[must_use]
-    pub fn at(&self, t: S) -> State<S, N> {
-        self.phase().at(t)
-    }
-}
+        impl<S: Scalar, const N: usize, const K: usize> VectorSpace<S> for $phase<S, N, K> {
+            #[inline]
+            fn add_scaled(&mut self, factor: S, other: &Self) {
+                self.q.add_scaled(factor, &other.q);
+                self.v.add_scaled(factor, &other.v);
+                self.$more.add_scaled(factor, &other.$more);
+            }
 
-impl<S: Scalar, const N: usize, const K: usize> VectorSpace<S> for AugmentedPhase<S, N, K> {
-    #[inline]
-    fn add_scaled(&mut self, factor: S, other: &Self) {
-        self.q.add_scaled(factor, &other.q);
-        self.v.add_scaled(factor, &other.v);
-        self.controller.add_scaled(factor, &other.controller);
-    }
+            #[inline]
+            fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+                Self {
+                    q: self.q.map(&mut function),
+                    v: self.v.map(&mut function),
+                    $more: self.$more.map(&mut function),
+                }
+            }
 
-    #[inline]
-    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
-        Self {
-            q: self.q.map(&mut function),
-            v: self.v.map(&mut function),
-            controller: self.controller.map(&mut function),
+            #[inline]
+            fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
+                let Self { q, v, $more } = self;
+                Self {
+                    q: VectorSpace::zip_map(q, &other.q, &mut function),
+                    v: VectorSpace::zip_map(v, &other.v, &mut function),
+                    $more: VectorSpace::zip_map($more, &other.$more, &mut function),
+                }
+            }
+
+            #[inline]
+            fn components(&self) -> impl Iterator<Item = S> + '_ {
+                let motion = self.q.iter().chain(self.v.iter());
+                motion.chain(self.$more.iter()).copied()
+            }
+
+            #[inline]
+            fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
+                let Phase { q, v } = self.phase().allowed_error(tolerance);
+                let $more = self.$more.map(|z| tolerance.of_coordinate(z.abs()));
+                Self { q, v, $more }
+            }
+
+            fn rate(&self, sizes: &Self) -> Option<S> {
+                self.phase().rate(&sizes.phase())
+            }
         }
-    }
 
-    #[inline]
-    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
-        let Self { q, v, controller } = self;
-        Self {
-            q: VectorSpace::zip_map(q, &other.q, &mut function),
-            v: VectorSpace::zip_map(v, &other.v, &mut function),
-            controller: VectorSpace::zip_map(controller, &other.controller, &mut function),
+        impl<const L: usize, const N: usize, const K: usize> LaneStates<L>
+            for $phase<Lanes<L>, N, K>
+        {
+            type Lane = $phase<f64, N, K>;
+
+            #[inline]
+            fn broadcast(state: &Self::Lane) -> Self {
+                Self {
+                    q: LaneStates::broadcast(&state.q),
+                    v: LaneStates::broadcast(&state.v),
+                    $more: LaneStates::broadcast(&state.$more),
+                }
+            }
+
+            #[inline]
+            fn lane(&self, lane: usize) -> Self::Lane {
+                $phase {
+                    q: self.q.lane(lane),
+                    v: self.v.lane(lane),
+                    $more: self.$more.lane(lane),
+                }
+            }
+
+            #[inline]
+            fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+                self.q.set_lane(lane, &state.q);
+                self.v.set_lane(lane, &state.v);
+                self.$more.set_lane(lane, &state.$more);
+            }
         }
-    }
 
-    #[inline]
-    fn components(&self) -> impl Iterator<Item = S> + '_ {
-        let motion = self.q.iter().chain(self.v.iter());
-        motion.chain(self.controller.iter()).copied()
-    }
-
-    #[inline]
-    fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
-        let Phase { q, v } = self.phase().allowed_error(tolerance);
-        let controller = self.controller.map(|z| tolerance.of_coordinate(z.abs()));
-        Self { q, v, controller }
-    }
-
-    fn rate(&self, sizes: &Self) -> Option<S> {
-        self.phase().rate(&sizes.phase())
-    }
-}
-
-impl<const L: usize, const N: usize, const K: usize> LaneStates<L>
-    for AugmentedPhase<Lanes<L>, N, K>
-{
-    type Lane = AugmentedPhase<f64, N, K>;
-
-    #[inline]
-    fn broadcast(state: &Self::Lane) -> Self {
-        Self {
-            q: LaneStates::broadcast(&state.q),
-            v: LaneStates::broadcast(&state.v),
-            controller: LaneStates::broadcast(&state.controller),
+        impl<S: Scalar, const N: usize, const K: usize> Sample<$phase<S, N, K>> {
+            /// The sample as a state of the mechanical system.
+            #[inline]
+            #[must_use]
+            pub fn state(&self) -> State<S, N> {
+                self.x.at(S::from_f64(self.t))
+            }
         }
-    }
 
-    #[inline]
-    fn lane(&self, lane: usize) -> Self::Lane {
-        AugmentedPhase {
-            q: self.q.lane(lane),
-            v: self.v.lane(lane),
-            controller: self.controller.lane(lane),
+        /// The state of the mechanical system, and the further components.
+        impl<S, C, const N: usize, const K: usize> InitialValue<$phase<S, N, K>>
+            for (State<S, N>, C)
+        where
+            S: Scalar,
+            C: IntoVector<S, K>,
+        {
+            fn into_sample(self) -> Sample<$phase<S, N, K>> {
+                let (state, $more) = self;
+                let Sample { t, x } = Sample::from(state);
+                let Phase { q, v } = x;
+                let $more = $more.into_vector();
+                let x = $phase { q, v, $more };
+                Sample { t, x }
+            }
         }
-    }
 
-    #[inline]
-    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
-        self.q.set_lane(lane, &state.q);
-        self.v.set_lane(lane, &state.v);
-        self.controller.set_lane(lane, &state.controller);
-    }
-}
-
-impl<S: Scalar, const N: usize, const K: usize> Sample<AugmentedPhase<S, N, K>> {
-    /// The sample as a state of the mechanical system.
-    #[inline]
-    #[must_use]
-    pub fn state(&self) -> State<S, N> {
-        self.x.at(S::from_f64(self.t))
-    }
-}
-
-/// The initial value under dynamic feedback: the state of the system, and those of the controller.
-impl<S, C, const N: usize, const K: usize> InitialValue<AugmentedPhase<S, N, K>>
-    for (State<S, N>, C)
-where
-    S: Scalar,
-    C: IntoVector<S, K>,
-{
-    fn into_sample(self) -> Sample<AugmentedPhase<S, N, K>> {
-        let (state, controller) = self;
-        let Sample { t, x } = Sample::from(state);
-        let Phase { q, v } = x;
-        let controller = controller.into_vector();
-        let x = AugmentedPhase { q, v, controller };
-        Sample { t, x }
-    }
-}
-
-/// Of the coordinates, and of the states of the controller.
-impl<S: Scalar, const N: usize, const K: usize> TypicalSizes<AugmentedPhase<S, N, K>>
-    for ([f64; N], [f64; K])
-{
-    fn into_state(self) -> AugmentedPhase<S, N, K> {
-        let sizes = SVector::from(self.0.map(S::from_f64));
-        AugmentedPhase {
-            q: sizes,
-            v: sizes,
-            controller: SVector::from(self.1.map(S::from_f64)),
+        /// Of the coordinates, and of the further components.
+        impl<S: Scalar, const N: usize, const K: usize> TypicalSizes<$phase<S, N, K>>
+            for ([f64; N], [f64; K])
+        {
+            fn into_state(self) -> $phase<S, N, K> {
+                let sizes = SVector::from(self.0.map(S::from_f64));
+                $phase {
+                    q: sizes,
+                    v: sizes,
+                    $more: SVector::from(self.1.map(S::from_f64)),
+                }
+            }
         }
-    }
-}
 
-#[cfg(feature = "alloc")]
-impl<S: Scalar, const N: usize, const K: usize> Trajectory<AugmentedPhase<S, N, K>> {
-    /// The samples as states of the mechanical system; those of the controller are in
-    /// [`samples`](Self::samples).
-    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
-        self.samples()
-            .iter()
-            .map(Sample::<AugmentedPhase<S, N, K>>::state)
-    }
+        #[cfg(feature = "alloc")]
+        impl<S: Scalar, const N: usize, const K: usize> Trajectory<$phase<S, N, K>> {
+            /// The samples as states of the mechanical system; the further components are in
+            /// [`samples`](Self::samples).
+            pub fn states(
+                &self,
+            ) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
+                self.samples().iter().map(Sample::<$phase<S, N, K>>::state)
+            }
+        }
+    };
 }
+pub(super) use further_components;
+
+further_components!(AugmentedPhase, controller);

@@ -11,6 +11,19 @@ impl Graph {
         roots: &[Expression],
         values: &BTreeMap<Symbol, Expression>,
     ) -> Vec<Expression> {
+        let known = values
+            .iter()
+            .map(|(symbol, value)| (self.symbol(*symbol), *value));
+        let known = known.collect();
+        self.replace(roots, &known)
+    }
+
+    /// The roots with `values` in place of expressions that are keys, simultaneously.
+    pub(crate) fn replace(
+        &mut self,
+        roots: &[Expression],
+        values: &BTreeMap<Expression, Expression>,
+    ) -> Vec<Expression> {
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         let mut results = vec![self.zero(); length];
@@ -24,12 +37,14 @@ impl Graph {
         &mut self,
         expression: Expression,
         results: &[Expression],
-        values: &BTreeMap<Symbol, Expression>,
+        values: &BTreeMap<Expression, Expression>,
     ) -> Expression {
+        if let Some(value) = values.get(&expression) {
+            return *value;
+        }
         let of = |operand: Expression| results[operand.index()];
         match *self.node(expression) {
-            Node::Constant(_) | Node::Pi => expression,
-            Node::Symbol(symbol) => values.get(&symbol).copied().unwrap_or(expression),
+            Node::Constant(_) | Node::Pi | Node::Symbol(_) => expression,
             Node::Sum(ref terms) => {
                 let terms: Vec<_> = terms.iter().map(|(x, c)| (of(*x), c.clone())).collect();
                 self.sum(terms)

@@ -1,0 +1,212 @@
+//! What is emitted for the clause `routhian`: the reduced struct, and the impls that lead there and back.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::emitter::Emitter;
+use super::parameters::marked_if_unused;
+use super::signatures::InputsFrom;
+use crate::plan::ReducedMethods;
+use crate::reduce::Reduced;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+use crate::syntax::names::unraw;
+
+/// The struct of a reduced model.
+pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> TokenStream {
+    let Declaration {
+        name,
+        visibility,
+        generics,
+        fields,
+        ..
+    } = reduced;
+    let conditions = &generics.where_clause;
+    let documentation = format!(
+        "[`{}`] without its ignorable coordinates, whose momenta are parameters: the model whose Lagrangian is −R, with the \
+         Routhian R = Σ p q̇ − L (4.9).",
+        full.name
+    );
+    let definitions = fields.iter().map(|field| {
+        let (visibility, name, ty) = (&field.visibility, &field.name, &field.ty);
+        let written = unraw(name);
+        let own = full.fields.iter().any(|other| other.name == *name);
+        let text = if own {
+            format!("`{written}` of [`{}`].", full.name)
+        } else {
+            let coordinate = written.trim_start_matches("p_");
+            format!("The constant momentum of `{coordinate}`.")
+        };
+        quote!(#[doc = #text] #visibility #name: #ty)
+    });
+    let shown = fields.iter().filter(|field| field.role != Role::Skipped);
+    let shown = shown.map(|field| {
+        let (name, written) = (&field.name, unraw(&field.name));
+        quote!(.field(#written, &self.#name))
+    });
+    let skips = fields.iter().any(|field| field.role == Role::Skipped);
+    let finish = if skips {
+        quote!(finish_non_exhaustive)
+    } else {
+        quote!(finish)
+    };
+    let written = unraw(name);
+    let (of_impl, arguments, _) = generics.split_for_impl();
+    quote! {
+        #[doc = #documentation]
+        #[derive(::core::clone::Clone)]
+        #visibility struct #name #generics #conditions {
+            #(#definitions),*
+        }
+        #[automatically_derived]
+        impl #of_impl ::core::fmt::Debug for #name #arguments #conditions {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                f.debug_struct(#written) #(#shown)* .#finish()
+            }
+        }
+    }
+}
+
+impl Emitter<'_> {
+    /// The impl of `RouthReduction` for the full model.
+    pub(crate) fn routh_reduction(&self, reduced: &Reduced) -> TokenStream {
+        let Declaration { root, name, .. } = self.declaration;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let scalar = self.scalar.of_parameters();
+        let (n, remaining) = (self.coordinates(), &reduced.reduction.remaining);
+        let left = remaining.len();
+        let target = &reduced.declaration.name;
+        let own = self.declaration.fields.iter();
+        let own = own.map(|field| {
+            let name = &field.name;
+            quote!(#name: ::core::clone::Clone::clone(&self.#name))
+        });
+        let constants = reduced.declaration.fields.iter();
+        let constants = constants.skip(self.declaration.fields.len());
+        let constants = constants
+            .zip(&reduced.reduction.ignorable)
+            .map(|(field, i)| {
+                let (name, i) = (&field.name, Literal::usize_unsuffixed(*i));
+                quote!(#name: momenta[#i])
+            });
+        let indices: Vec<Literal> = remaining
+            .iter()
+            .map(|i| Literal::usize_unsuffixed(*i))
+            .collect();
+        quote! {
+            #[automatically_derived]
+            impl #generics #root::RouthReduction<#n, #left> for #name #arguments #conditions {
+                type Scalar = #scalar;
+                type Reduced = #target #arguments;
+                fn reduce(
+                    &self,
+                    state: &#root::State<#scalar, #n>,
+                ) -> (Self::Reduced, #root::State<#scalar, #left>) {
+                    let momenta = #root::Lagrangian::<#n, #scalar>::momenta(self, state);
+                    let reduced = #target { #(#own,)* #(#constants),* };
+                    let state = #root::State {
+                        t: state.t,
+                        q: #root::__private::SVector::from([#(state.q[#indices]),*]),
+                        v: #root::__private::SVector::from([#(state.v[#indices]),*]),
+                    };
+                    (reduced, state)
+                }
+            }
+        }
+    }
+
+    /// The impls of `Routhian` and `RouthianSeries` for the reduced model.
+    pub(crate) fn routhian(
+        &self,
+        reduced: &Reduced,
+        methods: &ReducedMethods,
+        full: &Emitter<'_>,
+    ) -> TokenStream {
+        let (root, scalar) = (&self.declaration.root, &self.scalar);
+        let (n, k) = (self.coordinates(), reduced.reduction.ignorable.len());
+        let all = n + k;
+        let signatures = self.signatures();
+        let state = signatures.state();
+        let vector = quote!(#root::__private::SVector<#scalar, #k>);
+        let labels = &full.lowered.quantities.coordinates;
+        let names = reduced
+            .reduction
+            .ignorable
+            .iter()
+            .map(|i| labels[*i].to_string());
+        let constants = self.lowered.quantities.parameters.iter();
+        let constants = constants.skip(full.lowered.quantities.parameters.len());
+        let constants = constants.map(|constant| self.read(constant));
+        let [potential, velocities] = [&methods.effective_potential, &methods.ignorable_velocities]
+            .map(|method| self.body(method, InputsFrom::Fields, &[]));
+        let of_potential = marked_if_unused(quote!(state: #state), &potential);
+        let of_velocities = marked_if_unused(quote!(state: #state), &velocities);
+        let [places, rates] = [
+            [quote!(ignorable), quote!(state.q)],
+            [quote!(velocities), quote!(state.v)],
+        ]
+        .map(|[ignorable, remaining]| interleaved(reduced, all, &ignorable, &remaining));
+        let items = quote! {
+            type FullState = #root::State<#scalar, #all>;
+            const ELIMINATED: [&'static str; #k] = [#(#names),*];
+            fn constants(&self) -> #vector {
+                #root::__private::SVector::from([#(#constants),*])
+            }
+            fn effective_potential(&self, #of_potential) -> #scalar { #potential }
+            fn ignorable_velocities(&self, #of_velocities) -> #vector { #velocities }
+            fn full_state(
+                &self,
+                state: #state,
+                ignorable: &#vector,
+            ) -> #root::State<#scalar, #all> {
+                let velocities = #root::Routhian::<#n, #k, #scalar>::ignorable_velocities(self, state);
+                #root::State {
+                    t: state.t,
+                    q: #root::__private::SVector::from([#(#places),*]),
+                    v: #root::__private::SVector::from([#(#rates),*]),
+                }
+            }
+        };
+        let routhian = self.implement(&quote!(#root::Routhian<#n, #k, #scalar>), &items);
+        let series = self.routhian_series(methods, k);
+        quote!(#routhian #series)
+    }
+
+    fn routhian_series(&self, methods: &ReducedMethods, k: usize) -> Option<TokenStream> {
+        let series = methods.series.as_ref()?;
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let signature = self.parameters_of_series();
+        let body = self.body_of_series(series, InputsFrom::Fields);
+        let items = quote! {
+            fn ignorable_velocity_series<const HALF: usize>(
+                &self,
+                #signature
+            ) -> #root::TaylorCoefficients<[#scalar; #k], HALF> {
+                #body
+            }
+        };
+        Some(self.implement(&quote!(#root::RouthianSeries<#n, #k, #scalar>), &items))
+    }
+}
+
+/// The components of the full state, from those of the ignorable coordinates and of the others.
+fn interleaved(
+    reduced: &Reduced,
+    all: usize,
+    ignorable: &TokenStream,
+    remaining: &TokenStream,
+) -> Vec<TokenStream> {
+    let place = |list: &[usize], i: usize| {
+        let place = list.iter().position(|other| *other == i);
+        place.map(Literal::usize_unsuffixed)
+    };
+    let reduction = &reduced.reduction;
+    let component = |i| match place(&reduction.ignorable, i) {
+        Some(k) => quote!(#ignorable[#k]),
+        None => {
+            let k = place(&reduction.remaining, i);
+            quote!(#remaining[#k])
+        }
+    };
+    (0..all).map(component).collect()
+}

@@ -1,0 +1,169 @@
+//! A reduced model with its ignorable coordinates, by quadrature of their velocities along the motion.
+
+use nalgebra::SVector;
+
+use super::equations_of_motion::{
+    allowed_error, component_name, reduced, singularity, singularity_in_lane,
+    singularity_in_motion, vanishing_inertia, vanishing_inertia_in_lane,
+};
+use super::motion_series::MotionSeries;
+use super::phase::Phase;
+use super::reconstructed_phase::ReconstructedPhase;
+use super::routhian::{Routhian, RouthianSeries};
+use crate::integrate::{ComponentName, Dynamics, Series, Singularity, TaylorCoefficients};
+use crate::linalg::ErrorTolerance;
+use crate::scalar::Scalar;
+
+/// The equations of motion of a reduced model with `N` coordinates, and the velocities of the `K` ignorable ones, on which
+/// nothing depends; made by [`Routhian::reconstruction`].
+///
+/// The quadratures take part in the control of errors, and in the dense output of every method. Under
+/// [`Taylor`](crate::Taylor) the series of the velocities are integrated term by term.
+#[derive(Debug)]
+pub struct Reconstruction<'a, M, S, const N: usize, const K: usize>
+where
+    M: Routhian<N, K, S>,
+    S: Scalar,
+{
+    model: &'a M,
+    prepared: M::Prepared,
+}
+
+impl<M, S, const N: usize, const K: usize> Clone for Reconstruction<'_, M, S, N, K>
+where
+    M: Routhian<N, K, S>,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+        }
+    }
+}
+
+impl<'a, M, S, const N: usize, const K: usize> Reconstruction<'a, M, S, N, K>
+where
+    M: Routhian<N, K, S>,
+    S: Scalar,
+{
+    pub(super) fn new(model: &'a M) -> Self {
+        Self {
+            model,
+            prepared: model.prepare(),
+        }
+    }
+
+    /// The state of the full model at a time.
+    pub fn full_state(&self, t: S, x: &ReconstructedPhase<S, N, K>) -> M::FullState {
+        self.model.full_state(&x.at(t), &x.ignorable)
+    }
+}
+
+/// A phase with its ignorable coordinates.
+fn joined<S: Scalar, const N: usize, const K: usize>(
+    phase: Phase<S, N>,
+    ignorable: SVector<S, K>,
+) -> ReconstructedPhase<S, N, K> {
+    let Phase { q, v } = phase;
+    ReconstructedPhase { q, v, ignorable }
+}
+
+impl<M, S, const N: usize, const K: usize> Dynamics<S> for Reconstruction<'_, M, S, N, K>
+where
+    M: Routhian<N, K, S>,
+    S: Scalar,
+{
+    type State = ReconstructedPhase<S, N, K>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Self::State) -> Self::State {
+        let state = x.at(t);
+        ReconstructedPhase {
+            q: x.v,
+            v: self.model.accelerations_prepared(&state, &self.prepared),
+            ignorable: self.model.ignorable_velocities(&state),
+        }
+    }
+
+    /// The size of an ignorable coordinate is at least 1, since that of an angle does not matter.
+    #[inline]
+    fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
+        let phase = allowed_error::<M, S, N>(&x.phase(), tolerance);
+        let size = |z: S| tolerance.of_coordinate(z.abs().max(S::one()));
+        joined(phase, x.ignorable.map(size))
+    }
+
+    #[inline]
+    fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
+        let phase = reduced::<M, S, N>(&x.phase(), &compensation.phase());
+        joined(phase, x.ignorable)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity::<M, S, N>(self.model, &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity_in_motion::<M, S, N>(self.model, &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Self::State,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        singularity_in_lane::<M, S, N>(self.model, lane, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        vanishing_inertia::<M, S, N>(self.model, &x.at(t))
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
+        vanishing_inertia_in_lane::<M, S, N>(self.model, lane, &x.at(t))
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        let ignorable = index.checked_sub(2 * N);
+        match ignorable.and_then(|k| M::ELIMINATED.get(k).copied()) {
+            Some(name) => ComponentName::Coordinate(name),
+            None => component_name::<M, N>(index),
+        }
+    }
+}
+
+impl<M, S, const N: usize, const K: usize> Series<S> for Reconstruction<'_, M, S, N, K>
+where
+    M: RouthianSeries<N, K, S> + MotionSeries<N, S>,
+    S: Scalar,
+{
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        let state = x.at(t);
+        let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.phase());
+        self.model
+            .taylor_series(&state, &self.prepared, unit, &mut motion);
+        let rates = self.model.ignorable_velocity_series(&state, unit, &motion);
+        *coefficients.initial_mut() = joined(*motion.initial(), x.ignorable);
+        // ∫ Σ uₖ τᵏ unit dτ = Σ unit uₖ₋₁/k τᵏ.
+        let rates = core::iter::once(rates.initial()).chain(rates.higher());
+        let terms = coefficients.higher_mut().iter_mut();
+        let mut order = S::zero();
+        for ((term, of_motion), rate) in terms.zip(motion.higher()).zip(rates) {
+            order += S::one();
+            let scale = unit / order;
+            *term = joined(*of_motion, SVector::from(*rate).map(|rate| rate * scale));
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Models reduced by their ignorable coordinates (Routh, A Treatise on the Stability of a Given State of Motion, 1877;
+//! Goldstein, Poole and Safko, Classical Mechanics, 3rd edition 2002, section 8.3), and the way back.
+
+use nalgebra::SVector;
+
+use super::lagrangian::Lagrangian;
+use super::phase::Phase;
+use super::reconstruction::Reconstruction;
+use super::state::State;
+use crate::integrate::TaylorCoefficients;
+use crate::scalar::Scalar;
+
+/// A model with `N` coordinates of which its declaration asks for a reduced one with `R`, by the clause `routhian(Name)`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no reduced model",
+    note = "write the clause `routhian(Name)` in its declaration, with a name for the reduced model"
+)]
+pub trait RouthReduction<const N: usize, const R: usize> {
+    /// The scalar of the parameters.
+    type Scalar: Scalar;
+
+    /// The reduced model.
+    type Reduced;
+
+    /// The reduced model with the constant momenta (4.8) that this state has, and the state of the reduced model there.
+    fn reduce(&self, state: &State<Self::Scalar, N>) -> (Self::Reduced, State<Self::Scalar, R>);
+}
+
+/// A model without the `K` ignorable coordinates of another one, whose constant momenta C are its parameters.
+///
+/// It is a model like any other. Its Lagrangian is −R with the Routhian R = Σ Cₐ q̇ₐ − L (4.9), in which the velocities of
+/// the ignorable coordinates are eliminated exactly: Lagrange's equations of −R are those of the full model for the other
+/// coordinates, with the same generalized forces. (Some books call L − Σ Cₐ q̇ₐ the Routhian.) Its energy function is that
+/// of the full model, T + V_eff.
+///
+/// The ignorable coordinates follow by quadrature: [`reconstruction`](Self::reconstruction).
+pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>: Lagrangian<N, S> {
+    /// The state of the full model.
+    type FullState;
+
+    /// The names of the ignorable coordinates, in their order.
+    const ELIMINATED: [&'static str; K];
+
+    /// The constant momenta C of the ignorable coordinates.
+    fn constants(&self) -> SVector<S, K>;
+
+    /// The Routhian R = Σ Cₐ q̇ₐ − L (4.9).
+    fn routhian(&self, state: &State<S, N>) -> S {
+        -self.lagrangian(state)
+    }
+
+    /// The effective potential `V_eff`, which is R where q̇ = 0 (4.10): of the state, the coordinates and the time count.
+    /// It contains the whole of what the constants bring, such as C²/(2 I) of a spin. Where R is of first degree in the
+    /// velocities, too, the motion is also under gyroscopic forces, which do no work and do not occur here.
+    ///
+    /// It has a value at a pole sin q = 0 that is reached with these constants, and keeps its digits nearby.
+    fn effective_potential(&self, state: &State<S, N>) -> S;
+
+    /// The velocities of the ignorable coordinates, from p = ∂L/∂q̇ = C.
+    fn ignorable_velocities(&self, state: &State<S, N>) -> SVector<S, K>;
+
+    /// The state of the full model, at these values of the ignorable coordinates.
+    fn full_state(&self, state: &State<S, N>, ignorable: &SVector<S, K>) -> Self::FullState;
+
+    /// The equations of motion of the reduced model together with the velocities of the ignorable coordinates, which an
+    /// integration then has, too: at every step, sample and point of dense output.
+    fn reconstruction(&self) -> Reconstruction<'_, Self, S, N, K>
+    where
+        Self: Sized,
+    {
+        Reconstruction::new(self)
+    }
+}
+
+/// A reduced model whose declaration has the clause `taylor`: the series of the velocities of the ignorable coordinates.
+#[diagnostic::on_unimplemented(
+    message = "the Taylor series of the ignorable coordinates of `{Self}` are not known",
+    note = "write the clause `taylor` in the declaration of the full model, or integrate by `Dop853`"
+)]
+pub trait RouthianSeries<const N: usize, const K: usize, S: Scalar = f64>:
+    Routhian<N, K, S>
+{
+    /// The Taylor coefficients of the velocities of the ignorable coordinates along a motion through a state, given those of
+    /// the motion, in their unit of time; its coefficients of order 0 are not read.
+    fn ignorable_velocity_series<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    ) -> TaylorCoefficients<[S; K], HALF>;
+}

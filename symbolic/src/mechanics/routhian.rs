@@ -1,0 +1,472 @@
+//! Routh's reduction (Routh, A Treatise on the Stability of a Given State of Motion, 1877; Goldstein, Poole and Safko,
+//! Classical Mechanics, 3rd edition 2002, section 8.3): the model over the coordinates that are not ignorable.
+//!
+//! With the momenta pₐ = ∂L/∂q̇ₐ = Cₐ of the ignorable coordinates as constants, their velocities u are eliminated exactly.
+//! The other coordinates have Lagrange's equations of L_R = L − Σ Cₐ uₐ, which is −R with the Routhian R of (4.9). For
+//! L = T₂ + b·q̇ − V of degree two in all velocities, and p = A u + B q̇ + b of the ignorable ones,
+//!
+//! - u = A⁻¹ (C − b) − A⁻¹ B q̇ = `u_C` + `u_B`,
+//! - T of the reduced model is T₂ at `u_B`: the squares that T was declared as remain squares of one sign,
+//! - `V_eff` = V + ½ (C − b)ᵀ A⁻¹ (C − b) (4.10), and the gyroscopic terms (C − b)·`u_B` − b·q̇ stand beside it.
+//!
+//! Where L is quadratic in u alone, L_R is L at u = 0 less ½ (C − β)ᵀ A⁻¹ (C − β), with β = p at u = 0.
+
+mod elimination;
+mod ignorability;
+
+use std::collections::BTreeMap;
+
+use crate::mechanics::conservation::independent_of;
+use crate::{Energies, Equations, Expression, Graph, Model, Rational, Symbol};
+use elimination::Elimination;
+use ignorability::{Influences, spoilers};
+pub use ignorability::{Obstacle, Spoiler};
+
+/// A model reduced by its ignorable coordinates.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// The reduced model: the other coordinates in their order, and the parameters with the constants Cₐ behind them. It has
+    /// no outputs.
+    pub model: Model,
+    /// The positions of the ignorable coordinates in the full model.
+    pub ignorable: Vec<usize>,
+    /// The positions of the others.
+    pub remaining: Vec<usize>,
+    /// `V_eff`, the Routhian R at rest (4.10).
+    pub effective_potential: Expression,
+    /// The velocities u of the ignorable coordinates.
+    pub ignorable_velocities: Vec<Expression>,
+}
+
+/// Why a model has no reduction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoReduction {
+    /// No coordinate is ignorable: what spoils each of them.
+    NoneIgnorable(Vec<Spoiler>),
+    /// All coordinates are ignorable, so that none remains.
+    NoneRemains,
+    /// The force on the first coordinate depends on the second one, which is otherwise ignorable.
+    ForceDependsOn(usize, usize),
+    /// L is not quadratic in the velocity of this ignorable coordinate, or A is singular.
+    NotQuadratic(usize),
+}
+
+/// How quotients by squares of sines are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PoleForm {
+    /// As they come: with fewest operations, and without a value at the poles.
+    Direct,
+    /// In partial fractions of half angles, which have values at the poles for the constants with which they are reached.
+    HalfAngles,
+}
+
+impl Reduction {
+    /// The reduction of `model`, which has so many `parameters`.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none.
+    pub fn of(
+        model: &Model,
+        equations: &Equations,
+        parameters: u32,
+        form: PoleForm,
+    ) -> Result<Self, NoReduction> {
+        let split = Split::of(model, equations)?;
+        let mut graph = model.graph.clone();
+        let mut system = split.system(model, equations, &mut graph, parameters)?;
+        let mut reduced = match system.of_degree_two(&mut graph) {
+            Some(reduced) => reduced,
+            None => system.quadratic_in_ignorable_velocities(&mut graph),
+        };
+        split.renumber(&mut graph, &mut reduced, &mut system.forces);
+        let [potential] = in_half_angles(&mut graph, &[reduced.effective_potential])[..] else {
+            return Err(NoReduction::NoneRemains);
+        };
+        reduced.effective_potential = potential;
+        if form == PoleForm::HalfAngles {
+            reduced.velocities = in_half_angles(&mut graph, &reduced.velocities);
+            reduced.energies = match reduced.energies {
+                Energies::Natural { kinetic, potential } => {
+                    let written = in_half_angles(&mut graph, &[kinetic, potential]);
+                    Energies::Natural {
+                        kinetic: written[0],
+                        potential: written[1],
+                    }
+                }
+                Energies::General(lagrangian) => {
+                    Energies::General(in_half_angles(&mut graph, &[lagrangian])[0])
+                }
+            };
+            system.forces = in_half_angles(&mut graph, &system.forces);
+        }
+        let model = Model {
+            coordinates: count(split.remaining.len()),
+            inputs: model.inputs,
+            energies: reduced.energies,
+            dissipation: graph.zero(),
+            forces: system.forces,
+            outputs: Vec::new(),
+            in_frames: None,
+            graph,
+        };
+        Ok(Self {
+            model,
+            ignorable: split.ignorable,
+            remaining: split.remaining,
+            effective_potential: reduced.effective_potential,
+            ignorable_velocities: reduced.velocities,
+        })
+    }
+}
+
+/// Expressions in half angles of each coordinate, where poles make that worth it.
+fn in_half_angles(graph: &mut Graph, expressions: &[Expression]) -> Vec<Expression> {
+    let angles: Vec<Symbol> = graph
+        .symbols(expressions)
+        .into_iter()
+        .filter(|symbol| matches!(symbol, Symbol::Coordinate(_)))
+        .collect();
+    let mut written = expressions.to_vec();
+    for angle in angles {
+        graph.write_in_half_angles(&mut written, angle);
+    }
+    written
+}
+
+/// Which coordinates are ignorable.
+struct Split {
+    ignorable: Vec<usize>,
+    remaining: Vec<usize>,
+}
+
+/// The full model without ignorable coordinates, in its own numbers.
+struct System {
+    kinetic_and_potential: Option<[Expression; 2]>,
+    lagrangian: Expression,
+    forces: Vec<Expression>,
+    velocities: Vec<Symbol>,
+    ignorable: Vec<Symbol>,
+    /// p of the ignorable coordinates where their velocities are 0, β = B q̇ + b.
+    offsets: Vec<Expression>,
+    elimination: Elimination,
+    constants: Vec<Expression>,
+}
+
+/// What comes out, still in the numbers of the full model.
+struct Reduced {
+    energies: Energies,
+    effective_potential: Expression,
+    velocities: Vec<Expression>,
+}
+
+impl Split {
+    fn of(model: &Model, equations: &Equations) -> Result<Self, NoReduction> {
+        let ignorable: Vec<usize> = equations.conservation.ignorable().collect();
+        let all = 0..model.coordinates as usize;
+        let remaining: Vec<usize> = all.filter(|i| !ignorable.contains(i)).collect();
+        if ignorable.is_empty() {
+            let influences = Influences::of(model, equations);
+            return Err(NoReduction::NoneIgnorable(spoilers(model, &influences)));
+        }
+        if remaining.is_empty() {
+            return Err(NoReduction::NoneRemains);
+        }
+        let symbols: Vec<Symbol> = ignorable.iter().map(|i| coordinate(*i)).collect();
+        for i in &remaining {
+            let force = equations.generalized_forces[*i];
+            let absent = independent_of(model, force, &symbols);
+            if let Some(position) = absent.iter().position(|absent| !absent) {
+                return Err(NoReduction::ForceDependsOn(*i, ignorable[position]));
+            }
+        }
+        Ok(Self {
+            ignorable,
+            remaining,
+        })
+    }
+
+    /// The model at fixed values of its ignorable coordinates, on which nothing depends.
+    fn system(
+        &self,
+        model: &Model,
+        equations: &Equations,
+        graph: &mut Graph,
+        parameters: u32,
+    ) -> Result<System, NoReduction> {
+        let mut roots: Vec<Expression> = self
+            .remaining
+            .iter()
+            .map(|i| equations.generalized_forces[*i])
+            .collect();
+        let forces = roots.len();
+        roots.push(equations.lagrangian);
+        if let Energies::Natural { kinetic, potential } = model.energies {
+            roots.extend([kinetic, potential]);
+        }
+        let fixed = self.fixed(graph, &roots);
+        let lagrangian = fixed[forces];
+        let mut system = System {
+            kinetic_and_potential: fixed
+                .get(forces + 1..forces + 3)
+                .map(|parts| [parts[0], parts[1]]),
+            lagrangian,
+            forces: fixed[..forces].to_vec(),
+            velocities: model.velocity_symbols(),
+            ignorable: self.ignorable.iter().map(|i| velocity(*i)).collect(),
+            offsets: Vec::new(),
+            elimination: Elimination::default(),
+            constants: Vec::new(),
+        };
+        system.constants = (0..count(self.ignorable.len()))
+            .map(|k| graph.symbol(Symbol::Parameter(parameters + k)))
+            .collect();
+        let refuse = |position: usize| NoReduction::NotQuadratic(self.ignorable[position]);
+        system.eliminate(graph).map_err(refuse)?;
+        Ok(system)
+    }
+
+    /// The roots with ignorable coordinates replaced by numbers at which nothing changes, zeros if possible; T and V, which
+    /// may depend on what cancels in L, keep their difference.
+    fn fixed(&self, graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
+        for number in [0, 1, 2, 3] {
+            let value = graph.integer(number);
+            let values = self.ignorable.iter().map(|i| (coordinate(*i), value));
+            let fixed = graph.substitute(roots, &values.collect());
+            let lagrangian = self.remaining.len();
+            let pairs = roots.iter().zip(&fixed).take(lagrangian + 1);
+            let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
+            if graph.vanishes(&differences) {
+                return fixed;
+            }
+        }
+        roots.to_vec()
+    }
+
+    /// Numbers the coordinates that remain.
+    fn renumber(&self, graph: &mut Graph, reduced: &mut Reduced, forces: &mut Vec<Expression>) {
+        let mut values = BTreeMap::new();
+        for (k, i) in self.remaining.iter().enumerate() {
+            let [place, rate] = [coordinate(k), velocity(k)].map(|symbol| graph.symbol(symbol));
+            values.insert(coordinate(*i), place);
+            values.insert(velocity(*i), rate);
+        }
+        *forces = {
+            // The forces may depend on the velocities of ignorable coordinates.
+            let ignorable = self.ignorable.iter().map(|i| velocity(*i));
+            let rates = ignorable.zip(reduced.velocities.iter().copied()).collect();
+            let eliminated = graph.substitute(forces, &rates);
+            graph.substitute(&eliminated, &values)
+        };
+        reduced.velocities = graph.substitute(&reduced.velocities, &values);
+        reduced.effective_potential = graph.substitute(&[reduced.effective_potential], &values)[0];
+        reduced.energies = match reduced.energies {
+            Energies::Natural { kinetic, potential } => {
+                let parts = graph.substitute(&[kinetic, potential], &values);
+                Energies::Natural {
+                    kinetic: parts[0],
+                    potential: parts[1],
+                }
+            }
+            Energies::General(lagrangian) => {
+                Energies::General(graph.substitute(&[lagrangian], &values)[0])
+            }
+        };
+    }
+}
+
+impl System {
+    /// Factors A, the inertia of the ignorable coordinates; the position of one in whose velocity L is not quadratic.
+    fn eliminate(&mut self, graph: &mut Graph) -> Result<(), usize> {
+        let momenta = graph.jacobian(&[self.lagrangian], &self.ignorable).concat();
+        let columns = graph.jacobian(&momenta, &self.ignorable);
+        let zeros = self.at_rest(graph, &self.ignorable.clone());
+        self.offsets = graph.substitute(&momenta, &zeros);
+        let mut inertia = vec![Vec::new(); momenta.len()];
+        for column in &columns {
+            let column = graph.substitute(column, &zeros);
+            for (row, entry) in inertia.iter_mut().zip(column) {
+                row.push(graph.simplest(entry));
+            }
+        }
+        for (position, momentum) in momenta.iter().enumerate() {
+            let mut terms = vec![
+                (*momentum, Rational::ONE),
+                (self.offsets[position], Rational::MINUS_ONE),
+            ];
+            for (entry, symbol) in inertia[position].iter().zip(&self.ignorable) {
+                let rate = graph.symbol(*symbol);
+                terms.push((graph.multiply(*entry, rate), Rational::MINUS_ONE));
+            }
+            let rest = graph.sum(terms);
+            if !graph.vanishes(&[rest]) {
+                return Err(position);
+            }
+        }
+        self.elimination = Elimination::of(graph, inertia)?;
+        Ok(())
+    }
+
+    fn at_rest(&self, graph: &Graph, symbols: &[Symbol]) -> BTreeMap<Symbol, Expression> {
+        symbols
+            .iter()
+            .map(|symbol| (*symbol, graph.zero()))
+            .collect()
+    }
+
+    /// The reduction of an L of degree two in all velocities; none for others.
+    fn of_degree_two(&self, graph: &mut Graph) -> Option<Reduced> {
+        let zeros = self.at_rest(graph, &self.velocities);
+        if graph.velocity_degree(self.lagrangian)? != 2 {
+            return None;
+        }
+        let resting = graph.substitute(&[self.lagrangian], &zeros)[0];
+        let slopes = graph
+            .jacobian(&[self.lagrangian], &self.velocities)
+            .concat();
+        let linear = graph.substitute(&slopes, &zeros);
+        let bias = graph.substitute(&self.offsets, &zeros);
+        let moved = self.differences(graph, &bias, &self.offsets);
+        let excess = self.differences(graph, &self.constants, &bias);
+        let [moved, excess] = [moved, excess].map(|right| self.elimination.forward(graph, right));
+        let driven = self.elimination.backward(graph, &moved);
+        let constant = self.elimination.backward(graph, &excess);
+        let quadratic = self.quadratic_part(graph, resting, &linear)?;
+        let driven_rates = self.ignorable.iter().copied().zip(driven.iter().copied());
+        let kinetic = graph.substitute(&[quadratic], &driven_rates.collect())[0];
+        let kinetic = graph.simplest(kinetic);
+        let centrifugal = self.elimination.product(graph, &excess, &excess);
+        let centrifugal = graph.scale(centrifugal, &Rational::HALF);
+        let effective_potential = graph.subtract(centrifugal, resting);
+        let mut gyroscopic = vec![(
+            self.elimination.product(graph, &excess, &moved),
+            Rational::ONE,
+        )];
+        for (symbol, slope) in self.velocities.iter().zip(linear) {
+            if !self.ignorable.contains(symbol) {
+                let rate = graph.symbol(*symbol);
+                gyroscopic.push((graph.multiply(slope, rate), Rational::MINUS_ONE));
+            }
+        }
+        let gyroscopic = graph.sum(gyroscopic);
+        let gyroscopic = graph.simplest(gyroscopic);
+        let rates = constant.iter().zip(&driven);
+        Some(Reduced {
+            energies: Energies::Natural {
+                kinetic,
+                potential: graph.add(effective_potential, gyroscopic),
+            },
+            effective_potential,
+            velocities: rates.map(|(x, y)| graph.add(*x, *y)).collect(),
+        })
+    }
+
+    /// T₂: T as it was declared where it is quadratic, and else the difference or the quadratic form, whichever costs less.
+    fn quadratic_part(
+        &self,
+        graph: &mut Graph,
+        resting: Expression,
+        linear: &[Expression],
+    ) -> Option<Expression> {
+        if let Some([kinetic, potential]) = self.kinetic_and_potential {
+            let rest = [kinetic, potential].map(|part| graph.velocity_degree(part));
+            let all = self.at_rest(graph, &self.velocities);
+            let slopes = graph.jacobian(&[kinetic], &self.velocities).concat();
+            let mut still = graph.substitute(&slopes, &all);
+            still.extend(graph.substitute(&[kinetic], &all));
+            let ignored: Vec<Expression> = self.difference_of_energies(graph, kinetic, potential);
+            if matches!(rest, [Some(2), Some(0 | 1)])
+                && graph.vanishes(&still)
+                && graph.vanishes(&ignored)
+            {
+                return Some(kinetic);
+            }
+        }
+        let mut difference = vec![
+            (self.lagrangian, Rational::ONE),
+            (resting, Rational::MINUS_ONE),
+        ];
+        for (symbol, slope) in self.velocities.iter().zip(linear) {
+            let rate = graph.symbol(*symbol);
+            difference.push((graph.multiply(*slope, rate), Rational::MINUS_ONE));
+        }
+        let difference = graph.sum(difference);
+        let momenta = graph
+            .jacobian(&[self.lagrangian], &self.velocities)
+            .concat();
+        let mass = graph.jacobian(&momenta, &self.velocities);
+        let mut form = Vec::new();
+        for (symbol, column) in self.velocities.iter().zip(mass) {
+            let rate = graph.symbol(*symbol);
+            for (other, entry) in self.velocities.iter().zip(column) {
+                let other = graph.symbol(*other);
+                let product = graph.product([entry, rate, other].map(|x| (x, Rational::ONE)));
+                form.push((product, Rational::HALF));
+            }
+        }
+        let form = graph.sum(form);
+        let choices = [difference, form].map(|choice| graph.simplest(choice));
+        choices
+            .into_iter()
+            .min_by_key(|choice| graph.cost(&[*choice]))
+    }
+
+    /// T − V − L, which vanishes unless the energies depend on an ignorable coordinate that cancels in L.
+    fn difference_of_energies(
+        &self,
+        graph: &mut Graph,
+        kinetic: Expression,
+        potential: Expression,
+    ) -> Vec<Expression> {
+        let terms = [(kinetic, 1), (potential, -1), (self.lagrangian, -1)];
+        vec![graph.sum(terms.map(|(x, c)| (x, Rational::integer(c))))]
+    }
+
+    /// The reduction of an L that is quadratic in the velocities of the ignorable coordinates.
+    fn quadratic_in_ignorable_velocities(&self, graph: &mut Graph) -> Reduced {
+        let zeros = self.at_rest(graph, &self.ignorable);
+        let still = graph.substitute(&[self.lagrangian], &zeros)[0];
+        let excess = self.differences(graph, &self.constants, &self.offsets);
+        let excess = self.elimination.forward(graph, excess);
+        let velocities = self.elimination.backward(graph, &excess);
+        let centrifugal = self.elimination.product(graph, &excess, &excess);
+        let centrifugal = graph.scale(centrifugal, &Rational::HALF);
+        let lagrangian = graph.subtract(still, centrifugal);
+        let all = self.at_rest(graph, &self.velocities);
+        let resting = graph.substitute(&[lagrangian], &all)[0];
+        Reduced {
+            energies: Energies::General(lagrangian),
+            effective_potential: graph.negate(resting),
+            velocities,
+        }
+    }
+
+    /// x − y, entry by entry.
+    fn differences(
+        &self,
+        graph: &mut Graph,
+        x: &[Expression],
+        y: &[Expression],
+    ) -> Vec<Expression> {
+        let pairs = x.iter().zip(y);
+        pairs
+            .map(|(x, y)| {
+                let difference = graph.subtract(*x, *y);
+                graph.simplest(difference)
+            })
+            .collect()
+    }
+}
+
+fn coordinate(index: usize) -> Symbol {
+    Symbol::Coordinate(count(index))
+}
+
+fn velocity(index: usize) -> Symbol {
+    Symbol::Velocity(count(index))
+}
+
+/// Four billion names do not fit into a source file.
+fn count(length: usize) -> u32 {
+    u32::try_from(length).unwrap_or(u32::MAX)
+}
