@@ -29,6 +29,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_events(declaration, diagnostics);
     parameter_lists::check(declaration, diagnostics);
     check_gravity(declaration, diagnostics);
+    check_reduced_name(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);
     }
@@ -63,6 +64,26 @@ fn check_forces(declaration: &Declaration, diagnostics: &mut Diagnostics) {
             );
             diagnostics.error(&force.name, message);
         }
+    }
+}
+
+/// The name of the reduced model is that of no other struct.
+fn check_reduced_name(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let Some(clause) = &declaration.clauses.routhian else {
+        return;
+    };
+    let (name, written) = (unraw(&declaration.name), unraw(&clause.name));
+    let is_outputs = !declaration.clauses.outputs.is_empty() && written == format!("{name}Outputs");
+    if written == name || is_outputs {
+        let holder = if is_outputs {
+            "the struct of the outputs"
+        } else {
+            "the model itself"
+        };
+        let message = format!(
+            "`{written}` is {holder}: give the reduced model a name of its own, such as `Reduced{name}`"
+        );
+        diagnostics.error(&clause.name, message);
     }
 }
 

@@ -21,7 +21,7 @@ use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::{Field, Role};
 use crate::syntax::label::Label;
-use crate::syntax::names::{hygienic_span, to_source};
+use crate::syntax::names::{hygienic_span, to_source, unraw};
 use crate::syntax::routhian::RouthianClause;
 use crate::syntax::scalar::Scalar;
 
@@ -59,6 +59,21 @@ pub(crate) fn reduce(
                        report the declaration, and leave `routhian` out";
         diagnostics.error(&clause.keyword, message);
         return None;
+    }
+    for i in &reduction.ignorable {
+        let momentum = lowered.quantities.coordinates[*i].momentum();
+        if declaration
+            .fields
+            .iter()
+            .any(|field| unraw(&field.name) == momentum)
+        {
+            let message = format!(
+                "the reduced model has the constant momentum `{momentum}` as a parameter, which is a field already: give \
+                 the field another name"
+            );
+            diagnostics.error(&clause.name, message);
+            return None;
+        }
     }
     let reduced = reduced_declaration(declaration, lowered, &reduction, clause);
     check(&reduced, diagnostics);

@@ -26,3 +26,4 @@ pub(crate) mod cost;
 pub(crate) mod expansion;
 pub(crate) mod trigonometric_reduction;
 pub(crate) mod half_angles;
+pub(crate) mod common_denominator;

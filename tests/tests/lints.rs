@@ -169,6 +169,30 @@ pub struct Cart {
     pub push: f64,
 }
 
+/// A mass that slides along a whirling rod against a spring from a table, reduced by the angle of the rod.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(r, phi),
+    scalar = f64,
+    function(spring(x) = self.table[0] * x, derivative(x) = stiffness),
+    kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
+    force(r = push - spring(r)),
+    routhian(SliderOnRod),
+)]
+pub struct WhirlingSlider {
+    /// Mass.
+    pub m: f64,
+    /// Stiffness.
+    pub stiffness: f64,
+    /// The spring.
+    #[lagrangian(skip)]
+    pub table: [f64; 1],
+    /// Force.
+    #[lagrangian(input)]
+    pub push: f64,
+}
+
 /// The same with events under inputs.
 #[derive(Lagrangian, Clone, Copy, Debug)]
 #[lagrangian(

@@ -16,6 +16,7 @@ use super::events;
 use super::external_functions::{of_checks, signatures, values};
 use super::inputs::{Indices, input_indices};
 use super::outputs::results;
+use super::routhian::reduced_without_equations;
 use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::lower::Lowered;
 use crate::plan::constants::{CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS};
@@ -40,6 +41,7 @@ pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream
         fallback.taylor_series(),
         fallback.events(),
         fallback.requested(),
+        reduced_without_equations(declaration),
     ]
     .into_iter()
     .collect()

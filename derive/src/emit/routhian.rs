@@ -1,16 +1,19 @@
 //! What is emitted for the clause `routhian`: the reduced struct, and the impls that lead there and back.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
+use super::item_names::outputs_name;
 use super::parameters::marked_if_unused;
 use super::signatures::InputsFrom;
 use crate::plan::ReducedMethods;
 use crate::reduce::Reduced;
+use crate::syntax::clauses::Clauses;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::names::unraw;
+use crate::syntax::routhian::RouthianClause;
 
 /// The struct of a reduced model.
 pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> TokenStream {
@@ -55,6 +58,7 @@ pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> Token
     quote! {
         #[doc = #documentation]
         #[derive(::core::clone::Clone)]
+        #[allow(missing_copy_implementations)]
         #visibility struct #name #generics #conditions {
             #(#definitions),*
         }
@@ -65,6 +69,36 @@ pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> Token
             }
         }
     }
+}
+
+/// The struct of the reduced model, whose constants and coordinates are not known.
+pub(crate) fn reduced_without_equations(declaration: &Declaration) -> TokenStream {
+    let name = |clause: &RouthianClause| clause.name.clone();
+    let outputs = outputs_name(declaration);
+    let known = |name: &Ident| *name != declaration.name && *name != outputs;
+    let Some(name) = declaration
+        .clauses
+        .routhian
+        .as_ref()
+        .map(name)
+        .filter(known)
+    else {
+        return TokenStream::new();
+    };
+    let reduced = Declaration {
+        name,
+        visibility: declaration.visibility.clone(),
+        generics: declaration.generics.clone(),
+        fields: declaration.fields.clone(),
+        names_fields: declaration.names_fields,
+        clauses: Clauses {
+            functions: declaration.clauses.functions.clone(),
+            scalar: declaration.clauses.scalar.clone(),
+            ..Clauses::default()
+        },
+        root: declaration.root.clone(),
+    };
+    reduced_struct(declaration, &reduced)
 }
 
 impl Emitter<'_> {
@@ -150,7 +184,8 @@ impl Emitter<'_> {
             type FullState = #root::State<#scalar, #all>;
             const ELIMINATED: [&'static str; #k] = [#(#names),*];
             fn constants(&self) -> #vector {
-                #root::__private::SVector::from([#(#constants),*])
+                let constants: [#scalar; #k] = [#(#constants),*];
+                #root::__private::SVector::from(constants)
             }
             fn effective_potential(&self, #of_potential) -> #scalar { #potential }
             fn ignorable_velocities(&self, #of_velocities) -> #vector { #velocities }

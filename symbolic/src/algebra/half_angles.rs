@@ -116,9 +116,14 @@ impl HalfAngle {
         for (pole, function) in [(zero, self.half_sine), (pi, self.half_cosine)] {
             let at_pole = graph.substitute(&[numerator], &BTreeMap::from([(self.symbol, pole)]))[0];
             let at_pole = graph.simplest(at_pole);
-            let divisor = divisor(graph, at_pole, function);
             let quarter = Rational::new(1, 4)?;
-            terms.push((graph.divide(at_pole, divisor), quarter));
+            let mut quotient = graph.scale(at_pole, &quarter);
+            if !graph.contents(at_pole).varies() {
+                // The numbers in it do not spread.
+                quotient = graph.opaque(quotient);
+            }
+            let divisor = divisor(graph, at_pole, function);
+            terms.push((graph.divide(quotient, divisor), Rational::ONE));
         }
         Some(graph.sum(terms))
     }

@@ -61,8 +61,11 @@ impl Equations {
         let LagrangeTerms {
             momenta,
             mass,
-            forcing,
+            mut forcing,
         } = terms.cheapest(model, lagrangian, &generalized_forces);
+        for force in &mut forcing {
+            *force = model.graph.over_common_denominators(*force);
+        }
         let inverse_dynamics = inverse_dynamics(&mut model.graph, &mass, &forcing);
         Ok(Self {
             lagrangian,

@@ -1,0 +1,13 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(r, phi),
+    kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
+    routhian,
+)]
+struct Model {
+    m: f64,
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    routhian(Reduced),
+)]
+struct Model {
+    m: f64,
+}
+
+fn main() {}
