@@ -1,94 +1,96 @@
-//! Routh's reduction: what is eliminated, and what the reduced model costs.
+//! Routh's reduction: what is eliminated, what spoils it, and what the reduced model costs.
 
 use lagrangian_symbolic::{
-    Energies, Equations, Kinetics, Names, OperationCount, PoleForm, Program, Reduction,
+    Energies, Equations, Kinetics, Model, NoReduction, Obstacle, PoleForm, Program, Reduction,
+    ReductionCheck,
 };
+use lagrangian_symbolic_testing::Draft;
 use lagrangian_symbolic_testing::systems::{euler_rates, top};
 
-fn count(form: PoleForm) -> (OperationCount, Program) {
-    let mut model = top(euler_rates, [0, 0, 2]);
-    let equations = Equations::derive(&mut model).unwrap();
-    let mut reduction = Reduction::of(&model, &equations, 6, form).unwrap();
-    let model = &mut reduction.model;
-    if let Energies::Natural { kinetic, potential } = model.energies {
-        println!(
-            "T = {}\nV = {}",
-            model.graph.display(
-                kinetic,
-                &Names {
-                    coordinates: vec!["th".into()],
-                    parameters: ["I", "x", "Is", "mgl", "y", "z", "Cphi", "Cpsi"]
-                        .map(String::from)
-                        .to_vec(),
-                    ..Names::default()
-                }
-            ),
-            model.graph.display(
-                potential,
-                &Names {
-                    coordinates: vec!["th".into()],
-                    parameters: ["I", "x", "Is", "mgl", "y", "z", "Cphi", "Cpsi"]
-                        .map(String::from)
-                        .to_vec(),
-                    ..Names::default()
-                }
-            )
-        );
-    }
-    println!(
-        "V_eff = {}",
-        model.graph.display(
-            reduction.effective_potential,
-            &Names {
-                coordinates: vec!["th".into()],
-                parameters: ["I", "x", "Is", "mgl", "y", "z", "Cphi", "Cpsi"]
-                    .map(String::from)
-                    .to_vec(),
-                ..Names::default()
-            }
-        )
-    );
-    for u in &reduction.ignorable_velocities {
-        println!(
-            "u = {}",
-            model.graph.display(
-                *u,
-                &Names {
-                    coordinates: vec!["th".into()],
-                    parameters: ["I", "x", "Is", "mgl", "y", "z", "Cphi", "Cpsi"]
-                        .map(String::from)
-                        .to_vec(),
-                    ..Names::default()
-                }
-            )
-        );
-    }
+/// The number of parameters of the top.
+const PARAMETERS: u32 = 4;
+
+fn reduction(model: &mut Model, form: PoleForm) -> Result<Reduction, NoReduction> {
     let equations = Equations::derive(model).unwrap();
-    println!(
-        "f = {}",
-        model.graph.display(
-            equations.forcing[0],
-            &Names {
-                coordinates: vec!["th".into()],
-                parameters: ["I", "x", "Is", "mgl", "y", "z", "Cphi", "Cpsi"]
-                    .map(String::from)
-                    .to_vec(),
-                ..Names::default()
-            }
-        )
-    );
-    let solution = Kinetics::cheapest(model, &equations).solution.unwrap();
+    Reduction::of(model, &equations, PARAMETERS, form)
+}
+
+fn operations(mut model: Model) -> (usize, usize) {
+    let equations = Equations::derive(&mut model).unwrap();
+    let solution = Kinetics::cheapest(&mut model, &equations).solution.unwrap();
     let roots = [&*solution.pivots, &solution.accelerations];
     let program = Program::schedule_for_staging(&model.graph, &roots);
     let kernel = program.hoist_invariants().kernel;
-    println!("{kernel:?}");
-    (kernel.count(), kernel)
+    (kernel.instructions().count(), kernel.count().cost())
 }
 
 #[test]
-fn look() {
-    for form in [PoleForm::Direct, PoleForm::HalfAngles] {
-        let (count, _) = count(form);
-        println!("{form:?} {count:?} {}", count.cost());
+fn a_symmetric_top_is_left_with_one_angle() {
+    let mut full = top(euler_rates, [0, 0, 2]);
+    let forms = [(PoleForm::Direct, 11, 26), (PoleForm::HalfAngles, 14, 33)];
+    for (form, most, cost) in forms {
+        let found = reduction(&mut full, form).unwrap();
+        assert_eq!(
+            (&*found.ignorable, &*found.remaining),
+            (&[0, 2][..], &[1][..])
+        );
+        assert!(ReductionCheck::new(&full, &found, PARAMETERS).agrees());
+        let counted = operations(found.model);
+        assert!(
+            counted.0 <= most && counted.1 <= cost,
+            "{form:?}: {counted:?}"
+        );
     }
+}
+
+#[test]
+fn a_wrong_reduction_is_found() {
+    let mut full = top(euler_rates, [0, 0, 2]);
+    let right = reduction(&mut full, PoleForm::Direct).unwrap();
+    let agrees = |found: &Reduction| ReductionCheck::new(&full, found, PARAMETERS).agrees();
+    let mut wrong = right.clone();
+    wrong.ignorable_velocities.swap(0, 1);
+    assert!(!agrees(&wrong));
+    let mut wrong = right.clone();
+    let Energies::Natural { kinetic, potential } = wrong.model.energies else {
+        unreachable!()
+    };
+    wrong.effective_potential = kinetic;
+    assert!(!agrees(&wrong));
+    let mut wrong = right.clone();
+    wrong.model.energies = Energies::Natural {
+        kinetic,
+        potential: wrong.model.graph.negate(potential),
+    };
+    wrong.effective_potential = wrong.model.graph.negate(potential);
+    assert!(!agrees(&wrong));
+    let mut wrong = right;
+    wrong.model.forces[0] = kinetic;
+    assert!(!agrees(&wrong));
+}
+
+#[test]
+fn what_spoils_a_coordinate_is_named() {
+    let draft = Draft::new(2);
+    let ([x, _], [u, v]) = (draft.qs::<2>(), draft.vs::<2>());
+    let dissipation = (v * v).into();
+    let mut model = draft.natural(u * u + v * v, x * x);
+    model.dissipation = dissipation;
+    let Err(NoReduction::NoneIgnorable(spoilers)) = reduction(&mut model, PoleForm::Direct) else {
+        panic!("there is no ignorable coordinate");
+    };
+    let obstacles: Vec<_> = spoilers
+        .into_iter()
+        .map(|spoiler| spoiler.obstacles)
+        .collect();
+    assert_eq!(obstacles, [[Obstacle::Potential], [Obstacle::Dissipation]]);
+}
+
+#[test]
+fn a_velocity_in_which_the_lagrangian_is_not_quadratic_is_refused() {
+    let draft = Draft::new(2);
+    let (x, [u, v]) = (draft.q(0), draft.vs::<2>());
+    let mut model = draft.general(u * u + v * v + x * x * v.powi(4));
+    let found = reduction(&mut model, PoleForm::Direct).map(|found| found.ignorable);
+    assert_eq!(found, Err(NoReduction::NotQuadratic(1)));
 }
