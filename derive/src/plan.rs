@@ -18,8 +18,8 @@ pub(crate) use outputs::{
     AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, MethodOutputs,
     OutputSlice, PivotOutputs, SensitivityOutputs, StateJacobian,
 };
-pub(crate) use requested::Requested;
 pub(crate) use reduced_methods::ReducedMethods;
+pub(crate) use requested::Requested;
 pub(crate) use table::{
     EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant, is_method,
 };

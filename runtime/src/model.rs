@@ -60,11 +60,11 @@ pub use outputs::{Outputs, OutputsWith};
 pub use owned_equations::OwnedEquations;
 pub use phase::Phase;
 pub use plant::Plant;
-pub use regressor::{Regressor, RegressorWith};
-pub use sensitivities::{Sensitivities, SensitivitiesWith};
 pub use reconstructed_phase::ReconstructedPhase;
 pub use reconstruction::Reconstruction;
+pub use regressor::{Regressor, RegressorWith};
 pub use routhian::{RouthReduction, Routhian, RouthianSeries};
+pub use sensitivities::{Sensitivities, SensitivitiesWith};
 pub use signals::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use state::State;
 #[cfg(feature = "num-dual")]

@@ -28,8 +28,8 @@ mod tape;
 pub use programs::{
     AccelerationProgram, LinearizationProgram, Method, Programs, SensitivityProgram,
 };
-pub use requested_check::RequestedPrograms;
 pub use reduction_check::ReductionCheck;
+pub use requested_check::RequestedPrograms;
 pub use series_check::SeriesCheck;
 pub use validator::Validator;
 pub use value_series_check::ValueSeriesCheck;

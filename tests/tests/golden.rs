@@ -135,6 +135,7 @@ fn the_committed_heavy_top_computes_what_the_derived_one_does() {
         &numbers(&top!(in_few_scopes), &state),
     );
     assert_eq!(derived::HeavyTop::EQUATIONS, committed::HeavyTop::EQUATIONS);
+    assert_eq!(derived::HeavyTop::LATEX, committed::HeavyTop::LATEX);
     assert_eq!(
         derived::HeavyTop::OPERATIONS,
         committed::HeavyTop::OPERATIONS
@@ -185,6 +186,7 @@ fn the_committed_slider_computes_what_the_derived_one_does() {
     assert_eq!(committed.check_derivatives("friction", region()), Ok(()));
     assert_eq!(derived::Slider::X, committed::Slider::X);
     assert_eq!(derived::Slider::EQUATIONS, committed::Slider::EQUATIONS);
+    assert_eq!(derived::Slider::LATEX, committed::Slider::LATEX);
     assert_eq!(derived::Slider::OPERATIONS, committed::Slider::OPERATIONS);
 }
 
@@ -221,6 +223,10 @@ fn the_committed_pendulum_computes_what_the_derived_one_does() {
     assert_eq!(
         derived::DrivenPendulum::EQUATIONS,
         committed::DrivenPendulum::EQUATIONS
+    );
+    assert_eq!(
+        derived::DrivenPendulum::LATEX,
+        committed::DrivenPendulum::LATEX
     );
     assert_eq!(
         derived::DrivenPendulum::THETA,

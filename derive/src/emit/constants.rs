@@ -50,7 +50,7 @@ impl Emitter<'_> {
                 #requested
                 /// The equations of motion as they were derived, in lines of Unicode.
                 #visibility const EQUATIONS: &'static str = #unicode;
-                /// The same in displays of LaTeX, for `amsmath`, KaTeX and MathJax.
+                /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
                 #visibility const LATEX: &'static str = #latex;
                 /// The operation counts of the methods.
                 #visibility const OPERATIONS: #root::Operations = #operations;
