@@ -166,7 +166,7 @@ fn message(reason: &NoReduction, lowered: &Lowered, model: &Model) -> String {
         NoReduction::NoneIgnorable(spoilers) => {
             let all = spoilers
                 .iter()
-                .map(|spoiler| spoiled(spoiler, name(&spoiler.coordinate)));
+                .map(|spoiler| spoiled(spoiler, &name(&spoiler.coordinate)));
             let all: Vec<String> = all.collect();
             format!(
                 "no coordinate is ignorable, so there is nothing to reduce: {}; leave `routhian` out, or write the model in \
@@ -197,7 +197,7 @@ fn message(reason: &NoReduction, lowered: &Lowered, model: &Model) -> String {
 }
 
 /// What spoils a coordinate.
-fn spoiled(spoiler: &Spoiler, name: String) -> String {
+fn spoiled(spoiler: &Spoiler, name: &str) -> String {
     let reasons = spoiler.obstacles.iter().map(|obstacle| match obstacle {
         Obstacle::Kinetic => "the kinetic energy depends on it",
         Obstacle::Potential => "the potential energy depends on it",

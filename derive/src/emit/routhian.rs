@@ -236,9 +236,10 @@ fn interleaved(
         place.map(Literal::usize_unsuffixed)
     };
     let reduction = &reduced.reduction;
-    let component = |i| match place(&reduction.ignorable, i) {
-        Some(k) => quote!(#ignorable[#k]),
-        None => {
+    let component = |i| {
+        if let Some(k) = place(&reduction.ignorable, i) {
+            quote!(#ignorable[#k])
+        } else {
             let k = place(&reduction.remaining, i);
             quote!(#remaining[#k])
         }

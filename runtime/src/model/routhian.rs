@@ -31,7 +31,7 @@ pub trait RouthReduction<const N: usize, const R: usize> {
 /// It is a model like any other. Its Lagrangian is −R with the Routhian R = Σ Cₐ q̇ₐ − L (4.9), in which the velocities of
 /// the ignorable coordinates are eliminated exactly: Lagrange's equations of −R are those of the full model for the other
 /// coordinates, with the same generalized forces. (Some books call L − Σ Cₐ q̇ₐ the Routhian.) Its energy function is that
-/// of the full model, T + V_eff.
+/// of the full model, T + `V_eff`.
 ///
 /// The ignorable coordinates follow by quadrature: [`reconstruction`](Self::reconstruction).
 pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>: Lagrangian<N, S> {

@@ -2,14 +2,14 @@
 //! Classical Mechanics, 3rd edition 2002, section 8.3): the model over the coordinates that are not ignorable.
 //!
 //! With the momenta pₐ = ∂L/∂q̇ₐ = Cₐ of the ignorable coordinates as constants, their velocities u are eliminated exactly.
-//! The other coordinates have Lagrange's equations of L_R = L − Σ Cₐ uₐ, which is −R with the Routhian R of (4.9). For
+//! The other coordinates have Lagrange's equations of `L_R` = L − Σ Cₐ uₐ, which is −R with the Routhian R of (4.9). For
 //! L = T₂ + b·q̇ − V of degree two in all velocities, and p = A u + B q̇ + b of the ignorable ones,
 //!
 //! - u = A⁻¹ (C − b) − A⁻¹ B q̇ = `u_C` + `u_B`,
 //! - T of the reduced model is T₂ at `u_B`: the squares that T was declared as remain squares of one sign,
 //! - `V_eff` = V + ½ (C − b)ᵀ A⁻¹ (C − b) (4.10), and the gyroscopic terms (C − b)·`u_B` − b·q̇ stand beside it.
 //!
-//! Where L is quadratic in u alone, L_R is L at u = 0 less ½ (C − β)ᵀ A⁻¹ (C − β), with β = p at u = 0.
+//! Where L is quadratic in u alone, `L_R` is L at u = 0 less ½ (C − β)ᵀ A⁻¹ (C − β), with β = p at u = 0.
 
 mod elimination;
 mod ignorability;
@@ -280,7 +280,7 @@ impl System {
     fn eliminate(&mut self, graph: &mut Graph) -> Result<(), usize> {
         let momenta = graph.jacobian(&[self.lagrangian], &self.ignorable).concat();
         let columns = graph.jacobian(&momenta, &self.ignorable);
-        let zeros = self.at_rest(graph, &self.ignorable.clone());
+        let zeros = at_rest(graph, &self.ignorable.clone());
         self.offsets = graph.substitute(&momenta, &zeros);
         let mut inertia = vec![Vec::new(); momenta.len()];
         for column in &columns {
@@ -307,16 +307,9 @@ impl System {
         Ok(())
     }
 
-    fn at_rest(&self, graph: &Graph, symbols: &[Symbol]) -> BTreeMap<Symbol, Expression> {
-        symbols
-            .iter()
-            .map(|symbol| (*symbol, graph.zero()))
-            .collect()
-    }
-
     /// The reduction of an L of degree two in all velocities; none for others.
     fn of_degree_two(&self, graph: &mut Graph) -> Option<Reduced> {
-        let zeros = self.at_rest(graph, &self.velocities);
+        let zeros = at_rest(graph, &self.velocities);
         if graph.velocity_degree(self.lagrangian)? != 2 {
             return None;
         }
@@ -326,8 +319,8 @@ impl System {
             .concat();
         let linear = graph.substitute(&slopes, &zeros);
         let bias = graph.substitute(&self.offsets, &zeros);
-        let moved = self.differences(graph, &bias, &self.offsets);
-        let excess = self.differences(graph, &self.constants, &bias);
+        let moved = differences(graph, &bias, &self.offsets);
+        let excess = differences(graph, &self.constants, &bias);
         let [moved, excess] = [moved, excess].map(|right| self.elimination.forward(graph, right));
         let driven = self.elimination.backward(graph, &moved);
         let constant = self.elimination.backward(graph, &excess);
@@ -370,7 +363,7 @@ impl System {
     ) -> Option<Expression> {
         if let Some([kinetic, potential]) = self.kinetic_and_potential {
             let rest = [kinetic, potential].map(|part| graph.velocity_degree(part));
-            let all = self.at_rest(graph, &self.velocities);
+            let all = at_rest(graph, &self.velocities);
             let slopes = graph.jacobian(&[kinetic], &self.velocities).concat();
             let mut still = graph.substitute(&slopes, &all);
             still.extend(graph.substitute(&[kinetic], &all));
@@ -424,15 +417,15 @@ impl System {
 
     /// The reduction of an L that is quadratic in the velocities of the ignorable coordinates.
     fn quadratic_in_ignorable_velocities(&self, graph: &mut Graph) -> Reduced {
-        let zeros = self.at_rest(graph, &self.ignorable);
+        let zeros = at_rest(graph, &self.ignorable);
         let still = graph.substitute(&[self.lagrangian], &zeros)[0];
-        let excess = self.differences(graph, &self.constants, &self.offsets);
+        let excess = differences(graph, &self.constants, &self.offsets);
         let excess = self.elimination.forward(graph, excess);
         let velocities = self.elimination.backward(graph, &excess);
         let centrifugal = self.elimination.product(graph, &excess, &excess);
         let centrifugal = graph.scale(centrifugal, &Rational::HALF);
         let lagrangian = graph.subtract(still, centrifugal);
-        let all = self.at_rest(graph, &self.velocities);
+        let all = at_rest(graph, &self.velocities);
         let resting = graph.substitute(&[lagrangian], &all)[0];
         Reduced {
             energies: Energies::General(lagrangian),
@@ -440,22 +433,23 @@ impl System {
             velocities,
         }
     }
+}
 
-    /// x − y, entry by entry.
-    fn differences(
-        &self,
-        graph: &mut Graph,
-        x: &[Expression],
-        y: &[Expression],
-    ) -> Vec<Expression> {
-        let pairs = x.iter().zip(y);
-        pairs
-            .map(|(x, y)| {
-                let difference = graph.subtract(*x, *y);
-                graph.simplest(difference)
-            })
-            .collect()
-    }
+/// Zeros for these symbols.
+fn at_rest(graph: &Graph, symbols: &[Symbol]) -> BTreeMap<Symbol, Expression> {
+    let zeros = symbols.iter().map(|symbol| (*symbol, graph.zero()));
+    zeros.collect()
+}
+
+/// x − y, entry by entry.
+fn differences(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> Vec<Expression> {
+    let pairs = x.iter().zip(y);
+    pairs
+        .map(|(x, y)| {
+            let difference = graph.subtract(*x, *y);
+            graph.simplest(difference)
+        })
+        .collect()
 }
 
 fn coordinate(index: usize) -> Symbol {
