@@ -57,6 +57,19 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) compile: bool,
 
+    /// An arm in space of so many links: accelerations and inverse dynamics beside algorithms written by hand in C.
+    #[arg(long, group = "task")]
+    pub(crate) spatial: bool,
+
+    /// With `--spatial`: the numbers of links.
+    #[arg(
+        long,
+        requires = "spatial",
+        value_delimiter = ',',
+        default_value = "2,3,4,5,6,7,10,20,30"
+    )]
+    pub(crate) links: Vec<usize>,
+
     /// Fewer rounds: figures for a first look.
     #[arg(long)]
     pub(crate) quick: bool,

@@ -62,6 +62,16 @@ pub(crate) fn build(
     Ok(Built { program, seconds })
 }
 
+/// Builds the crate of a model that is no [`Model`], for this processor.
+pub(crate) fn build_source(folders: &Folders, name: &str, main: &str) -> Result<Built, String> {
+    let package = package(folders, name, main, &[], true)?;
+    let start = Instant::now();
+    cargo_build(folders, &package, Flags::Native, None)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let program = program(folders, name, Flags::Native);
+    Ok(Built { program, seconds })
+}
+
 /// Builds a model for this processor with some passes switched off, and keeps the program.
 pub(crate) fn build_without(folders: &Folders, model: Model, off: Off) -> Result<Built, String> {
     // One name for all, so that the same code gives the same program.

@@ -63,3 +63,55 @@ impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
         (self.accelerations)(self.model, &self.prepared, state, accelerations);
     }
 }
+
+/// Inverse dynamics of a model, hidden likewise.
+pub(crate) struct InverseDynamics<'a, M: Lagrangian<N>, const N: usize> {
+    model: &'a M,
+    prepared: M::Prepared,
+    forces: Forces<M, M::Prepared, N>,
+}
+
+type Forces<M, P, const N: usize> =
+    fn(&M, &P, &State<f64, N>, &SVector<f64, N>, &mut SVector<f64, N>);
+
+impl<'a, M: Lagrangian<N>, const N: usize> InverseDynamics<'a, M, N> {
+    pub(crate) fn new(model: &'a M) -> Self {
+        let model = black_box(model);
+        Self {
+            model,
+            prepared: black_box(model.prepare()),
+            forces: black_box(forces),
+        }
+    }
+}
+
+#[inline(never)]
+fn forces<M: Lagrangian<N>, const N: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+    state: &State<f64, N>,
+    accelerations: &SVector<f64, N>,
+    forces: &mut SVector<f64, N>,
+) {
+    *forces = model.inverse_dynamics_prepared(state, accelerations, prepared);
+}
+
+impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for InverseDynamics<'_, M, N> {
+    type State = (State<f64, N>, SVector<f64, N>);
+
+    fn state(row: &[f64]) -> Self::State {
+        let (phase, accelerations) = row.split_at(2 * N);
+        let state = Derived::<M, N>::state(phase);
+        (state, SVector::from_column_slice(accelerations))
+    }
+
+    #[inline]
+    fn moved((state, accelerations): &Self::State, by: &SVector<f64, N>) -> Self::State {
+        (Derived::<M, N>::moved(state, by), accelerations + by)
+    }
+
+    #[inline]
+    fn evaluate(&self, (state, accelerations): &Self::State, forces: &mut SVector<f64, N>) {
+        (self.forces)(self.model, &self.prepared, state, accelerations, forces);
+    }
+}

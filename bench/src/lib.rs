@@ -24,7 +24,7 @@ mod stopwatch;
 mod thread_time;
 
 pub use integrate::{Contestant, LANES, integrate, integrate_alone, integrate_precisely};
-pub use measure::{measure, measure_with_rounding};
+pub use measure::{measure, measure_dynamics, measure_with_rounding};
 pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};
 pub use question::{EnergyErrors, Integrated, Integration, Question, answer_questions};
 pub use thread_time::fewest_seconds;

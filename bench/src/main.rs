@@ -49,6 +49,7 @@ mod taylor;
 mod work_precision;
 mod brouwer;
 mod compile_costs;
+mod spatial;
 
 use std::process::ExitCode;
 
@@ -84,6 +85,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.compile {
         return compile_costs::run(arguments);
+    }
+    if arguments.spatial {
+        return spatial::run(arguments);
     }
     let workshop = Workshop::new(arguments)?;
     let mut comparisons = Vec::new();

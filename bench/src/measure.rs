@@ -6,7 +6,7 @@ use std::{env, fs, iter};
 use lagrangian::{Lagrangian, OperationCount};
 
 use crate::agreement::difference;
-use crate::derived::Derived;
+use crate::derived::{Derived, InverseDynamics};
 use crate::protocol::{Measurement, Report, Request};
 use crate::rounding::rounding;
 use crate::shared_object::SharedObject;
@@ -34,6 +34,23 @@ pub fn measure_with_rounding<const N: usize, M: Lagrangian<N> + Lagrangian<N, f3
     }))
 }
 
+/// The `main` of a model crate of which inverse dynamics is measured, too: where the states of the request have accelerations.
+pub fn measure_dynamics<const N: usize, M: Lagrangian<N>>(
+    model: &M,
+    [accelerations, inverse_dynamics]: [OperationCount; 2],
+) -> ExitCode {
+    answer(request().and_then(|request| {
+        let has_accelerations = request.states.iter().any(|row| row.len() > 2 * N);
+        if !has_accelerations {
+            return measured(model, accelerations, &request);
+        }
+        let ours = Stopwatch::new(InverseDynamics::new(model), &request.states);
+        let mut sides: Vec<Box<dyn Measured + '_>> = vec![Box::new(ours)];
+        sides.extend(shared_objects::<N, 3>(&request)?);
+        report(&request, inverse_dynamics, sides)
+    }))
+}
+
 fn measured<const N: usize, M: Lagrangian<N>>(
     model: &M,
     operations: OperationCount,
@@ -41,7 +58,7 @@ fn measured<const N: usize, M: Lagrangian<N>>(
 ) -> Result<Report, String> {
     let ours = Stopwatch::new(Derived::new(model), &request.states);
     let mut sides: Vec<Box<dyn Measured + '_>> = vec![Box::new(ours)];
-    sides.extend(shared_objects::<N>(request)?);
+    sides.extend(shared_objects::<N, 2>(request)?);
     report(request, operations, sides)
 }
 
@@ -69,9 +86,11 @@ fn request() -> Result<Request, String> {
     serde_json::from_str(&text).map_err(|error| format!("{path}: {error}"))
 }
 
-fn shared_objects<const N: usize>(request: &Request) -> Result<Vec<Box<dyn Measured>>, String> {
+fn shared_objects<const N: usize, const K: usize>(
+    request: &Request,
+) -> Result<Vec<Box<dyn Measured>>, String> {
     let load = |path: &str| -> Result<Box<dyn Measured>, String> {
-        let side = SharedObject::<N>::load(path).map_err(|error| format!("{path}: {error}"))?;
+        let side = SharedObject::<N, K>::load(path).map_err(|error| format!("{path}: {error}"))?;
         Ok(Box::new(Stopwatch::new(side, &request.states)))
     };
     let libraries = request.libraries.iter();

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub struct Request {
     /// The name of the model, for messages.
     pub model: String,
-    /// Coordinates and velocities, one row a state.
+    /// Coordinates and velocities, one row a state; and accelerations, if inverse dynamics is measured instead of these.
     pub states: Vec<Vec<f64>>,
     /// The peers that can be called.
     pub libraries: Vec<Library>,
