@@ -29,7 +29,7 @@ pub(super) fn write(algorithm: Algorithm, count: usize) -> (String, usize) {
         Algorithm::CompositeBodies => program.composite_bodies(),
         Algorithm::ArticulatedBodies => program.articulated_bodies(),
     }
-    (program.code.text, program.code.operations)
+    program.code.finish()
 }
 
 /// A moment about the origin of a link, and a force.

@@ -38,28 +38,69 @@ pub(super) const fn minus(x: Value) -> Value {
     }
 }
 
+/// A variable.
+struct Statement {
+    value: String,
+    operands: Vec<Value>,
+    /// Additions, multiplications and divisions.
+    operations: usize,
+}
+
 /// A program that is being written.
 #[derive(Default)]
 pub(super) struct Code {
-    pub(super) text: String,
-    variables: usize,
-    /// Additions, multiplications and divisions.
-    pub(super) operations: usize,
+    statements: Vec<Statement>,
+    outputs: Vec<(usize, Value)>,
 }
 
 impl Code {
-    /// A variable with this value, which counts as no operation.
+    /// The text, without what no output needs, and its additions, multiplications and divisions.
+    pub(super) fn finish(&self) -> (String, usize) {
+        let mut is_needed = vec![false; self.statements.len()];
+        let need = |value: &Value, is_needed: &mut Vec<bool>| match value {
+            Value::Variable(i) | Value::Opposite(i) => is_needed[*i] = true,
+            Value::Constant(_) => {}
+        };
+        for (_, value) in &self.outputs {
+            need(value, &mut is_needed);
+        }
+        for (i, statement) in self.statements.iter().enumerate().rev() {
+            if is_needed[i] {
+                for operand in &statement.operands {
+                    need(operand, &mut is_needed);
+                }
+            }
+        }
+        let (mut text, mut operations) = (String::new(), 0);
+        for (i, statement) in self.statements.iter().enumerate() {
+            if is_needed[i] {
+                let _ = writeln!(text, "  const double v{i} = {};", statement.value);
+                operations += statement.operations;
+            }
+        }
+        for (index, value) in &self.outputs {
+            let _ = writeln!(text, "  y[{index}] = {};", value.text());
+        }
+        (text, operations)
+    }
+
+    fn variable(&mut self, value: String, operands: Vec<Value>, operations: usize) -> Value {
+        self.statements.push(Statement {
+            value,
+            operands,
+            operations,
+        });
+        Value::Variable(self.statements.len() - 1)
+    }
+
+    /// An input.
     pub(super) fn define(&mut self, value: &str) -> Value {
-        let index = self.variables;
-        self.variables += 1;
-        let _ = writeln!(self.text, "  const double v{index} = {value};");
-        Value::Variable(index)
+        self.variable(value.to_owned(), Vec::new(), 0)
     }
 
     /// 1/x.
     pub(super) fn reciprocal(&mut self, x: Value) -> Value {
-        self.operations += 1;
-        self.define(&format!("1.0/{}", x.text()))
+        self.variable(format!("1.0/{}", x.text()), vec![x], 1)
     }
 
     pub(super) fn product(&mut self, x: Value, y: Value) -> Value {
@@ -102,18 +143,19 @@ impl Code {
         if terms.is_empty() {
             return ZERO;
         }
-        self.operations += multiplications + terms.len() - 1;
         let text = terms.iter().map(|(x, y)| match y {
             &ONE => x.text(),
             y => format!("{}*{}", x.text(), y.text()),
         });
         let text: Vec<_> = text.collect();
-        self.define(&text.join(" + "))
+        let operations = multiplications + terms.len() - 1;
+        let operands = terms.iter().flat_map(|(x, y)| [*x, *y]).collect();
+        self.variable(text.join(" + "), operands, operations)
     }
 
     /// Writes an output.
     pub(super) fn output(&mut self, index: usize, value: Value) {
-        let _ = writeln!(self.text, "  y[{index}] = {};", value.text());
+        self.outputs.push((index, value));
     }
 
     /// x + y × z.
