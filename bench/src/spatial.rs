@@ -2,13 +2,14 @@
 //!
 //! The C is straight-line ([`algorithms`]), with base inertial parameters as constants, and once more with the sines and
 //! cosines of all joints in one loop of vectors (gcc's libmvec). Our parameters are fields; what depends on them
-//! alone has been prepared. All are measured in turn in one process, for this processor, and compared at 256 states first. Operations
-//! are additions, multiplications and divisions. The command ends with an error where a limit is missed.
+//! alone has been prepared. All are measured in turn in one process, for this processor, and compared at 256 states first.
+//! Operations are additions, multiplications and divisions. The command ends with an error where a limit is missed.
 
 mod straight_line;
 mod arm;
 mod algorithms;
 
+use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -120,7 +121,9 @@ impl Quantity {
         }
         let mut states = states(links);
         if !self.is_inverse {
-            states.iter_mut().for_each(|row| row.truncate(2 * links));
+            for row in &mut states {
+                row.truncate(2 * links);
+            }
         }
         let request = Request {
             model: format!("{} of {links} links", self.name),
@@ -207,6 +210,28 @@ fn print(name: &str, rows: &[Row]) {
     }
 }
 
+/// What gcc's vector functions are declared by, in `math.h`, where errors do not matter.
+const VECTOR_FUNCTIONS: &str = "__attribute__((simd(\"notinbranch\"))) double sin(double);\n\
+                                __attribute__((simd(\"notinbranch\"))) double cos(double);\n";
+
+/// The sines and cosines of all angles but the first; in batches, whole vectors of eight, each function in a loop of its own,
+/// since gcc joins both to a scalar `sincos` in one.
+fn sines_and_cosines(links: usize, is_batched: bool) -> String {
+    if !is_batched {
+        return format!(
+            "  double c[{links}], s[{links}];\n  \
+             for (int i = 1; i < {links}; i++) {{ c[i] = cos(x[i]); s[i] = sin(x[i]); }}\n"
+        );
+    }
+    let padded = links.next_multiple_of(8);
+    format!(
+        "  double a[{padded}] = {{0}}, c[{padded}], s[{padded}];\n  \
+         for (int i = 1; i < {links}; i++) a[i] = x[i];\n  \
+         _Pragma(\"omp simd\")\n  for (int i = 0; i < {padded}; i++) c[i] = cos(a[i]);\n  \
+         _Pragma(\"omp simd\")\n  for (int i = 0; i < {padded}; i++) s[i] = sin(a[i]);\n"
+    )
+}
+
 /// A shared object with `void accelerations(const double *x, double *y)`.
 fn compile(
     folders: &Folders,
@@ -217,22 +242,15 @@ fn compile(
 ) -> Result<PathBuf, String> {
     let file = name.replace(|letter: char| !letter.is_alphanumeric(), "_");
     let path = |end: &str| folders.output.join(format!("arm_{links}_{file}.{end}"));
-    // What gcc's vector functions are declared by, in `math.h`, where errors do not matter.
-    let attribute = if is_batched {
-        "__attribute__((simd(\"notinbranch\")))"
-    } else {
-        ""
-    };
-    let pragma = if is_batched {
-        "_Pragma(\"omp simd\")"
-    } else {
-        ""
-    };
     let text = format!(
-        "/* Written by lagrangian-bench. */\n{attribute} double sin(double);\n{attribute} double cos(double);\n\
-         void accelerations(const double *restrict x, double *restrict y) {{\n\
-         \x20 double c[{links}], s[{links}];\n  {pragma}\n\
-         \x20 for (int i = 1; i < {links}; i++) {{ c[i] = cos(x[i]); s[i] = sin(x[i]); }}\n{statements}}}\n"
+        "/* Written by lagrangian-bench. */\n{}\
+         void accelerations(const double *restrict x, double *restrict y) {{\n{}{statements}}}\n",
+        if is_batched {
+            VECTOR_FUNCTIONS
+        } else {
+            "double sin(double);\ndouble cos(double);\n"
+        },
+        sines_and_cosines(links, is_batched),
     );
     write(&path("c"), &text)?;
     let mut command = Command::new("gcc");
@@ -254,7 +272,8 @@ fn declaration(links: usize) -> String {
     let mut definitions = "r[0] = rotation_z(q[0]),\n        p[0] = [0.0, 0.0, 0.0],\n".to_owned();
     for i in 1..links {
         let (before, letter) = (i - 1, letters[axis(i)]);
-        definitions += &format!(
+        let _ = write!(
+            definitions,
             "        r[{i}] = r[{before}] * rotation_{letter}(q[{i}]),\n        \
              p[{i}] = p[{before}] + r[{before}] * link[{before}],\n"
         );

@@ -1,8 +1,10 @@
 //! The recursions of textbooks for the arm, as straight-line C: inverse dynamics by Newton and Euler (Luh, Walker and Paul, On-line
 //! computational scheme for mechanical manipulators, 1980), accelerations by composite bodies (Walker and Orin, Efficient
-//! dynamic computer simulation of robotic mechanisms, 1982) with LDLᵀ, and by articulated bodies (Featherstone, The
+//! dynamic computer simulation of robotic mechanisms, 1982) with `LDLᵀ`, and by articulated bodies (Featherstone, The
 //! calculation of robot dynamics using articulated-body inertias, 1983). All act on what moves along the axes of the
 //! links, with accelerations of origins and with base inertial parameters.
+
+#![allow(clippy::needless_range_loop)] // Indices are those of the formulas.
 
 use super::arm::{GRAVITY, Link, axis, links};
 use super::straight_line::{Code, ONE, Value, Vector, ZERO, minus};
@@ -285,7 +287,7 @@ impl Program {
         self.solve(mass, force);
     }
 
-    /// M q̈ = −force by LDLᵀ.
+    /// M q̈ = −force by `LDLᵀ`.
     fn solve(&mut self, mut mass: Vec<Vec<Value>>, mut force: Vec<Value>) {
         let n = force.len();
         let code = &mut self.code;
