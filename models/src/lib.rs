@@ -5,18 +5,22 @@
 
 mod arm;
 mod cart_pole;
+mod double_pendulum;
 mod free_body;
 mod furuta_pendulum;
 mod general_top;
 mod gyroscope;
+mod simple_pendulum;
 mod spherical_pendulum;
 mod symmetric_top;
 
 pub use arm::Arm;
 pub use cart_pole::CartPole;
+pub use double_pendulum::DoublePendulum;
 pub use free_body::FreeBody;
 pub use furuta_pendulum::FurutaPendulum;
 pub use general_top::GeneralTop;
 pub use gyroscope::Gyroscope;
+pub use simple_pendulum::SimplePendulum;
 pub use spherical_pendulum::SphericalPendulum;
 pub use symmetric_top::SymmetricTop;
