@@ -197,7 +197,7 @@ fn figure(body: &RigidBody) -> String {
         .map(|moment| (moment / body.mass()).sqrt());
     let axis = |k: usize| principal.axes.matrix().column(k).into_owned();
     for (k, class) in [(0, "second"), (1, "third")] {
-        let along = axis(k) * 0.19;
+        let along = axis(k) * 0.085;
         let ends = [center - along, center + along];
         panel.curve(&mut svg, class, ends.iter().map(|end| [end.x, end.y]));
     }
