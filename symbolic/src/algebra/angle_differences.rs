@@ -147,9 +147,26 @@ mod tests {
                 graph.subtract(x, y)
             }
         };
-        for is_sum in [true, false] {
+        // Whichever product is built first, and so met first.
+        let products = |graph: &mut Graph, is_reversed, pairs: [[Expression; 2]; 2]| {
+            // Further products of the same factors are built in the order of these.
+            let [first, second] = pairs;
+            let order = if is_reversed {
+                [second, first]
+            } else {
+                [first, second]
+            };
+            for [x, y] in order {
+                let product = graph.multiply(x, y);
+                let mass = graph.symbol(Symbol::Parameter(0));
+                graph.multiply(mass, product);
+            }
+            pairs.map(|[x, y]| graph.multiply(x, y))
+        };
+        for (is_sum, is_reversed) in [(true, false), (true, true), (false, false), (false, true)] {
             check(|graph, [sin_x, cos_x, sin_y, cos_y]| {
-                let (first, second) = (graph.multiply(cos_x, cos_y), graph.multiply(sin_x, sin_y));
+                let pairs = [[cos_x, cos_y], [sin_x, sin_y]];
+                let [first, second] = products(graph, is_reversed, pairs);
                 let angle = angle(graph, is_sum);
                 let cosine = graph.unary(Unary::Cos, angle);
                 if is_sum {
@@ -159,7 +176,8 @@ mod tests {
                 }
             });
             check(|graph, [sin_x, cos_x, sin_y, cos_y]| {
-                let (first, second) = (graph.multiply(sin_x, cos_y), graph.multiply(cos_x, sin_y));
+                let pairs = [[sin_x, cos_y], [cos_x, sin_y]];
+                let [first, second] = products(graph, is_reversed, pairs);
                 let angle = angle(graph, is_sum);
                 let sine = graph.unary(Unary::Sin, angle);
                 if is_sum {
