@@ -7,53 +7,17 @@
 //! measured: the pass has no part in it.
 
 use lagrangian_bench::{Answers, Operations, Request};
-use lagrangian_symbolic::Pass;
 
 use crate::arguments::Arguments;
 use crate::cargo::{Built, build_without};
 use crate::folders::Folders;
 use crate::model::Model;
+use crate::passes::Off;
 use crate::states::states;
 
 /// How many times all programs of a model run, and how many rounds each has then.
 const TURNS: usize = 20;
 const ROUNDS: usize = 15;
-
-/// What is switched off.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Off {
-    Nothing,
-    One(Pass),
-    Everything,
-}
-
-impl Off {
-    /// The lines of the table.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
-        let one = Pass::ALL.iter().copied().map(Self::One);
-        let first = [Self::Nothing].into_iter();
-        first.chain(one).chain([Self::Everything])
-    }
-
-    /// In the table, and in the names of files.
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::Nothing => "nothing",
-            Self::One(pass) => pass.name(),
-            Self::Everything => "everything",
-        }
-    }
-
-    /// As the derive reads it.
-    pub(crate) fn passes(self) -> String {
-        let off = match self {
-            Self::Nothing => Vec::new(),
-            Self::One(pass) => vec![pass.name()],
-            Self::Everything => Pass::ALL.iter().map(|pass| pass.name()).collect(),
-        };
-        off.join(",")
-    }
-}
 
 /// What is found of one model.
 pub(crate) struct Ablation {

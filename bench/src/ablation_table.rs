@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use lagrangian_bench::Operations;
 use lagrangian_symbolic::OperationCount;
 
-use crate::ablation::{Ablation, Figures, Off};
+use crate::ablation::{Ablation, Figures};
+use crate::passes::Off;
 
 /// What `accelerations` cost without each pass, and how they round.
 pub(crate) fn tables(ablations: &[Ablation]) -> String {

@@ -8,13 +8,13 @@ use std::{env, fs};
 
 use lagrangian_bench::{Report, Request};
 
-use crate::ablation::Off;
 use crate::command::output;
 use crate::contestant::Contestant;
 use crate::declaration::{Calls, source};
 use crate::flags::Flags;
 use crate::folders::{Folders, create, write};
 use crate::model::Model;
+use crate::passes::Off;
 
 /// A crate that has been built.
 pub(crate) struct Built {

@@ -32,6 +32,7 @@ mod states;
 mod command;
 mod folders;
 mod flags;
+mod passes;
 mod cargo;
 mod compiler;
 mod python;

@@ -4,7 +4,8 @@ use lagrangian_symbolic::{Expression, Graph, Matrix};
 
 use crate::lower::quantities::Symbols;
 use crate::lower::value::Value;
-use crate::syntax::body_type::{BodyQuantity, BodyType};
+use crate::syntax::body_quantity::BodyQuantity;
+use crate::syntax::body_type::BodyType;
 use crate::syntax::label::Index;
 
 /// A body: its mass, its centre of gravity along its axes, and its inertia tensor about that.

@@ -5,6 +5,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
+use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::label::Index;
 use crate::syntax::root::Root;
 
@@ -17,14 +18,6 @@ pub(crate) enum BodyType {
     Principal,
     /// `SymmetricBody`: about an axis of symmetry.
     Symmetric,
-}
-
-/// A quantity of a body in expressions, as in `body.mass`. It is called like the method that reads it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum BodyQuantity {
-    Mass,
-    Center,
-    Inertia,
 }
 
 /// One of the numbers of a body: a component of one of its quantities.
@@ -116,18 +109,6 @@ impl BodyType {
                 quote!(#quantity[#i])
             }
             Some(Index::Quantity(_)) | None => quantity,
-        }
-    }
-}
-
-impl BodyQuantity {
-    pub(crate) const ALL: [Self; 3] = [Self::Mass, Self::Center, Self::Inertia];
-
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Mass => "mass",
-            Self::Center => "center",
-            Self::Inertia => "inertia",
         }
     }
 }

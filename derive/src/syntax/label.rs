@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::body_type::BodyQuantity;
+use super::body_quantity::BodyQuantity;
 
 /// A name with its indices, such as `theta[2]` or `inertia[(0, 1)]`.
 #[derive(Clone, PartialEq, Eq, Debug)]

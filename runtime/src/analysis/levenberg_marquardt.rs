@@ -5,16 +5,16 @@
 //! J. SIAM **11** (1963) 431–441. The damping is that of H. B. Nielsen, *Damping parameter in Marquardt's method*, 1999. It ends near
 //! a solution or a local minimum, where [`Newton`](super::newton::Newton) goes on.
 
-use super::balance::{Balance, Point, residuals};
-use super::equilibrium::{EquilibriumSearch, SearchReport};
+use super::balance::{Balance, Point};
+use super::equilibrium::SearchReport;
+use super::equilibrium_problem::EquilibriumProblem;
 use super::jacobian_rows::Residuals;
-use super::newton::{Newton, scaled_jacobian};
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{DESCENT_DAMPING, DESCENT_END, LONGEST_NEWTON_STEP};
 
 /// The point to which the descent from a point leads, and what it took, added to a report.
 pub(super) fn descended<B, S, const N: usize, const U: usize>(
-    search: &EquilibriumSearch<B, S, N, U>,
+    problem: &EquilibriumProblem<B, S, N, U>,
     start: &Point<S, N, U>,
     report: &mut SearchReport,
 ) -> Point<S, N, U>
@@ -22,14 +22,13 @@ where
     B: Balance<S, N, U>,
     S: SingleNumber,
 {
-    let sizes = Newton::new(search, start).sizes();
-    let evaluated = |point: &Point<S, N, U>| residuals(&search.model, point, &search.momenta);
+    let sizes = problem.sizes(start);
     let mut point = *start;
-    let mut found = evaluated(&point);
-    let mut rows = scaled_jacobian(search, &point, &sizes);
+    let mut found = problem.residuals(&point);
+    let mut rows = problem.scaled_jacobian(&point, &sizes);
     let mut damping = DESCENT_DAMPING * rows.largest() * rows.largest();
     let mut growth = 2.0;
-    for _ in 0..search.max_iterations {
+    for _ in 0..problem.max_iterations {
         let right = found.map(|block| -block);
         let (step, predicted) = rows.damped(&right, S::from_f64(damping));
         // NaN ends it, too.
@@ -37,13 +36,13 @@ where
             break;
         }
         let trial = point.moved(&step, 1.0, &sizes);
-        let after = evaluated(&trial);
+        let after = problem.residuals(&trial);
         report.evaluations += 1;
         let gain = (squared(&found) - squared(&after)) / predicted;
         if gain > 0.0 && step.norm() <= LONGEST_NEWTON_STEP {
             point = trial;
             found = after;
-            rows = scaled_jacobian(search, &point, &sizes);
+            rows = problem.scaled_jacobian(&point, &sizes);
             let bend = 2.0 * gain - 1.0;
             damping *= (1.0 - bend * bend * bend).max(1.0 / 3.0);
             growth = 2.0;

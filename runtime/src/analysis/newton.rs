@@ -8,9 +8,10 @@
 
 use nalgebra::SVector;
 
-use super::balance::{Balance, Point, jacobian, residuals};
-use super::equilibrium::{Equilibrium, EquilibriumSearch, SearchReport};
+use super::balance::{Balance, Point};
+use super::equilibrium::{Equilibrium, SearchReport};
 use super::equilibrium_error::EquilibriumError;
+use super::equilibrium_problem::EquilibriumProblem;
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{LEAST_DAMPING, LONGEST_NEWTON_STEP, UNBALANCED};
@@ -18,7 +19,7 @@ use crate::scalar::Scalar;
 
 /// A running search.
 pub(super) struct Newton<'a, B, S: Scalar, const N: usize, const U: usize> {
-    search: &'a EquilibriumSearch<B, S, N, U>,
+    problem: &'a EquilibriumProblem<B, S, N, U>,
     /// The sizes of the unknowns; 0 for what is given.
     sizes: Variables<S, N, U>,
     point: Point<S, N, U>,
@@ -46,29 +47,14 @@ where
     B: Balance<S, N, U>,
     S: SingleNumber,
 {
-    pub(super) fn new(search: &'a EquilibriumSearch<B, S, N, U>, start: &Point<S, N, U>) -> Self {
-        let magnitudes = search.sizes.unwrap_or(Variables {
-            positions: start.state.q,
-            velocities: start.state.v,
-            inputs: start.inputs,
-        });
-        let sizes = magnitudes.zip_map(&search.unknown, |value, unknown| {
-            let size = value.abs().largest();
-            let size = if size > 0.0 { size } else { 1.0 };
-            S::from_f64(size) * unknown
-        });
+    pub(super) fn new(problem: &'a EquilibriumProblem<B, S, N, U>, start: &Point<S, N, U>) -> Self {
         Self {
-            search,
-            sizes,
+            problem,
+            sizes: problem.sizes(start),
             point: *start,
             residuals: [SVector::zeros(); 2],
             report: SearchReport::default(),
         }
-    }
-
-    /// The sizes of the unknowns; 0 for what is given.
-    pub(super) fn sizes(&self) -> Variables<S, N, U> {
-        self.sizes
     }
 
     /// The same search after some steps of another method.
@@ -86,11 +72,11 @@ where
             if !length.is_finite() {
                 return Err(EquilibriumError::NotFinite { last: self.found() });
             }
-            if length <= self.search.tolerance {
+            if length <= self.problem.tolerance {
                 self.move_by(&correction, 1.0);
                 return self.finish(&rows);
             }
-            if self.report.iterations >= self.search.max_iterations {
+            if self.report.iterations >= self.problem.max_iterations {
                 return Err(EquilibriumError::NoConvergence { last: self.found() });
             }
             let damping = predicted(before.as_ref(), &correction, length);
@@ -103,7 +89,7 @@ where
 
     fn evaluate(&mut self, point: &Point<S, N, U>) -> Residuals<S, N> {
         self.report.evaluations += 1;
-        let found = residuals(&self.search.model, point, &self.search.momenta);
+        let found = self.problem.residuals(point);
         self.report.residual = largest(&found);
         found
     }
@@ -113,7 +99,7 @@ where
         if !largest(&self.residuals).is_finite() {
             return Err(EquilibriumError::NotFinite { last: self.found() });
         }
-        let rows = scaled_jacobian(self.search, &self.point, &self.sizes);
+        let rows = self.problem.scaled_jacobian(&self.point, &self.sizes);
         if !rows.largest().is_finite() {
             return Err(EquilibriumError::NotFinite { last: self.found() });
         }
@@ -164,7 +150,7 @@ where
             self.point = trial;
             self.residuals = residuals;
             self.report.iterations += 1;
-            if damping >= 1.0 && after <= self.search.tolerance {
+            if damping >= 1.0 && after <= self.problem.tolerance {
                 self.move_by(&simplified, 1.0);
                 return Ok(Trial::Converged);
             }
@@ -198,7 +184,7 @@ where
         if left.is_nan() {
             return Err(EquilibriumError::NotFinite { last: self.found() });
         }
-        let accurate = libm::pow(S::machine_epsilon(), UNBALANCED).max(self.search.tolerance);
+        let accurate = libm::pow(S::machine_epsilon(), UNBALANCED).max(self.problem.tolerance);
         if left <= accurate * rows.largest() {
             return Ok(self.found());
         }
@@ -217,29 +203,6 @@ where
             residual,
         })
     }
-}
-
-/// The Jacobian at a point by the unknowns, in their sizes.
-pub(super) fn scaled_jacobian<B, S, const N: usize, const U: usize>(
-    search: &EquilibriumSearch<B, S, N, U>,
-    point: &Point<S, N, U>,
-    sizes: &Variables<S, N, U>,
-) -> JacobianRows<S, N, U>
-where
-    B: Balance<S, N, U>,
-    S: SingleNumber,
-{
-    let mut rows = jacobian(&search.model, point, &search.momenta);
-    for row in rows.as_flattened_mut() {
-        *row = row.zip_map(sizes, |slope, size| {
-            if size.largest() > 0.0 {
-                slope * size
-            } else {
-                S::zero()
-            }
-        });
-    }
-    JacobianRows::new(&rows)
 }
 
 /// The correction of these residuals.

@@ -16,7 +16,7 @@ use crate::lower::body::Body;
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Origin};
 use crate::lower::value::Value;
-use crate::syntax::body_type::BodyQuantity;
+use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::shape::Shape;
 
 /// A function of a body and of where it is.

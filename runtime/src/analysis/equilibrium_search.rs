@@ -1,0 +1,274 @@
+//! A search for equilibria and steady motions.
+
+use nalgebra::SVector;
+
+use super::balance::{Balance, FreeInputs, HeldInputs, Point};
+use super::equilibrium::{Equilibrium, SearchReport, Variable};
+use super::equilibrium_error::EquilibriumError;
+use super::equilibrium_problem::EquilibriumProblem;
+use super::jacobian_rows::Variables;
+use super::levenberg_marquardt::descended;
+use super::newton::Newton;
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::{EQUILIBRIUM_TOLERANCE, NEWTON_STEPS};
+use crate::linalg::IntoVector;
+use crate::model::{Inputs, Lagrangian, State};
+use crate::scalar::Scalar;
+
+/// A search for equilibria, q̈ = 0 at q̇ = 0, and for steady motions (relative equilibria), at which only ignorable coordinates
+/// move, with constant velocities.
+///
+/// Unknown are all coordinates but the ignorable ones, on which nothing depends, unless
+/// [`unknown`](Self::unknown) says otherwise. All other variables keep the values of the guess.
+///
+/// # Equilibria
+///
+/// ```
+/// use lagrangian::analysis::EquilibriumSearch;
+/// use lagrangian::prelude::*;
+///
+/// /// A bead on a hoop that turns about its vertical diameter.
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * r.powi(2) * (dot(theta).powi(2) + (rate * sin(theta)).powi(2)),
+///     potential = -m * g * r * cos(theta),
+/// )]
+/// struct Bead { m: f64, r: f64, g: f64, rate: f64 }
+///
+/// let bead = Bead { m: 0.1, r: 0.5, g: 9.81, rate: 6.0 };
+/// let found = EquilibriumSearch::of(&bead).near(&State::new(0.0, [1.0], [0.0]))?;
+/// assert!((found.state.q[0].cos() - 9.81 / (0.5 * 36.0)).abs() < 1e-14);
+/// assert!(found.report.iterations < 10);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Inputs that hold a configuration
+///
+/// ```
+/// use lagrangian::analysis::{EquilibriumSearch, Variable};
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
+///     potential = m * g * l * sin(theta),
+///     force(theta = torque),
+/// )]
+/// struct Arm { m: f64, l: f64, g: f64, #[lagrangian(input)] torque: f64 }
+///
+/// let arm = Arm { m: 2.0, l: 0.5, g: 9.81, torque: 0.0 };
+/// let level = State::new(0.0, [0.0], [0.0]);
+/// let held = EquilibriumSearch::trim(&arm)
+///     .unknown(&[Variable::Input(Arm::TORQUE)])
+///     .near(&level)?;
+/// assert!((held.inputs[0] - 2.0 * 9.81 * 0.5).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Steady motions
+///
+/// Of a top at an inclination, with a momentum `I_s` ω₃ (4.11): which of the solutions is found depends on the guess.
+///
+/// ```
+/// use lagrangian::analysis::{EquilibriumSearch, Variable};
+/// use lagrangian::prelude::*;
+/// use lagrangian::rigid_body::SteadyPrecession;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(phi, theta, psi),
+///     kinetic = 0.5 * (i * (dot(phi).powi(2) * sin(theta).powi(2) + dot(theta).powi(2))
+///         + i_s * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
+///     potential = mgl * cos(theta),
+/// )]
+/// struct Top { i: f64, i_s: f64, mgl: f64 }
+///
+/// let top = Top { i: 1.2, i_s: 0.5, mgl: 5.1 };
+/// let (theta, spin) = (0.5_f64, 40.0);
+/// let guess = State::new(0.0, [0.0, theta, 0.0], [0.2, 0.0, spin]);
+/// let found = EquilibriumSearch::of(&top)
+///     .unknown(&[Variable::Velocity(Top::PHI), Variable::Velocity(Top::PSI)])
+///     .momentum(Top::PSI, top.i_s * spin)
+///     .near(&guess)?;
+/// let slope = -top.mgl * theta.sin();
+/// let closed = SteadyPrecession::of_top(top.i, top.i_s, spin, theta, slope);
+/// let SteadyPrecession::Two { slow, .. } = closed else { unreachable!() };
+/// assert!((found.state.v[Top::PHI] - slow).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// There may be more or fewer unknowns than equations: of several solutions the one is found to which Newton's
+/// steps of least length lead, and equations that contradict each other are an error.
+///
+/// Newton's method is damped. Where its path meets a singular Jacobian, the search descends from the guess to where
+/// accelerations are least, in the sense of least squares, and Newton's method goes on from there.
+///
+/// On dual numbers, what is found has the derivatives by parameters and by whatever else is given.
+#[derive(Debug)]
+pub struct EquilibriumSearch<B, S: Scalar, const N: usize, const U: usize> {
+    problem: EquilibriumProblem<B, S, N, U>,
+    /// The first variable that the model does not have.
+    missing: Option<Variable>,
+}
+
+impl<'a, M, S, const N: usize> EquilibriumSearch<HeldInputs<'a, M>, S, N, 0>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: SingleNumber,
+{
+    /// Equilibria and steady motions of a model, under the inputs of its fields if it has inputs, or of
+    /// [`with_inputs`](crate::Inputs::with_inputs).
+    pub fn of(model: &'a M) -> Self {
+        Self::new(HeldInputs(model))
+    }
+}
+
+impl<'a, M, S, const N: usize, const U: usize> EquilibriumSearch<FreeInputs<'a, M>, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    S: SingleNumber,
+{
+    /// Equilibria and steady motions of a model with inputs, some of which may be unknown. The guess of the inputs is in the
+    /// fields of the model.
+    pub fn trim(model: &'a M) -> Self {
+        Self::new(FreeInputs(model))
+    }
+}
+
+impl<B, S, const N: usize, const U: usize> EquilibriumSearch<B, S, N, U>
+where
+    B: Balance<S, N, U>,
+    S: SingleNumber,
+{
+    fn new(model: B) -> Self {
+        let mut unknown = Variables::zeros();
+        unknown.positions =
+            SVector::from_fn(|i, _| if B::IGNORABLE[i] { S::zero() } else { S::one() });
+        let problem = EquilibriumProblem {
+            model,
+            unknown,
+            momenta: [None; N],
+            sizes: None,
+            tolerance: EQUILIBRIUM_TOLERANCE * S::machine_epsilon(),
+            max_iterations: NEWTON_STEPS,
+        };
+        Self {
+            problem,
+            missing: None,
+        }
+    }
+
+    /// Which variables are unknown, instead of all coordinates that are not ignorable.
+    #[must_use]
+    pub fn unknown(mut self, variables: &[Variable]) -> Self {
+        self.problem.unknown = Variables::zeros();
+        for variable in variables {
+            let unknown = &mut self.problem.unknown;
+            let entry = match *variable {
+                Variable::Coordinate(i) => unknown.positions.get_mut(i),
+                Variable::Velocity(i) => unknown.velocities.get_mut(i),
+                Variable::Input(i) => unknown.inputs.get_mut(i),
+            };
+            match entry {
+                Some(entry) => *entry = S::one(),
+                None => self.missing = self.missing.or(Some(*variable)),
+            }
+        }
+        self
+    }
+
+    /// The momentum of an ignorable coordinate that a steady motion is to have. A velocity has to be unknown to make up for it.
+    #[must_use]
+    pub fn momentum(mut self, coordinate: usize, momentum: S) -> Self {
+        match self.problem.momenta.get_mut(coordinate) {
+            Some(entry) => *entry = Some(momentum),
+            None => self.missing = self.missing.or(Some(Variable::Velocity(coordinate))),
+        }
+        self
+    }
+
+    /// How accurate the unknowns are to be, in relation to their sizes: 64 machine epsilons unless set. The last correction is
+    /// less than that.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.problem.tolerance = tolerance;
+        self
+    }
+
+    /// How many Newton steps there may be: 100 unless set.
+    #[must_use]
+    pub fn max_iterations(mut self, count: usize) -> Self {
+        self.problem.max_iterations = count;
+        self
+    }
+
+    /// The sizes of coordinates, velocities and inputs, in which steps and the condition are measured. Unless set, each is the
+    /// magnitude in the guess, or 1 if that is 0.
+    #[must_use]
+    pub fn sizes(
+        mut self,
+        coordinates: impl IntoVector<S, N>,
+        velocities: impl IntoVector<S, N>,
+        inputs: impl IntoVector<S, U>,
+    ) -> Self {
+        self.problem.sizes = Some(Variables {
+            positions: coordinates.into_vector(),
+            velocities: velocities.into_vector(),
+            inputs: inputs.into_vector(),
+        });
+        self
+    }
+
+    /// The equilibrium or steady motion to which Newton's method leads from a guess.
+    ///
+    /// # Errors
+    ///
+    /// [`EquilibriumError`]: what was asked cannot be, or nothing was found, with the last iterate.
+    pub fn near(
+        &self,
+        guess: &State<S, N>,
+    ) -> Result<Equilibrium<S, N, U>, EquilibriumError<S, N, U>> {
+        self.check(guess)?;
+        let start = Point {
+            state: *guess,
+            inputs: self.problem.model.inputs(),
+        };
+        let failed = match Newton::new(&self.problem, &start).run() {
+            Err(
+                error @ (EquilibriumError::Stalled { .. } | EquilibriumError::NoConvergence { .. }),
+            ) => error,
+            result => return result,
+        };
+        let mut report = failed
+            .last()
+            .map_or_else(SearchReport::default, |last| last.report);
+        // Newton's steps begin anew.
+        report.iterations = 0;
+        let near = descended(&self.problem, &start, &mut report);
+        Newton::new(&self.problem, &near).after(report).run()
+    }
+
+    fn check(&self, guess: &State<S, N>) -> Result<(), EquilibriumError<S, N, U>> {
+        if let Some(variable) = self.missing {
+            return Err(EquilibriumError::NoSuchVariable { variable });
+        }
+        if self.problem.unknown.largest() <= 0.0 {
+            return Err(EquilibriumError::NoUnknown);
+        }
+        for (coordinate, name) in B::COORDINATES.into_iter().enumerate() {
+            if B::IGNORABLE[coordinate] {
+                continue;
+            }
+            let velocity = guess.v[coordinate].largest();
+            if velocity.abs() > 0.0 || self.problem.unknown.velocities[coordinate].largest() > 0.0 {
+                return Err(EquilibriumError::Moving { name, velocity });
+            }
+            if self.problem.momenta[coordinate].is_some() {
+                return Err(EquilibriumError::NoConstantMomentum { name });
+            }
+        }
+        Ok(())
+    }
+}
