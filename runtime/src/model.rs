@@ -14,6 +14,8 @@ mod motion_series;
 mod events;
 mod ensemble;
 mod whole_periods;
+mod singular_configuration;
+mod common_dynamics;
 mod equations_of_motion;
 mod owned_equations;
 mod inputs;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::equations_of_motion::errors_of_the_model;
+use super::common_dynamics::errors_of_the_model;
 use super::inputs::Inputs;
 use super::phase::Phase;
 use super::state::State;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::equations_of_motion::{errors_of_the_model, reduced};
+use super::common_dynamics::{errors_of_the_model, reduced};
 use super::inputs::Inputs;
 use super::motion_series::MotionSeriesWith;
 use super::phase::Phase;

@@ -1,6 +1,6 @@
 //! Equations of motion whose model may change.
 
-use super::equations_of_motion::{errors_of_the_model, reduced};
+use super::common_dynamics::{errors_of_the_model, reduced};
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
 use crate::integrate::Dynamics;

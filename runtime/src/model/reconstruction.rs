@@ -2,14 +2,15 @@
 
 use nalgebra::SVector;
 
-use super::equations_of_motion::{
-    allowed_error, component_name, reduced, singularity, singularity_in_lane,
-    singularity_in_motion, vanishing_inertia, vanishing_inertia_in_lane,
-};
+use super::common_dynamics::{allowed_error, component_name, reduced};
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::reconstructed_phase::ReconstructedPhase;
 use super::routhian::{Routhian, RouthianSeries};
+use super::singular_configuration::{
+    singularity, singularity_in_lane, singularity_in_motion, vanishing_inertia,
+    vanishing_inertia_in_lane,
+};
 use crate::integrate::{ComponentName, Dynamics, Series, Singularity, TaylorCoefficients};
 use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;

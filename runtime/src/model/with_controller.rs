@@ -3,11 +3,10 @@
 use nalgebra::SVector;
 
 use super::augmented_phase::AugmentedPhase;
-use super::equations_of_motion::{
-    allowed_error, component_name, singularity, singularity_in_motion, vanishing_inertia,
-};
+use super::common_dynamics::{allowed_error, component_name};
 use super::inputs::Inputs;
 use super::phase::Phase;
+use super::singular_configuration::{singularity, singularity_in_motion, vanishing_inertia};
 use super::state::State;
 use crate::integrate::{ComponentName, Dynamics, Singularity};
 use crate::linalg::{ErrorTolerance, IntoVector};

@@ -6,7 +6,6 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::error::BodyError;
 use super::order::length;
-use super::principal_axes::PrincipalAxes;
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::ASYMMETRY;
 use crate::scalar::Scalar;
@@ -221,12 +220,6 @@ impl<S: SingleNumber> InertiaTensor<S> {
         let [xy, xz, yz] = [mean(0, 1)?, mean(0, 2)?, mean(1, 2)?];
         let moments = [matrix[(0, 0)], matrix[(1, 1)], matrix[(2, 2)]];
         Ok(Self::from_lists(moments, [-xy, -xz, -yz]))
-    }
-
-    /// The principal moments and axes (2.5).
-    #[must_use]
-    pub fn principal_axes(&self) -> PrincipalAxes<S> {
-        PrincipalAxes::of(self)
     }
 }
 

@@ -57,9 +57,17 @@ pub enum Symmetry {
     Spherical,
 }
 
+impl<S: SingleNumber> InertiaTensor<S> {
+    /// The principal moments and axes (2.5). Entries that are not finite give moments that are not finite.
+    #[must_use]
+    pub fn principal_axes(&self) -> PrincipalAxes<S> {
+        PrincipalAxes::of(self)
+    }
+}
+
 impl<S: SingleNumber> PrincipalAxes<S> {
     /// Those of a tensor. Entries that are not finite give moments that are not finite.
-    pub(super) fn of(tensor: &InertiaTensor<S>) -> Self {
+    fn of(tensor: &InertiaTensor<S>) -> Self {
         let matrix = tensor.matrix();
         let largest = matrix
             .iter()

@@ -1,0 +1,198 @@
+//! States at which the mass matrix is singular, and what is said of them.
+
+use core::marker::PhantomData;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::generalized_coordinates::GeneralizedCoordinates;
+use super::lagrangian::Lagrangian;
+use super::state::State;
+use crate::integrate::Singularity;
+use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
+use crate::linalg::Factorization;
+use crate::scalar::Scalar;
+
+/// The coordinate with the smallest relative pivot, if that is below `min_pivot`.
+#[inline]
+pub(crate) fn singularity<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let pivots = model.relative_pivots(state);
+    let regular = pivots
+        .iter()
+        .all(|pivot| pivot.abs().smallest() >= min_pivot);
+    if regular {
+        None
+    } else {
+        Some(report::<M, S, N>(&pivots, state))
+    }
+}
+
+/// The same in the course of a motion.
+#[inline]
+pub(crate) fn singularity_in_motion<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    if M::STAYS_REGULAR {
+        None
+    } else {
+        singularity(model, state, min_pivot)
+    }
+}
+
+/// The same in one lane.
+pub(super) fn singularity_in_lane<M, S, const N: usize>(
+    model: &M,
+    lane: usize,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let pivots = model.relative_pivots(state);
+    let pivots = pivots.map(|pivot| pivot.in_lane(lane));
+    let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
+    (!regular).then(|| report::<M, f64, N>(&pivots, &in_lane(lane, state)))
+}
+
+/// The report of the smallest relative pivot.
+#[cold]
+fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
+where
+    M: GeneralizedCoordinates<N> + ?Sized,
+    S: Scalar,
+{
+    // A pivot that is NaN comes from a division by zero and counts as zero.
+    let sizes = pivots.iter().map(|pivot| {
+        let size = pivot.abs().smallest();
+        if size.is_nan() { 0.0 } else { size }
+    });
+    let (coordinate, least) = sizes
+        .enumerate()
+        .fold((0, f64::INFINITY), |least, (i, size)| {
+            if size < least.1 { (i, size) } else { least }
+        });
+    named::<M, S, N>(coordinate, least, state)
+}
+
+/// The report of a coordinate, with those that make its block of the mass matrix singular.
+fn named<M, S, const N: usize>(
+    coordinate: usize,
+    relative_pivot: f64,
+    state: &State<S, N>,
+) -> Singularity
+where
+    M: GeneralizedCoordinates<N> + ?Sized,
+    S: Scalar,
+{
+    let dependencies = StaticNames::<M, N>::SINGULARITIES
+        .get(coordinate)
+        .copied()
+        .unwrap_or_default();
+    Singularity::new(
+        relative_pivot,
+        coordinate,
+        StaticNames::<M, N>::COORDINATES,
+        dependencies,
+        |i| state.q.get(i).map_or(f64::NAN, |value| value.smallest()),
+    )
+}
+
+/// The coordinate whose inertia is the smallest relative to that elsewhere, if it has nearly vanished.
+#[cold]
+pub(crate) fn vanishing_inertia<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let (coordinate, ratio) = least_inertia(model, state, Scalar::smallest)?;
+    Some(named::<M, S, N>(coordinate, ratio, state))
+}
+
+/// The same in one lane.
+#[cold]
+pub(super) fn vanishing_inertia_in_lane<M, S, const N: usize>(
+    model: &M,
+    lane: usize,
+    state: &State<S, N>,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let (coordinate, ratio) = least_inertia(model, state, |inertia| inertia.in_lane(lane))?;
+    Some(named::<M, f64, N>(coordinate, ratio, &in_lane(lane, state)))
+}
+
+/// That coordinate, and its inertia relative to that elsewhere.
+fn least_inertia<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    read: impl Fn(S) -> f64,
+) -> Option<(usize, f64)>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let here = inertias(model, state);
+    let ratios = (0..N).map(|i| {
+        let elsewhere = REFERENCE_OFFSETS.map(|distance| {
+            let mut moved = *state;
+            for j in M::SINGULARITIES[i] {
+                moved.q[*j] += S::from_f64(distance);
+            }
+            read(inertias(model, &moved)[i])
+        });
+        let most = elsewhere.into_iter().fold(0.0, f64::max);
+        (i, read(here[i]) / most)
+    });
+    let least = ratios.fold((0, VANISHING_INERTIA), |least, (i, ratio)| {
+        if ratio < least.1 { (i, ratio) } else { least }
+    });
+    (least.1 < VANISHING_INERTIA).then_some(least)
+}
+
+/// The state in a lane.
+fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State<f64, N> {
+    State {
+        t: state.t.in_lane(lane),
+        q: state.q.map(|coordinate| coordinate.in_lane(lane)),
+        v: state.v.map(|velocity| velocity.in_lane(lane)),
+    }
+}
+
+/// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.
+fn inertias<M, S, const N: usize>(model: &M, state: &State<S, N>) -> SVector<S, N>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let unit = SMatrix::<S, N, N>::from_fn(|i, j| if i == j { S::one() } else { S::zero() });
+    let inverse = Factorization::new(model.mass_matrix(state)).solve(&unit);
+    SVector::from_fn(|i, _| S::one() / inverse[(i, i)].abs())
+}
+
+/// The constants of a system as `'static` slices.
+struct StaticNames<M: ?Sized, const N: usize>(PhantomData<M>);
+
+impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> StaticNames<M, N> {
+    const COORDINATES: &'static [&'static str] = &M::COORDINATES;
+    const SINGULARITIES: &'static [&'static [usize]] = &M::SINGULARITIES;
+}
