@@ -1,18 +1,13 @@
 //! Small oscillations, modes and stability, against closed forms.
 
+mod common;
+
+use common::assert_close;
 use lagrangian::DoubleDouble;
 use lagrangian::analysis::{
-    EquilibriumSearch, LinearStability, NormalModes, OscillationError, SecondVariation,
-    SmallOscillations, Verdict,
+    LinearStability, NormalModes, OscillationError, SecondVariation, SmallOscillations, Verdict,
 };
 use lagrangian::prelude::*;
-use lagrangian::rigid_body::SteadyPrecession;
-
-#[track_caller]
-fn assert_near(found: f64, expected: f64, tolerance: f64) {
-    let error = (found - expected).abs();
-    assert!(error <= tolerance, "{found} is not {expected}: {error:e}");
-}
 
 fn rest<const N: usize>(q: [f64; N]) -> State<f64, N> {
     State::new(0.0, q, [0.0; N])
@@ -64,10 +59,10 @@ fn double_pendulum() {
     let root = 2.0_f64.sqrt();
     for (mode, sign) in [(0, 1.0), (1, -1.0)] {
         let square = 9.81 / 0.4 * (2.0 - sign * root);
-        assert_near(modes.squared_frequency(mode) / square, 1.0, 1e-14);
+        assert_close(modes.squared_frequency(mode) / square, 1.0, 1e-14);
         let shape = modes.shape(mode);
-        assert_near(shape[1] / shape[0], sign * root, 1e-13);
-        assert_near(
+        assert_close(shape[1] / shape[0], sign * root, 1e-13);
+        assert_close(
             (shape.transpose() * oscillations.mass * shape)[0],
             1.0,
             1e-13,
@@ -83,7 +78,7 @@ fn double_pendulum() {
     let square = fine.normal_modes().unwrap().squared_frequency(0);
     let [two, g, l] = [2.0, 9.81, 0.4].map(DoubleDouble::from_f64);
     let error = (two - two.sqrt()) * g / l / square - DoubleDouble::from_f64(1.0);
-    assert_near(error.to_f64(), 0.0, 1e-29);
+    assert_close(error.to_f64(), 0.0, 1e-29);
 }
 
 /// The roots of the Laguerre polynomial L₃, in units of g/l: D. Bernoulli's hanging chain of equal masses.
@@ -102,10 +97,10 @@ fn triple_pendulum() {
         6.289_945_082_937_479,
     ];
     for (found, root) in modes.squared_frequencies().zip(roots) {
-        assert_near(found / (root * 9.81 / 0.4), 1.0, 1e-13);
+        assert_close(found / (root * 9.81 / 0.4), 1.0, 1e-13);
         // L₃(x) = 1 − 3 x + 3 x²/2 − x³/6.
         let x = root;
-        assert_near(1.0 - 3.0 * x + 1.5 * x * x - x.powi(3) / 6.0, 0.0, 1e-13);
+        assert_close(1.0 - 3.0 * x + 1.5 * x * x - x.powi(3) / 6.0, 0.0, 1e-13);
     }
     // As many unstable modes as links that point up.
     for (links, negative) in [([0.0, 0.0, 1.0], 1), ([1.0, 0.0, 1.0], 2), ([1.0; 3], 3)] {
@@ -120,7 +115,7 @@ fn triple_pendulum() {
         let LinearStability::Growing { rate } = stability.linear else {
             panic!("{stability:?}");
         };
-        assert_near(rate * rate / -modes.squared_frequency(0), 1.0, 1e-13);
+        assert_close(rate * rate / -modes.squared_frequency(0), 1.0, 1e-13);
     }
 }
 
@@ -153,9 +148,9 @@ fn damping_ratios() {
         let stability = oscillations.stability().unwrap();
         if ratio < 1.0 {
             assert_eq!(modes.len(), 1);
-            assert_near(modes[0].natural_frequency(), omega, 1e-14);
-            assert_near(modes[0].damping_ratio(), ratio, 1e-15);
-            assert_near(
+            assert_close(modes[0].natural_frequency(), omega, 1e-14);
+            assert_close(modes[0].damping_ratio(), ratio, 1e-15);
+            assert_close(
                 modes[0].eigenvalue.im,
                 omega * (1.0 - ratio * ratio).sqrt(),
                 1e-14,
@@ -164,9 +159,9 @@ fn damping_ratios() {
         } else {
             assert_eq!(modes.len(), 2);
             let root = omega * (ratio * ratio - 1.0).sqrt();
-            assert_near(modes[0].eigenvalue.re, root - ratio * omega, 1e-13);
-            assert_near(modes[1].eigenvalue.re, -root - ratio * omega, 1e-13);
-            assert_near(modes[1].damping_ratio(), 1.0, 0.0);
+            assert_close(modes[0].eigenvalue.re, root - ratio * omega, 1e-13);
+            assert_close(modes[1].eigenvalue.re, -root - ratio * omega, 1e-13);
+            assert_close(modes[1].damping_ratio(), 1.0, 0.0);
         }
         let verdict = match ratio {
             0.0 => Verdict::Stable,
@@ -240,98 +235,6 @@ fn equal_modes_are_independent() {
     assert!(determinant.norm_sqr() > 1e-2, "{shapes}");
 }
 
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(phi, theta, psi),
-    kinetic = 0.5 * (i * (dot(phi).powi(2) * sin(theta).powi(2) + dot(theta).powi(2))
-        + i_s * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
-    potential = mgl * cos(theta),
-)]
-struct Top {
-    i: f64,
-    i_s: f64,
-    mgl: f64,
-}
-
-/// Ω² = φ̇² − 2 (m g l/I) cos θ + (m g l/(I φ̇))², about slow and fast precession; every one is stable.
-#[test]
-fn nutation() {
-    let top = Top {
-        i: 1.2,
-        i_s: 0.5,
-        mgl: 5.1,
-    };
-    for (theta, spin) in [
-        (0.5_f64, 40.0),
-        (0.5, 11.2),
-        (1e-2, -30.0),
-        (2.0, 3.0),
-        (3.0, 15.0),
-    ] {
-        let slope = -top.mgl * theta.sin();
-        let closed = SteadyPrecession::of_top(top.i, top.i_s, spin, theta, slope);
-        let SteadyPrecession::Two { slow, fast } = closed else {
-            panic!("{closed:?}");
-        };
-        for rate in [slow, fast] {
-            let steady = State::new(
-                0.0,
-                [0.3, theta, -0.2],
-                [rate, 0.0, spin - rate * theta.cos()],
-            );
-            let steady = EquilibriumSearch::of(&top)
-                .unknown(&[lagrangian::analysis::Variable::Velocity(Top::PHI)])
-                .near(&steady)
-                .unwrap()
-                .state;
-            let ratio = top.mgl / top.i;
-            let expected = rate * rate - 2.0 * ratio * theta.cos() + (ratio / rate).powi(2);
-            let oscillations = SmallOscillations::about(&top, &steady).unwrap();
-            let found = oscillations.normal_modes().unwrap();
-            assert_eq!(found.len(), 1);
-            assert_near(found.squared_frequency(0) / expected, 1.0, 1e-9);
-            let modes = oscillations.damped_modes().unwrap();
-            assert_near(modes[0].natural_frequency() / expected.sqrt(), 1.0, 1e-9);
-            // The hand-written Hessian of V_eff, with I.
-            assert_near(
-                oscillations.stiffness()[(1, 1)] / (top.i * expected),
-                1.0,
-                1e-9,
-            );
-            assert_eq!(oscillations.stability().unwrap().verdict(), Verdict::Stable);
-            // δφ̇ from δp_φ = δp_ψ = 0: I sin²θ δφ̇ = (I_s ω₃ sin θ − 2 I φ̇ sin θ cos θ) δθ.
-            let slope = (top.i_s * spin - 2.0 * top.i * rate * theta.cos()) / (top.i * theta.sin());
-            let shape = modes[0].shape;
-            let quotient = shape[Top::PHI] / shape[Top::THETA];
-            assert_near(quotient.im * modes[0].eigenvalue.im / -slope, 1.0, 1e-9);
-        }
-    }
-}
-
-/// A conical pendulum: Ω² = φ̇² (1 + 3 cos² θ).
-#[test]
-fn conical_pendulum() {
-    #[derive(Lagrangian)]
-    #[lagrangian(
-        coordinates(phi, theta),
-        kinetic = 0.5 * (dot(theta).powi(2) + (sin(theta) * dot(phi)).powi(2)),
-        potential = -g * cos(theta),
-    )]
-    struct Spherical {
-        g: f64,
-    }
-    let theta = 0.9_f64;
-    let rate = (9.81 / theta.cos()).sqrt();
-    let state = State::new(0.0, [0.0, theta], [rate, 0.0]);
-    let oscillations = SmallOscillations::about(&Spherical { g: 9.81 }, &state).unwrap();
-    let square = oscillations.normal_modes().unwrap().squared_frequency(0);
-    assert_near(
-        square / (rate * rate * (1.0 + 3.0 * theta.cos().powi(2))),
-        1.0,
-        1e-13,
-    );
-}
-
 /// A pendulum on a cart on a rail, with and without drag on the cart: its momentum is constant only without.
 #[test]
 fn ignorable_coordinate_with_friction() {
@@ -359,7 +262,7 @@ fn ignorable_coordinate_with_friction() {
     };
     let free = SmallOscillations::about(&model(0.0), &rest([0.3, 0.0])).unwrap();
     let square = free.normal_modes().unwrap().squared_frequency(0);
-    assert_near(square / (9.81 / 0.4 * 1.25), 1.0, 1e-14);
+    assert_close(square / (9.81 / 0.4 * 1.25), 1.0, 1e-14);
     assert_eq!(free.stability().unwrap().verdict(), Verdict::Stable);
     let slowed = SmallOscillations::about(&model(0.8), &rest([0.3, 0.0])).unwrap();
     let spectrum = slowed.spectrum().unwrap();
@@ -378,77 +281,6 @@ fn ignorable_coordinate_with_friction() {
         matches!(error, OscillationError::VelocityForces { .. }),
         "{error}"
     );
-}
-
-/// λ⁴ + λ² + (27/4) μ (1 − μ) = 0 about the triangular points: stable up to Routh's ratio 0.0385208965…, though the effective
-/// potential has a maximum there.
-#[test]
-fn triangular_points() {
-    #[derive(Lagrangian)]
-    #[lagrangian(
-        coordinates(x, y),
-        kinetic = 0.5 * ((dot(x) - y).powi(2) + (dot(y) + x).powi(2)),
-        potential = -(1 - mu) / ((x + mu).powi(2) + y.powi(2)).sqrt()
-            - mu / ((x - 1 + mu).powi(2) + y.powi(2)).sqrt(),
-    )]
-    struct ThreeBodies {
-        mu: f64,
-    }
-    let ratio = 0.5 * (1.0 - (23.0_f64 / 27.0).sqrt());
-    assert_near(ratio, 0.038_520_896_5, 1e-10);
-    for mu in [0.001, 0.012_15, ratio - 1e-6, ratio + 1e-6, 0.1, 0.5] {
-        let model = ThreeBodies { mu };
-        let state = EquilibriumSearch::of(&model)
-            .near(&rest([0.4, 0.8]))
-            .unwrap()
-            .state;
-        let oscillations = SmallOscillations::about(&model, &state).unwrap();
-        let stability = oscillations.stability().unwrap();
-        assert_eq!(
-            stability.second_variation,
-            SecondVariation::NotPositive { negative: 2 }
-        );
-        let is_below = mu < ratio;
-        let verdict = if is_below {
-            Verdict::LinearlyStable
-        } else {
-            Verdict::Unstable
-        };
-        assert_eq!(stability.verdict(), verdict, "μ = {mu}: {stability:?}");
-        let product = 6.75 * mu * (1.0 - mu);
-        for value in oscillations.spectrum().unwrap().iter() {
-            let square = value * value;
-            let left = square * square + square + product;
-            assert!(left.norm_sqr().sqrt() < 1e-13, "{left}");
-        }
-        if !is_below {
-            let LinearStability::Growing { rate } = stability.linear else {
-                panic!("{stability:?}");
-            };
-            // Re √((−1 + i √(27 μ (1 − μ) − 1))/2).
-            assert_near(rate, (0.5 * (product.sqrt() - 0.5)).sqrt(), 1e-9);
-        }
-        let error = oscillations.normal_modes().unwrap_err();
-        assert!(
-            error.to_string().contains("`damped_modes` has the modes"),
-            "{error}"
-        );
-    }
-    // The collinear ones are saddles.
-    let model = ThreeBodies { mu: 0.012_15 };
-    let state = EquilibriumSearch::of(&model)
-        .near(&rest([0.8, 0.0]))
-        .unwrap()
-        .state;
-    let stability = SmallOscillations::about(&model, &state)
-        .unwrap()
-        .stability()
-        .unwrap();
-    assert_eq!(
-        stability.second_variation,
-        SecondVariation::NotPositive { negative: 1 }
-    );
-    assert_eq!(stability.verdict(), Verdict::Unstable);
 }
 
 #[test]
