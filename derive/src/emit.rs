@@ -20,6 +20,7 @@ mod model_symbols;
 mod body;
 mod locals;
 mod documentation;
+mod printed_names;
 mod editor;
 mod validation_warning;
 mod fallback;

@@ -12,6 +12,8 @@ mod at_rest;
 mod in_frames;
 mod ablation;
 
+use core::mem;
+
 use lagrangian_symbolic::{Energies, Expression, Graph, Model};
 use proc_macro2::Ident;
 use syn::Expr;
@@ -38,6 +40,8 @@ pub(crate) struct Lowered {
     pub(crate) outputs: Vec<Shape>,
     /// The same of the events, which are outputs behind the others.
     pub(crate) events: Vec<Shape>,
+    /// The bodies of kinetic energies, as their masses, with the components of their angular velocities.
+    pub(crate) turning: Vec<(Expression, Vec<Expression>)>,
 }
 
 /// Resolves a declaration.
@@ -55,6 +59,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         within_derivative: false,
         at_rest: false,
         rotations: 0,
+        turning: Vec::new(),
     };
     let parts = lowerer.parts(declaration);
     let complete = lowerer.diagnostics.is_empty() && lowerer.scope.unknown().next().is_none();
@@ -62,6 +67,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let outputs = parts.outputs.iter().map(shape).collect();
     let events = parts.events.iter().map(shape).collect();
     let coordinates = lowerer.coordinates;
+    let turning = mem::take(&mut lowerer.turning);
     let in_frames = (complete && lowerer.rotations > 0)
         .then(|| energies_in_frames(&mut lowerer, declaration))
         .flatten();
@@ -82,6 +88,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         quantities,
         outputs,
         events,
+        turning,
     }
 }
 

@@ -86,6 +86,7 @@ pub(crate) fn reduce(
         quantities: Quantities::new(&reduced),
         outputs: Vec::new(),
         events: Vec::new(),
+        turning: Vec::new(),
     };
     Some(Reduced {
         declaration: reduced,

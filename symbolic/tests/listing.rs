@@ -105,6 +105,24 @@ impl Page {
                 ("T", Energies::Natural { kinetic, .. }) => Some(kinetic),
                 ("V", Energies::Natural { potential, .. }) => Some(potential),
                 ("L", _) => Some(self.equations.lagrangian),
+                ("h", _) if *right != "T + V" => Some(self.equations.energy),
+                ("h", Energies::Natural { kinetic, potential }) => {
+                    let roots = [self.equations.energy, kinetic, potential];
+                    let at = Self::at(0.0, &accelerations);
+                    let values = self.model.graph.evaluate(&roots, at);
+                    assert_near(values[1] + values[2], values[0], 1e-12, right);
+                    continue;
+                }
+                ("dh/dt" | "\\fracdhdt", _) => {
+                    assert_near(
+                        value(right),
+                        self.rate_of_energy(&accelerations),
+                        1e-7,
+                        right,
+                    );
+                    compared += 1;
+                    continue;
+                }
                 _ => plain.strip_prefix("p_").map(|name| {
                     let i = COORDINATES.iter().position(|x| *x == name);
                     self.equations.momenta[i.expect("a coordinate")]
@@ -129,6 +147,16 @@ impl Page {
             }
         }
         compared
+    }
+
+    /// dh/dt by central differences along the motion.
+    fn rate_of_energy(&self, accelerations: &[f64]) -> f64 {
+        let step = 1e-5;
+        let [before, after] = [-step, step].map(|s| {
+            let at = Self::at(s, accelerations);
+            self.model.graph.evaluate(&[self.equations.energy], at)[0]
+        });
+        (after - before) / (2.0 * step)
     }
 
     /// The value of a formula at a time s; that of a rate by central differences of what is defined.
@@ -250,6 +278,28 @@ fn equations_of_other_systems_hold_as_they_are_printed() {
             page.listing.unicode
         );
     }
+}
+
+#[test]
+fn the_energy_function_is_listed_with_its_rate() {
+    let sentence = "h is constant.";
+    let has = |page: &Page, line: &str| page.listing.unicode.lines().any(|found| found == line);
+    let top = Page::of(systems::general_top(Spelling::Squares), &[]);
+    assert!(has(&top, "h = T + V") && has(&top, sentence));
+    // A force that an input sets does work; a driven support changes L.
+    let page = Page::of(systems::cart_pole(), &[]);
+    assert!(has(&page, "h = T + V") && !has(&page, sentence));
+    let page = Page::of(systems::driven_pendulum(), &[]);
+    assert!(!has(&page, sentence), "{}", page.listing.unicode);
+    assert!(
+        page.listing.unicode.contains("\ndh/dt = "),
+        "{}",
+        page.listing.unicode
+    );
+    // Of a charge in a field, V has terms with velocities, which are not in h.
+    let page = Page::of(systems::charged(), &[]);
+    assert!(!has(&page, "h = T + V") && page.listing.unicode.contains("\nh = "));
+    page.check();
 }
 
 #[test]

@@ -512,6 +512,6 @@ fn reduced_models_are_models_like_any_other() {
         "{written}"
     );
     let equations = ReducedTop::EQUATIONS;
-    let potential = "V = (p_φ − p_ψ cos θ)²/(2 i sin²θ) + p_ψ²/(2 i_s) + m g l cos θ";
+    let potential = "V = (p_φ − p_ψ cos θ)²/(2 I sin²θ) + p_ψ²/(2 I_s) + m g l cos θ";
     assert!(equations.contains(potential), "{equations}");
 }

@@ -10,6 +10,10 @@ V = −m g l cos θ
 Momenta p = ∂L/∂q̇:
 p_θ = m l² θ̇
 
+Energy function h = Σ p q̇ − L:
+h = T + V
+dh/dt = torque·θ̇ − friction·θ̇²
+
 Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6):
 m l² θ̈ + m g l sin θ = torque − friction·θ̇
 
@@ -42,9 +46,9 @@ impl DrivenPendulum {
     ///The index of the input `torque`.
     pub const TORQUE: usize = 0usize;
     /// The equations of motion as they were derived, in lines of Unicode.
-    pub const EQUATIONS: &'static str = "q = θ\nT = ½ m l² θ\u{307}²\nV = −m g l cos θ\n\nMomenta p = ∂L/∂q\u{307}:\np_θ = m l² θ\u{307}\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\nm l² θ\u{308} + m g l sin θ = torque − friction·θ\u{307}\n\nSolved for the accelerations:\nθ\u{308} = ((torque − friction·θ\u{307})/(m l) − g sin θ)/l\n";
+    pub const EQUATIONS: &'static str = "q = θ\nT = ½ m l² θ\u{307}²\nV = −m g l cos θ\n\nMomenta p = ∂L/∂q\u{307}:\np_θ = m l² θ\u{307}\n\nEnergy function h = Σ p q\u{307} − L:\nh = T + V\ndh/dt = torque·θ\u{307} − friction·θ\u{307}²\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\nm l² θ\u{308} + m g l sin θ = torque − friction·θ\u{307}\n\nSolved for the accelerations:\nθ\u{308} = ((torque − friction·θ\u{307})/(m l) − g sin θ)/l\n";
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
-    pub const LATEX: &'static str = "\\begin{align*}\nq &= \\theta\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m l^{2} \\dot{\\theta}^{2} \\\\\nV &= -m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\theta} &= m l^{2} \\dot{\\theta}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm l^{2} \\ddot{\\theta} + m g l \\sin \\theta &= \\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{\\theta} &= \\frac{\\frac{\\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}}{m l} - g \\sin \\theta}{l}\n\\end{align*}\n";
+    pub const LATEX: &'static str = "\\begin{align*}\nq &= \\theta\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m l^{2} \\dot{\\theta}^{2} \\\\\nV &= -m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\theta} &= m l^{2} \\dot{\\theta}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= \\mathrm{torque}\\,\\dot{\\theta} - \\mathrm{friction}\\,\\dot{\\theta}^{2}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm l^{2} \\ddot{\\theta} + m g l \\sin \\theta &= \\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{\\theta} &= \\frac{\\frac{\\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}}{m l} - g \\sin \\theta}{l}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
         lagrangian: ::lagrangian::OperationCount {

@@ -10,6 +10,10 @@ V = ½ k x²
 Momenta p = ∂L/∂q̇:
 p_x = m ẋ
 
+Energy function h = Σ p q̇ − L:
+h = T + V
+dh/dt = −ẋ friction(ẋ/width, weight) − 0.1 weight·ẋ side(x)
+
 Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6):
 m ẍ + k x = −friction(ẋ/width, weight) − 0.1 weight·side(x)
 
@@ -38,9 +42,9 @@ impl Slider {
     ///The index of the coordinate `x`.
     pub const X: usize = 0usize;
     /// The equations of motion as they were derived, in lines of Unicode.
-    pub const EQUATIONS: &'static str = "q = x\nT = ½ m x\u{307}²\nV = ½ k x²\n\nMomenta p = ∂L/∂q\u{307}:\np_x = m x\u{307}\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\nm x\u{308} + k x = −friction(x\u{307}/width, weight) − 0.1 weight·side(x)\n\nSolved for the accelerations:\nx\u{308} = −friction(x\u{307}/width, weight)/m − 0.1 (10 k x + weight·side(x))/m\n";
+    pub const EQUATIONS: &'static str = "q = x\nT = ½ m x\u{307}²\nV = ½ k x²\n\nMomenta p = ∂L/∂q\u{307}:\np_x = m x\u{307}\n\nEnergy function h = Σ p q\u{307} − L:\nh = T + V\ndh/dt = −x\u{307} friction(x\u{307}/width, weight) − 0.1 weight·x\u{307} side(x)\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\nm x\u{308} + k x = −friction(x\u{307}/width, weight) − 0.1 weight·side(x)\n\nSolved for the accelerations:\nx\u{308} = −friction(x\u{307}/width, weight)/m − 0.1 (10 k x + weight·side(x))/m\n";
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
-    pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
+    pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= -\\dot{x} \\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\dot{x} \\operatorname{side}\\left(x\\right)\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
         lagrangian: ::lagrangian::OperationCount {

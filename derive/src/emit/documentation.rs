@@ -3,12 +3,14 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use lagrangian_symbolic::{Declared, Equations, Listing, Model, Names, OperationCount};
+use lagrangian_symbolic::{
+    Declared, Equations, Expression, Graph, Listing, Model, Node, OperationCount, Symbol,
+};
 
 use super::emitter::Emitter;
 use super::events::names;
+use super::printed_names::{BodyNames, printed_names};
 use crate::lower::Lowered;
-use crate::lower::quantities::Component;
 use crate::plan::Methods;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::unraw;
@@ -60,6 +62,7 @@ pub(crate) fn listing(
             definitions.extend(components.map(|(label, x)| (label.to_string(), x)));
         }
     }
+    definitions.extend(angular_velocities(&model.graph, lowered));
     let before = lowered.outputs.iter().map(|shape| shape.count()).sum();
     let functions = model.outputs.iter().skip(before).copied();
     let declared = Declared {
@@ -72,18 +75,21 @@ pub(crate) fn listing(
     Listing::of(model, equations, &solved, &declared)
 }
 
-/// The names of coordinates, parameters and inputs.
-pub(super) fn printed_names(lowered: &Lowered) -> Names {
-    let quantities = &lowered.quantities;
-    let all = |components: &[Component]| -> Vec<String> {
-        let labels = components.iter().map(|component| &component.label);
-        labels.map(ToString::to_string).collect()
-    };
-    let coordinates = quantities.coordinates.iter();
-    Names {
-        coordinates: coordinates.map(ToString::to_string).collect(),
-        parameters: all(&quantities.parameters),
-        inputs: all(&quantities.inputs),
-        ..Names::default()
+/// The components of the angular velocities of bodies, where they are not defined by other names.
+fn angular_velocities(graph: &Graph, lowered: &Lowered) -> Vec<(String, Expression)> {
+    let names = BodyNames::of(lowered);
+    let mut definitions = Vec::new();
+    let mut seen = BTreeSet::new();
+    for (mass, components) in &lowered.turning {
+        let Node::Symbol(Symbol::Parameter(i)) = graph.node(*mass) else {
+            continue;
+        };
+        if let Some(component) = lowered.quantities.parameters.get(*i as usize)
+            && seen.insert(*i)
+        {
+            let names = names.angular_velocity(&component.label);
+            definitions.extend(names.into_iter().zip(components.iter().copied()));
+        }
     }
+    definitions
 }

@@ -4,8 +4,8 @@ use lagrangian_symbolic::{Letters, Symbol};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::documentation::printed_names;
 use super::emitter::Emitter;
+use super::printed_names::printed_names;
 use super::signatures::InputsFrom;
 use crate::lower::quantities::Quantities;
 use crate::plan::Interface;

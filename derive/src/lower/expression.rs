@@ -52,6 +52,8 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) at_rest: bool,
     /// The number of rotations by angles, and of angular velocities, so far.
     pub(crate) rotations: usize,
+    /// The bodies whose kinetic energies were lowered, as their masses, with their angular velocities.
+    pub(crate) turning: Vec<(Expression, Vec<Expression>)>,
 }
 
 impl Lowerer<'_> {

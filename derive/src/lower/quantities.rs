@@ -77,6 +77,17 @@ impl Component {
         components
     }
 
+    /// Whether this is a number of a body whose axes are principal ones.
+    pub(crate) fn is_principal(&self) -> bool {
+        matches!(
+            self.access,
+            Access::OfBody {
+                ty: BodyType::Principal | BodyType::Symmetric,
+                ..
+            }
+        )
+    }
+
     /// The expression that reads the component, with the name of the field where it is mentioned.
     pub(crate) fn read(&self, field: &Ident, root: &Root) -> TokenStream {
         // The compiler says so where the type is another.

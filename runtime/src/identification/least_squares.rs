@@ -30,7 +30,7 @@ use crate::scalar::Scalar;
 /// struct Pendulum { i: f64, m: f64, c: f64, g: f64, #[lagrangian(input)] torque: f64 }
 ///
 /// let real = Pendulum { i: 0.02, m: 1.5, c: 0.3, g: 9.81, torque: 0.0 };
-/// assert_eq!(Pendulum::BASE_PARAMETERS, ["i + m c²", "m c"]);
+/// assert_eq!(Pendulum::BASE_PARAMETERS, ["I + m c²", "m c"]);
 /// let mut identification = Identification::new(Pendulum::BASE_PARAMETERS);
 /// // What is known of the pendulum: g.
 /// let model = Pendulum { i: 0.0, m: 0.0, c: 0.0, g: 9.81, torque: 0.0 };

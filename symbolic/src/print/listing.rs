@@ -6,6 +6,7 @@
 
 pub(crate) mod section;
 pub(crate) mod composer;
+pub(crate) mod energy;
 pub(crate) mod solved;
 
 use crate::mechanics::solvers::form::SolvedForm;
@@ -56,6 +57,7 @@ impl Listing {
         let energies = composer.energies();
         let events = composer.events();
         let momenta = composer.momenta(equations);
+        let energy = composer.energy_function(equations);
         let lagrange = composer.lagrange(equations);
         let solved = composer.solved(&solved);
         let definitions = composer.definitions();
@@ -66,6 +68,7 @@ impl Listing {
             energies,
             events,
             momenta,
+            energy,
             lagrange,
         ];
         sections.extend(solved);

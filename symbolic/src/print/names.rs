@@ -8,8 +8,8 @@ use crate::{Expression, Symbol};
 
 /// The names under which a formula is printed.
 ///
-/// They are written as in Rust and printed as in a book: `theta` as θ, `i1` as i₁, `c_phi` as `c_φ`,
-/// and the velocity of `theta` as θ̇. A symbol without a name is called by its kind and number.
+/// They are written as in Rust and printed as in a book: `theta` as θ, `l1` as l₁, `c_phi` as `c_φ`, `x_hat` as x̂,
+/// the velocity of `theta` as θ̇, and a parameter `i1`, a moment of inertia, as I₁. A symbol without a name is called by its kind and number.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     /// The names of the coordinates, in order; velocities and accelerations are those with dots.
@@ -41,19 +41,26 @@ impl Letters {
     #[must_use]
     pub fn new(names: &Names) -> Self {
         let mut spelled = Collisions::default();
-        for name in names.all() {
-            spelled.note(name);
+        for name in &names.parameters {
+            spelled.note(name, &Spelling::of_parameter(name));
         }
-        let list = |names: &[String]| names.iter().map(|name| spelled.spelling(name)).collect();
+        for name in names.all_but_parameters() {
+            spelled.note(name, &Spelling::of(name));
+        }
+        let spelling = |name: &String| spelled.spelling(name, Spelling::of(name));
+        let list = |names: &[String]| names.iter().map(spelling).collect();
+        let parameters = names.parameters.iter();
+        let parameters =
+            parameters.map(|name| spelled.spelling(name, Spelling::of_parameter(name)));
         Self {
             coordinates: list(&names.coordinates),
-            parameters: list(&names.parameters),
+            parameters: parameters.collect(),
             inputs: list(&names.inputs),
             quasi_velocities: list(&names.quasi_velocities),
             definitions: names
                 .definitions
                 .iter()
-                .map(|(expression, name)| (*expression, spelled.spelling(name)))
+                .map(|(expression, name)| (*expression, spelling(name)))
                 .collect(),
             marks_indices: false,
         }
@@ -121,12 +128,12 @@ impl Letters {
 
 impl Names {
     pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
-        let lists = [
-            &self.coordinates,
-            &self.parameters,
-            &self.inputs,
-            &self.quasi_velocities,
-        ];
+        let parameters = self.parameters.iter().map(String::as_str);
+        self.all_but_parameters().chain(parameters)
+    }
+
+    fn all_but_parameters(&self) -> impl Iterator<Item = &str> {
+        let lists = [&self.coordinates, &self.inputs, &self.quasi_velocities];
         let definitions = self.definitions.values();
         lists
             .into_iter()
@@ -139,26 +146,25 @@ impl Names {
 /// Finds names that would be printed alike, such as `i1` and `i_1`; those are printed as written.
 #[derive(Default)]
 struct Collisions {
-    seen: BTreeMap<Spelling, String>,
-    ambiguous: BTreeSet<Spelling>,
+    /// By what is printed, the name.
+    seen: BTreeMap<String, String>,
+    ambiguous: BTreeSet<String>,
 }
 
 impl Collisions {
-    fn note(&mut self, name: &str) {
-        let spelling = Spelling::of(name);
-        let first = self
-            .seen
-            .entry(spelling.clone())
-            .or_insert_with(|| name.into());
+    fn note(&mut self, name: &str, spelling: &Spelling) {
+        let printed = spelling.print(0, Notation::Unicode);
+        let first = self.seen.entry(printed.clone());
+        let first = first.or_insert_with(|| name.into());
         // The number π is printed by that letter alone.
-        if first != name || spelling == Spelling::of("pi") {
-            self.ambiguous.insert(spelling);
+        if first != name || printed == "π" {
+            self.ambiguous.insert(printed);
         }
     }
 
-    fn spelling(&self, name: &str) -> Spelling {
-        let spelling = Spelling::of(name);
-        if self.ambiguous.contains(&spelling) {
+    fn spelling(&self, name: &str, spelling: Spelling) -> Spelling {
+        let printed = spelling.print(0, Notation::Unicode);
+        if self.ambiguous.contains(&printed) {
             Spelling::verbatim(name)
         } else {
             spelling
@@ -173,7 +179,12 @@ mod tests {
     #[test]
     fn names_that_would_look_alike_are_printed_as_written() {
         let names = Names {
-            parameters: ["i1", "i_1", "theta", "pi"].map(String::from).into(),
+            parameters: [
+                "l1", "l_1", "theta", "pi", "x12", "x1_2", "i_s", "I_s", "i3",
+            ]
+            .map(String::from)
+            .into(),
+            coordinates: vec!["i3".into(), "i4".into()],
             ..Names::default()
         };
         let letters = Letters::new(&names);
@@ -181,7 +192,10 @@ mod tests {
             let (spelling, dots) = letters.symbol(Symbol::Parameter(index));
             spelling.print(dots, Notation::Unicode)
         };
-        assert_eq!([0, 1, 2, 3].map(printed), ["i1", "i_1", "θ", "pi"]);
-        assert_eq!(printed(4), "p₅");
+        assert_eq!([0, 1, 2, 3].map(printed), ["l1", "l_1", "θ", "pi"]);
+        assert_eq!([4, 5].map(printed), ["x12", "x1_2"]);
+        assert_eq!([6, 7].map(printed), ["i_s", "I_s"]);
+        assert_eq!([8, 9].map(printed), ["I₃", "p₁₀"]);
+        assert_eq!(letters.print_both(Symbol::Coordinate(0))[0], "i₃");
     }
 }

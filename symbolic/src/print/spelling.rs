@@ -3,18 +3,55 @@
 use crate::print::folding::token::MARKS;
 use crate::print::notation::{Notation, subscript};
 
-/// A name taken apart: a letter or word, and what is written below the line behind it.
+/// A name taken apart: a letter or word, what is written above it, and what is written below the line behind it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Spelling {
     stem: String,
+    accent: Option<Accent>,
     subscripts: Vec<String>,
     /// Whether its numbers are indices of a family.
     is_indexed: bool,
 }
 
-/// The Greek letters that differ from Latin ones, as names are written in Rust. LaTeX has the same
-/// names behind a backslash.
-const GREEK: [(&str, char); 34] = [
+/// What a name such as `x_hat` has above its letter. There is no dot, which is that of a velocity.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Accent {
+    Hat,
+    Bar,
+    Tilde,
+    Prime,
+}
+
+impl Accent {
+    /// The accent, its name in Rust and in LaTeX, and the sign behind a letter in Unicode.
+    const ALL: [(Self, &str, &str, char); 4] = [
+        (Self::Hat, "hat", "\\hat", '\u{302}'),
+        (Self::Bar, "bar", "\\bar", '\u{304}'),
+        (Self::Tilde, "tilde", "\\tilde", '\u{303}'),
+        (Self::Prime, "prime", "'", '′'),
+    ];
+
+    fn named(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|(_, known, ..)| *known == name)
+            .map(|(accent, ..)| accent)
+    }
+
+    const fn sign(self) -> char {
+        Self::ALL[self as usize].3
+    }
+
+    /// The letter with the accent in LaTeX.
+    fn latex(self, letter: &str) -> String {
+        match self {
+            Self::Prime => format!("{letter}'"),
+            _ => format!("{}{{{letter}}}", Self::ALL[self as usize].2),
+        }
+    }
+}
+
+/// The letters that are no Latin ones, as names are written in Rust. LaTeX has the same names behind a backslash.
+const LETTERS: [(&str, char); 39] = [
     ("alpha", 'α'),
     ("beta", 'β'),
     ("gamma", 'γ'),
@@ -49,6 +86,11 @@ const GREEK: [(&str, char); 34] = [
     ("Phi", 'Φ'),
     ("Psi", 'Ψ'),
     ("Omega", 'Ω'),
+    ("varepsilon", 'ϵ'),
+    ("vartheta", 'ϑ'),
+    ("varphi", 'ϕ'),
+    ("varrho", 'ϱ'),
+    ("ell", 'ℓ'),
 ];
 
 impl Spelling {
@@ -66,17 +108,33 @@ impl Spelling {
             return Self::verbatim(name);
         }
         let number = Some(&first[stem.len()..]).filter(|digits| !digits.is_empty());
+        let mut subscripts: Vec<_> = number.into_iter().chain(parts).collect();
+        let accent = subscripts.first().and_then(|part| Accent::named(part));
+        if accent.is_some() {
+            subscripts.remove(0);
+        }
         Self {
             stem: letter(stem),
-            subscripts: number.into_iter().chain(parts).map(letter).collect(),
+            accent,
+            subscripts: subscripts.into_iter().map(letter).collect(),
             is_indexed: name.contains('['),
         }
+    }
+
+    /// The same of a parameter, where `i` is a moment of inertia: books write I, which is no name of a field in Rust.
+    pub(crate) fn of_parameter(name: &str) -> Self {
+        let mut spelling = Self::of(name);
+        if spelling.stem == "i" {
+            spelling.stem = "I".into();
+        }
+        spelling
     }
 
     /// A name that is printed as it is written.
     pub(crate) fn verbatim(name: &str) -> Self {
         Self {
             stem: name.into(),
+            accent: None,
             subscripts: Vec::new(),
             is_indexed: false,
         }
@@ -130,11 +188,15 @@ impl Spelling {
 
     fn unicode(&self, dots: usize) -> String {
         let mut text = self.stem.clone();
+        let prime = self.accent == Some(Accent::Prime);
+        let accent = self.accent.map(Accent::sign);
+        text.extend(accent.filter(|_| !prime));
         match dots {
             0 => {}
             1 => text.push('\u{307}'),
             _ => text.push('\u{308}'),
         }
+        text.extend(accent.filter(|_| prime));
         let mut previous_digits = 0;
         for part in &self.subscripts {
             let digits = part.chars().all(|c| c.is_ascii_digit());
@@ -153,12 +215,19 @@ impl Spelling {
     }
 
     fn latex(&self, dots: usize) -> String {
-        let stem = latex_letter(&self.stem);
-        let mut text = match dots {
-            0 => stem,
-            1 => format!("\\dot{{{stem}}}"),
-            _ => format!("\\ddot{{{stem}}}"),
+        let mut text = latex_letter(&self.stem);
+        let accent = self.accent.filter(|accent| *accent != Accent::Prime);
+        if let Some(accent) = accent {
+            text = accent.latex(&text);
+        }
+        text = match dots {
+            0 => text,
+            1 => format!("\\dot{{{text}}}"),
+            _ => format!("\\ddot{{{text}}}"),
         };
+        if self.accent == Some(Accent::Prime) {
+            text = Accent::Prime.latex(&text);
+        }
         if !self.subscripts.is_empty() {
             let parts: Vec<_> = self
                 .subscripts
@@ -171,16 +240,16 @@ impl Spelling {
     }
 }
 
-/// The Greek letter that a word spells, or the word.
+/// The letter that a word spells, or the word.
 fn letter(word: &str) -> String {
-    GREEK
+    LETTERS
         .iter()
         .find(|(name, _)| *name == word)
         .map_or_else(|| word.into(), |(_, letter)| letter.to_string())
 }
 
 fn latex_letter(word: &str) -> String {
-    let greek = GREEK
+    let greek = LETTERS
         .iter()
         .find(|(_, letter)| word.chars().eq([*letter]))
         .map(|(name, _)| format!("\\{name}"));
@@ -223,11 +292,42 @@ mod tests {
             ("r#type", 0, "type", "\\mathrm{type}"),
             ("θ", 0, "θ", "\\theta"),
             ("_0", 0, "_0", "\\mathrm{\\_0}"),
+            ("x_hat", 0, "x\u{302}", "\\hat{x}"),
+            ("theta_bar_1", 0, "θ\u{304}₁", "\\bar{\\theta}_{1}"),
+            ("x_tilde", 1, "x\u{303}\u{307}", "\\dot{\\tilde{x}}"),
+            ("l_prime", 0, "l′", "l'"),
+            ("x1_prime", 0, "x₁_prime", "x_{1,\\mathrm{prime}}"),
+            ("q_prime", 1, "q\u{307}′", "\\dot{q}'"),
+            ("x_dot", 0, "x_dot", "x_{\\mathrm{dot}}"),
+            ("vartheta", 2, "ϑ\u{308}", "\\ddot{\\vartheta}"),
+            ("ell_0", 0, "ℓ₀", "\\ell_{0}"),
+            ("mu_k", 0, "μ_k", "\\mu_{k}"),
+            ("Delta_l", 0, "Δ_l", "\\Delta_{l}"),
         ] {
             let spelling = Spelling::of(name);
             assert_eq!(spelling.print(dots, Notation::Unicode), unicode);
             assert_eq!(spelling.print(dots, Notation::Latex), latex);
         }
+    }
+
+    #[test]
+    fn moments_of_inertia_are_capitals() {
+        for (name, unicode) in [
+            ("i", "I"),
+            ("i1", "I₁"),
+            ("i_1", "I₁"),
+            ("i_s", "I_s"),
+            ("i_xx", "I_xx"),
+            ("i[2]", "I₂"),
+            ("I_s", "I_s"),
+            ("inertia", "inertia"),
+            ("input", "input"),
+            ("j1", "j₁"),
+        ] {
+            let printed = Spelling::of_parameter(name).print(0, Notation::Unicode);
+            assert_eq!(printed, unicode);
+        }
+        assert_eq!(Spelling::of("i1").print(0, Notation::Unicode), "i₁");
     }
 
     #[test]

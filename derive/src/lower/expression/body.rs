@@ -240,6 +240,7 @@ impl Lowerer<'_> {
         }
         let velocity = self.graph.matrix_time_derivative(&center, self.coordinates);
         self.check_derivative(call, &Value::Array(velocity.clone()), context)?;
+        self.turning.push((body.mass, angular.elements().to_vec()));
         let graph = &mut self.graph;
         let square = graph.norm_squared(&velocity);
         let translation = graph.multiply(body.mass, square);

@@ -54,7 +54,7 @@ impl<'a> Composer<'a> {
     }
 
     /// Adds an equation to a section if there is room. What is too long is not even arranged.
-    fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
+    pub(crate) fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
         let symbols = self.model.graph.written_symbols(&[right], &self.letters);
         if symbols <= LONGEST_UNARRANGED && section.has_room() {
             let right = Side::Expression(self.arranged(right));
