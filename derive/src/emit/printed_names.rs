@@ -10,7 +10,7 @@ use lagrangian_symbolic::Names;
 
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::syntax::body_type::BodyQuantity;
+use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::label::{Index, Label};
 
 /// The names of coordinates, parameters and inputs.
