@@ -5,6 +5,8 @@ mod bodies;
 mod declarations;
 mod derivatives;
 mod kane;
+mod series;
+mod solvers;
 
 use lagrangian_symbolic::{Kinetics, Program, Symbol};
 use proc_macro2::TokenStream;

@@ -55,6 +55,24 @@ pub struct LinearSystem {
 impl Kinetics {
     /// The kinetics of `model`.
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
+        let (kinetics, solvers) = Self::with_solvers(model, equations);
+        Self {
+            solution: Solution::cheapest(&mut model.graph, solvers),
+            ..kinetics
+        }
+    }
+
+    /// The accelerations by each solver that applies, to compare them.
+    pub fn solutions(model: &mut Model, equations: &Equations) -> Vec<Solution> {
+        let (_, solvers) = Self::with_solvers(model, equations);
+        let solvers = solvers.into_iter();
+        solvers
+            .map(|solver| Solution::by(&mut model.graph, solver))
+            .collect()
+    }
+
+    /// The kinetics without a solution, and the solvers that apply.
+    fn with_solvers(model: &mut Model, equations: &Equations) -> (Self, Vec<Solver>) {
         let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
         let forces = &equations.generalized_forces;
         let passes = model.graph.passes;
@@ -103,8 +121,8 @@ impl Kinetics {
         }
         let boltzmann_hamel = boltzmann_hamel_solvers(model, equations, declared);
         solvers.extend(boltzmann_hamel.iter().cloned().map(Solver::BoltzmannHamel));
-        Self {
-            solution: Solution::cheapest(&mut model.graph, solvers),
+        let kinetics = Self {
+            solution: None,
             energies,
             mass: cheaper.mass,
             forcing: cheaper.forcing,
@@ -113,7 +131,8 @@ impl Kinetics {
             links,
             unit,
             boltzmann_hamel,
-        }
+        };
+        (kinetics, solvers)
     }
 
     /// The derivatives of q̈, column by column, with the accelerations as symbols; none where they are to be solved for

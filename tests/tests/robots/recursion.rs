@@ -176,5 +176,58 @@ pub(super) fn assert_moves_as<M, const N: usize>(
         let parts = inverse_dynamics(links, state, &SVector::zeros(), gravity);
         let error = forces.amax() / parts.amax();
         assert!(error < 1e-11, "accelerations: {error:e}");
+        assert_solves_system(model, state, parts.amax());
     }
+    assert_linearizes(model, &states[0]);
+}
+
+/// Compares the derivatives of the accelerations with differences of order six.
+fn assert_linearizes<M, const N: usize>(model: &M, state: &State<f64, N>)
+where
+    M: Lagrangian<N>,
+{
+    const STEP: f64 = 2e-3;
+    let found = model.linearize(state);
+    let difference = |change: &dyn Fn(&mut State<f64, N>, f64)| {
+        let weights = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
+        let terms = weights.into_iter().map(|(steps, weight)| {
+            let [ahead, behind] = [steps, -steps].map(|steps| {
+                let mut state = *state;
+                change(&mut state, steps * STEP);
+                model.accelerations(&state)
+            });
+            (ahead - behind) * (weight / (60.0 * STEP))
+        });
+        terms.sum::<SVector<f64, N>>()
+    };
+    for i in 0..N {
+        let expected = [
+            difference(&|state, step| state.q[i] += step),
+            difference(&|state, step| state.v[i] += step),
+        ];
+        let found = [found.position.column(i), found.velocity.column(i)];
+        for (found, expected) in found.into_iter().zip(expected) {
+            let error = (found - expected).norm() / (1.0 + expected.norm());
+            assert!(error < 1e-7, "column {i}: {error:e}");
+        }
+    }
+}
+
+/// Compares the accelerations with those by a numerical factorization of M: to what the condition of M leaves of the digits of forces whose parts have a size.
+fn assert_solves_system<M, const N: usize>(model: &M, state: &State<f64, N>, size: f64)
+where
+    M: Lagrangian<N>,
+{
+    let (mass, forcing) = (model.mass_matrix(state), model.forcing(state));
+    let inverse = nalgebra::DMatrix::from_column_slice(N, N, mass.as_slice())
+        .try_inverse()
+        .unwrap();
+    let inverse = nalgebra::SMatrix::<f64, N, N>::from_column_slice(inverse.as_slice());
+    let found = model.accelerations(state);
+    let expected = inverse * forcing;
+    // |δx| ≤ |M⁻¹| (|δf| + |δM| |x|), each with some tens of rounding errors.
+    let rounded = 64.0 * f64::EPSILON;
+    let bound = inverse.norm() * rounded * (size + mass.norm() * found.norm());
+    let error = (found - expected).norm();
+    assert!(error < bound, "{error:e} exceeds {bound:e}");
 }

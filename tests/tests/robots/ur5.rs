@@ -33,6 +33,7 @@ use super::recursion::{Link, Motion, assert_moves_as};
             + 0.5 * (across[i] * (w[i].x.powi(2) + w[i].y.powi(2)) + along[i] * w[i].z.powi(2))
     }).sum(),
     potential = (0..6).map(|i| m[i] * g * c[i].z).sum(),
+    taylor,
 )]
 struct Ur5 {
     m: [f64; 6],
@@ -42,10 +43,9 @@ struct Ur5 {
     g: f64,
 }
 
-#[test]
-fn it_moves_as_its_links() {
+fn ur5() -> Ur5 {
     let wrist = 0.111_172_755_531;
-    let arm = Ur5 {
+    Ur5 {
         m: [3.7, 8.393, 2.275, 1.219, 1.219, 0.1879],
         center: [0.0, 0.28, 0.25, 0.0, 0.0, 0.0],
         across: [
@@ -58,7 +58,12 @@ fn it_moves_as_its_links() {
         ],
         along: [0.00666, 0.015_107_4, 0.004_095, 0.21942, 0.21942, 0.033_822],
         g: 9.81,
-    };
+    }
+}
+
+#[test]
+fn it_moves_as_its_links() {
+    let arm = ur5();
     let places = [
         [0.0, 0.0, 0.089_159],
         [0.0, 0.13585, 0.0],
@@ -86,4 +91,28 @@ fn it_moves_as_its_links() {
     let mut random = Random::default();
     let states: Vec<_> = (0..20).map(|_| random.state()).collect();
     assert_moves_as(&arm, &links, arm.g, &states);
+}
+
+/// Swinging from rest, by the Taylor series along the links and by Runge and Kutta's method with tight tolerances.
+#[test]
+fn its_series_moves_it_and_keeps_its_energy() {
+    let arm = ur5();
+    let start = State::new(0.0, [0.3, 0.4, -0.7, 0.2, 0.5, 0.1], [0.0; 6]);
+    let energy = arm.energy(&start);
+    let series = Taylor::new();
+    let end = series.integrate_to(&arm.dynamics(), start, 1.0).unwrap();
+    let tight = Dop853::new()
+        .relative_tolerance(1e-14)
+        .absolute_tolerance(1e-14);
+    let expected = tight.integrate_to(&arm.dynamics(), start, 1.0).unwrap();
+    let [found, expected] = [end, expected].map(|end| end.state());
+    assert!((found.q - start.q).norm() > 0.5, "it moves: {found:?}");
+    assert!((found.q - expected.q).norm() < 1e-11, "{found:?}");
+    assert!((found.v - expected.v).norm() < 1e-10, "{found:?}");
+    // The size of the energy that is exchanged is that of the kinetic one.
+    let end = series.integrate_to(&arm.dynamics(), start, 100.0).unwrap();
+    let state = end.state();
+    let size = 0.5 * state.v.dot(&(arm.mass_matrix(&state) * state.v)) + energy.abs();
+    let drift = (arm.energy(&state) - energy).abs() / size;
+    assert!(drift < 1e-12, "{drift:e}");
 }

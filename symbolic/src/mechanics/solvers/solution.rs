@@ -55,7 +55,7 @@ impl Solution {
     pub(crate) fn cheapest(graph: &mut Graph, solvers: Vec<Solver>) -> Option<Self> {
         let mut solutions = Vec::with_capacity(solvers.len());
         for solver in solvers.into_iter().rev() {
-            solutions.push(Self::solved_by(graph, solver));
+            solutions.push(Self::by(graph, solver));
         }
         let unscheduled =
             |solution: &Self| graph.cost(&[&*solution.pivots, &solution.accelerations].concat());
@@ -73,7 +73,8 @@ impl Solution {
         })
     }
 
-    fn solved_by(graph: &mut Graph, solver: Solver) -> Self {
+    /// The solution by one solver.
+    pub(crate) fn by(graph: &mut Graph, solver: Solver) -> Self {
         let (pivots, accelerations) = match &solver {
             Solver::BoltzmannHamel(solver) => (solver.pivots(), solver.accelerations(graph)),
             Solver::ArticulatedBodies(solver) => {
@@ -97,6 +98,17 @@ impl Solution {
     /// How M x = r is solved.
     pub(crate) const fn solver(&self) -> &Solver {
         &self.solver
+    }
+
+    /// How M x = r is solved, in words.
+    #[must_use]
+    pub const fn method(&self) -> &'static str {
+        match self.solver {
+            Solver::BoltzmannHamel(_) => "quasi-velocities",
+            Solver::ArticulatedBodies(_) => "articulated bodies",
+            Solver::ArticulatedLinks(_) => "articulated links",
+            Solver::Ldlt(..) => "factors of M",
+        }
     }
 
     /// Whether M itself is eliminated.
