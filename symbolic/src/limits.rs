@@ -258,6 +258,10 @@ pub(crate) const LONGEST_SECTION: usize = 1200;
 /// Expressions with more terms are printed as they are. Made by a chain of twenty links, whose forces have some 400.
 pub(crate) const MOST_ARRANGED_TERMS: usize = 512;
 
+/// Equations that have more symbols where nothing is called by its name are arranged by names alone. Made by arms in space,
+/// whose rotations double with each joint; what cancels in tops and in their definitions has some 500.
+pub(crate) const LONGEST_ARRANGED_IN_FULL: u64 = 2000;
+
 /// Of arrangements that are longer than this in print, in characters, the first is taken.
 pub(crate) const LONGEST_ARRANGED: usize = 2000;
 

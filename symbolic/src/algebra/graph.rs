@@ -214,20 +214,25 @@ impl Graph {
     #[must_use]
     pub fn descendants(&self, roots: &[Expression]) -> Vec<Expression> {
         let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
-        let mut reached = vec![false; length];
+        let mut reached = vec![0_u64; length.div_ceil(64)];
         for root in roots {
-            reached[root.index()] = true;
+            reached[root.index() / 64] |= 1 << (root.index() % 64);
         }
         let mut descendants = Vec::new();
-        // The arena may be much larger than the result: a plain loop is quick without optimization, too.
-        let mut index = length;
-        while index > 0 {
-            index -= 1;
-            if reached[index] {
-                let expression = handle(index);
+        // The arena may be much larger than the result, so that whole words are passed over; a plain loop is quick
+        // without optimization, too.
+        let mut word = reached.len();
+        while word > 0 {
+            word -= 1;
+            while reached[word] != 0 {
+                let bit = reached[word].ilog2() as usize;
+                reached[word] ^= 1 << bit;
+                let expression = handle(64 * word + bit);
                 descendants.push(expression);
                 let node = self.node(expression);
-                node.for_each_operand(|operand| reached[operand.index()] = true);
+                node.for_each_operand(|operand| {
+                    reached[operand.index() / 64] |= 1 << (operand.index() % 64);
+                });
             }
         }
         descendants.reverse();

@@ -1,6 +1,9 @@
 //! Claims about expressions that hold identically, or at random real points.
 
+use std::collections::BTreeSet;
+
 use crate::identity::identity_testing::IdentityTest;
+use crate::identity::modular_point::Images;
 use crate::identity::real_point::RealPoint;
 use crate::limits::{REAL_POINTS, ROUNDED_CONSTANT};
 use crate::{Expression, Graph, Symbol};
@@ -11,6 +14,31 @@ impl Graph {
         IdentityTest::of(self, expressions).holds(|point| {
             let values = point.evaluate(self, expressions)?;
             Some(values.iter().all(|value| *value == 0))
+        })
+    }
+
+    /// Whether an expression vanishes for arbitrary values of `atoms`, which are not taken apart. Then it vanishes
+    /// identically.
+    pub(crate) fn vanishes_over(&self, root: Expression, atoms: &BTreeSet<Expression>) -> bool {
+        let mut parts = BTreeSet::new();
+        let mut open = vec![root];
+        while let Some(part) = open.pop() {
+            if parts.insert(part) && !atoms.contains(&part) {
+                self.node(part).for_each_operand(|x| open.push(x));
+            }
+        }
+        let whole = parts.iter().filter(|part| !atoms.contains(part));
+        IdentityTest::of_parts(self, whole.copied()).holds(|point| {
+            let mut images = Images::zeros(root.index() + 1);
+            for part in &parts {
+                let image = if atoms.contains(part) {
+                    point.indeterminate(*part)
+                } else {
+                    point.image(self.node(*part), &images)?
+                };
+                images.set(*part, image);
+            }
+            Some(images.get(root).value == 0)
         })
     }
 

@@ -53,8 +53,13 @@ impl Criterion {
 
 impl IdentityTest {
     pub(crate) fn of(graph: &Graph, roots: &[Expression]) -> Self {
+        Self::of_parts(graph, graph.descendants(roots).into_iter())
+    }
+
+    /// The test of claims about what is made of these expressions.
+    pub(crate) fn of_parts(graph: &Graph, parts: impl Iterator<Item = Expression>) -> Self {
         let mut branching = BTreeSet::new();
-        for expression in graph.descendants(roots) {
+        for expression in parts {
             match graph.node(expression) {
                 Node::Unary(Unary::Abs | Unary::Signum, x) => {
                     branching.insert((*x, *x));

@@ -1,7 +1,7 @@
 //! Incremental evaluation of expressions at a modular point: when one symbol changes, only the expressions that
 //! contain it are evaluated again.
 
-use crate::identity::modular_point::{HomomorphicImage, ModularPoint};
+use crate::identity::modular_point::{Images, ModularPoint};
 use crate::{Expression, Graph, Symbol};
 
 impl ModularPoint {
@@ -17,7 +17,7 @@ pub(crate) struct IncrementalEvaluation<'a> {
     graph: &'a Graph,
     roots: &'a [Expression],
     point: ModularPoint,
-    images: Vec<HomomorphicImage>,
+    images: Images,
 }
 
 impl<'a> IncrementalEvaluation<'a> {
@@ -33,7 +33,7 @@ impl<'a> IncrementalEvaluation<'a> {
             graph,
             roots,
             point,
-            images: vec![HomomorphicImage::ZERO; length],
+            images: Images::zeros(length),
         };
         evaluation.evaluate(point, &descendants)?;
         Some(evaluation)
@@ -42,7 +42,7 @@ impl<'a> IncrementalEvaluation<'a> {
     /// The values of the roots.
     pub(crate) fn values(&self) -> Vec<u64> {
         let images = &self.images;
-        let value = |root: &Expression| images[root.index()].value;
+        let value = |root: &Expression| images.get(*root).value;
         self.roots.iter().map(value).collect()
     }
 
@@ -50,11 +50,11 @@ impl<'a> IncrementalEvaluation<'a> {
     /// expressions that contain it, children before parents.
     pub(crate) fn moving(&mut self, symbol: Symbol, dependents: &[Expression]) -> Option<Vec<u64>> {
         let images = &self.images;
-        let before: Vec<_> = dependents.iter().map(|x| images[x.index()]).collect();
+        let before: Vec<_> = dependents.iter().map(|x| images.get(*x)).collect();
         let moved = self.evaluate(self.point.moving(symbol), dependents);
         let values = moved.map(|()| self.values());
         for (expression, image) in dependents.iter().zip(before) {
-            self.images[expression.index()] = image;
+            self.images.set(*expression, image);
         }
         values
     }
@@ -62,7 +62,7 @@ impl<'a> IncrementalEvaluation<'a> {
     fn evaluate(&mut self, point: ModularPoint, expressions: &[Expression]) -> Option<()> {
         for expression in expressions {
             let image = point.image(self.graph.node(*expression), &self.images)?;
-            self.images[expression.index()] = image;
+            self.images.set(*expression, image);
         }
         Some(())
     }

@@ -45,6 +45,25 @@ impl HomomorphicImage {
     };
 }
 
+/// The images of expressions of one graph.
+pub(crate) struct Images(Vec<[u64; 2]>);
+
+impl Images {
+    /// Zeros, for the expressions of the first so many positions.
+    pub(crate) fn zeros(length: usize) -> Self {
+        Self(vec![[0; 2]; length])
+    }
+
+    pub(crate) fn get(&self, expression: Expression) -> HomomorphicImage {
+        let [value, logarithm] = self.0[expression.index()];
+        HomomorphicImage { value, logarithm }
+    }
+
+    pub(crate) fn set(&mut self, expression: Expression, image: HomomorphicImage) {
+        self.0[expression.index()] = [image.value, image.logarithm];
+    }
+}
+
 impl ModularPoint {
     /// The point drawn from `seed`.
     #[must_use]
@@ -108,12 +127,8 @@ impl ModularPoint {
     }
 
     /// The homomorphic image of a node, from those of its operands.
-    pub(crate) fn image(
-        self,
-        node: &Node,
-        images: &[HomomorphicImage],
-    ) -> Option<HomomorphicImage> {
-        let of = |operand: Expression| images[operand.index()];
+    pub(crate) fn image(self, node: &Node, images: &Images) -> Option<HomomorphicImage> {
+        let of = |operand: Expression| images.get(operand);
         let value = match node {
             Node::Sum(terms) => {
                 let sum = self.linear_combination(terms, of)?;
@@ -138,9 +153,14 @@ impl ModularPoint {
             Node::Pi => self.pi(),
             Node::Symbol(symbol) => self.symbol(*symbol),
             Node::Product(factors) => {
+                let p = self.p();
                 let mut product = 1;
                 for (x, k) in factors {
-                    product = residue::multiply(product, self.power(of(*x).value, k)?, self.p());
+                    let power = match k.to_fraction() {
+                        Some((1, 1)) => of(*x).value,
+                        _ => self.power(of(*x).value, k)?,
+                    };
+                    product = residue::multiply(product, power, p);
                 }
                 product
             }
@@ -157,6 +177,11 @@ impl ModularPoint {
     pub(crate) fn atom(self, value: u64) -> HomomorphicImage {
         let logarithm = self.draw(3, value) % self.q();
         HomomorphicImage { value, logarithm }
+    }
+
+    /// An expression that may have any value.
+    pub(crate) fn indeterminate(self, expression: Expression) -> HomomorphicImage {
+        self.atom(self.draw(69, expression.index() as u64) % self.p())
     }
 
     pub(crate) fn pi(self) -> u64 {
@@ -313,8 +338,18 @@ impl ModularPoint {
         let (p, q) = (self.p(), self.q());
         let mut sum = HomomorphicImage::ZERO;
         for (x, c) in terms {
-            let value = residue::multiply(reduce(c, p)?, of(*x).value, p);
-            let logarithm = residue::multiply(reduce(c, q)?, of(*x).logarithm, q);
+            let image = of(*x);
+            let (value, logarithm) = match c.to_fraction() {
+                Some((1, 1)) => (image.value, image.logarithm),
+                Some((-1, 1)) => (
+                    residue::negate(image.value, p),
+                    residue::negate(image.logarithm, q),
+                ),
+                _ => (
+                    residue::multiply(reduce(c, p)?, image.value, p),
+                    residue::multiply(reduce(c, q)?, image.logarithm, q),
+                ),
+            };
             sum.value = residue::add(sum.value, value, p);
             sum.logarithm = residue::add(sum.logarithm, logarithm, q);
         }
@@ -346,11 +381,13 @@ fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
         ((integer % &modulus + &modulus) % &modulus).to_u64()
     };
     let (numerator, denominator) = if let Some((numerator, denominator)) = number.to_fraction() {
-        let numerator = i128::from(numerator).rem_euclid(i128::from(modulus));
-        (
-            u64::try_from(numerator).ok()?,
-            denominator.unsigned_abs() % modulus,
-        )
+        let size = numerator.unsigned_abs() % modulus;
+        let numerator = if numerator < 0 {
+            residue::negate(size, modulus)
+        } else {
+            size
+        };
+        (numerator, denominator.unsigned_abs() % modulus)
     } else {
         let number = number.to_big();
         (remainder(number.numer())?, remainder(number.denom())?)

@@ -14,10 +14,12 @@ pub(crate) struct Field {
     pub(crate) q: u64,
     /// A primitive eighth root of one modulo p.
     zeta: u64,
+    /// A generator of the group of order q.
+    generator: u64,
 }
 
 /// Twenty-four of them: a number has a square root modulo half of the primes.
-const FIELDS: [Field; 24] = [
+static FIELDS: [Field; 24] = [
     Field::new(2_251_799_813_684_857, 1_218_444_822_762_680_921),
     Field::new(2_251_799_813_684_789, 628_785_502_487_796_663),
     Field::new(2_251_799_813_684_783, 1_019_711_334_828_627_971),
@@ -46,16 +48,18 @@ const FIELDS: [Field; 24] = [
 
 impl Field {
     const fn new(q: u64, zeta: u64) -> Self {
+        let p = 840 * q + 1;
         Self {
-            p: 840 * q + 1,
+            p,
             q,
             zeta,
+            generator: power(11, 840, p),
         }
     }
 
     /// One of the fields.
     #[allow(clippy::cast_possible_truncation)] // The remainder is below 24.
-    pub(crate) const fn of(seed: u64) -> Self {
+    pub(crate) fn of(seed: u64) -> Self {
         FIELDS[(seed % FIELDS.len() as u64) as usize]
     }
 
@@ -66,7 +70,7 @@ impl Field {
 
     /// A generator of the group of order q.
     pub(crate) const fn generator(self) -> u64 {
-        power(11, 840, self.p)
+        self.generator
     }
 
     /// A square root of x, if there is one (Tonelli and Shanks: Cohen, A Course in Computational Algebraic Number
@@ -84,38 +88,99 @@ impl Field {
     }
 }
 
-/// x + y modulo `modulus`.
+/// x + y modulo `modulus`, which is below 2⁶³, as both are below the modulus.
 pub(crate) const fn add(x: u64, y: u64, modulus: u64) -> u64 {
-    (x + y) % modulus
+    let sum = x.wrapping_add(y);
+    if sum >= modulus {
+        sum.wrapping_sub(modulus)
+    } else {
+        sum
+    }
 }
 
 /// −x modulo `modulus`.
 pub(crate) const fn negate(x: u64, modulus: u64) -> u64 {
-    (modulus - x) % modulus
+    if x == 0 { 0 } else { modulus.wrapping_sub(x) }
 }
 
 /// x · y modulo `modulus`.
 #[allow(clippy::cast_possible_truncation)] // The remainder is below the modulus.
 pub(crate) const fn multiply(x: u64, y: u64, modulus: u64) -> u64 {
-    (x as u128 * y as u128 % modulus as u128) as u64
+    ((x as u128).wrapping_mul(y as u128) % modulus as u128) as u64
 }
 
-/// x to the power of k modulo `modulus`.
-pub(crate) const fn power(mut x: u64, mut k: u64, modulus: u64) -> u64 {
-    let mut result = 1;
+/// x to the power of k modulo `modulus`, which is odd and below 2⁶³.
+pub(crate) const fn power(x: u64, mut k: u64, modulus: u64) -> u64 {
+    match k {
+        0 => return 1,
+        1 => return x,
+        2 => return multiply(x, x, modulus),
+        _ => {}
+    }
+    let montgomery = Montgomery::of(modulus);
+    let mut result = montgomery.one;
+    let mut x = multiply(x, montgomery.one, modulus);
     while k > 0 {
         if k & 1 == 1 {
-            result = multiply(result, x, modulus);
+            result = montgomery.multiply(result, x);
         }
-        x = multiply(x, x, modulus);
+        x = montgomery.multiply(x, x);
         k >>= 1;
     }
-    result
+    montgomery.multiply(result, 1)
+}
+
+/// Multiplication without division (Montgomery, Modular multiplication without trial division, 1985): x stands for
+/// x·2⁶⁴ modulo the modulus. Macros run without optimization, where a division of 128 bits is a slow call.
+struct Montgomery {
+    modulus: u64,
+    /// −1/`modulus` modulo 2⁶⁴.
+    negative_inverse: u64,
+    /// What stands for 1.
+    one: u64,
+}
+
+impl Montgomery {
+    #[allow(clippy::cast_possible_truncation)] // The remainder is below the modulus.
+    const fn of(modulus: u64) -> Self {
+        // Newton's iteration doubles the bits that are right: an odd number is its own inverse modulo 8.
+        let mut inverse = modulus;
+        let mut bits = 3;
+        while bits < 64 {
+            let error = 2_u64.wrapping_sub(modulus.wrapping_mul(inverse));
+            inverse = inverse.wrapping_mul(error);
+            bits *= 2;
+        }
+        Self {
+            modulus,
+            negative_inverse: inverse.wrapping_neg(),
+            one: ((1 << 64) % modulus as u128) as u64,
+        }
+    }
+
+    /// x · y / 2⁶⁴ modulo the modulus.
+    #[allow(clippy::cast_possible_truncation)] // Low words are meant.
+    const fn multiply(&self, x: u64, y: u64) -> u64 {
+        let product = (x as u128).wrapping_mul(y as u128);
+        let factor = (product as u64).wrapping_mul(self.negative_inverse);
+        let multiple = (factor as u128).wrapping_mul(self.modulus as u128);
+        let quotient = (product.wrapping_add(multiple) >> 64) as u64;
+        if quotient >= self.modulus {
+            quotient.wrapping_sub(self.modulus)
+        } else {
+            quotient
+        }
+    }
 }
 
 /// 1/x modulo the prime `modulus`, or `None` of zero.
 pub(crate) fn reciprocal(x: u64, modulus: u64) -> Option<u64> {
-    (x != 0).then(|| power(x, modulus - 2, modulus))
+    match x {
+        0 => None,
+        1 => Some(1),
+        2 => Some(modulus.div_ceil(2)),
+        _ => Some(power(x, modulus - 2, modulus)),
+    }
 }
 
 /// A pseudorandom number from two others: the mixing function of splitmix64 (Steele, Lea and Flood, Fast splittable
@@ -134,7 +199,7 @@ mod tests {
     #[test]
     fn constants_have_their_orders() {
         for field in FIELDS {
-            let Field { p, q, zeta } = field;
+            let Field { p, q, zeta, .. } = field;
             assert_eq!(power(zeta, 4, p), p - 1);
             assert_eq!(power(field.imaginary_unit(), 2, p), p - 1);
             assert_ne!(field.generator(), 1);

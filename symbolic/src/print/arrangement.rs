@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::expansion::Polynomial;
-use crate::limits::{LONGEST_ARRANGED, MOST_ARRANGED_TERMS};
+use crate::limits::{LONGEST_ARRANGED, LONGEST_ARRANGED_IN_FULL, MOST_ARRANGED_TERMS};
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
@@ -40,12 +40,15 @@ impl Graph {
             .filter(|named| *named != expression)
             .collect();
         let mut candidates = vec![(expression, margin)];
-        let mut spaces = vec![names];
-        if !spaces[0].is_empty() {
-            spaces.push(BTreeSet::new());
+        let mut spaces = vec![&names];
+        let none = BTreeSet::new();
+        if !names.is_empty()
+            && self.symbols_in_full(expression, letters) <= LONGEST_ARRANGED_IN_FULL
+        {
+            spaces.push(&none);
         }
         for atoms in spaces {
-            let Some(polynomial) = self.monomials_over(expression, &atoms) else {
+            let Some(polynomial) = self.monomials_over(expression, atoms) else {
                 continue;
             };
             let polynomial = self.joined_circular(polynomial);
@@ -61,7 +64,10 @@ impl Graph {
             }
         }
         let difference = self.subtract(best.1, expression);
-        if self.is_zero(difference) || self.vanishes(&[difference]) {
+        if self.is_zero(difference)
+            || self.vanishes_over(difference, &names)
+            || self.vanishes(&[difference])
+        {
             best.1
         } else {
             expression

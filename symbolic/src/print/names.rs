@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::print::notation::Notation;
+use crate::print::size::WrittenSizes;
 use crate::print::spelling::Spelling;
 use crate::{Expression, Symbol};
 
@@ -34,6 +35,8 @@ pub struct Letters {
     definitions: BTreeMap<Expression, Spelling>,
     /// Whether indices are marked.
     pub(crate) marks_indices: bool,
+    /// How long expressions are in these letters.
+    pub(crate) sizes: WrittenSizes,
 }
 
 impl Letters {
@@ -63,6 +66,7 @@ impl Letters {
                 .map(|(expression, name)| (*expression, spelling(name)))
                 .collect(),
             marks_indices: false,
+            sizes: WrittenSizes::default(),
         }
     }
 

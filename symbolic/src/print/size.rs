@@ -1,28 +1,75 @@
 //! How long an expression is in print.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
 
+use crate::algebra::hashing::Table;
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node};
 
+/// The numbers of symbols of expressions where they stand in others, as far as they are known. An expression keeps its
+/// number, since the graph is append-only.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct WrittenSizes {
+    by_name: RefCell<Table<Expression, u64>>,
+    in_full: RefCell<Table<Expression, u64>>,
+}
+
 impl Graph {
-    /// The number of symbols, numbers and functions of an expression that is written out.
+    /// The number of symbols, numbers and functions of expressions that are written out, whose operands are called by
+    /// their names.
     pub(crate) fn written_symbols(&self, roots: &[Expression], letters: &Letters) -> u64 {
-        let mut sizes: BTreeMap<Expression, u64> = BTreeMap::new();
-        for part in self.descendants(roots) {
-            let named = !roots.contains(&part) && letters.definition(part).is_some();
-            let mut size = match self.node(part) {
-                Node::Sum(_) | Node::Product(_) | Node::Opaque(_) if !named => 0,
-                _ => 1,
-            };
-            if !named {
-                self.node(part).for_each_operand(|operand| {
-                    size = u64::saturating_add(size, sizes[&operand]);
-                });
-            }
-            sizes.insert(part, size);
+        let is_named = |part| letters.definition(part).is_some();
+        self.sizes(roots, &letters.sizes.by_name, is_named)
+    }
+
+    /// The same of one expression without names.
+    pub(crate) fn symbols_in_full(&self, root: Expression, letters: &Letters) -> u64 {
+        self.sizes(&[root], &letters.sizes.in_full, |_| false)
+    }
+
+    fn sizes(
+        &self,
+        roots: &[Expression],
+        known: &RefCell<Table<Expression, u64>>,
+        is_named: impl Fn(Expression) -> bool,
+    ) -> u64 {
+        let mut sizes = known.borrow_mut();
+        let mut open = Vec::new();
+        for root in roots {
+            self.node(*root).for_each_operand(|x| open.push(x));
         }
-        let sizes = roots.iter().map(|root| sizes[root]);
-        sizes.fold(0, u64::saturating_add)
+        while let Some(part) = open.last().copied() {
+            let before = open.len();
+            if !sizes.contains_key(&part) {
+                let size = if is_named(part) {
+                    1
+                } else {
+                    self.node(part).for_each_operand(|x| {
+                        if !sizes.contains_key(&x) {
+                            open.push(x);
+                        }
+                    });
+                    if open.len() > before {
+                        continue;
+                    }
+                    self.size_of(part, &sizes)
+                };
+                sizes.insert(part, size);
+            }
+            open.pop();
+        }
+        let each = roots.iter().map(|root| self.size_of(*root, &sizes));
+        each.fold(0, u64::saturating_add)
+    }
+
+    /// The size of an expression from those of its operands.
+    fn size_of(&self, expression: Expression, sizes: &Table<Expression, u64>) -> u64 {
+        let node = self.node(expression);
+        let mut size = match node {
+            Node::Sum(_) | Node::Product(_) | Node::Opaque(_) => 0,
+            _ => 1,
+        };
+        node.for_each_operand(|operand| size = u64::saturating_add(size, sizes[&operand]));
+        size
     }
 }
