@@ -6,6 +6,8 @@ pub(crate) mod vector_product;
 pub(crate) mod resolution;
 pub(crate) mod recognition;
 pub(crate) mod unresolved;
+pub(crate) mod homogeneous;
+pub(crate) mod declared_velocities;
 pub(crate) mod inverse;
 pub(crate) mod rotation;
 pub(crate) mod angular_velocity;

@@ -113,6 +113,10 @@ pub(crate) const MOST_FACTORS_IN_SUM: usize = 4;
 /// Nor is a single vector that is rotated by more factors; twelve are six joints of two rotations each.
 pub(crate) const MOST_FACTORS: usize = 12;
 
+/// A frame with whose angular velocity a recursion begins has at most so many turns behind inertial axes: three angles of a
+/// body, and a constant orientation of its mount.
+pub(crate) const MOST_TURNS_OF_A_BASE: usize = 4;
+
 // mechanics
 
 /// Polynomials in parameters with more monomials are given up: there is no regressor. Made by the arm of six joints, whose

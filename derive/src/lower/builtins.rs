@@ -48,6 +48,22 @@ const OF_ROTATIONS: [&str; 8] = [
 /// Functions of a body and of where it is.
 const OF_BODIES: [&str; 2] = ["kinetic_energy", "potential_energy"];
 
+/// Functions of blocks of matrices, each with an example.
+const OF_BLOCKS: [(&str, &str); 6] = [
+    ("view", "m.view((0, 0), (3, 3))"),
+    ("rows", "m.rows(0, 3)"),
+    ("columns", "m.columns(0, 3)"),
+    ("xyz", "v.xyz()"),
+    ("push", "v.push(1.0)"),
+    ("homogeneous", "homogeneous(r, p)"),
+];
+
+/// How a function of blocks of matrices is written, if it is one.
+pub(super) fn example_of_blocks(name: &str) -> Option<&'static str> {
+    let mut all = OF_BLOCKS.into_iter();
+    all.find_map(|(known, example)| (known == name).then_some(example))
+}
+
 /// Whether a function is built in.
 pub(crate) fn is_function(name: &str) -> bool {
     functions().any(|function| function == name)
@@ -59,6 +75,7 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
         .chain(OF_ARRAYS)
         .chain(OF_ROTATIONS)
         .chain(OF_BODIES)
+        .chain(OF_BLOCKS.map(|(name, _)| name))
         .chain(["vector"])
 }
 

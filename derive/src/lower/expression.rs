@@ -6,6 +6,7 @@
 
 mod external_function;
 mod array;
+mod block;
 mod call;
 mod binary_operators;
 mod body;

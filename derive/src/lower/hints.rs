@@ -315,6 +315,14 @@ pub(crate) fn unknown_function(name: &str) -> String {
         "try_inverse" | "inv" => "write `m.inverse()`",
         "det" => "write `m.determinant()`",
         "matrix" => "write `[[a, b], [c, d]]` row by row",
+        "fixed_view" | "fixed_slice" | "slice" | "block" => {
+            "a block of a matrix is `m.view((0, 0), (3, 3))`: the first element and the size"
+        }
+        "fixed_rows" => "write `m.rows(0, 3)`",
+        "fixed_columns" => "write `m.columns(0, 3)`",
+        "to_homogeneous" => {
+            "a homogeneous matrix is `homogeneous(r, p)`, and homogeneous coordinates are `p.push(1.0)`"
+        }
         "angular_velocity_body" => "`angular_velocity(r)` is in body axes already",
         "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
         _ => {

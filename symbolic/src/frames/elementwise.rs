@@ -40,6 +40,9 @@ impl Graph {
                 sum
             });
         }
+        if let Some(sum) = self.homogeneous_sum(terms) {
+            return Some(sum);
+        }
         let sum = Matrix::from_function(first.rows(), first.columns(), |i, j| {
             self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
         });
@@ -59,6 +62,9 @@ impl Graph {
                 multiple
             };
         }
+        if let Some(multiple) = self.homogeneous_multiple(matrix, factor) {
+            return multiple;
+        }
         let scaled = Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
             self.multiply(factor, matrix.at(i, j))
         });
@@ -77,6 +83,9 @@ impl Graph {
         if matrix.shape() == (3, 1)
             && let Some(rate) = self.unresolved_rate(matrix)
         {
+            return rate;
+        }
+        if let Some(rate) = self.homogeneous_rate(matrix) {
             return rate;
         }
         let derivatives = self.time_derivatives(matrix.elements(), coordinates);

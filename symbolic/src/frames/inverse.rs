@@ -47,6 +47,9 @@ impl Graph {
         if is_product_of_rotations(matrix) {
             return Ok(matrix.transpose());
         }
+        if let Some(inverse) = self.homogeneous_inverse(matrix) {
+            return Ok(inverse);
+        }
         let determinant = self.determinant(matrix).ok_or(NoInverse::Shape)?;
         if self.vanishes(&[determinant]) {
             return Err(NoInverse::Singular);

@@ -18,6 +18,9 @@ impl Graph {
             let product = self.dot_product(&left.transpose(), right)?;
             return Some(Matrix::vector(vec![product]));
         }
+        if let Some(product) = self.homogeneous_product(left, right) {
+            return Some(product);
+        }
         match (self.matrix_factors(left), self.matrix_factors(right)) {
             (Some(first), Some(second)) => {
                 Some(self.product_of_factors(left, right, first, second))

@@ -12,7 +12,7 @@ use crate::matrix::factor::MatrixFactor;
 use crate::matrix::unresolved_vector::{
     Frame, Term, UnresolvedVector, UnresolvedVectors, VectorId,
 };
-use crate::{Expression, Graph, Rational, Symbol};
+use crate::{Expression, Graph, Node, Rational, Symbol};
 
 type Vector = [Expression; 3];
 
@@ -55,6 +55,8 @@ impl Graph {
             let before = self.unresolved.as_ref()?.factors(vector.axes);
             let back = rotations.iter().rev().map(MatrixFactor::transpose);
             (self.merged(before.into_iter().chain(back)), vector.terms)
+        } else if let Some(turned) = self.turned_rate(&rotations, column) {
+            return Some(turned);
         } else {
             let components = column.components()?;
             let rotation = self.merged(rotations);
@@ -69,18 +71,17 @@ impl Graph {
     /// along the same axes, or free of velocities.
     pub(crate) fn unresolved_sum(&mut self, columns: &[(&Matrix, Rational)]) -> Option<Matrix> {
         self.unresolved.as_ref()?;
-        let known = columns.iter().find_map(|(x, _)| self.unresolved_of(x))?;
-        let axes = known.axes;
+        let known = columns.iter().filter_map(|(x, _)| self.unresolved_of(x));
+        let known: Vec<_> = known.collect();
+        let whole = known.iter().find(|vector| !vector.is_relative(self));
+        let axes = whole.or(known.first())?.axes;
         let mut terms = Vec::new();
         for (x, c) in columns {
             let factor = self.constant(c);
             let vector = match self.unresolved_of(x) {
-                Some(vector) => vector,
+                Some(vector) => self.seen_from(vector, axes)?,
                 None => along(axes, x)?,
             };
-            if vector.axes != axes {
-                return None;
-            }
             for term in vector.terms {
                 let term = self.scaled_term(&term, factor)?;
                 self.add_term(&mut terms, term);
@@ -146,6 +147,7 @@ impl Graph {
             return None;
         }
         let factors = self.resolved_factors(factors);
+        let factors = self.merged(factors);
         let frame = self.unresolved.as_mut()?.frame(&factors);
         let axes = if is_inertial { Frame::INERTIAL } else { frame };
         let terms = vec![Term::AngularVelocity(frame, self.one())];
@@ -154,7 +156,16 @@ impl Graph {
 
     /// x · y of two vectors along the same axes, one of which moves, in the frame that is turned most.
     pub(crate) fn unresolved_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        let (first, second) = (self.unresolved_of(x)?, self.unresolved_of(y)?);
+        self.unresolved.as_ref()?;
+        let (first, second) = match (self.unresolved_of(x), self.unresolved_of(y)) {
+            (Some(first), Some(second)) => (first, second),
+            (Some(first), None) if self.has_velocity(y) => {
+                let axes = first.axes;
+                (first, along(axes, y)?)
+            }
+            (None, Some(second)) if self.has_velocity(x) => (along(second.axes, x)?, second),
+            _ => return None,
+        };
         let terms = || first.terms.iter().chain(&second.terms);
         if first.axes != second.axes || !terms().any(|term| term.moves(self)) {
             return None;
@@ -162,6 +173,7 @@ impl Graph {
         let frames = terms().map(Term::frame);
         let vectors = self.unresolved.as_ref()?;
         let axes = frames.max_by_key(|frame| (vectors.path(*frame).len(), *frame))?;
+        let axes = self.turned_with(&first.terms, axes);
         let mut resolve = |vector: UnresolvedVector| {
             let column = self.column_of(UnresolvedVector { axes, ..vector })?;
             column.components()
@@ -233,13 +245,21 @@ impl Graph {
     }
 
     /// The vector of which a column or row has the components.
-    fn unresolved_of(&self, column: &Matrix) -> Option<UnresolvedVector> {
+    pub(crate) fn unresolved_of(&self, column: &Matrix) -> Option<UnresolvedVector> {
         let vectors = self.unresolved.as_ref()?;
-        Some(vectors.vector(column.unresolved()?).clone())
+        let component = |x: &Expression| match self.node(*x) {
+            Node::Symbol(Symbol::PositionComponent(i) | Symbol::VelocityComponent(i)) => Some(*i),
+            _ => None,
+        };
+        let [x, y, z] = column.components()?;
+        let (number, _) = VectorId::of_component(component(&x)?);
+        let is_whole = [x, y, z].map(|x| component(&x)) == number.components().map(Some);
+        is_whole.then(|| vectors.vector(number).clone())
     }
 
     /// The column of the components of a vector.
-    fn column_of(&mut self, mut vector: UnresolvedVector) -> Option<Matrix> {
+    pub(crate) fn column_of(&mut self, vector: UnresolvedVector) -> Option<Matrix> {
+        let mut vector = self.with_known_velocities(vector);
         let zero = self.zero();
         vector.terms.retain(|term| match term {
             Term::Fixed(_, components) => *components != [zero; 3],
@@ -265,11 +285,11 @@ impl Graph {
             Symbol::PositionComponent
         };
         let components = number.components().map(|i| self.symbol(symbol(i)));
-        Some(Matrix::of_unresolved(number, components))
+        Some(Matrix::vector(components.to_vec()))
     }
 
     /// A multiple of a term; of one with velocities, by a constant.
-    fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
+    pub(crate) fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
         let is_constant = !self.contents(factor).varies();
         match *term {
             Term::Fixed(frame, vector) => {
@@ -285,7 +305,7 @@ impl Graph {
     }
 
     /// Adds a term to others, of which one may be of the same kind and frame.
-    fn add_term(&mut self, terms: &mut Vec<Term>, term: Term) {
+    pub(crate) fn add_term(&mut self, terms: &mut Vec<Term>, term: Term) {
         let mut add = |x: &Vector, y: &Vector| [0, 1, 2].map(|i| self.add(x[i], y[i]));
         for known in terms.iter_mut() {
             let sum = match (&*known, &term) {
@@ -331,7 +351,7 @@ impl Graph {
 }
 
 /// A column of three rows that was written out, as a vector along these axes.
-fn along(axes: Frame, column: &Matrix) -> Option<UnresolvedVector> {
+pub(crate) fn along(axes: Frame, column: &Matrix) -> Option<UnresolvedVector> {
     let terms = vec![Term::Fixed(axes, column.components()?)];
     Some(UnresolvedVector { axes, terms })
 }

@@ -12,6 +12,9 @@ impl Graph {
         if let Some(product) = self.unresolved_dot_product(x, y) {
             return Some(product);
         }
+        if let Some(product) = self.homogeneous_dot_product(x, y) {
+            return Some(product);
+        }
         let pairs = x.elements().iter().copied();
         let product = self.sum_of_products(pairs.zip(y.elements().iter().copied()));
         Some(self.or_in_other_frames(product, x, y))
@@ -21,6 +24,9 @@ impl Graph {
     pub fn cross_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
         if x.shape() != y.shape() {
             return None;
+        }
+        if let Some(product) = self.unresolved_cross_product(x, y) {
+            return Some(product);
         }
         let cross = self.cross(x.components()?, y.components()?);
         let parts = self.parts_of_cross_product(x, y);
@@ -47,6 +53,9 @@ impl Graph {
     /// The sum of the squares of all elements.
     pub fn norm_squared(&mut self, matrix: &Matrix) -> Expression {
         if let Some(square) = self.unresolved_dot_product(matrix, matrix) {
+            return square;
+        }
+        if let Some(square) = self.homogeneous_dot_product(matrix, matrix) {
             return square;
         }
         let squares: Vec<_> = matrix.elements().iter().map(|x| self.square(*x)).collect();

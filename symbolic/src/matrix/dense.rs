@@ -7,7 +7,6 @@
 
 use crate::Expression;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::unresolved_vector::VectorId;
 use crate::matrix::vector_in_frame::VectorInFrame;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
@@ -19,10 +18,10 @@ pub struct Matrix {
     elements: Vec<Expression>,
     /// The factors of which this is the product, if they are known.
     factors: Option<Vec<MatrixFactor>>,
+    /// The same of the upper left block of a homogeneous matrix of four rows.
+    factors_of_block: Option<Vec<MatrixFactor>>,
     /// The vectors in frames of which this vector of three components is the sum; empty if unknown.
     parts: Vec<VectorInFrame>,
-    /// The vector of which these are the components, where vectors are resolved last.
-    unresolved: Option<VectorId>,
 }
 
 impl Matrix {
@@ -50,8 +49,8 @@ impl Matrix {
             columns,
             elements,
             factors: None,
+            factors_of_block: None,
             parts: Vec::new(),
-            unresolved: None,
         }
     }
 
@@ -78,22 +77,17 @@ impl Matrix {
         }
     }
 
-    /// The same vector, which remembers that it is the sum of these vectors in frames.
-    pub(crate) fn with_parts(self, parts: Vec<VectorInFrame>) -> Self {
-        Self { parts, ..self }
-    }
-
-    /// The column of the components of a vector that is resolved last.
-    pub(crate) fn of_unresolved(vector: VectorId, components: [Expression; 3]) -> Self {
+    /// The same matrix, which remembers that its block of three rows and columns is the product of these factors.
+    pub(crate) fn remembering_block(self, factors: Vec<MatrixFactor>) -> Self {
         Self {
-            unresolved: Some(vector),
-            ..Self::vector(components.to_vec())
+            factors_of_block: Some(factors),
+            ..self
         }
     }
 
-    /// The vector of which these are the components, where it is resolved last.
-    pub(crate) const fn unresolved(&self) -> Option<VectorId> {
-        self.unresolved
+    /// The same vector, which remembers that it is the sum of these vectors in frames.
+    pub(crate) fn with_parts(self, parts: Vec<VectorInFrame>) -> Self {
+        Self { parts, ..self }
     }
 
     /// How many rows there are.
@@ -164,7 +158,6 @@ impl Matrix {
             factors: factors
                 .map(|factors| factors.iter().rev().map(MatrixFactor::transpose).collect()),
             parts: self.parts.clone(),
-            unresolved: self.unresolved,
             ..Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
         }
     }
@@ -179,6 +172,11 @@ impl Matrix {
     /// The remembered factors.
     pub(crate) fn known_factors(&self) -> Option<&[MatrixFactor]> {
         self.factors.as_deref()
+    }
+
+    /// The remembered factors of the block of three rows and columns.
+    pub(crate) fn known_factors_of_block(&self) -> Option<&[MatrixFactor]> {
+        self.factors_of_block.as_deref()
     }
 
     /// The remembered vectors in frames of which this is the sum.

@@ -65,7 +65,7 @@ impl MatrixFactor {
     }
 
     /// Whether this does not change.
-    fn is_constant(self, graph: &Graph) -> bool {
+    pub(crate) fn is_constant(self, graph: &Graph) -> bool {
         match self {
             Self::Elementary(rotation) => !graph.contents(rotation.angle).varies(),
             Self::Rotation(elements) | Self::General(elements) => {
@@ -170,6 +170,13 @@ impl Graph {
     ) -> Vec<MatrixFactor> {
         let mut merged: Vec<MatrixFactor> = Vec::new();
         for mut factor in factors {
+            // Where vectors are resolved last, a turn back is one by the opposite angle: each frame has one path.
+            if self.unresolved.is_some()
+                && let MatrixFactor::Elementary(rotation) = &mut factor
+                && core::mem::take(&mut rotation.reversed)
+            {
+                rotation.angle = self.negate(rotation.angle);
+            }
             if let Some(last) = merged.last()
                 && let Some(both) = last.then(factor, self)
                 && is_one(self, both)

@@ -129,6 +129,16 @@ impl UnresolvedVectors {
         path.map(|(_, factor)| factor).collect()
     }
 
+    /// The frames that are turned against inertial axes by at most so many factors, with these, in the order of their
+    /// declaration.
+    pub(crate) fn nearest(&self, most: usize) -> Vec<(Frame, Vec<MatrixFactor>)> {
+        let frames = (1..=self.frames.len()).map(Frame);
+        let frames = frames.map(|frame| (frame, self.factors(frame)));
+        frames
+            .filter(|(_, factors)| factors.len() <= most)
+            .collect()
+    }
+
     /// The number of a vector.
     pub(crate) fn number(&mut self, vector: UnresolvedVector) -> VectorId {
         let next = VectorId(self.vectors.len());

@@ -6,7 +6,9 @@
 //! and turned by one joint, plus the rate of this joint: no step knows more than one joint, however many there are.
 //! A mechanism is [read](reading) off energies whose vectors are resolved last.
 
+mod gravity;
 mod inertia;
+mod points;
 mod reading;
 mod turn;
 mod turned_block;

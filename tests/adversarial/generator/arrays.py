@@ -114,6 +114,8 @@ def method(name, x, arguments):
         "norm_squared": lambda: inner(x, x),
         "normalize": lambda: entrywise(lambda a: a / norm(x), x),
         "sum": lambda: added(flat(x)),
+        "xyz": lambda: x[:3],
+        "push": lambda: [*x, y],
         "product": lambda: product(flat(x)),
         "cross_matrix": lambda: cross_matrix(x),
         "transpose": lambda: transpose(x),

@@ -170,6 +170,17 @@ class Evaluator:
             x = x[i]
         return x
 
+    def of_homogeneous(self, e, order, env):
+        r, p = self.args(e, order, env)
+        return [[*row, x] for row, x in zip(r, p, strict=True)] + [[0, 0, 0, 1]]
+
+    def of_view(self, e, order, env):
+        i, j, rows, columns = e.data
+        return [row[j : j + columns] for row in self(e.args[0], order, env)[i : i + rows]]
+
+    def of_column(self, e, order, env):
+        return [row[e.data] for row in self(e.args[0], order, env)]
+
     def of_method(self, e, order, env):
         x, *rest = self.args(e, order, env)
         return arrays.method(e.data, x, rest)

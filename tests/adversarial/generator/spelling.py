@@ -126,6 +126,16 @@ class Printer:
         angles = ", ".join(self.text(a) for a in e.args)
         return f"angular_velocity_{sequence}{'_inertial' if inertial else ''}({angles})", ATOM
 
+    def spell_homogeneous(self, e):
+        r, p = (self.text(a) for a in e.args)
+        return f"homogeneous({r}, {p})", ATOM
+
+    def spell_view(self, e):
+        i, j, rows, columns = e.data
+        return f"{self.at(e.args[0], ATOM)}.view(({i}, {j}), ({rows}, {columns}))", ATOM
+
+    def spell_column(self, e):
+        return f"{self.at(e.args[0], ATOM)}.column({e.data})", ATOM
 
     def spell_quantity_of_body(self, e):
         return f"{self.text(e.args[0])}.{e.data[1]}", ATOM

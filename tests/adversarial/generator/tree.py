@@ -110,6 +110,19 @@ def angular_velocity_of(sequence, *angles, inertial=False):
     return E("angular_velocity_of", *angles, data=(sequence, inertial))
 
 
+def homogeneous(r, p):
+    return E("homogeneous", r, p)
+
+
+def view(matrix, first, size):
+    """The block of a matrix that begins with an element and has so many rows and columns."""
+    return E("view", matrix, data=(*first, *size))
+
+
+def column(matrix, j):
+    return E("column", matrix, data=j)
+
+
 def number_of_body(body, i):
     """One of the numbers of a body, in the order in which its `map` visits them. It has no spelling."""
     return E("number_of_body", body, data=i)

@@ -1,6 +1,6 @@
 //! Vectors and matrices: literals, and the functions of them.
 
-use lagrangian_symbolic::{LARGEST_DETERMINANT, Matrix, Rational};
+use lagrangian_symbolic::{Expression, LARGEST_DETERMINANT, Matrix, Rational};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
@@ -26,7 +26,15 @@ impl Lowerer<'_> {
         }
         let values = self.filled(values);
         match stacked(&values) {
-            Ok(matrix) => Some(Value::Array(matrix)),
+            Ok(matrix) => {
+                // It may be a rotation that is written out, or a homogeneous matrix.
+                let varies = |x: &Expression| self.graph.contents(*x).varies();
+                let is_large = matrix.rows() >= 3 && matrix.columns() >= 3;
+                if is_large && matrix.elements().iter().any(varies) {
+                    self.rotations += 1;
+                }
+                Some(Value::Array(matrix))
+            }
             Err(odd) => {
                 let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
                 self.reject(&array.elems[odd], message)

@@ -112,8 +112,13 @@ impl Lowerer<'_> {
             }
             other => {
                 let message = format!(
-                    "`{name}` is of a rotation, a 3×3 matrix, and this is {}",
-                    other.shape()
+                    "`{name}` is of a rotation, a 3×3 matrix, and this is {}{}",
+                    other.shape(),
+                    match &other {
+                        Value::Array(matrix) if matrix.shape() == (4, 4) =>
+                            ": of a homogeneous matrix write `a.view((0, 0), (3, 3))`",
+                        _ => "",
+                    }
                 );
                 self.reject(argument, message)
             }

@@ -3,35 +3,12 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::spellings::along_own_axes;
+
 /// An arm of so many links: joint i turns about letter i of the repeating zyxy, and each link has a centre of mass off the
 /// joint axis and a full inertia tensor.
 pub(in crate::tests) fn arm(links: usize) -> TokenStream {
     arm_with(links, by_name, &quote!(angular_velocity), &along_own_axes())
-}
-
-/// The same with angular velocities along inertial axes.
-pub(super) fn arm_along_inertial_axes(links: usize) -> TokenStream {
-    let each = quote! {
-        0.5 * m[i] * dot(c[i]).dot(dot(c[i]))
-            + 0.5 * w[i].transpose() * (r[i] * inertia[i] * r[i].transpose()) * w[i]
-    };
-    arm_with(links, by_name, &quote!(angular_velocity_inertial), &each)
-}
-
-/// The same with rotations that are written out.
-pub(super) fn arm_written_out(links: usize) -> TokenStream {
-    arm_with(
-        links,
-        written_out,
-        &quote!(angular_velocity),
-        &along_own_axes(),
-    )
-}
-
-fn along_own_axes() -> TokenStream {
-    quote! {
-        0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])
-    }
 }
 
 /// The rotation by an angle about an axis.
@@ -41,7 +18,7 @@ pub(super) fn by_name(axis: &str, angle: &TokenStream) -> TokenStream {
 }
 
 /// The same element by element.
-fn written_out(axis: &str, angle: &TokenStream) -> TokenStream {
+pub(super) fn written_out(axis: &str, angle: &TokenStream) -> TokenStream {
     let (s, c) = (quote!(sin(#angle)), quote!(cos(#angle)));
     match axis {
         "x" => quote!([[1.0, 0.0, 0.0], [0.0, #c, -#s], [0.0, #s, #c]]),
@@ -50,7 +27,7 @@ fn written_out(axis: &str, angle: &TokenStream) -> TokenStream {
     }
 }
 
-fn arm_with(
+pub(super) fn arm_with(
     links: usize,
     rotation: fn(&str, &TokenStream) -> TokenStream,
     angular_velocity: &TokenStream,

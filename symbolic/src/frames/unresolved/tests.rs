@@ -4,6 +4,7 @@ use crate::frames::rotation::NoRotation;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
+use crate::matrix::unresolved_vector::Term;
 use crate::{Expression, Graph, Rational, Symbol, Unary};
 
 const COORDINATES: u32 = 4;
@@ -179,4 +180,165 @@ fn rotations_that_are_written_out_are_recognized() {
         graph.recognized_factors(elements),
         [MatrixFactor::Rotation(elements)]
     );
+}
+
+/// The rate of a coordinate along an axis, times a number.
+fn rate(graph: &mut Graph, axis: Axis, coordinate: u32, number: i64) -> Matrix {
+    let velocity = graph.symbol(Symbol::Velocity(coordinate));
+    let velocity = graph.scale(velocity, &Rational::integer(number));
+    let mut components = vec![graph.zero(); 3];
+    components[axis.cycle()[0]] = velocity;
+    Matrix::vector(components)
+}
+
+/// Angular velocities and velocities of the joints of three links, with the first turned by `base` times its coordinate,
+/// and turned back to the axes of each link, or forth by mistake.
+fn recursion(graph: &mut Graph, base: i64, is_back: bool) -> Option<[Matrix; 4]> {
+    let mut w = rate(graph, Axis::Z, 0, base);
+    let mut v = Matrix::vector(vec![graph.zero(); 3]);
+    let mut all = Vec::new();
+    for (joint, axis) in [(1, Axis::Y), (2, Axis::Z)] {
+        let turn = rotation(graph, &[axis], joint);
+        let turn = if is_back { turn.transpose() } else { turn };
+        let link = vector(graph, 3 * joint);
+        let swing = graph.cross_product(&w, &link)?;
+        let moved = [(&v, Rational::ONE), (&swing, Rational::ONE)];
+        let moved = graph.matrix_sum(&moved)?;
+        v = graph.matrix_product(&turn, &moved)?;
+        let turned = graph.matrix_product(&turn, &w)?;
+        let own = rate(graph, axis, joint, 1);
+        w = graph.matrix_sum(&[(&turned, Rational::ONE), (&own, Rational::ONE)])?;
+        all.extend([w.clone(), v.clone()]);
+    }
+    all.try_into().ok()
+}
+
+#[test]
+fn velocities_that_are_computed_along_a_chain() {
+    for (base, is_back) in [(1, true), (-1, true), (2, true), (0, true), (1, false)] {
+        assert_equal(|graph| {
+            let all = recursion(graph, base, is_back).unwrap();
+            let [_, _, w, v] = &all;
+            let mut roots = all
+                .iter()
+                .flat_map(|x| x.elements().to_vec())
+                .collect::<Vec<_>>();
+            let swing = graph.cross_product(v, w).unwrap();
+            roots.extend([graph.dot_product(w, v).unwrap(), graph.norm_squared(&swing)]);
+            roots
+        });
+    }
+    let mut graph = Graph::with_unresolved_vectors(COORDINATES);
+    let [.., w, v] = recursion(&mut graph, 1, true).unwrap();
+    let [w, v] = [w, v].map(|x| graph.unresolved_of(&x).unwrap());
+    assert_eq!(w.axes, v.axes);
+    assert_eq!(w.terms, [Term::AngularVelocity(w.axes, graph.one())]);
+    assert!(v.terms.iter().all(|term| matches!(term, Term::Rate(..))));
+    assert_eq!(v.terms.len(), 2);
+    // Turned forth, these are no velocities of frames.
+    let [.., w, _] = recursion(&mut graph, 1, false).unwrap();
+    let w = graph.unresolved_of(&w);
+    assert!(w.is_none_or(|w| !matches!(*w.terms, [Term::AngularVelocity(..)])));
+}
+
+/// Along inertial axes, with the first link behind a constant turn, and one link that slides.
+#[test]
+fn velocities_that_are_computed_along_inertial_axes() {
+    let velocities = |graph: &mut Graph| {
+        let mount = graph.constant(&Rational::new(3, 10).unwrap());
+        let mount = graph.rotation(&[(Axis::X, mount)]);
+        let turn = rotation(graph, &[Axis::Z], 0);
+        let first = graph.matrix_product(&mount, &turn).unwrap();
+        let turn = rotation(graph, &[Axis::Y], 1);
+        let second = graph.matrix_product(&first, &turn).unwrap();
+        let own = rate(graph, Axis::Z, 0, 1);
+        let w = graph.matrix_product(&first, &own).unwrap();
+        let own = rate(graph, Axis::Y, 1, 1);
+        let own = graph.matrix_product(&first, &own).unwrap();
+        let both = [(&w, Rational::ONE), (&own, Rational::ONE)];
+        let both = graph.matrix_sum(&both).unwrap();
+        // A place that slides along the second link.
+        let place = graph.symbol(Symbol::Coordinate(2));
+        let place = Matrix::vector(vec![place, graph.one(), graph.zero()]);
+        let place = graph.matrix_product(&second, &place).unwrap();
+        let slide = rate(graph, Axis::X, 2, 1);
+        let slide = graph.matrix_product(&second, &slide).unwrap();
+        let swing = graph.cross_product(&both, &place).unwrap();
+        let v = [(&swing, Rational::ONE), (&slide, Rational::ONE)];
+        let v = graph.matrix_sum(&v).unwrap();
+        let along = graph.matrix_product(&second.transpose(), &both).unwrap();
+        [both, v, along, swing]
+    };
+    assert_equal(|graph| {
+        let all = velocities(graph);
+        all.iter().flat_map(|x| x.elements().to_vec()).collect()
+    });
+    let mut graph = Graph::with_unresolved_vectors(COORDINATES);
+    let [_, v, along, _] = velocities(&mut graph);
+    let [v, along] = [v, along].map(|x| graph.unresolved_of(&x).unwrap());
+    assert!(matches!(*v.terms, [Term::Rate(frame, _)] if frame == along.axes));
+    assert!(matches!(*along.terms, [Term::AngularVelocity(frame, _)] if frame == along.axes));
+}
+
+#[test]
+fn homogeneous_matrices_are_multiplied_by_blocks() {
+    let make = |graph: &mut Graph| {
+        let turn = rotation(graph, &[Axis::Z, Axis::Y], 0);
+        let place = vector(graph, 0);
+        let first = graph.homogeneous(&turn, &place).unwrap();
+        let turn = rotation(graph, &[Axis::X], 2);
+        let place = vector(graph, 3);
+        let second = graph.homogeneous(&turn, &place).unwrap();
+        let product = graph.matrix_product(&first, &second).unwrap();
+        let mut point = vector(graph, 6).elements().to_vec();
+        point.push(graph.one());
+        let point = graph
+            .matrix_product(&product, &Matrix::vector(point))
+            .unwrap();
+        [first, second, product, point]
+    };
+    assert_equal(|graph| {
+        let [first, _, product, point] = make(graph);
+        let velocity = graph.matrix_time_derivative(&point, COORDINATES);
+        let turn = graph.block(&product, (0, 0), (3, 3)).unwrap();
+        let w = graph.angular_velocity(&turn, COORDINATES).unwrap();
+        let back = graph.inverse(&first).unwrap();
+        let back = graph.matrix_product(&back, &product).unwrap();
+        let determinant = graph.determinant(&product).unwrap();
+        let half = graph.constant(&Rational::HALF);
+        let sum = [(&point, Rational::HALF), (&velocity, Rational::ONE)];
+        let sum = graph.matrix_sum(&sum).unwrap();
+        let scaled = graph.matrix_scaled(&sum, half);
+        let square = graph.norm_squared(&scaled);
+        let product = graph.dot_product(&point, &velocity).unwrap();
+        let mut roots = [point, velocity, w, back, scaled]
+            .map(|x| x.elements().to_vec())
+            .concat();
+        roots.extend([determinant, square, product]);
+        roots
+    });
+    // By elements, and an inverse that is one.
+    for mut graph in [Graph::new(), Graph::with_unresolved_vectors(COORDINATES)] {
+        let [first, second, product, _] = make(&mut graph);
+        let inverse = graph.inverse(&product).unwrap();
+        let one = graph.matrix_product(&product, &inverse).unwrap();
+        let identity = graph.identity_matrix(4);
+        let mut residuals = Vec::new();
+        for i in 0..4 {
+            for j in 0..4 {
+                residuals.push(graph.subtract(one.at(i, j), identity.at(i, j)));
+                let pairs = (0..4).map(|k| (first.at(i, k), second.at(k, j)));
+                let element = graph.sum_of_products(pairs);
+                residuals.push(graph.subtract(product.at(i, j), element));
+            }
+        }
+        let residuals = graph.resolved(&residuals);
+        for x in graph.evaluate(&residuals, value) {
+            assert!(x.abs() < 1e-12, "{x}");
+        }
+        // A block is one of the elements.
+        assert!(graph.block(&product, (1, 2), (3, 2)).is_some());
+        assert!(graph.block(&product, (1, 2), (4, 2)).is_none());
+        assert!(graph.block(&product, (1, 2), (0, 2)).is_none());
+    }
 }

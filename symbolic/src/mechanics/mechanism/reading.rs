@@ -10,14 +10,14 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::factor::MatrixFactor;
+use crate::limits::MOST_TURNS_OF_A_BASE;
 use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVectors, VectorId};
-use crate::mechanics::energy_forms::quasi_velocities::{QuasiVelocities, is_constant};
+use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
 use crate::{EnergiesInFrames, Expression, Graph, Model, Node, Rational, Symbol};
 
 /// A link, or the inertial frame, and a place along its axes.
-type Point = (Option<usize>, Vector);
+pub(super) type Point = (Option<usize>, Vector);
 
 impl Mechanism {
     /// The mechanism of a model, if it is one.
@@ -88,20 +88,20 @@ impl Mechanism {
 }
 
 /// A mechanism under construction.
-struct Reader {
-    graph: Graph,
-    vectors: UnresolvedVectors,
-    links: Vec<Link>,
+pub(super) struct Reader {
+    pub(super) graph: Graph,
+    pub(super) vectors: UnresolvedVectors,
+    pub(super) links: Vec<Link>,
     /// The frames of the links.
-    frames: Vec<Frame>,
+    pub(super) frames: Vec<Frame>,
     /// The masses of points.
-    masses: Vec<(Point, Expression)>,
+    pub(super) masses: Vec<(Point, Expression)>,
 }
 
 impl Reader {
     /// Gives all links their inertia; the rest of T.
     fn read_inertia(&mut self, velocities: &QuasiVelocities) -> Option<Expression> {
-        let mut blocks: BTreeMap<VectorId, [Vector; 3]> = BTreeMap::new();
+        let mut blocks: BTreeMap<(VectorId, VectorId), [Vector; 3]> = BTreeMap::new();
         let zero = self.graph.zero();
         let components = velocities.forms.iter();
         let components: Vec<_> = components
@@ -110,65 +110,171 @@ impl Reader {
                 _ => None,
             })
             .collect();
-        let mut rest = vec![(velocities.rest, Rational::ONE)];
+        let mut others = Vec::new();
         for (k, row) in velocities.inertia.iter().enumerate() {
             for (l, entry) in row.iter().enumerate() {
                 if self.graph.is_zero(*entry) {
                     continue;
                 }
                 match (components[k], components[l]) {
-                    (Some((number, i)), Some((other, j))) if number == other => {
-                        let block = blocks.entry(number).or_insert([[zero; 3]; 3]);
+                    (Some((number, i)), Some((other, j))) => {
+                        let block = blocks.entry((number, other)).or_insert([[zero; 3]; 3]);
                         block[i][j] = *entry;
                     }
                     (None, None) => {
-                        let factors = [*entry, velocities.forms[k], velocities.forms[l]];
-                        let product = self.graph.product(factors.map(|x| (x, Rational::ONE)));
-                        rest.push((product, Rational::HALF));
+                        others.push((*entry, [velocities.forms[k], velocities.forms[l]]));
                     }
                     _ => return None,
                 }
             }
         }
-        let rest = self.graph.sum(rest);
+        // The links of points of which first moments are declared, too.
+        let mut carriers = BTreeMap::new();
+        for ((number, other), tensor) in &blocks {
+            if number < other {
+                let carrier = self.first_moment([*number, *other], tensor)?;
+                let velocity = self.vectors.vector(carrier.number).terms.clone();
+                carriers.insert(velocity, carrier.frame);
+                self.read_first_moment(carrier)?;
+            }
+        }
+        for ((number, other), tensor) in &blocks {
+            if number == other {
+                let velocity = &self.vectors.vector(*number).terms;
+                let frame = carriers.get(velocity).copied();
+                self.read_point_mass(*number, tensor, frame)?;
+            }
+        }
+        // Of links whose origins are known.
+        for ((number, other), tensor) in &blocks {
+            if number == other {
+                self.read_tensor(*number, tensor);
+            }
+        }
+        let rest = self.rest_of_kinetic(velocities.rest, &others);
         let is_component = |symbol: &Symbol| matches!(symbol, Symbol::VelocityComponent(_));
-        if self.graph.symbols(&[rest]).iter().any(is_component) {
-            return None;
+        let mut symbols = self.graph.symbols(&[rest]).into_iter();
+        (!symbols.any(|symbol| is_component(&symbol))).then_some(rest)
+    }
+
+    /// What T has besides, of terms ½ W u v: moments of inertia about axes that turn with u = v are those of their links.
+    fn rest_of_kinetic(
+        &mut self,
+        rest: Expression,
+        others: &[(Expression, [Expression; 2])],
+    ) -> Expression {
+        let mut terms = vec![(rest, Rational::ONE)];
+        for (entry, [u, v]) in others {
+            if u == v
+                && let Some((link, axis)) = self.turning_link(*u)
+            {
+                let mut tensor = [[self.graph.zero(); 3]; 3];
+                tensor[axis][axis] = *entry;
+                let inertia = Inertia::of_tensor(&mut self.graph, &tensor);
+                self.links[link].inertia.add(&mut self.graph, &inertia);
+                continue;
+            }
+            let product = self
+                .graph
+                .product([*entry, *u, *v].map(|x| (x, Rational::ONE)));
+            terms.push((product, Rational::HALF));
         }
-        for (number, tensor) in &blocks {
-            self.read_point_mass(*number, tensor)?;
+        self.graph.sum(terms)
+    }
+
+    /// The link whose angular velocity has this component along an axis, and no others.
+    fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
+        let zero = self.graph.zero();
+        for (link, frame) in self.frames.clone().into_iter().enumerate() {
+            let factors = self.vectors.factors(frame);
+            if factors.len() > MOST_TURNS_OF_A_BASE {
+                continue;
+            }
+            let coordinates = self.vectors.coordinates;
+            let velocity = self
+                .graph
+                .angular_velocity_of_product(&factors, coordinates);
+            let Ok(velocity) = velocity else {
+                continue;
+            };
+            for axis in 0..3 {
+                let mut along = [zero; 3];
+                along[axis] = rate;
+                if velocity == along {
+                    return Some((link, axis));
+                }
+            }
         }
-        for (number, tensor) in &blocks {
-            self.read_tensor(*number, tensor);
-        }
-        Some(rest)
+        None
     }
 
     /// The mass of ½ m |v|² of the velocity v of a point; nothing of an angular velocity along the axes of its frame.
-    fn read_point_mass(&mut self, number: VectorId, tensor: &[Vector; 3]) -> Option<()> {
+    ///
+    /// It lies on the link with the axes of a frame if one is named.
+    fn read_point_mass(
+        &mut self,
+        number: VectorId,
+        tensor: &[Vector; 3],
+        frame: Option<Frame>,
+    ) -> Option<()> {
         let vector = self.vectors.vector(number).clone();
         if let [Term::AngularVelocity(frame, factor)] = vector.terms.as_slice() {
             return (*frame == vector.axes && *factor == self.graph.one()).then_some(());
         }
-        let zero = self.graph.zero();
-        let mass = tensor[0][0];
-        let is_isotropic =
-            (0..3).all(|i| (0..3).all(|j| tensor[i][j] == if i == j { mass } else { zero }));
-        let terms = vector.terms.iter().map(|term| match term {
-            Term::Rate(frame, place) => Some((*frame, *place)),
-            _ => None,
-        });
-        let terms: Vec<_> = terms.collect::<Option<_>>()?;
-        if !is_isotropic {
-            return None;
-        }
-        let point = self.point(&terms)?;
+        let mass = isotropic(&self.graph, tensor)?;
+        let point = self.moving_point(number, frame)?;
         self.masses.push((point, mass));
         if let (Some(link), place) = point {
             let inertia = Inertia::point(&mut self.graph, mass, place);
             self.links[link].inertia.add(&mut self.graph, &inertia);
         }
         Some(())
+    }
+
+    /// The first moment μ h of μ v · d(R h)/dt, where R h is fixed to the last of the links on which v depends.
+    fn first_moment(&self, numbers: [VectorId; 2], tensor: &[Vector; 3]) -> Option<FirstMoment> {
+        let mass = isotropic(&self.graph, tensor)?;
+        let [first, second] = numbers;
+        [(first, second), (second, first)]
+            .into_iter()
+            .find_map(|(number, other)| {
+                let [Term::Rate(frame, place)] = *self.vectors.vector(other).terms else {
+                    return None;
+                };
+                let path = self.vectors.path(frame);
+                let is_before = |known: Frame| {
+                    known == Frame::INERTIAL || path.iter().any(|(frame, _)| *frame == known)
+                };
+                let mut velocity = self.vectors.vector(number).terms.iter();
+                let fits = !self.varies(place) && velocity.all(|term| is_before(term.frame()));
+                fits.then_some(FirstMoment {
+                    number,
+                    frame,
+                    mass,
+                    place,
+                })
+            })
+    }
+
+    fn read_first_moment(&mut self, moment: FirstMoment) -> Option<()> {
+        let (link, place) = self.moving_point(moment.number, Some(moment.frame))?;
+        let mut inertia = Inertia::none(&self.graph);
+        inertia.first = moment.place.map(|x| self.graph.multiply(moment.mass, x));
+        let inertia = inertia.moved(&mut self.graph, place);
+        self.links[link?].inertia.add(&mut self.graph, &inertia);
+        Some(())
+    }
+
+    /// The point with this velocity, on the link with the axes of a frame if one is named.
+    fn moving_point(&mut self, number: VectorId, frame: Option<Frame>) -> Option<Point> {
+        let terms = self.vectors.vector(number).terms.iter();
+        let terms = terms.map(|term| match term {
+            Term::Rate(frame, place) => Some((*frame, *place)),
+            _ => None,
+        });
+        let mut terms: Vec<_> = terms.collect::<Option<_>>()?;
+        terms.extend(frame.map(|frame| (frame, [self.graph.zero(); 3])));
+        self.point(&terms)
     }
 
     /// The inertia tensor of ½ ωᵀ I ω.
@@ -181,205 +287,24 @@ impl Reader {
             self.links[link].inertia.add(&mut self.graph, &inertia);
         }
     }
+}
 
-    /// A link with the axes of a frame.
-    fn link_of(&mut self, frame: Frame) -> Option<usize> {
-        let path = self.vectors.path(frame);
-        let known = path.iter().rev().find_map(|(frame, _)| {
-            let link = self.frames.iter().position(|known| known == frame)?;
-            Some((link, *frame))
-        });
-        let (mut link, here) =
-            known.map_or((None, Frame::INERTIAL), |(link, here)| (Some(link), here));
-        let mut place = [self.graph.zero(); 3];
-        self.walk(&mut link, (here, frame), &mut place)?;
-        link
-    }
+/// The number μ of a tensor μ 1.
+fn isotropic(graph: &Graph, tensor: &[Vector; 3]) -> Option<Expression> {
+    let (zero, number) = (graph.zero(), tensor[0][0]);
+    let is_isotropic =
+        (0..3).all(|i| (0..3).all(|j| tensor[i][j] == if i == j { number } else { zero }));
+    is_isotropic.then_some(number)
+}
 
-    /// The point at Σ Rᵢ vᵢ: from the origin of each frame to that of the next, in the order in which they were declared.
-    ///
-    /// New links are made for the frames on the way, and for a place that varies in the last.
-    fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
-        let zero = self.graph.zero();
-        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
-        for term in terms {
-            let (frame, place) = self.carried(*term);
-            let sum = places.entry(frame).or_insert([zero; 3]);
-            *sum = [0, 1, 2].map(|i| self.graph.add(sum[i], place[i]));
-        }
-        let mut place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
-        let (mut link, mut last) = (None, Frame::INERTIAL);
-        for (frame, own) in places {
-            self.walk(&mut link, (last, frame), &mut place)?;
-            last = frame;
-            place = [0, 1, 2].map(|i| self.graph.add(place[i], own[i]));
-        }
-        if self.varies(place) {
-            link = Some(self.link(link, last, place, Turn::Identity));
-            place = [zero; 3];
-        }
-        Some((link, place))
-    }
-
-    /// Goes from a link with the axes of the first frame to one with those of the second, at this place.
-    fn walk(
-        &mut self,
-        link: &mut Option<usize>,
-        (here, there): (Frame, Frame),
-        place: &mut Vector,
-    ) -> Option<()> {
-        for (frame, factor) in self.steps(here, there) {
-            // What is constant in the inertial frame moves nothing.
-            if link.is_none() && !self.varies(*place) {
-                *place = [self.graph.zero(); 3];
-            }
-            *link = Some(self.next_link(*link, frame, factor, place)?);
-        }
-        Some(())
-    }
-
-    /// The frames on the way from one to another, each with its turn against the one before: back to the last that both
-    /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
-    fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
-        let (from, to) = (self.vectors.path(here), self.vectors.path(there));
-        let pairs = from.iter().zip(&to);
-        let common = pairs.take_while(|(x, y)| x == y).count();
-        if common == from.len() {
-            return to[common..].to_vec();
-        }
-        let back = from[common..].iter().rev();
-        let back = back.map(|(_, factor)| factor.transpose());
-        let forth = to[common..].iter().map(|(_, factor)| *factor);
-        let factors = self.graph.combined(back.chain(forth));
-        let mut path = self.vectors.factors(here);
-        let mut steps = Vec::with_capacity(factors.len());
-        for factor in factors {
-            path.push(factor);
-            steps.push((self.vectors.frame(&path), factor));
-        }
-        if let Some((frame, _)) = steps.last_mut() {
-            *frame = there;
-        }
-        steps
-    }
-
-    /// The place along the axes of a frame that is turned against its own, if it is constant there: l (cos q, sin q, 0) is
-    /// l (1, 0, 0) of the link that is turned by q.
-    fn carried(&mut self, (frame, place): (Frame, Vector)) -> (Frame, Vector) {
-        if !self.varies(place) {
-            return (frame, place);
-        }
-        for (next, factor) in self.vectors.behind(frame) {
-            let turned = factor.transpose().apply(&mut self.graph, place);
-            let turned = turned.map(|x| self.graph.reduced(x));
-            if !self.varies(turned) {
-                return (next, turned);
-            }
-        }
-        (frame, place)
-    }
-
-    fn varies(&self, place: Vector) -> bool {
-        place.iter().any(|x| self.graph.contents(*x).varies())
-    }
-
-    /// The link that is turned as `frame` is, with its origin at `place` in the link before; afterwards, `place` is that
-    /// of the same point in the new link.
-    fn next_link(
-        &mut self,
-        before: Option<usize>,
-        frame: Frame,
-        factor: MatrixFactor,
-        place: &mut Vector,
-    ) -> Option<usize> {
-        let turn = Turn::of(factor)?;
-        let zero = self.graph.zero();
-        let mut origin = *place;
-        *place = [zero; 3];
-        if let Some(axis) = turn.axis()
-            && !self.graph.contents(origin[axis]).varies()
-        {
-            place[axis] = core::mem::replace(&mut origin[axis], zero);
-        }
-        Some(self.link(before, frame, origin, turn))
-    }
-
-    /// The link with this origin and these axes.
-    fn link(&mut self, parent: Option<usize>, frame: Frame, place: Vector, turn: Turn) -> usize {
-        let known = self
-            .links
-            .iter()
-            .position(|link| (link.parent, link.place, link.turn) == (parent, place, turn));
-        known.unwrap_or_else(|| {
-            self.links.push(Link {
-                parent,
-                place,
-                turn,
-                inertia: Inertia::none(&self.graph),
-            });
-            self.frames.push(frame);
-            self.links.len() - 1
-        })
-    }
-
-    /// The acceleration that stands in for the part of V that is Σ m a · r over all masses, and the rest of V.
-    fn uniform_gravity(&mut self, potential: Expression) -> (Vector, Expression) {
-        let count = self.links.len();
-        if let Some(found) = self.gravity_and_rest(potential) {
-            return found;
-        }
-        // Links of weights without masses.
-        self.links.truncate(count);
-        self.frames.truncate(count);
-        ([self.graph.zero(); 3], potential)
-    }
-
-    fn gravity_and_rest(&mut self, potential: Expression) -> Option<(Vector, Expression)> {
-        let zero = self.graph.zero();
-        let mut weights: BTreeMap<VectorId, Vector> = BTreeMap::new();
-        let mut removed = BTreeMap::new();
-        for symbol in self.graph.symbols(&[potential]) {
-            let Symbol::PositionComponent(index) = symbol else {
-                continue;
-            };
-            let slope = self.graph.derivative(potential, symbol);
-            if is_constant(&self.graph, slope) {
-                let (number, axis) = VectorId::of_component(index);
-                weights.entry(number).or_insert([zero; 3])[axis] = slope;
-                removed.insert(symbol, zero);
-            }
-        }
-        let mut acceleration = None;
-        let mut heavy = Vec::new();
-        for (number, weight) in weights {
-            let point = self.marked_point(number)?;
-            let mass = self.masses.iter().find(|(known, _)| *known == point)?.1;
-            let ratio = weight.map(|x| self.graph.divide(x, mass));
-            if *acceleration.get_or_insert(ratio) != ratio {
-                return None;
-            }
-            heavy.push(point);
-        }
-        let is_moved = |(link, _): Point| link.is_some();
-        let mut masses = self.masses.iter();
-        if !masses.all(|(point, _)| !is_moved(*point) || heavy.contains(point)) {
-            return None;
-        }
-        let rest = self.graph.substitute(&[potential], &removed)[0];
-        Some((acceleration?, rest))
-    }
-
-    /// The point of a position that is resolved along inertial axes.
-    fn marked_point(&mut self, number: VectorId) -> Option<Point> {
-        let vector = self.vectors.vector(number).clone();
-        let terms = vector.terms.iter().map(|term| match term {
-            Term::Fixed(frame, place) if vector.axes == Frame::INERTIAL => Some((*frame, *place)),
-            _ => None,
-        });
-        let terms: Vec<_> = terms.collect::<Option<_>>()?;
-        let count = self.links.len();
-        let point = self.point(&terms)?;
-        // A weight without a mass has no link of its own.
-        (self.links.len() == count).then_some(point)
-    }
+/// A mass times a vector that is fixed to a link, about a point with a velocity that is resolved last.
+#[derive(Clone, Copy)]
+struct FirstMoment {
+    /// The velocity of the point.
+    number: VectorId,
+    /// The axes of the link.
+    frame: Frame,
+    mass: Expression,
+    /// The vector along these axes.
+    place: Vector,
 }

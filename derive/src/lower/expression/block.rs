@@ -1,0 +1,167 @@
+//! Blocks of matrices, and what is put together of them: homogeneous matrices and coordinates.
+
+use lagrangian_symbolic::Matrix;
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::Expr;
+
+use super::repetition::without_parentheses;
+use super::{ExpressionContext, Lowerer};
+use crate::lower::builtins;
+use crate::lower::value::Value;
+use crate::syntax::shape::Shape;
+
+/// A pair of integers: a row and a column, or numbers of them.
+type Pair = (usize, usize);
+
+impl Lowerer<'_> {
+    /// `m.view((0, 0), (3, 3))`, `m.rows(0, 3)`, `m.columns(0, 3)`, `v.xyz()`, `v.push(1.0)` and `homogeneous(r, p)`; `None`
+    /// if `name` is none of those.
+    #[allow(clippy::option_option)] // Whether it is one of those, and whether it has no errors.
+    pub(super) fn function_of_blocks(
+        &mut self,
+        name: &Ident,
+        arguments: &[&Expr],
+        call: &dyn ToTokens,
+        context: ExpressionContext,
+    ) -> Option<Option<Value>> {
+        let written = name.to_string();
+        let example = builtins::example_of_blocks(&written)?;
+        let expected = match written.as_str() {
+            "xyz" => 1,
+            "homogeneous" | "push" => 2,
+            _ => 3,
+        };
+        if arguments.len() != expected {
+            return Some(self.reject(call, format!("write `{example}`")));
+        }
+        Some(match written.as_str() {
+            "homogeneous" => self.homogeneous(arguments, context),
+            "push" => self.push(arguments, context),
+            _ => self.part(&written, arguments, example, context),
+        })
+    }
+
+    fn matrix(&mut self, argument: &Expr, context: ExpressionContext) -> Option<Matrix> {
+        match self.lower(argument, context)? {
+            Value::Array(matrix) => Some(matrix),
+            other => {
+                let message = format!("this is {}, which has no parts", other.shape());
+                self.reject(argument, message)
+            }
+        }
+    }
+
+    /// A block of a matrix.
+    fn part(
+        &mut self,
+        name: &str,
+        arguments: &[&Expr],
+        example: &str,
+        context: ExpressionContext,
+    ) -> Option<Value> {
+        let matrix = self.matrix(arguments[0], context);
+        let (first, size) = match name {
+            "xyz" => ((0, 0), (3, 1)),
+            "view" => {
+                let first = self.pair(arguments[1], example);
+                let size = self.pair(arguments[2], example);
+                (first?, size?)
+            }
+            _ => {
+                let (first, count) = (
+                    self.natural_number(arguments[1]),
+                    self.natural_number(arguments[2]),
+                );
+                let (first, count) = (first?, count?);
+                let matrix = matrix.as_ref()?;
+                if name == "rows" {
+                    ((first, 0), (count, matrix.columns()))
+                } else {
+                    ((0, first), (matrix.rows(), count))
+                }
+            }
+        };
+        let matrix = matrix?;
+        if name == "xyz" && (matrix.columns() != 1 || !(3..=4).contains(&matrix.rows())) {
+            let message = format!(
+                "`xyz` is of a vector of 3 or 4 components, and this is of {}",
+                Shape::of(&matrix)
+            );
+            return self.reject(arguments[0], message);
+        }
+        if let Some(block) = self.graph.block(&matrix, first, size) {
+            return Some(Value::Array(block));
+        }
+        let message = format!(
+            "this block is empty or larger than the matrix, {}: write the first element and then the size, as in `{example}`",
+            Shape::of(&matrix)
+        );
+        self.reject(arguments[1], message)
+    }
+
+    /// [r p; 0 1].
+    fn homogeneous(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
+        let [rotation, place] = [0, 1].map(|i| self.matrix(arguments[i], context));
+        let (rotation, place) = (rotation?, place?);
+        if let Some(matrix) = self.graph.homogeneous(&rotation, &place) {
+            return Some(Value::Array(matrix));
+        }
+        let (odd, wanted, found) = if rotation.shape() == (3, 3) {
+            (
+                arguments[1],
+                "the place of its origin is a vector of 3 components",
+                &place,
+            )
+        } else {
+            (arguments[0], "its rotation is a 3×3 matrix", &rotation)
+        };
+        let message = format!(
+            "a homogeneous matrix is 4×4, and {wanted}: this is {}",
+            Shape::of(found)
+        );
+        self.reject(odd, message)
+    }
+
+    /// A vector with one more component.
+    fn push(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
+        let vector = self.matrix(arguments[0], context);
+        let last = self.scalar(arguments[1], context);
+        let (vector, last) = (vector?, last?);
+        if vector.columns() != 1 {
+            let message = format!(
+                "`push` is of a vector, and this is of {}",
+                Shape::of(&vector)
+            );
+            return self.reject(arguments[0], message);
+        }
+        let mut elements = vector.elements().to_vec();
+        elements.push(last);
+        Some(Value::Array(Matrix::vector(elements)))
+    }
+
+    /// `(i, j)`.
+    fn pair(&mut self, argument: &Expr, example: &str) -> Option<Pair> {
+        match without_parentheses(argument) {
+            Expr::Tuple(pair) if pair.elems.len() == 2 => {
+                let [first, second] = [0, 1].map(|i| self.natural_number(&pair.elems[i]));
+                Some((first?, second?))
+            }
+            _ => self.reject(
+                argument,
+                format!("here a row and a column stand in parentheses: write `{example}`"),
+            ),
+        }
+    }
+
+    fn natural_number(&mut self, written: &Expr) -> Option<usize> {
+        let number = self.integer(written)?;
+        match usize::try_from(number) {
+            Ok(number) => Some(number),
+            Err(_) => self.reject(
+                written,
+                format!("this is not negative: here it is {number}"),
+            ),
+        }
+    }
+}

@@ -1,0 +1,361 @@
+//! Velocities that a declaration computes along a chain of links, as the outward recursion does (Luh, Walker and Paul,
+//! On-line computational scheme for mechanical manipulators, 1980): ωᵢ = Aᵢᵀ ωᵢ₋₁ + sᵢ q̇ᵢ and vᵢ = Aᵢᵀ (vᵢ₋₁ + ωᵢ₋₁ × r)
+//! along the axes of each link, or ωᵢ = ωᵢ₋₁ + Rᵢ₋₁ sᵢ q̇ᵢ and vᵢ = vᵢ₋₁ + ωᵢ₋₁ × R r along inertial ones.
+//!
+//! Such a sum is the angular velocity of a frame if it is the sum of the frame's own turns, and the product of an angular
+//! velocity with a vector that is fixed to its frame is the rate of that vector. A sum of vectors that were turned back
+//! only, and of which no position is known, is seen from the last of their frames: the first is then the one that turns
+//! with what was declared for it. The components are the same, whatever the frames are called.
+
+use std::collections::BTreeMap;
+
+use crate::frames::unresolved::along;
+use crate::limits::MOST_TURNS_OF_A_BASE;
+use crate::matrix::axis::Axis;
+use crate::matrix::dense::Matrix;
+use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
+use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVector};
+use crate::{Expression, Graph, Rational, Symbol};
+
+type Vector = [Expression; 3];
+
+impl UnresolvedVector {
+    /// Whether its components are known only along axes that may be those of any frame: it is a sum of turned vectors
+    /// with velocities.
+    pub(crate) fn is_relative(&self, graph: &Graph) -> bool {
+        self.axes == Frame::INERTIAL
+            && self.terms.iter().any(|term| term.moves(graph))
+            && self
+                .terms
+                .iter()
+                .all(|term| matches!(term, Term::Fixed(..)))
+    }
+}
+
+impl Graph {
+    /// ω × r, or r × ω, of an angular velocity and a vector of the frame that turns with it: the rate of r, less that along
+    /// the axes of the frame.
+    pub(crate) fn unresolved_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
+        self.unresolved.as_ref()?;
+        if x.shape() != (3, 1) {
+            return None;
+        }
+        let moves = [x, y].map(|x| self.has_velocity(x));
+        let (rate, place, sign) = match moves {
+            [true, false] => (x, y, Rational::ONE),
+            [false, true] => (y, x, Rational::MINUS_ONE),
+            _ => return None,
+        };
+        let (rate, place) = match (self.unresolved_of(rate), self.unresolved_of(place)) {
+            (Some(rate), Some(place)) => (rate, place),
+            (Some(rate), None) => {
+                let axes = rate.axes;
+                (rate, along(axes, place)?)
+            }
+            (None, Some(place)) => (along(place.axes, rate)?, place),
+            (None, None) => {
+                let frame = self.frame_that_turns(rate.components()?)?;
+                (along(frame, rate)?, along(frame, place)?)
+            }
+        };
+        if rate.axes != place.axes {
+            return None;
+        }
+        let factor = self.constant(&sign);
+        let mut terms = Vec::new();
+        for term in place.terms {
+            let Term::Fixed(frame, vector) = term else {
+                return None;
+            };
+            if !self.turn_with(&rate.terms, frame) {
+                return None;
+            }
+            let coordinates = self.unresolved.as_ref()?.coordinates;
+            let own = self.time_derivatives(&vector, coordinates);
+            let own = <[_; 3]>::try_from(own).ok()?.map(|x| self.negate(x));
+            for term in [Term::Rate(frame, vector), Term::Fixed(frame, own)] {
+                let term = self.scaled_term(&term, factor)?;
+                self.add_term(&mut terms, term);
+            }
+        }
+        let axes = rate.axes;
+        self.column_of(UnresolvedVector { axes, terms })
+    }
+
+    /// A vector resolved along the axes of a frame: itself, or one that may be seen from any frame.
+    pub(crate) fn seen_from(
+        &mut self,
+        vector: UnresolvedVector,
+        axes: Frame,
+    ) -> Option<UnresolvedVector> {
+        if vector.axes == axes {
+            return Some(vector);
+        }
+        if !vector.is_relative(self) {
+            return None;
+        }
+        let base = self.unresolved.as_ref()?.factors(axes);
+        let terms = self.behind(&base, &vector.terms)?;
+        Some(UnresolvedVector { axes, terms })
+    }
+
+    /// The frame behind this one that turns with a sum of terms, or else this one.
+    pub(crate) fn turned_with(&mut self, terms: &[Term], frame: Frame) -> Frame {
+        if terms.iter().any(|term| matches!(term, Term::Rate(..))) || self.turn_with(terms, frame) {
+            return frame;
+        }
+        let vectors = self.unresolved.as_ref();
+        let next = vectors.map_or_else(Vec::new, |vectors| vectors.behind(frame));
+        let mut next = next.into_iter().map(|(next, _)| next);
+        next.find(|next| self.turn_with(terms, *next))
+            .unwrap_or(frame)
+    }
+
+    /// The same vector, with turned velocities put together: to the angular velocity of a frame, and to rates.
+    pub(crate) fn with_known_velocities(&mut self, vector: UnresolvedVector) -> UnresolvedVector {
+        let is_turned =
+            |graph: &Self, term: &Term| matches!(term, Term::Fixed(..)) && term.moves(graph);
+        if !vector.terms.iter().any(|term| is_turned(self, term)) {
+            return vector;
+        }
+        if vector
+            .terms
+            .iter()
+            .any(|term| matches!(term, Term::Rate(..)))
+        {
+            let axes = vector.axes;
+            let terms = self.with_rates_of_places(vector.terms);
+            return UnresolvedVector { axes, terms };
+        }
+        let of_frame = |frame: Frame, one: Expression| UnresolvedVector {
+            axes: frame,
+            terms: vec![Term::AngularVelocity(frame, one)],
+        };
+        if self.turn_with(&vector.terms, vector.axes) {
+            return of_frame(vector.axes, self.one());
+        }
+        if vector.is_relative(self)
+            && let Some(frame) = self.frame_seen_from(&vector.terms)
+        {
+            return of_frame(frame, self.one());
+        }
+        vector
+    }
+
+    /// A column that was written out along inertial axes, turned to those of a frame of which it is the angular velocity.
+    pub(crate) fn turned_rate(
+        &mut self,
+        rotations: &[MatrixFactor],
+        column: &Matrix,
+    ) -> Option<Matrix> {
+        if !self.has_velocity(column) {
+            return None;
+        }
+        let UnresolvedVector { terms, .. } = along(Frame::INERTIAL, column)?;
+        let back = rotations.iter().rev().map(MatrixFactor::transpose);
+        let path = self.merged(back);
+        let axes = self.unresolved.as_mut()?.frame(&path);
+        let turns = self.turn_with(&terms, axes);
+        turns.then(|| self.column_of(UnresolvedVector { axes, terms }))?
+    }
+
+    pub(crate) fn has_velocity(&self, column: &Matrix) -> bool {
+        let mut elements = column.elements().iter();
+        elements.any(|x| self.contents(*x).has_velocity())
+    }
+
+    /// Terms of which those with velocities are brought towards the inertial frame, where a velocity is the rate of a place.
+    fn with_rates_of_places(&mut self, terms: Vec<Term>) -> Vec<Term> {
+        let mut sum = Vec::with_capacity(terms.len());
+        for term in terms {
+            match term {
+                Term::Fixed(frame, vector) if term.moves(self) => {
+                    for (frame, vector) in self.raised(frame, vector) {
+                        self.add_term(&mut sum, Term::Fixed(frame, vector));
+                    }
+                }
+                other => self.add_term(&mut sum, other),
+            }
+        }
+        let own = |term: &Term| matches!(term, Term::Fixed(Frame::INERTIAL, _)) && term.moves(self);
+        if let Some(i) = sum.iter().position(own)
+            && let Term::Fixed(_, vector) = sum[i]
+            && let Some(place) = self.integral(vector)
+        {
+            sum.swap_remove(i);
+            self.add_term(&mut sum, Term::Rate(Frame::INERTIAL, place));
+        }
+        sum
+    }
+
+    /// Whether a sum of terms is the angular velocity of a frame.
+    fn turn_with(&mut self, terms: &[Term], frame: Frame) -> bool {
+        if frame == Frame::INERTIAL {
+            return false;
+        }
+        let expected = [Term::AngularVelocity(frame, self.one())];
+        let Some(found) = self.turns(terms) else {
+            return false;
+        };
+        let Some(expected) = self.turns(&expected) else {
+            return false;
+        };
+        if !found.keys().eq(expected.keys()) {
+            return false;
+        }
+        let pairs = found
+            .into_values()
+            .flatten()
+            .zip(expected.into_values().flatten());
+        let mut residuals = Vec::new();
+        for (x, y) in pairs {
+            let difference = self.subtract(x, y);
+            if !self.is_zero(difference) {
+                residuals.push(difference);
+            }
+        }
+        residuals.is_empty() || self.vanishes(&residuals)
+    }
+
+    /// A sum of turned vectors and of angular velocities by frame, each as near to the inertial frame as its components stay
+    /// the same.
+    fn turns(&mut self, terms: &[Term]) -> Option<BTreeMap<Frame, Vector>> {
+        let vectors = self.unresolved.as_ref()?;
+        let coordinates = vectors.coordinates;
+        let mut own = Vec::new();
+        for term in terms {
+            match *term {
+                Term::Rate(..) => return None,
+                Term::Fixed(frame, vector) => own.push((frame, vector)),
+                Term::AngularVelocity(frame, multiple) => {
+                    for (frame, factor) in self.unresolved.as_ref()?.path(frame) {
+                        let rate = self.angular_velocity_of_product(&[factor], coordinates);
+                        let rate = rate.ok()?.map(|x| self.multiply(multiple, x));
+                        own.push((frame, rate));
+                    }
+                }
+            }
+        }
+        let mut sums: BTreeMap<Frame, Vector> = BTreeMap::new();
+        let zero = [self.zero(); 3];
+        for (frame, vector) in own {
+            for (frame, vector) in self.raised(frame, vector) {
+                let sum = sums.entry(frame).or_insert(zero);
+                *sum = [0, 1, 2].map(|i| self.add(sum[i], vector[i]));
+            }
+        }
+        sums.retain(|_, sum| *sum != zero);
+        Some(sums)
+    }
+
+    /// R v of a frame as a sum of vectors of this frame and of those before it: constant turns take all of v along, others
+    /// its component along their axis.
+    fn raised(&mut self, mut frame: Frame, mut vector: Vector) -> Vec<(Frame, Vector)> {
+        let mut parts = Vec::new();
+        let zero = self.zero();
+        while let Some((before, factor)) = self.unresolved.as_ref().and_then(|x| x.before(frame)) {
+            if factor.is_constant(self) {
+                vector = factor.apply(self, vector);
+            } else {
+                let MatrixFactor::Elementary(rotation) = factor else {
+                    break;
+                };
+                let [k, ..] = rotation.axis.cycle();
+                let along = core::mem::replace(&mut vector[k], zero);
+                if vector != [zero; 3] {
+                    parts.push((frame, vector));
+                }
+                vector = [zero; 3];
+                vector[k] = along;
+            }
+            frame = before;
+        }
+        parts.push((frame, vector));
+        parts
+    }
+
+    /// The frame with whose angular velocity a sum of turned vectors agrees, if it is seen from there.
+    fn frame_seen_from(&mut self, terms: &[Term]) -> Option<Frame> {
+        let vectors = self.unresolved.as_ref()?;
+        let paths = terms
+            .iter()
+            .map(|term| (vectors.factors(term.frame()), term));
+        let (path, first) = paths.max_by_key(|(path, _)| path.len())?;
+        let Term::Fixed(_, rate) = *first else {
+            return None;
+        };
+        let first = self.frame_that_turns(rate)?;
+        let base = self.unresolved.as_ref()?.factors(first);
+        let back = path.iter().rev().map(MatrixFactor::transpose);
+        let path = self.merged(base.into_iter().chain(back));
+        let frame = self.unresolved.as_mut()?.frame(&path);
+        let terms = self.behind(&path, terms)?;
+        self.turn_with(&terms, frame).then_some(frame)
+    }
+
+    /// The same terms seen from the frame with these factors.
+    fn behind(&mut self, base: &[MatrixFactor], terms: &[Term]) -> Option<Vec<Term>> {
+        let mut behind = Vec::with_capacity(terms.len());
+        for term in terms {
+            let Term::Fixed(frame, vector) = *term else {
+                return None;
+            };
+            let factors = self.unresolved.as_ref()?.factors(frame);
+            let factors = self.merged(base.iter().copied().chain(factors));
+            let frame = self.unresolved.as_mut()?.frame(&factors);
+            self.add_term(&mut behind, Term::Fixed(frame, vector));
+        }
+        Some(behind)
+    }
+
+    /// A frame whose angular velocity along its own axes has these components: one that is known, or that is turned about a
+    /// coordinate axis.
+    fn frame_that_turns(&mut self, rate: Vector) -> Option<Frame> {
+        let zero = self.zero();
+        if rate == [zero; 3] {
+            return None;
+        }
+        let vectors = self.unresolved.as_ref()?;
+        let coordinates = vectors.coordinates;
+        for (frame, factors) in vectors.nearest(MOST_TURNS_OF_A_BASE) {
+            let known = self.angular_velocity_of_product(&factors, coordinates);
+            if known == Ok(rate) {
+                return Some(frame);
+            }
+        }
+        let axis = Axis::ALL.into_iter().find(|axis| {
+            let [_, j, k] = axis.cycle();
+            rate[j] == zero && rate[k] == zero
+        })?;
+        let [k, ..] = axis.cycle();
+        let angle = self.integral(rate)?[k];
+        let rotation = MatrixFactor::Elementary(ElementaryRotation {
+            axis,
+            angle,
+            reversed: false,
+        });
+        Some(self.unresolved.as_mut()?.frame(&[rotation]))
+    }
+
+    /// The functions of the coordinates with these rates, which are linear in the velocities with constant coefficients.
+    fn integral(&mut self, rates: Vector) -> Option<Vector> {
+        let mut integrals = [self.zero(); 3];
+        for (rate, integral) in rates.iter().zip(&mut integrals) {
+            let mut found = Vec::new();
+            for symbol in self.symbols(&[*rate]) {
+                if let Symbol::Velocity(i) = symbol {
+                    let slope = self.derivative(*rate, symbol);
+                    if self.contents(slope).varies() {
+                        return None;
+                    }
+                    let coordinate = self.symbol(Symbol::Coordinate(i));
+                    found.push((self.multiply(slope, coordinate), Rational::ONE));
+                }
+            }
+            *integral = self.sum(found);
+        }
+        let coordinates = self.unresolved.as_ref()?.coordinates;
+        let again = self.time_derivatives(&integrals, coordinates);
+        (again == rates).then_some(integrals)
+    }
+}

@@ -1,0 +1,184 @@
+//! Homogeneous matrices [R p; 0 1] and coordinates (x, w) of points, w = 1, and of free vectors, w = 0 (Denavit and
+//! Hartenberg, A kinematic notation for lower-pair mechanisms based on matrices, 1955; Paul, Robot Manipulators, 1981).
+//!
+//! A product is made block by block, so that rotations remember their factors and places are vectors: R R′, R p′ + p.
+
+use crate::matrix::dense::Matrix;
+use crate::matrix::factor::MatrixFactor;
+use crate::{Expression, Graph, Rational};
+
+/// The blocks of a homogeneous matrix.
+struct Blocks {
+    /// R.
+    rotation: Matrix,
+    /// p.
+    place: Matrix,
+}
+
+impl Graph {
+    /// The homogeneous matrix of a matrix of three rows and a place, unless they have other shapes.
+    pub fn homogeneous(&mut self, rotation: &Matrix, place: &Matrix) -> Option<Matrix> {
+        if rotation.shape() != (3, 3) || place.shape() != (3, 1) {
+            return None;
+        }
+        let factors = self.matrix_factors(rotation)?;
+        let elements = Matrix::from_function(4, 4, |i, j| match (i, j) {
+            (3, 3) => self.one(),
+            (3, _) => self.zero(),
+            (_, 3) => place.at(i, 0),
+            _ => rotation.at(i, j),
+        });
+        Some(elements.remembering_block(factors))
+    }
+
+    /// The block of so many rows and columns that begins with the element in a row and a column, unless it is empty or
+    /// larger than the matrix.
+    pub fn block(
+        &mut self,
+        matrix: &Matrix,
+        (row, column): (usize, usize),
+        (rows, columns): (usize, usize),
+    ) -> Option<Matrix> {
+        let fits = |first: usize, count: usize, end: usize| {
+            count > 0 && first.checked_add(count).is_some_and(|last| last <= end)
+        };
+        if !fits(row, rows, matrix.rows()) || !fits(column, columns, matrix.columns()) {
+            return None;
+        }
+        if (row, column, rows, columns) == (0, 0, matrix.rows(), matrix.columns()) {
+            return Some(matrix.clone());
+        }
+        let block = Matrix::from_function(rows, columns, |i, j| matrix.at(row + i, column + j));
+        let factors = matrix.known_factors_of_block();
+        Some(match factors {
+            Some(factors) if (row, column, rows, columns) == (0, 0, 3, 3) => {
+                block.remembering(factors.to_vec())
+            }
+            _ => block,
+        })
+    }
+
+    /// A homogeneous matrix times another one, or times homogeneous coordinates.
+    pub(crate) fn homogeneous_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
+        let first = self.blocks(left)?;
+        if right.shape() == (4, 1) {
+            let (vector, last) = split(right)?;
+            let turned = self.matrix_product(&first.rotation, &vector)?;
+            let moved = self.matrix_scaled(&first.place, last);
+            let sum = self.matrix_sum(&[(&turned, Rational::ONE), (&moved, Rational::ONE)])?;
+            return joined(&sum, last);
+        }
+        let second = self.blocks(right)?;
+        let rotation = self.matrix_product(&first.rotation, &second.rotation)?;
+        let turned = self.matrix_product(&first.rotation, &second.place)?;
+        let terms = [(&first.place, Rational::ONE), (&turned, Rational::ONE)];
+        let place = self.matrix_sum(&terms)?;
+        self.homogeneous(&rotation, &place)
+    }
+
+    /// The inverse [Rᵀ −Rᵀ p; 0 1] of a homogeneous matrix whose R is a product of rotations.
+    pub(crate) fn homogeneous_inverse(&mut self, matrix: &Matrix) -> Option<Matrix> {
+        let Blocks { rotation, place } = self.blocks(matrix)?;
+        let factors = self.matrix_factors(&rotation)?;
+        if !factors.iter().all(MatrixFactor::is_rotation) {
+            return None;
+        }
+        let back = rotation.remembering(factors).transpose();
+        let place = self.matrix_product(&back, &place)?;
+        let opposite = self.constant(&Rational::MINUS_ONE);
+        let place = self.matrix_scaled(&place, opposite);
+        self.homogeneous(&back, &place)
+    }
+
+    /// Σ cᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
+    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Option<Matrix> {
+        let mut columns = Vec::with_capacity(terms.len());
+        let mut last = Vec::with_capacity(terms.len());
+        for (x, c) in terms {
+            let (vector, w) = self.unresolved_coordinates(x)?;
+            columns.push((vector, c.clone()));
+            last.push((w, c.clone()));
+        }
+        let columns: Vec<_> = columns.iter().map(|(x, c)| (x, c.clone())).collect();
+        let vector = self.unresolved_sum(&columns)?;
+        let last = self.sum(last);
+        joined(&vector, last)
+    }
+
+    /// c x of homogeneous coordinates of a vector that is resolved last.
+    pub(crate) fn homogeneous_multiple(
+        &mut self,
+        column: &Matrix,
+        factor: Expression,
+    ) -> Option<Matrix> {
+        let (vector, last) = self.unresolved_coordinates(column)?;
+        let vector = self.unresolved_multiple(&vector, factor)?;
+        let last = self.multiply(factor, last);
+        joined(&vector, last)
+    }
+
+    /// The time derivative of homogeneous coordinates of a vector that is resolved last.
+    pub(crate) fn homogeneous_rate(&mut self, column: &Matrix) -> Option<Matrix> {
+        let (vector, last) = self.unresolved_coordinates(column)?;
+        if self.contents(last).varies() {
+            return None;
+        }
+        let rate = self.unresolved_rate(&vector)?;
+        joined(&rate, self.zero())
+    }
+
+    /// x · y of homogeneous coordinates of vectors that are resolved last.
+    pub(crate) fn homogeneous_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
+        let [(x, v), (y, w)] = [
+            self.unresolved_coordinates(x)?,
+            self.unresolved_coordinates(y)?,
+        ];
+        let product = self.unresolved_dot_product(&x, &y)?;
+        let last = self.multiply(v, w);
+        Some(self.add(product, last))
+    }
+
+    /// The vector and the last of four coordinates, where vectors are resolved last.
+    fn unresolved_coordinates(&self, column: &Matrix) -> Option<(Matrix, Expression)> {
+        self.unresolved.as_ref()?;
+        split(column)
+    }
+
+    /// The blocks of a matrix of four rows whose last one is 0 0 0 1.
+    fn blocks(&self, matrix: &Matrix) -> Option<Blocks> {
+        if matrix.shape() != (4, 4) {
+            return None;
+        }
+        let (zero, one) = (self.zero(), self.one());
+        let last = [zero, zero, zero, one];
+        if (0..4).any(|j| matrix.at(3, j) != last[j]) {
+            return None;
+        }
+        let rotation = Matrix::from_function(3, 3, |i, j| matrix.at(i, j));
+        Some(Blocks {
+            rotation: match matrix.known_factors_of_block() {
+                Some(factors) => rotation.remembering(factors.to_vec()),
+                None => rotation,
+            },
+            place: Matrix::from_function(3, 1, |i, _| matrix.at(i, 3)),
+        })
+    }
+}
+
+/// The first three of four coordinates, and the last.
+fn split(column: &Matrix) -> Option<(Matrix, Expression)> {
+    let is_column = column.shape() == (4, 1);
+    is_column.then(|| {
+        (
+            Matrix::vector(column.elements()[..3].to_vec()),
+            column.at(3, 0),
+        )
+    })
+}
+
+/// Four coordinates.
+fn joined(vector: &Matrix, last: Expression) -> Option<Matrix> {
+    let mut elements = vector.elements().to_vec();
+    elements.push(last);
+    Matrix::new(4, 1, elements)
+}

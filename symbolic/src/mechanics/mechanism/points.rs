@@ -1,0 +1,167 @@
+//! Links and points of a mechanism, along the frames that are turned one after the other.
+
+use std::collections::BTreeMap;
+
+use crate::matrix::factor::MatrixFactor;
+use crate::matrix::unresolved_vector::Frame;
+use crate::mechanics::mechanism::reading::{Point, Reader};
+use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
+use crate::{Expression, Graph, Node};
+
+impl Reader {
+    /// A link with the axes of a frame.
+    pub(super) fn link_of(&mut self, frame: Frame) -> Option<usize> {
+        let path = self.vectors.path(frame);
+        let known = path.iter().rev().find_map(|(frame, _)| {
+            let link = self.frames.iter().position(|known| known == frame)?;
+            Some((link, *frame))
+        });
+        let (mut link, here) =
+            known.map_or((None, Frame::INERTIAL), |(link, here)| (Some(link), here));
+        let mut place = [self.graph.zero(); 3];
+        self.walk(&mut link, (here, frame), &mut place)?;
+        link
+    }
+
+    /// The point at Σ Rᵢ vᵢ: from the origin of each frame to that of the next, in the order in which they were declared.
+    ///
+    /// New links are made for the frames on the way, and for a place that varies in the last.
+    pub(super) fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
+        let zero = self.graph.zero();
+        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
+        for term in terms {
+            let (frame, place) = self.carried(*term);
+            let sum = places.entry(frame).or_insert([zero; 3]);
+            *sum = [0, 1, 2].map(|i| self.graph.add(sum[i], place[i]));
+        }
+        let place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
+        let mut place = place.map(|x| self.moving_part(x));
+        let (mut link, mut last) = (None, Frame::INERTIAL);
+        for (frame, own) in places {
+            self.walk(&mut link, (last, frame), &mut place)?;
+            last = frame;
+            place = [0, 1, 2].map(|i| self.graph.add(place[i], own[i]));
+        }
+        if self.varies(place) {
+            link = Some(self.link(link, last, place, Turn::Identity));
+            place = [zero; 3];
+        }
+        Some((link, place))
+    }
+
+    /// A place along inertial axes without its constant terms, which no velocity shows.
+    fn moving_part(&mut self, place: Expression) -> Expression {
+        let varies = |graph: &Graph, x: Expression| graph.contents(x).varies();
+        let moving: Vec<_> = match self.graph.node(place) {
+            Node::Sum(terms) => terms
+                .iter()
+                .filter(|(x, _)| varies(&self.graph, *x))
+                .cloned()
+                .collect(),
+            _ if varies(&self.graph, place) => return place,
+            _ => Vec::new(),
+        };
+        self.graph.sum(moving)
+    }
+
+    /// Goes from a link with the axes of the first frame to one with those of the second, at this place.
+    fn walk(
+        &mut self,
+        link: &mut Option<usize>,
+        (here, there): (Frame, Frame),
+        place: &mut Vector,
+    ) -> Option<()> {
+        for (frame, factor) in self.steps(here, there) {
+            // What is constant in the inertial frame moves nothing.
+            if link.is_none() && !self.varies(*place) {
+                *place = [self.graph.zero(); 3];
+            }
+            *link = Some(self.next_link(*link, frame, factor, place)?);
+        }
+        Some(())
+    }
+
+    /// The frames on the way from one to another, each with its turn against the one before: back to the last that both
+    /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
+    fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
+        let (from, to) = (self.vectors.path(here), self.vectors.path(there));
+        let pairs = from.iter().zip(&to);
+        let common = pairs.take_while(|(x, y)| x == y).count();
+        if common == from.len() {
+            return to[common..].to_vec();
+        }
+        let back = from[common..].iter().rev();
+        let back = back.map(|(_, factor)| factor.transpose());
+        let forth = to[common..].iter().map(|(_, factor)| *factor);
+        let factors = self.graph.combined(back.chain(forth));
+        let mut path = self.vectors.factors(here);
+        let mut steps = Vec::with_capacity(factors.len());
+        for factor in factors {
+            path.push(factor);
+            steps.push((self.vectors.frame(&path), factor));
+        }
+        if let Some((frame, _)) = steps.last_mut() {
+            *frame = there;
+        }
+        steps
+    }
+
+    /// The place along the axes of a frame that is turned against its own, if it is constant there: l (cos q, sin q, 0) is
+    /// l (1, 0, 0) of the link that is turned by q.
+    fn carried(&mut self, (frame, place): (Frame, Vector)) -> (Frame, Vector) {
+        if !self.varies(place) {
+            return (frame, place);
+        }
+        for (next, factor) in self.vectors.behind(frame) {
+            let turned = factor.transpose().apply(&mut self.graph, place);
+            let turned = turned.map(|x| self.graph.reduced(x));
+            if !self.varies(turned) {
+                return (next, turned);
+            }
+        }
+        (frame, place)
+    }
+
+    pub(super) fn varies(&self, place: Vector) -> bool {
+        place.iter().any(|x| self.graph.contents(*x).varies())
+    }
+
+    /// The link that is turned as `frame` is, with its origin at `place` in the link before; afterwards, `place` is that
+    /// of the same point in the new link.
+    fn next_link(
+        &mut self,
+        before: Option<usize>,
+        frame: Frame,
+        factor: MatrixFactor,
+        place: &mut Vector,
+    ) -> Option<usize> {
+        let turn = Turn::of(factor)?;
+        let zero = self.graph.zero();
+        let mut origin = *place;
+        *place = [zero; 3];
+        if let Some(axis) = turn.axis()
+            && !self.graph.contents(origin[axis]).varies()
+        {
+            place[axis] = core::mem::replace(&mut origin[axis], zero);
+        }
+        Some(self.link(before, frame, origin, turn))
+    }
+
+    /// The link with this origin and these axes.
+    fn link(&mut self, parent: Option<usize>, frame: Frame, place: Vector, turn: Turn) -> usize {
+        let known = self
+            .links
+            .iter()
+            .position(|link| (link.parent, link.place, link.turn) == (parent, place, turn));
+        known.unwrap_or_else(|| {
+            self.links.push(Link {
+                parent,
+                place,
+                turn,
+                inertia: Inertia::none(&self.graph),
+            });
+            self.frames.push(frame);
+            self.links.len() - 1
+        })
+    }
+}
