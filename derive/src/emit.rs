@@ -21,6 +21,7 @@ mod body;
 mod locals;
 mod documentation;
 mod printed_names;
+mod as_declared;
 mod editor;
 mod validation_warning;
 mod fallback;

@@ -45,6 +45,9 @@ pub use mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
+pub use print::listing::as_declared::{
+    AsDeclared, DeclaredLine, print_sum_sign, print_with_indices,
+};
 pub use print::listing::{Declared, Listing};
 pub use print::names::{Letters, Names};
 pub use program::operation_count::OperationCount;

@@ -232,6 +232,10 @@ pub(crate) const LONGEST_FORMULA: usize = 1 << 16;
 /// models exceeds.
 pub(crate) const LONGEST_LINE: usize = 500;
 
+/// An energy that is longer when it is written out, in characters, is printed as it was declared if that is a quarter as
+/// long: three lines of a page. Made by five bodies under gravitation.
+pub(crate) const LONGEST_SKIMMED: usize = 300;
+
 /// Accelerations of more symbols are not listed: they follow from the equations before them.
 pub(crate) const LONGEST_ACCELERATION: u64 = 40;
 

@@ -7,6 +7,7 @@ use lagrangian_symbolic::{
     Declared, Equations, Expression, Graph, Listing, Model, Node, OperationCount, Symbol,
 };
 
+use super::as_declared::as_declared;
 use super::emitter::Emitter;
 use super::events::names;
 use super::printed_names::{BodyNames, printed_names};
@@ -68,6 +69,7 @@ pub(crate) fn listing(
     let declared = Declared {
         names: printed_names(lowered),
         definitions,
+        as_declared: as_declared(declaration, lowered),
         operations: methods.accelerations.count.total(),
         events: names(declaration, &lowered.events).zip(functions).collect(),
     };

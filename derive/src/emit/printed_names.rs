@@ -96,6 +96,14 @@ impl BodyNames {
         [1, 2, 3].map(|i| format!("omega{body}_{i}"))
     }
 
+    /// The letter of a quantity of a body, without the indices of a family.
+    pub(super) fn with_name(self, letter: &str, body: &str) -> String {
+        match self {
+            Self::Alone => letter.to_owned(),
+            _ => format!("{letter}_{body}"),
+        }
+    }
+
     /// What follows the letter of a number: the name of the body, if there are several, and its index.
     fn body(self, label: &Label) -> String {
         let indices = label.indices.iter();

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::expansion::Polynomial;
-use crate::limits::{LONGEST_ARRANGED, LONGEST_ARRANGED_IN_FULL, MOST_ARRANGED_TERMS};
+use crate::limits::{LONGEST_ARRANGED_IN_FULL, MOST_ARRANGED_TERMS};
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
@@ -35,9 +35,13 @@ impl Graph {
     /// The shortest arrangement, where one by velocities may be so many times as long. It is taken where an exact test
     /// says that it is the same.
     fn shortest(&mut self, expression: Expression, letters: &Letters, margin: usize) -> Expression {
-        let names: BTreeSet<Expression> = letters
-            .named()
-            .filter(|named| *named != expression)
+        if self.is_product_of_symbols(expression) {
+            return expression;
+        }
+        let parts = self.descendants_above(expression, &BTreeSet::new());
+        let names = letters.named();
+        let names: BTreeSet<Expression> = names
+            .filter(|named| *named != expression && parts.contains(named))
             .collect();
         let mut candidates = vec![(expression, margin)];
         let mut spaces = vec![&names];
@@ -55,23 +59,29 @@ impl Graph {
             candidates.push((self.by_velocities(&polynomial), 1));
             candidates.push((self.collected(polynomial), margin));
         }
-        let mut best = (usize::MAX, expression);
-        for (candidate, weight) in candidates {
-            let formula = self.display_in(candidate, letters);
-            let length = weight * formula.length(best.0.min(LONGEST_ARRANGED));
-            if length < best.0 {
-                best = (length, candidate);
-            }
+        let best = self.shortest_of(&candidates, letters);
+        if best == expression {
+            return expression;
         }
-        let difference = self.subtract(best.1, expression);
+        let difference = self.subtract(best, expression);
         if self.is_zero(difference)
             || self.vanishes_over(difference, &names)
             || self.vanishes(&[difference])
         {
-            best.1
+            best
         } else {
             expression
         }
+    }
+
+    /// Whether there is neither a sum outside of functions nor anything opaque, so that there is no other arrangement.
+    fn is_product_of_symbols(&self, expression: Expression) -> bool {
+        let parts = self.descendants_above(expression, &BTreeSet::new());
+        parts.into_iter().all(|part| match self.node(part) {
+            Node::Sum(terms) => terms.len() == 1,
+            Node::Opaque(_) => false,
+            _ => true,
+        })
     }
 
     /// `expression` as Σ cᵢ·mᵢ, where `atoms` are not taken apart, unless there are too many terms.

@@ -5,11 +5,13 @@
 //! what is made of them, and only those that the equations mention.
 
 pub(crate) mod section;
+pub(crate) mod as_declared;
 pub(crate) mod composer;
 pub(crate) mod energy;
 pub(crate) mod solved;
 
 use crate::mechanics::solvers::form::SolvedForm;
+use crate::print::listing::as_declared::AsDeclared;
 use crate::print::listing::composer::Composer;
 use crate::print::listing::section::Section;
 use crate::print::names::{Letters, Names};
@@ -24,6 +26,8 @@ pub struct Declared {
     pub definitions: Vec<(String, Expression)>,
     /// The functions of events.
     pub events: Vec<(String, Expression)>,
+    /// The energies and the definitions as they were declared.
+    pub as_declared: AsDeclared,
     /// How many operations the accelerations take.
     pub operations: usize,
 }

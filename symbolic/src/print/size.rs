@@ -1,8 +1,10 @@
 //! How long an expression is in print.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 use crate::algebra::hashing::Table;
+use crate::limits::LONGEST_ARRANGED;
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node};
 
@@ -71,5 +73,25 @@ impl Graph {
         };
         node.for_each_operand(|operand| size = u64::saturating_add(size, sizes[&operand]));
         size
+    }
+
+    /// The first of the shortest, where each length counts so many times.
+    pub(crate) fn shortest_of(
+        &self,
+        candidates: &[(Expression, usize)],
+        letters: &Letters,
+    ) -> Expression {
+        let mut best = (usize::MAX, candidates[0].0);
+        let mut lengths: BTreeMap<Expression, usize> = BTreeMap::new();
+        for (candidate, weight) in candidates {
+            let most = best.0.min(LONGEST_ARRANGED);
+            let length = lengths
+                .entry(*candidate)
+                .or_insert_with(|| self.display_in(*candidate, letters).length(most));
+            if weight * *length < best.0 {
+                best = (weight * *length, *candidate);
+            }
+        }
+        best.1
     }
 }

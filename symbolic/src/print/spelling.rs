@@ -1,6 +1,6 @@
 //! The letters in which a name is printed.
 
-use crate::print::folding::token::MARKS;
+use crate::print::folding::token::{MARKS, lowered};
 use crate::print::notation::{Notation, subscript};
 
 /// A name taken apart: a letter or word, what is written above it, and what is written below the line behind it.
@@ -178,6 +178,47 @@ impl Spelling {
         text
     }
 
+    /// The name with dots above it, with further indices, of which numbers are
+    /// [marked](crate::print::folding::token::MARKS).
+    pub(crate) fn print_with_indices(
+        &self,
+        indices: &[String],
+        dots: usize,
+        notation: Notation,
+    ) -> String {
+        let marked = |index: &String| format!("{}{index}{}", MARKS[0], MARKS[1]);
+        let is_number = |index: &String| index.chars().all(|c| c.is_ascii_digit());
+        if notation == Notation::Unicode {
+            let mut text = self.print(dots, notation);
+            for index in indices {
+                let below = lowered(index);
+                if is_number(index) {
+                    text.push_str(&marked(index));
+                } else if below.chars().any(|c| c.is_ascii()) {
+                    text.extend(["_", index]);
+                } else {
+                    text.push_str(&below);
+                }
+            }
+            return text;
+        }
+        let stem = Self {
+            subscripts: Vec::new(),
+            ..self.clone()
+        };
+        let own = self.subscripts.iter().map(|part| latex_letter(part));
+        let further = indices.iter().map(|index| match index {
+            index if is_number(index) => marked(index),
+            index => latex_letter(index),
+        });
+        let parts: Vec<_> = own.chain(further).collect();
+        let below = match parts.as_slice() {
+            [] => String::new(),
+            parts => format!("_{{{}}}", parts.join(",")),
+        };
+        stem.latex(dots) + &below
+    }
+
     /// The name with dots above it.
     pub(crate) fn print(&self, dots: usize, notation: Notation) -> String {
         match notation {
@@ -253,7 +294,8 @@ fn latex_letter(word: &str) -> String {
         .iter()
         .find(|(_, letter)| word.chars().eq([*letter]))
         .map(|(name, _)| format!("\\{name}"));
-    let plain = word.chars().all(|c| c.is_ascii_digit()) || word.chars().count() == 1;
+    let index = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-');
+    let plain = word.chars().filter(|c| !index(*c)).count() <= 1;
     greek.unwrap_or_else(|| {
         if plain {
             word.into()

@@ -88,26 +88,37 @@ fn index_text(token: &Token) -> String {
     }
 }
 
-fn lowered(text: &str) -> String {
+pub(crate) fn lowered(text: &str) -> String {
     let lower = |c| match c {
         'i' => 'ᵢ',
         'j' => 'ⱼ',
         'k' => 'ₖ',
         'l' => 'ₗ',
+        'm' => 'ₘ',
+        'n' => 'ₙ',
+        'a' => 'ₐ',
+        'r' => 'ᵣ',
+        's' => 'ₛ',
         '+' => '₊',
-        '-' => '₋',
+        '-' | '−' => '₋',
         other => other,
     };
     subscript(&text.chars().map(lower).collect::<String>())
 }
 
-fn raised(text: &str) -> String {
+pub(crate) fn raised(text: &str) -> String {
     let raise = |c| match c {
         'i' => 'ⁱ',
         'j' => 'ʲ',
         'k' => 'ᵏ',
         'l' => 'ˡ',
+        'm' => 'ᵐ',
+        'n' => 'ⁿ',
+        'a' => 'ᵃ',
+        'r' => 'ʳ',
+        's' => 'ˢ',
         '+' => '⁺',
+        '−' => '⁻',
         other => other,
     };
     superscript(&text.chars().map(raise).collect::<String>())

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::limits::LONGEST_UNARRANGED;
+use crate::limits::{LONGEST_LINE, LONGEST_SKIMMED, LONGEST_UNARRANGED};
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
 use crate::print::listing::section::{Section, Side};
@@ -16,6 +16,8 @@ pub(crate) struct Composer<'a> {
     pub(crate) letters: Letters,
     /// The expressions of the sections composed so far.
     mentioned: Vec<Expression>,
+    /// The definitions that are listed as they were declared.
+    mentioned_as_declared: BTreeSet<String>,
 }
 
 impl<'a> Composer<'a> {
@@ -45,6 +47,7 @@ impl<'a> Composer<'a> {
             model,
             declared,
             mentioned: Vec::new(),
+            mentioned_as_declared: BTreeSet::new(),
         }
     }
 
@@ -96,18 +99,35 @@ impl<'a> Composer<'a> {
         section
     }
 
+    /// T and V, or L: written out, or as they were declared where that is much shorter.
     pub(crate) fn energies(&mut self) -> Section {
+        let energies = match self.model.energies {
+            Energies::Natural { kinetic, potential } => vec![("T", kinetic), ("V", potential)],
+            Energies::General(lagrangian) => vec![("L", lagrangian)],
+        };
         let mut section = Section::new(None, "the methods `lagrangian` and `energy`");
-        match self.model.energies {
-            Energies::Natural { kinetic, potential } => {
-                self.push(&mut section, Side::letter("T"), kinetic);
-                self.push(&mut section, Side::letter("V"), potential);
-            }
-            Energies::General(lagrangian) => {
-                self.push(&mut section, Side::letter("L"), lagrangian);
-            }
+        for (letter, energy) in energies {
+            self.push(&mut section, Side::letter(letter), energy);
         }
-        self.mention(section)
+        let lengths = section.lengths(&self.model.graph, &self.letters);
+        let declared = &self.declared.as_declared;
+        let is_shorter = lengths.iter().zip(&declared.energies);
+        let is_shorter = is_shorter.map(|(written, line)| {
+            let length = line.right[0].chars().count();
+            length <= LONGEST_LINE
+                && written.is_none_or(|written| written > LONGEST_SKIMMED.max(4 * length))
+        });
+        if declared.energies.len() != lengths.len() || !is_shorter.fold(false, |any, one| any | one)
+        {
+            return self.mention(section);
+        }
+        let mut section = Section::new(None, section.method);
+        for line in &declared.energies {
+            self.mentioned_as_declared.extend(line.mentions.clone());
+            let [left, right] = [&line.left, &line.right].map(Side::texts);
+            self.push_arranged(&mut section, left, right);
+        }
+        section
     }
 
     pub(crate) fn events(&mut self) -> Section {
@@ -181,6 +201,11 @@ impl<'a> Composer<'a> {
     /// The definitions that other sections mention, and those that these mention.
     pub(crate) fn definitions(&mut self) -> Section {
         let mut section = Section::new(None, "the declaration");
+        let declared = &self.declared.as_declared;
+        for line in declared.definitions_of(&self.mentioned_as_declared) {
+            let [left, right] = [&line.left, &line.right].map(Side::texts);
+            self.push_arranged(&mut section, left, right);
+        }
         let mut open = core::mem::take(&mut self.mentioned);
         let mut seen = BTreeSet::new();
         while let Some(part) = open.pop() {

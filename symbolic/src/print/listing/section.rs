@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use crate::limits::{
-    LONGEST_LINE, LONGEST_SECTION, LONGEST_UNFOLDED_LINE, LONGEST_UNFOLDED_SECTION, SHORTEST_LINE,
+    LONGEST_LINE, LONGEST_SECTION, LONGEST_SKIMMED, LONGEST_UNFOLDED_LINE,
+    LONGEST_UNFOLDED_SECTION, SHORTEST_LINE,
 };
 use crate::print::folding::token::{tokens, written};
 use crate::print::folding::{Folded, families};
@@ -29,6 +30,8 @@ pub(crate) struct Section {
     /// What has the equations that are left out.
     pub(crate) method: &'static str,
     pub(crate) lines: Vec<(Side, Side)>,
+    /// The lines in Unicode, before they are folded.
+    texts: Vec<String>,
     /// The numbers of symbols of the equations that are left out.
     left_out: Vec<u64>,
     /// A sentence behind the equations, in Unicode and in LaTeX.
@@ -43,6 +46,7 @@ impl Section {
             heading,
             method,
             lines: Vec::new(),
+            texts: Vec::new(),
             left_out: Vec::new(),
             sentence: [String::new(), String::new()],
             room: LONGEST_UNFOLDED_SECTION,
@@ -62,14 +66,16 @@ impl Section {
     /// Adds an equation if there is room.
     pub(crate) fn push(&mut self, graph: &Graph, letters: &Letters, left: Side, right: Side) {
         let sides = [&left, &right];
-        let lengths = sides.map(|side| side.unicode(graph, letters).chars().count());
-        let length = lengths[0] + lengths[1] + 4;
+        let [before, after] = sides.map(|side| side.unicode(graph, letters));
+        let text = format!("{before} = {after}");
+        let length = text.chars().count() + 1;
         if length > self.room.min(LONGEST_UNFOLDED_LINE) {
             let symbols = sides.map(|side| side.symbols(graph, letters));
             self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
         } else {
             self.room -= length;
             self.lines.push((left, right));
+            self.texts.push(text);
         }
     }
 
@@ -84,14 +90,12 @@ impl Section {
 
     /// The equations of families folded to one, in both notations.
     fn folded(&self, graph: &Graph, letters: &Letters) -> [Vec<Folded>; 2] {
-        let lines = |print: fn(&Side, &Graph, &Letters) -> String| -> Vec<_> {
-            let lines = self.lines.iter().map(|(left, right)| {
-                let [left, right] = [left, right].map(|side| print(side, graph, letters));
-                tokens(&format!("{left} = {right}"))
-            });
-            lines.collect()
-        };
-        let lines = [lines(Side::unicode), lines(Side::latex)];
+        let unicode = self.texts.iter().map(|text| tokens(text)).collect();
+        let latex = self.lines.iter().map(|(left, right)| {
+            let [left, right] = [left, right].map(|side| side.latex(graph, letters));
+            tokens(&format!("{left} = {right}"))
+        });
+        let lines: [Vec<_>; 2] = [unicode, latex.collect()];
         let folded = [&lines[0], &lines[1]].map(|lines| families(lines));
         let [unicode, latex] =
             [&folded[0], &folded[1]].map(|list| list.iter().map(|fold| &fold.members));
@@ -128,6 +132,24 @@ impl Section {
             displays.push(latex.written(Notation::Latex).replacen(" = ", " &= ", 1));
         }
         ([displayed, displays], left_out)
+    }
+
+    /// How long the lines are that were pushed, in characters of Unicode; none for those that are left out. Nothing is folded
+    /// across them.
+    pub(crate) fn lengths(&self, graph: &Graph, letters: &Letters) -> Vec<Option<usize>> {
+        if !self.left_out.is_empty() {
+            return vec![None; self.left_out.len() + self.lines.len()];
+        }
+        let lengths = self.texts.iter().map(|text| text.chars().count());
+        if lengths.clone().all(|length| length <= LONGEST_SKIMMED) {
+            return lengths.map(Some).collect();
+        }
+        let ([lines, _], left_out) = self.fitting(graph, letters);
+        if !left_out.is_empty() {
+            return vec![None; self.lines.len()];
+        }
+        let lengths = lines.iter().map(|line| Some(line.chars().count()));
+        lengths.collect()
     }
 
     pub(crate) fn write(&self, graph: &Graph, letters: &Letters, listing: &mut Listing) {
@@ -194,6 +216,12 @@ impl Side {
     /// The same letter in both notations.
     pub(crate) fn letter(letter: &str) -> Self {
         Self::Text(letter.into(), letter.into())
+    }
+
+    /// A text in Unicode and in LaTeX.
+    pub(crate) fn texts(texts: &[String; 2]) -> Self {
+        let [unicode, latex] = texts.clone();
+        Self::Text(unicode, latex)
     }
 
     fn unicode(&self, graph: &Graph, letters: &Letters) -> String {

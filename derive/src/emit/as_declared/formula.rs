@@ -1,0 +1,312 @@
+//! Expressions of a declaration in print.
+
+use std::collections::BTreeSet;
+
+use lagrangian_symbolic::{Graph, Names, Rational, print_with_indices};
+use proc_macro2::Ident;
+use syn::{BinOp, Expr, ExprLit, Lit, Member, RangeLimits, Stmt, UnOp};
+
+use crate::emit::as_declared::notation::{Notation, Precedence, join};
+use crate::emit::printed_names::BodyNames;
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+use crate::syntax::label::Index;
+use crate::syntax::names::unraw;
+
+/// Prints the expressions of a declaration.
+pub(super) struct FormulaPrinter<'a> {
+    pub(super) declaration: &'a Declaration,
+    pub(super) bodies: BodyNames,
+    /// The names of the definitions, and which of them were mentioned since they were last taken.
+    definitions: BTreeSet<String>,
+    mentioned: BTreeSet<String>,
+    parameters: BTreeSet<String>,
+}
+
+impl<'a> FormulaPrinter<'a> {
+    pub(super) fn new(declaration: &'a Declaration, bodies: BodyNames) -> Self {
+        let definitions = declaration.clauses.definitions.iter();
+        let parameters = declaration.fields_with(Role::Parameter);
+        Self {
+            definitions: definitions.map(|named| unraw(&named.name)).collect(),
+            mentioned: BTreeSet::new(),
+            parameters: parameters.map(|field| unraw(&field.name)).collect(),
+            declaration,
+            bodies,
+        }
+    }
+
+    /// The definitions that were mentioned since the last time.
+    pub(super) fn take_mentioned(&mut self) -> BTreeSet<String> {
+        core::mem::take(&mut self.mentioned)
+    }
+
+    /// An expression; none where a part of it has no customary notation.
+    pub(super) fn print(&mut self, expression: &Expr) -> Option<Notation> {
+        match expression {
+            Expr::Paren(inner) => self.print(&inner.expr),
+            Expr::Group(inner) => self.print(&inner.expr),
+            Expr::Block(block) => match block.block.stmts.as_slice() {
+                [Stmt::Expr(only, None)] => self.print(only),
+                _ => None,
+            },
+            Expr::Lit(literal) => number(literal),
+            Expr::Path(_) | Expr::Index(_) | Expr::Field(_) => self.quantity(expression, 0),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+                Some(self.print(&unary.expr)?.negated())
+            }
+            Expr::Binary(binary) => {
+                let [left, right] = [&binary.left, &binary.right].map(|side| self.print(side));
+                let (left, right) = (left?, right?);
+                match binary.op {
+                    BinOp::Add(_) => Some(left.plus(right, false)),
+                    BinOp::Sub(_) => Some(left.plus(right, true)),
+                    BinOp::Mul(_) => Some(left.times(right)),
+                    BinOp::Div(_) => Some(left.over(right)),
+                    _ => None,
+                }
+            }
+            Expr::Array(array) => {
+                let rows = array.elems.iter().map(|row| match row {
+                    Expr::Array(_) => None,
+                    component => self.print(component),
+                });
+                let rows: Vec<_> = rows.collect::<Option<_>>()?;
+                let texts: Vec<_> = rows.iter().map(|row| &row.texts).collect();
+                let list = Notation::new(join(&texts, ", "), Precedence::Sum);
+                Some(list.at_least(Precedence::Atom))
+            }
+            Expr::Call(call) => {
+                let Expr::Path(path) = &*call.func else {
+                    return None;
+                };
+                let arguments: Vec<_> = call.args.iter().collect();
+                self.call(path.path.get_ident()?, &arguments, false)
+            }
+            Expr::MethodCall(call) => {
+                if let Some(sum) = self.sum_over_range(call) {
+                    return sum;
+                }
+                let arguments: Vec<_> = [&*call.receiver].into_iter().chain(&call.args).collect();
+                self.call(&call.method, &arguments, true)
+            }
+            _ => None,
+        }
+    }
+
+    /// A name with its indices and with dots above it.
+    pub(super) fn quantity(&mut self, expression: &Expr, dots: usize) -> Option<Notation> {
+        let mut behind = Vec::new();
+        let mut indices = Vec::new();
+        let mut base = expression;
+        loop {
+            base = match base {
+                Expr::Paren(inner) => &inner.expr,
+                Expr::Index(inner) => {
+                    indices.insert(0, (*inner.index).clone());
+                    &inner.expr
+                }
+                Expr::Field(field) if indices.is_empty() && behind.is_empty() => {
+                    let Member::Named(axis) = &field.member else {
+                        return None;
+                    };
+                    if !Index::AXES.contains(&&*axis.to_string()) {
+                        return None;
+                    }
+                    behind.push(axis.to_string());
+                    &field.base
+                }
+                Expr::Path(path) => {
+                    return self.member(path.path.get_ident()?, &indices, &behind, dots);
+                }
+                _ if dots == 0 && indices.is_empty() => {
+                    let inner = self.print(base)?.at_least(Precedence::Atom);
+                    let axis = behind.first()?;
+                    return Some(inner.followed_by(&format!("_{axis}"), &format!("_{axis}")));
+                }
+                _ => return None,
+            };
+        }
+    }
+
+    /// The member of a family, or one of its components.
+    pub(super) fn member(
+        &mut self,
+        name: &Ident,
+        indices: &[Expr],
+        behind: &[String],
+        dots: usize,
+    ) -> Option<Notation> {
+        let name = unraw(name);
+        if self.definitions.contains(&name) {
+            self.mentioned.insert(name.clone());
+        }
+        if name == "PI" {
+            return Some(Notation::atom("π", "\\pi"));
+        }
+        let indices = indices.iter().map(index);
+        let indices = indices.chain(behind.iter().cloned().map(Some));
+        let indices: Vec<_> = indices.collect::<Option<_>>()?;
+        let is_parameter = self.parameters.contains(&name);
+        let [unicode, latex] = print_with_indices(&name, is_parameter, &indices, dots);
+        Some(Notation::atom(unicode, latex))
+    }
+
+    /// The first and the last integer of a range.
+    #[allow(clippy::unused_self)] // Like the others.
+    pub(super) fn bounds(&self, range: &Expr) -> Option<(String, String)> {
+        let range = match range {
+            Expr::Paren(inner) => return self.bounds(&inner.expr),
+            Expr::Group(inner) => return self.bounds(&inner.expr),
+            Expr::Range(range) => range,
+            _ => return None,
+        };
+        let (first, end) = (index(range.start.as_ref()?)?, index(range.end.as_ref()?)?);
+        let last = match (&range.limits, end.parse::<i64>()) {
+            (RangeLimits::Closed(_), _) => end,
+            (_, Ok(end)) => (end - 1).to_string(),
+            (_, Err(_)) if end.contains(['+', '-']) => return None,
+            (_, Err(_)) => format!("{end}-1"),
+        };
+        Some((first, last))
+    }
+}
+
+/// An index that is a sum of a variable and integers.
+fn index(expression: &Expr) -> Option<String> {
+    match expression {
+        Expr::Paren(inner) => index(&inner.expr),
+        Expr::Group(inner) => index(&inner.expr),
+        Expr::Lit(ExprLit {
+            lit: Lit::Int(integer),
+            ..
+        }) => Some(integer.base10_digits().to_owned()),
+        Expr::Path(path) => path.path.get_ident().map(unraw),
+        Expr::Binary(binary) => {
+            let sign = match binary.op {
+                BinOp::Add(_) => '+',
+                BinOp::Sub(_) if !matches!(&*binary.right, Expr::Binary(_)) => '-',
+                _ => return None,
+            };
+            Some(format!(
+                "{}{sign}{}",
+                index(&binary.left)?,
+                index(&binary.right)?
+            ))
+        }
+        Expr::Tuple(pair) => {
+            let parts = pair.elems.iter().map(index);
+            Some(parts.collect::<Option<Vec<_>>>()?.concat())
+        }
+        _ => None,
+    }
+}
+
+fn number(literal: &ExprLit) -> Option<Notation> {
+    let digits = match &literal.lit {
+        Lit::Int(integer) => integer.base10_digits(),
+        Lit::Float(float) => float.base10_digits(),
+        _ => return None,
+    };
+    let mut graph = Graph::new();
+    let value = graph.constant(&Rational::from_decimal(digits)?);
+    let names = Names::default();
+    let texts = [graph.display(value, &names), graph.latex(value, &names)];
+    let texts = texts.map(|formula| formula.to_string());
+    let precedence = if texts[0].contains(['/', '·']) {
+        Precedence::Product
+    } else {
+        Precedence::Atom
+    };
+    Some(Notation::new(texts, precedence))
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+    use syn::parse_quote;
+
+    use super::*;
+    use crate::diagnostics::Diagnostics;
+
+    /// The texts of an expression, where `link` is a body and `r[i]` is defined.
+    fn printed(expression: &Expr) -> Option<[String; 2]> {
+        let mut diagnostics = Diagnostics::default();
+        let declaration = Declaration::parse(
+            parse_quote! {
+                #[lagrangian(coordinates(theta[3], x), define(r[i] = x for i in 0..3))]
+                struct Model { m: [f64; 3], i1: f64, mass: f64, l: f64, g: f64, link: RigidBody }
+            },
+            &mut diagnostics,
+        );
+        let mut printer = FormulaPrinter::new(&declaration, BodyNames::Alone);
+        Some(printer.print(expression)?.texts)
+    }
+
+    #[test]
+    fn expressions_are_printed_as_in_a_book() {
+        let cases = [
+            (
+                quote!(0.5 * m[i] * dot(r[i]).norm_squared()),
+                "½ mᵢ |r\u{307}ᵢ|²",
+            ),
+            (quote!(i1 * dot(theta[k - 1]).powi(2)), "I₁ θ̇ₖ₋₁²"),
+            (
+                quote!((0..=i).map(|k| l * sin(theta[k])).sum()),
+                "Σₖ₌₀ⁱ l sin θₖ",
+            ),
+            (
+                quote!((1..n).map(|k| x + l).sum() * g),
+                "(Σₖ₌₁ⁿ⁻¹ (x + l)) g",
+            ),
+            (quote!(-mass * g * (x - l)), "−mass·g (x − l)"),
+            (quote!(x - (l - g)), "x − (l − g)"),
+            (quote!(x - -l), "x − (−l)"),
+            (quote!(x + -l), "x − l"),
+            (quote!(x / (l * g)), "x/(l g)"),
+            (quote!(x / l / g), "x/l/g"),
+            (quote!(2.0 * 3.0 * x), "2·3 x"),
+            (quote!(-(x + l) * g), "−(x + l) g"),
+            (quote!((-x).powi(2)), "(−x)²"),
+            (quote!(sin(x + l)), "sin(x + l)"),
+            (quote!((x + l).cos() * g), "cos(x + l) g"),
+            (quote!((x * l).sqrt()), "√(x l)"),
+            (quote!(dot(dot(x))), "x\u{308}"),
+            (quote!(dot(x * l)), "d/dt (x l)"),
+            (quote!(r[2].y), "r₂_y"),
+            (quote!([x, -l].dot([l, g])), "(x, −l)·(l, g)"),
+            (quote!(rotation_zxz(x, l, g)), "R_zxz(x, l, g)"),
+            (
+                quote!(potential_energy(
+                    link,
+                    rotation_x(x),
+                    [0.0, 0.0, l],
+                    [0.0, 0.0, -g]
+                )),
+                "m g ((0, 0, l) + R_x(x) r_C)_z",
+            ),
+        ];
+        for (tokens, expected) in cases {
+            let expression: Expr = syn::parse2(tokens).expect("an expression");
+            let texts = printed(&expression).expect(expected);
+            let plain = texts[0].replace(['\u{E000}', '\u{E001}'], "");
+            let plain = plain.replace("r2", "r₂");
+            assert_eq!(plain, expected);
+            let [open, closed] = ['{', '}'].map(|c| texts[1].matches(c).count());
+            assert_eq!(open, closed, "{}", texts[1]);
+        }
+        let latex = printed(&parse_quote!(x / (l * g) * sqrt(m[k]))).map(|texts| texts[1].clone());
+        assert_eq!(latex.as_deref(), Some("\\frac{x}{l g} \\sqrt{m_{k}}"));
+    }
+
+    #[test]
+    fn what_has_no_notation_is_not_printed() {
+        for expression in [
+            parse_quote!((0..3).map(|k| theta[k]).collect()),
+            parse_quote!(theta[2 * k]),
+            parse_quote!([[x, l], [g, x]]),
+        ] {
+            assert_eq!(printed(&expression), None);
+        }
+    }
+}
