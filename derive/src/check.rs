@@ -73,10 +73,14 @@ fn check_reduced_name(declaration: &Declaration, diagnostics: &mut Diagnostics) 
         return;
     };
     let (name, written) = (unraw(&declaration.name), unraw(&clause.name));
-    let is_outputs = !declaration.clauses.outputs.is_empty() && written == format!("{name}Outputs");
-    if written == name || is_outputs {
+    let has_outputs = !declaration.clauses.outputs.is_empty();
+    let is_outputs = has_outputs && written == format!("{name}Outputs");
+    let has_such_outputs = has_outputs && name == format!("{written}Outputs");
+    if written == name || is_outputs || has_such_outputs {
         let holder = if is_outputs {
             "the struct of the outputs"
+        } else if has_such_outputs {
+            "the name of a model whose outputs would be this model"
         } else {
             "the model itself"
         };

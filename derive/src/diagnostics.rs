@@ -39,6 +39,19 @@ impl Diagnostics {
         }
     }
 
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.seen.len()
+    }
+
+    /// Adds the errors of a model that this one brings with it, with these words behind them.
+    pub(crate) fn add_with(&mut self, errors: Self, words: &str) {
+        for error in errors.errors.into_iter().flatten() {
+            let message = format!("{error}; {words}");
+            self.add(syn::Error::new(error.span(), message));
+        }
+    }
+
     /// Whether there are none.
     pub(crate) fn is_empty(&self) -> bool {
         self.errors.is_none()

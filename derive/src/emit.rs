@@ -30,7 +30,7 @@ use proc_macro2::TokenStream;
 
 pub(crate) use documentation::listing;
 pub(crate) use emitter::Emitter;
-pub(crate) use fallback::items as items_without_equations;
+pub(crate) use fallback::{items as items_without_equations, reduced_without_equations};
 pub(crate) use routhian::reduced_struct;
 pub(crate) use validation_warning::warning;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use lagrangian_symbolic::{Equations, Listing, Method, Model, Validator};
+use lagrangian_symbolic::{Equations, Listing, Method, Model, Reduction, Validator};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
@@ -10,11 +10,14 @@ use syn::DeriveInput;
 use crate::check::{check, check_whole};
 use crate::defects;
 use crate::diagnostics::Diagnostics;
-use crate::emit::{Emitter, items, items_without_equations, listing, reduced_struct, warning};
+use crate::emit::{
+    Emitter, items, items_without_equations, listing, reduced_struct, reduced_without_equations,
+    warning,
+};
 use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
 use crate::plan::{EventSeries, Methods, ReducedMethods, Requested, TaylorMethod};
-use crate::reduce::reduce;
+use crate::reduce::{ReducedDeclaration, Split, reduce};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::routhian::RouthianClause;
 use crate::syntax::size;
@@ -43,14 +46,14 @@ pub(crate) fn expand_within(input: TokenStream, most_scopes: usize) -> TokenStre
     let model = lowered.model.take().filter(|_| diagnostics.is_empty());
     let items = model
         .and_then(|model| implement(&declaration, &lowered, model, most_scopes, &mut diagnostics));
-    items.unwrap_or_else(|| {
+    let items = items.unwrap_or_else(|| {
         if diagnostics.is_empty() && lowered.scope.unknown().next().is_none() {
             diagnostics.error(&declaration.name, NOT_UNDERSTOOD);
         }
-        let errors = diagnostics.to_compile_errors();
-        let items = items_without_equations(&declaration, &lowered);
-        quote!(#errors #items)
-    })
+        items_without_equations(&declaration, &lowered)
+    });
+    let errors = diagnostics.to_compile_errors();
+    quote!(#errors #items)
 }
 
 const NOT_UNDERSTOOD: &str = "this declaration is not understood, and there is no better word for what is wrong \
@@ -66,50 +69,85 @@ fn implement(
 ) -> Option<TokenStream> {
     let derived = Derived::of(declaration, lowered, model, diagnostics)?;
     let emitter = derived.emitter(declaration, lowered, most_scopes);
-    let reduced = match &declaration.clauses.routhian {
-        Some(clause) => implement_reduced(&emitter, clause, diagnostics)?,
-        None => TokenStream::new(),
-    };
+    let clause = declaration.clauses.routhian.as_ref();
+    let reduced = clause.map(|clause| implement_reduced(&emitter, clause, diagnostics));
     let items = items(&emitter);
     let warning = warning(&derived.disagreements, declaration);
     Some(quote!(#items #warning #reduced))
 }
 
-/// Reduces a model by its ignorable coordinates, and writes the struct of what remains and its impls, unless there is an
-/// error.
+/// Reduces a model by its ignorable coordinates, and writes the struct of what remains and its impls; these have no equations
+/// if there is an error.
 fn implement_reduced(
     full: &Emitter<'_>,
     clause: &RouthianClause,
     diagnostics: &mut Diagnostics,
-) -> Option<TokenStream> {
+) -> TokenStream {
     let (declaration, lowered) = (full.declaration, full.lowered);
-    let reduced = reduce(
-        declaration,
-        lowered,
-        full.model,
-        full.equations,
+    let split = Split::of(full.equations, full.model.coordinates as usize);
+    let reduces = !split.ignorable.is_empty() && !split.remaining.is_empty();
+    let reduced = ReducedDeclaration::of(declaration, lowered, split, clause);
+    reduced_items(full, clause, &reduced, diagnostics).unwrap_or_else(|| {
+        reduced_without_equations(declaration, lowered, Some(&reduced).filter(|_| reduces))
+    })
+}
+
+/// The struct of the reduced model and its impls, unless there is an error.
+fn reduced_items(
+    full: &Emitter<'_>,
+    clause: &RouthianClause,
+    reduced: &ReducedDeclaration,
+    diagnostics: &mut Diagnostics,
+) -> Option<TokenStream> {
+    let (declaration, lowered) = (&reduced.declaration, &reduced.lowered);
+    let reduction = reduce(
+        (full.declaration, full.lowered),
+        (full.model, full.equations),
         clause,
+        reduced,
         diagnostics,
     )?;
-    let model = reduced.reduction.model.clone();
-    let derived = Derived::of(&reduced.declaration, &reduced.lowered, model, diagnostics)?;
-    let emitter = derived.emitter(&reduced.declaration, &reduced.lowered, full.most_scopes);
-    let mut methods = ReducedMethods::schedule(&reduced.reduction);
-    if let Some(taylor) = &declaration.clauses.taylor {
-        methods = match methods.with_series(&reduced.reduction) {
-            Ok(methods) => methods,
-            Err(reason) => {
-                defects::report_no_series(reason, taylor, declaration, diagnostics);
-                return None;
-            }
-        };
-    }
-    let definition = reduced_struct(declaration, &reduced.declaration);
+    let mut of_reduced = Diagnostics::default();
+    let derived = derive_reduced(&reduction, declaration, lowered, &mut of_reduced);
+    diagnostics.add_with(of_reduced, &concerns(clause));
+    let (derived, methods) = derived?;
+    let mut emitter = derived.emitter(declaration, lowered, full.most_scopes);
+    emitter.poles.clone_from(&reduction.poles);
+    let definition = reduced_struct(full.declaration, declaration);
     let items = items(&emitter);
-    let there = full.routh_reduction(&reduced);
-    let back = emitter.routhian(&reduced, &methods, full);
-    let warning = warning(&derived.disagreements, &reduced.declaration);
+    let there = full.routh_reduction(reduced);
+    let back = emitter.routhian(reduced, &methods, full);
+    let warning = warning(&derived.disagreements, declaration);
     Some(quote!(#definition #items #there #back #warning))
+}
+
+/// What errors of a reduced model say besides.
+fn concerns(clause: &RouthianClause) -> String {
+    let name = &clause.name;
+    format!(
+        "so it is in the reduced model `{name}`, which does without the clauses that `routhian({name}, without(…))` names"
+    )
+}
+
+/// Derives the equations of a reduced model, and its methods besides those of every model.
+fn derive_reduced(
+    reduction: &Reduction,
+    declaration: &Declaration,
+    lowered: &Lowered,
+    diagnostics: &mut Diagnostics,
+) -> Option<(Derived, ReducedMethods)> {
+    let derived = Derived::of(declaration, lowered, reduction.model.clone(), diagnostics)?;
+    let methods = ReducedMethods::schedule(reduction);
+    let Some(taylor) = &declaration.clauses.taylor else {
+        return Some((derived, methods));
+    };
+    match methods.with_series(reduction) {
+        Ok(methods) => Some((derived, methods)),
+        Err(reason) => {
+            defects::report_no_series(reason, taylor, declaration, diagnostics);
+            None
+        }
+    }
 }
 
 /// What is derived from a model.

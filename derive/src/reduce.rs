@@ -3,51 +3,96 @@
 //! The reduced struct has the fields of the declared one, and behind them the momenta of the ignorable coordinates, which are
 //! parameters like any other. Its coordinates are those that remain. From there on it goes the way of every model.
 
-use std::collections::BTreeSet;
+mod declaration;
+mod objections;
 
-use lagrangian_symbolic::{
-    Equations, Graph, Model, NoReduction, Obstacle, PoleForm, Reduction, ReductionCheck, Spoiler,
-};
+use lagrangian_symbolic::{Equations, Graph, Model, PoleForm, Reduction, ReductionCheck};
 use proc_macro2::Ident;
-use syn::{Type, parse_quote};
 
 use crate::check::check;
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, similar};
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::Scope;
 use crate::lower::{Lowered, count};
-use crate::syntax::clauses::Clauses;
-use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
-use crate::syntax::field::{Field, Role};
-use crate::syntax::label::Label;
-use crate::syntax::names::{hygienic_span, to_source, unraw};
+use crate::syntax::named::NamedExpression;
+use crate::syntax::names::unraw;
 use crate::syntax::routhian::RouthianClause;
-use crate::syntax::scalar::Scalar;
+use crate::syntax::shape::Shape;
+use declaration::{CLAUSES, leaves_out, reduced_declaration};
+use objections::message;
 
-/// The reduced model, as if it had been declared.
-pub(crate) struct Reduced {
+/// The positions of the coordinates that are ignorable, and of those that are not.
+pub(crate) struct Split {
+    pub(crate) ignorable: Vec<usize>,
+    pub(crate) remaining: Vec<usize>,
+}
+
+impl Split {
+    /// Those of a model with so many coordinates.
+    pub(crate) fn of(equations: &Equations, coordinates: usize) -> Self {
+        let ignorable: Vec<usize> = equations.conservation.ignorable().collect();
+        let remaining = (0..coordinates).filter(|i| !ignorable.contains(i));
+        Self {
+            remaining: remaining.collect(),
+            ignorable,
+        }
+    }
+}
+
+/// A reduced model as if it had been declared, without its equations.
+pub(crate) struct ReducedDeclaration {
     pub(crate) declaration: Declaration,
     pub(crate) lowered: Lowered,
-    pub(crate) reduction: Reduction,
+    pub(crate) split: Split,
+}
+
+impl ReducedDeclaration {
+    /// That of a model whose coordinates are split so.
+    pub(crate) fn of(
+        declaration: &Declaration,
+        lowered: &Lowered,
+        split: Split,
+        clause: &RouthianClause,
+    ) -> Self {
+        let reduced = reduced_declaration(declaration, lowered, &split, clause);
+        let retained = |named: &[NamedExpression], shapes: &[Shape]| {
+            let all = named.iter().zip(shapes);
+            let all = all.filter(|(named, _)| !leaves_out(clause, &unraw(&named.name)));
+            all.map(|(_, shape)| *shape).collect()
+        };
+        let clauses = &declaration.clauses;
+        let lowered = Lowered {
+            model: None,
+            scope: Scope::new(&reduced, &mut Graph::new()),
+            quantities: Quantities::new(&reduced),
+            outputs: retained(&clauses.outputs, &lowered.outputs),
+            events: retained(&clauses.events, &lowered.events),
+            turning: Vec::new(),
+        };
+        Self {
+            declaration: reduced,
+            lowered,
+            split,
+        }
+    }
 }
 
 /// Reduces a model, unless there is an error.
 pub(crate) fn reduce(
-    declaration: &Declaration,
-    lowered: &Lowered,
-    model: &Model,
-    equations: &Equations,
+    (declaration, lowered): (&Declaration, &Lowered),
+    (model, equations): (&Model, &Equations),
     clause: &RouthianClause,
+    reduced: &ReducedDeclaration,
     diagnostics: &mut Diagnostics,
-) -> Option<Reduced> {
+) -> Option<Reduction> {
     let parameters = count(lowered.quantities.parameters.len());
     let form = if clause.half_angles {
         PoleForm::HalfAngles
     } else {
         PoleForm::Direct
     };
-    let reduction = match Reduction::of(model, equations, parameters, form) {
+    let mut reduction = match Reduction::of(model, equations, parameters, form) {
         Ok(reduction) => reduction,
         Err(reason) => {
             diagnostics.error(&clause.keyword, message(&reason, lowered, model));
@@ -60,153 +105,100 @@ pub(crate) fn reduce(
         diagnostics.error(&clause.keyword, message);
         return None;
     }
-    for i in &reduction.ignorable {
+    let errors = diagnostics.count();
+    check_names(declaration, lowered, reduced, clause, diagnostics);
+    check(&reduced.declaration, diagnostics);
+    if diagnostics.count() > errors {
+        return None;
+    }
+    let retained = retained_outputs((declaration, lowered), clause, &reduction, diagnostics);
+    reduction.retain_outputs(&retained);
+    Some(reduction).filter(|_| diagnostics.count() == errors)
+}
+
+/// The constant momenta have names of their own, and what is left out is there.
+fn check_names(
+    declaration: &Declaration,
+    lowered: &Lowered,
+    reduced: &ReducedDeclaration,
+    clause: &RouthianClause,
+    diagnostics: &mut Diagnostics,
+) {
+    for i in &reduced.split.ignorable {
         let momentum = lowered.quantities.coordinates[*i].momentum();
-        if declaration
-            .fields
-            .iter()
-            .any(|field| unraw(&field.name) == momentum)
-        {
+        let mut fields = declaration.fields.iter();
+        if fields.any(|field| unraw(&field.name) == momentum) {
             let message = format!(
                 "the reduced model has the constant momentum `{momentum}` as a parameter, which is a field already: give \
                  the field another name"
             );
             diagnostics.error(&clause.name, message);
-            return None;
         }
     }
-    let reduced = reduced_declaration(declaration, lowered, &reduction, clause);
-    check(&reduced, diagnostics);
-    if !diagnostics.is_empty() {
-        return None;
-    }
-    let lowered = Lowered {
-        model: None,
-        scope: Scope::new(&reduced, &mut Graph::new()),
-        quantities: Quantities::new(&reduced),
-        outputs: Vec::new(),
-        events: Vec::new(),
-        turning: Vec::new(),
-    };
-    Some(Reduced {
-        declaration: reduced,
-        lowered,
-        reduction,
-    })
-}
-
-/// The declaration of the reduced struct.
-fn reduced_declaration(
-    declaration: &Declaration,
-    lowered: &Lowered,
-    reduction: &Reduction,
-    clause: &RouthianClause,
-) -> Declaration {
-    let scalar = Scalar::of(declaration).of_parameters();
-    let labels = &lowered.quantities.coordinates;
-    let ty: Type = parse_quote!(#scalar);
-    let constants = reduction.ignorable.iter().map(|i| Field {
-        name: named(&labels[*i].momentum(), clause),
-        ty: ty.clone(),
-        declared_type: None,
-        role: Role::Parameter,
-        readable: true,
-        visibility: declaration.visibility.clone(),
-    });
-    let fields = declaration.fields.iter().cloned().chain(constants);
     let clauses = &declaration.clauses;
-    Declaration {
-        name: clause.name.clone(),
-        visibility: declaration.visibility.clone(),
-        generics: declaration.generics.clone(),
-        fields: fields.collect(),
-        names_fields: true,
-        clauses: Clauses {
-            coordinates: remaining_coordinates(declaration, labels, reduction, clause),
-            functions: clauses.functions.clone(),
-            taylor: clauses.taylor.clone(),
-            scalar: clauses.scalar.clone(),
-            ..Clauses::default()
-        },
-        root: declaration.root.clone(),
+    let observed = clauses.outputs.iter().chain(&clauses.events);
+    let observed = observed.map(|named| unraw(&named.name));
+    let known: Vec<String> = observed.chain(CLAUSES.map(str::to_owned)).collect();
+    for name in &clause.without {
+        let written = unraw(name);
+        if !known.contains(&written) {
+            let hint = match similar(&written, known.iter().map(String::as_str)) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("write some of `{}`", known.join("`, `")),
+            };
+            let message = format!(
+                "`{name}` is neither an output nor an event, nor a clause that the reduced model can do without: {hint}"
+            );
+            diagnostics.error(name, message);
+        }
     }
 }
 
-/// The declared coordinates of which all scalars remain, and the scalars that remain of the others.
-fn remaining_coordinates(
-    declaration: &Declaration,
-    labels: &[Label],
-    reduction: &Reduction,
+/// The positions of the components of the outputs and events that the reduced model has, with an error at each that is not
+/// a function of its state.
+fn retained_outputs(
+    (declaration, lowered): (&Declaration, &Lowered),
     clause: &RouthianClause,
-) -> Vec<Coordinate> {
-    let remains: BTreeSet<usize> = reduction.remaining.iter().copied().collect();
-    let mut coordinates = Vec::new();
-    for (coordinate, range) in indices(&declaration.clauses.coordinates) {
-        if range.clone().all(|i| remains.contains(&i)) {
-            coordinates.push(coordinate.clone());
+    reduction: &Reduction,
+    diagnostics: &mut Diagnostics,
+) -> Vec<usize> {
+    let clauses = &declaration.clauses;
+    let outputs = clauses.outputs.iter().zip(&lowered.outputs);
+    let outputs = outputs.map(|(output, shape)| ("output", &output.name, shape));
+    let events = clauses.events.iter().zip(&lowered.events);
+    let events = events.map(|(event, shape)| ("event", &event.name, shape));
+    let mut retained = Vec::new();
+    let mut next = 0;
+    for (kind, name, shape) in outputs.chain(events) {
+        let components = next..next + shape.count();
+        next = components.end;
+        if leaves_out(clause, &unraw(name)) {
             continue;
         }
-        let scalars = range.filter(|i| remains.contains(i));
-        coordinates
-            .extend(scalars.map(|i| Coordinate::scalar(named(&labels[i].variable(), clause))));
-    }
-    coordinates
-}
-
-/// An identifier where the clause stands.
-fn named(name: &str, clause: &RouthianClause) -> Ident {
-    let mut name: Ident = syn::parse_str(&to_source(name)).unwrap_or_else(|_| clause.name.clone());
-    name.set_span(hygienic_span(&clause.name));
-    name
-}
-
-/// Why there is no reduced model.
-fn message(reason: &NoReduction, lowered: &Lowered, model: &Model) -> String {
-    let name = |i: &usize| format!("`{}`", lowered.quantities.coordinates[*i]);
-    match reason {
-        NoReduction::NoneIgnorable(spoilers) => {
-            let all = spoilers
-                .iter()
-                .map(|spoiler| spoiled(spoiler, &name(&spoiler.coordinate)));
-            let all: Vec<String> = all.collect();
-            format!(
-                "no coordinate is ignorable, so there is nothing to reduce: {}; leave `routhian` out, or write the model in \
-                 coordinates of which one neither matters to the Lagrangian nor is acted on by a force",
-                all.join("; ")
-            )
+        let components_in_reduced = reduction.outputs.get(components.clone());
+        let mut dependent = components_in_reduced.into_iter().flatten();
+        let dependent = dependent.find_map(|output| output.err());
+        match dependent.and_then(|i| lowered.quantities.coordinates.get(i)) {
+            Some(on) => diagnostics.error(name, needs_reconstruction(kind, name, on, clause)),
+            None => retained.extend(components),
         }
-        NoReduction::NoneRemains => {
-            let all: Vec<String> = (0..model.coordinates as usize).map(|i| name(&i)).collect();
-            format!(
-                "all coordinates are ignorable, {}, so that none remains: all momenta are constant, and \
-                 `constants_of_motion` has them; leave `routhian` out",
-                all.join(", ")
-            )
-        }
-        NoReduction::ForceDependsOn(acted, on) => format!(
-            "the generalized force on {} depends on {}, which would be ignorable otherwise: the other coordinates do not \
-             move independently of it; leave `routhian` out, or write the force in other coordinates",
-            name(acted),
-            name(on)
-        ),
-        NoReduction::NotQuadratic(coordinate) => format!(
-            "{} is ignorable, but the Lagrangian is not quadratic in its velocity, so that the velocity cannot be \
-             eliminated: leave `routhian` out",
-            name(coordinate)
-        ),
     }
+    retained
 }
 
-/// What spoils a coordinate.
-fn spoiled(spoiler: &Spoiler, name: &str) -> String {
-    let reasons = spoiler.obstacles.iter().map(|obstacle| match obstacle {
-        Obstacle::Kinetic => "the kinetic energy depends on it",
-        Obstacle::Potential => "the potential energy depends on it",
-        Obstacle::Lagrangian => "the Lagrangian depends on it",
-        Obstacle::Force => "a force acts on it",
-        Obstacle::Input => "an input acts on it",
-        Obstacle::Dissipation => "dissipation acts on it",
-    });
-    let reasons: Vec<&str> = reasons.collect();
-    format!("{name} is not, since {}", reasons.join(" and "))
+fn needs_reconstruction(
+    kind: &str,
+    name: &Ident,
+    on: impl core::fmt::Display,
+    clause: &RouthianClause,
+) -> String {
+    let reduced = &clause.name;
+    let otherwise = match kind {
+        "event" => "watch for it in the full model",
+        _ => "evaluate it by the full model at `full_state`",
+    };
+    format!(
+        "this {kind} depends on `{on}`, which is ignorable, so that `{reduced}` does not have it: write `routhian({reduced}, \
+         without({name}))`, and {otherwise}"
+    )
 }

@@ -4,6 +4,7 @@
 mod generalized_coordinates;
 mod state;
 mod phase;
+mod poles;
 mod linearization;
 #[cfg(feature = "num-dual")]
 mod state_transition;

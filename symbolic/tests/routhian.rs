@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{
     Energies, Equations, Kinetics, Model, NoReduction, Obstacle, PoleForm, Program, Reduction,
-    ReductionCheck,
+    ReductionCheck, Symbol,
 };
 use lagrangian_symbolic_testing::Draft;
 use lagrangian_symbolic_testing::systems::{euler_rates, top};
@@ -67,6 +67,39 @@ fn a_wrong_reduction_is_found() {
     let mut wrong = right;
     wrong.model.forces[0] = kinetic;
     assert!(!agrees(&wrong));
+}
+
+/// Velocities and accelerations of ignorable coordinates are eliminated; what depends on one itself is not determined.
+#[test]
+fn outputs_are_expressed_through_the_constants() {
+    let draft = Draft::new(2);
+    let ([r, phi], [_, turning]) = (draft.qs::<2>(), draft.vs::<2>());
+    let outputs = [
+        r * r * turning,
+        turning.dot(),
+        (r * phi.cos()).squared() + (r * phi.sin()).squared() + r.dot(),
+        r * phi.cos(),
+    ];
+    let outputs = outputs.map(Into::into).to_vec();
+    let kinetic = (r.dot().squared() + r.squared() * turning.squared()) / 2;
+    let mut full = draft.natural(kinetic, -r.recip());
+    full.outputs = outputs;
+    let mut found = reduction(&mut full, PoleForm::Direct).unwrap();
+    let agrees = |found: &Reduction| ReductionCheck::new(&full, found, PARAMETERS).agrees();
+    assert!(agrees(&found));
+    assert_eq!(found.outputs[3], Err(1));
+    assert_eq!(found.outputs.iter().flatten().count(), 3);
+    // r² φ̇ is the constant.
+    let graph = &found.model.graph;
+    let constant = Symbol::Parameter(PARAMETERS);
+    let areal = found.outputs[0].unwrap();
+    assert!(graph.contains(&[areal], |symbol| symbol == constant));
+    assert!(!graph.contains(&[areal], |symbol| symbol == Symbol::Coordinate(0)));
+    let mut wrong = found.clone();
+    wrong.outputs.swap(0, 1);
+    assert!(!agrees(&wrong));
+    found.retain_outputs(&[1, 3, 2]);
+    assert_eq!(found.model.outputs.len(), 2);
 }
 
 #[test]

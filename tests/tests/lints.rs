@@ -178,7 +178,13 @@ pub struct Cart {
     function(spring(x) = self.table[0] * x, derivative(x) = stiffness),
     kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
     force(r = push - spring(r)),
-    routhian(SliderOnRod),
+    output(rate = dot(phi), whirling_up = dot(dot(phi)), place = phi),
+    event(fast = dot(phi) - stiffness, still = dot(r), turned = sin(phi)),
+    hamiltonian,
+    energy_balance,
+    sensitivities(m),
+    regressor(m),
+    routhian(SliderOnRod, without(place, turned, regressor)),
 )]
 pub struct WhirlingSlider {
     /// Mass.

@@ -88,6 +88,10 @@ impl Emitter<'_> {
                 const STAYS_REGULAR: bool = true;
             )
         });
+        let poles = (!self.poles.is_empty()).then(|| {
+            let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
+            quote!(const POLES: &'static [usize] = &[#(#poles),*];)
+        });
         quote! {
             #[automatically_derived]
             impl #generics #root::GeneralizedCoordinates<#n> for #name #arguments #conditions {
@@ -97,6 +101,7 @@ impl Emitter<'_> {
                 const IGNORABLE: [bool; #n] = [#(#ignorable),*];
                 const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
                 #stays_regular
+                #poles
             }
         }
     }

@@ -24,6 +24,8 @@ pub(crate) struct Emitter<'a> {
     pub(crate) taylor: Option<&'a TaylorMethod>,
     /// The same for its events, if they have series.
     pub(crate) event_series: Option<&'a EventSeries>,
+    /// The coordinates of a reduced model at whose poles it has no value.
+    pub(crate) poles: Vec<u32>,
     pub(crate) scalar: Scalar<'a>,
     /// See [`MOST_SCOPES`](crate::limits::MOST_SCOPES).
     pub(crate) most_scopes: usize,
@@ -48,6 +50,7 @@ impl<'a> Emitter<'a> {
             listing,
             taylor,
             event_series,
+            poles: Vec::new(),
             scalar: Scalar::of(declaration),
             most_scopes,
         }

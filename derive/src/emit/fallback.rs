@@ -3,7 +3,12 @@
 //! Code that uses the model then shows no errors of its own. Unresolved names are accessed as fields here, for
 //! rust-analyzer alone, which completes them to the names of fields.
 
+mod functions;
+mod inputs;
+mod observations;
 mod requested;
+mod routhian;
+mod taylor_series;
 
 use core::ops::Range;
 use std::collections::BTreeSet;
@@ -12,39 +17,22 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::editor;
-use super::events;
-use super::external_functions::{of_checks, signatures, values};
 use super::inputs::{Indices, input_indices};
-use super::outputs::results;
-use super::routhian::reduced_without_equations;
 use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::lower::Lowered;
 use crate::plan::constants::{CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS};
 use crate::plan::{EmittedMethod, Interface, MethodRow};
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
-use crate::syntax::names::{constant_name, hygienic_ident, unraw};
+use crate::syntax::names::{constant_name, hygienic_ident};
 use crate::syntax::scalar::Scalar;
-use crate::syntax::shape::Shape;
+pub(crate) use routhian::reduced_without_equations;
 
-/// Impls with the declared names and without equations.
+/// Impls with the declared names and without equations, and those of the reduced model if there is to be one.
 pub(crate) fn items(declaration: &Declaration, lowered: &Lowered) -> TokenStream {
-    let fallback = Fallback::new(declaration, lowered);
-    [
-        fallback.constants(),
-        fallback.system(),
-        fallback.lagrangian(),
-        fallback.energies(),
-        fallback.inputs(),
-        fallback.outputs(),
-        fallback.functions(),
-        fallback.taylor_series(),
-        fallback.events(),
-        fallback.requested(),
-        reduced_without_equations(declaration),
-    ]
-    .into_iter()
-    .collect()
+    let own = Fallback::new(declaration, lowered).items();
+    let reduced = reduced_without_equations(declaration, lowered, None);
+    quote!(#own #reduced)
 }
 
 struct Fallback<'a> {
@@ -106,6 +94,23 @@ impl<'a> Fallback<'a> {
             unknown,
             scalar: Scalar::of(declaration),
         }
+    }
+
+    fn items(&self) -> TokenStream {
+        [
+            self.constants(),
+            self.system(),
+            self.lagrangian(),
+            self.energies(),
+            self.inputs(),
+            self.outputs(),
+            self.functions(),
+            self.taylor_series(),
+            self.events(),
+            self.requested(),
+        ]
+        .into_iter()
+        .collect()
     }
 
     /// `impl<…> trait<…> for Model` with the parameters that the trait has.
@@ -265,163 +270,5 @@ impl<'a> Fallback<'a> {
             }
         });
         methods.collect()
-    }
-
-    fn inputs(&self) -> TokenStream {
-        let root = &self.declaration.root;
-        let u = self.lowered.quantities.inputs.len();
-        if u == 0 {
-            return TokenStream::new();
-        }
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let inputs = self.signatures().inputs();
-        let methods = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
-        let items = quote! {
-            const INPUTS: [&'static str; #u] = [""; #u];
-            fn inputs(&self) -> #inputs { ::core::unreachable!() }
-            #methods
-        };
-        let interface = quote!(#root::Inputs<#n, #u, #scalar>);
-        let inputs = self.implement(&interface, Some(scalar), &items);
-        let of_parameters = self.scalar.of_parameters();
-        let scalar = (!self.scalar.is_generic()).then_some(&self.scalar);
-        let plant = self.implement(
-            &quote!(#root::Plant<#n, #u>),
-            scalar,
-            &quote!(type Scalar = #of_parameters;),
-        );
-        quote!(#inputs #plant)
-    }
-
-    fn outputs(&self) -> TokenStream {
-        let root = &self.declaration.root;
-        let mut seen = BTreeSet::new();
-        let declared = self.declaration.clauses.outputs.iter();
-        let shapes = self.lowered.outputs.iter().copied();
-        let names: Vec<(&Ident, Shape)> = declared
-            .map(|output| &output.name)
-            .zip(shapes)
-            .filter(|(name, _)| seen.insert(unraw(name)))
-            .collect();
-        if names.is_empty() {
-            return TokenStream::new();
-        }
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let (results, definition) = results(self.declaration, scalar, &names);
-        let methods =
-            |inputs| self.methods_where(inputs, |row| row.interface == Interface::Outputs);
-        let method = methods(InputsFrom::Fields);
-        let items = quote!(type Outputs = #results<#scalar>; #method);
-        let interface = quote!(#root::Outputs<#n, #scalar>);
-        let implementation = self.implement(&interface, Some(scalar), &items);
-        let u = self.lowered.quantities.inputs.len();
-        let with_inputs = (u > 0).then(|| {
-            let interface = quote!(#root::OutputsWith<#n, #u, #scalar>);
-            self.implement(&interface, Some(scalar), &methods(InputsFrom::Argument))
-        });
-        quote!(#definition #implementation #with_inputs)
-    }
-
-    fn functions(&self) -> TokenStream {
-        let declaration = self.declaration;
-        if declaration.clauses.functions.is_empty() {
-            return TokenStream::new();
-        }
-        let root = &declaration.root;
-        let name = &declaration.name;
-        let scalar = of_checks(&self.scalar);
-        let generics = if self.scalar.is_generic() {
-            declaration.generics.clone()
-        } else {
-            self.scalar.generics(&declaration.generics)
-        };
-        let (generics, _, conditions) = generics.split_for_impl();
-        let (_, arguments, _) = declaration.generics.split_for_impl();
-        let signatures = signatures(declaration);
-        let values = values(declaration, &self.scalar);
-        quote! {
-            impl #generics #name #arguments #conditions { #values }
-
-            #[automatically_derived]
-            impl #generics #root::ExternalFunctions for #name #arguments #conditions {
-                type Scalar = #scalar;
-                #signatures
-                fn function(&self, _: usize, _: &[#scalar]) -> #scalar { ::core::unreachable!() }
-                fn derivative(
-                    &self, _: usize, _: usize, _: &[#scalar],
-                ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
-            }
-        }
-    }
-
-    /// The constants of events, unless the names of some are taken.
-    fn event_constants(&self) -> TokenStream {
-        let mut taken = self.taken.clone();
-        let events = self.declaration.clauses.events.iter();
-        let mut names = events.map(|event| constant_name(&event.name));
-        if names.all(|name| taken.insert(name)) {
-            events::constants(self.declaration, &self.lowered.events)
-        } else {
-            TokenStream::new()
-        }
-    }
-
-    fn events(&self) -> TokenStream {
-        if self.lowered.events.is_empty() {
-            return TokenStream::new();
-        }
-        let root = &self.declaration.root;
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let count = events::count(&self.lowered.events);
-        let methods = |inputs| self.methods_where(inputs, |row| row.interface == Interface::Events);
-        let functions = methods(InputsFrom::Fields);
-        let items = quote! {
-            const EVENTS: &'static [&'static str] = &[""; #count];
-            type EventValues = [#scalar; #count];
-            #functions
-        };
-        let held = self.implement(&quote!(#root::Events<#n, #scalar>), Some(scalar), &items);
-        let u = self.lowered.quantities.inputs.len();
-        if u == 0 {
-            return held;
-        }
-        let interface = quote!(#root::EventsWith<#n, #u, #scalar>);
-        let functions = methods(InputsFrom::Argument);
-        let with_inputs = self.implement(&interface, Some(scalar), &functions);
-        quote!(#held #with_inputs)
-    }
-
-    fn taylor_series(&self) -> TokenStream {
-        if self.declaration.clauses.taylor.is_none() {
-            return TokenStream::new();
-        }
-        let root = &self.declaration.root;
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let state = self.signatures().state();
-        let rest = quote! {
-            _: &(),
-            _: #scalar,
-            _: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
-        };
-        let items = quote! {
-            fn taylor_series<const HALF: usize>(&self, _: #state, #rest) {
-                ::core::unreachable!()
-            }
-        };
-        let interface = quote!(#root::MotionSeries<#n, #scalar>);
-        let held = self.implement(&interface, Some(scalar), &items);
-        let u = self.lowered.quantities.inputs.len();
-        if u == 0 {
-            return held;
-        }
-        let inputs = self.signatures().inputs();
-        let items = quote! {
-            fn taylor_series_with<const HALF: usize>(&self, _: #state, _: &[#inputs], #rest) {
-                ::core::unreachable!()
-            }
-        };
-        let interface = quote!(#root::MotionSeriesWith<#n, #u, #scalar>);
-        let with_inputs = self.implement(&interface, Some(scalar), &items);
-        quote!(#held #with_inputs)
     }
 }

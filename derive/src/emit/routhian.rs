@@ -1,19 +1,16 @@
 //! What is emitted for the clause `routhian`: the reduced struct, and the impls that lead there and back.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
-use super::item_names::outputs_name;
 use super::parameters::marked_if_unused;
 use super::signatures::InputsFrom;
 use crate::plan::ReducedMethods;
-use crate::reduce::Reduced;
-use crate::syntax::clauses::Clauses;
+use crate::reduce::{ReducedDeclaration, Split};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::names::unraw;
-use crate::syntax::routhian::RouthianClause;
 
 /// The struct of a reduced model.
 pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> TokenStream {
@@ -71,43 +68,13 @@ pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> Token
     }
 }
 
-/// The struct of the reduced model, whose constants and coordinates are not known.
-pub(crate) fn reduced_without_equations(declaration: &Declaration) -> TokenStream {
-    let name = |clause: &RouthianClause| clause.name.clone();
-    let outputs = outputs_name(declaration);
-    let known = |name: &Ident| *name != declaration.name && *name != outputs;
-    let Some(name) = declaration
-        .clauses
-        .routhian
-        .as_ref()
-        .map(name)
-        .filter(known)
-    else {
-        return TokenStream::new();
-    };
-    let reduced = Declaration {
-        name,
-        visibility: declaration.visibility.clone(),
-        generics: declaration.generics.clone(),
-        fields: declaration.fields.clone(),
-        names_fields: declaration.names_fields,
-        clauses: Clauses {
-            functions: declaration.clauses.functions.clone(),
-            scalar: declaration.clauses.scalar.clone(),
-            ..Clauses::default()
-        },
-        root: declaration.root.clone(),
-    };
-    reduced_struct(declaration, &reduced)
-}
-
 impl Emitter<'_> {
     /// The impl of `RouthReduction` for the full model.
-    pub(crate) fn routh_reduction(&self, reduced: &Reduced) -> TokenStream {
+    pub(crate) fn routh_reduction(&self, reduced: &ReducedDeclaration) -> TokenStream {
         let Declaration { root, name, .. } = self.declaration;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let scalar = self.scalar.of_parameters();
-        let (n, remaining) = (self.coordinates(), &reduced.reduction.remaining);
+        let (n, remaining) = (self.coordinates(), &reduced.split.remaining);
         let left = remaining.len();
         let target = &reduced.declaration.name;
         let own = self.declaration.fields.iter();
@@ -117,12 +84,10 @@ impl Emitter<'_> {
         });
         let constants = reduced.declaration.fields.iter();
         let constants = constants.skip(self.declaration.fields.len());
-        let constants = constants
-            .zip(&reduced.reduction.ignorable)
-            .map(|(field, i)| {
-                let (name, i) = (&field.name, Literal::usize_unsuffixed(*i));
-                quote!(#name: momenta[#i])
-            });
+        let constants = constants.zip(&reduced.split.ignorable).map(|(field, i)| {
+            let (name, i) = (&field.name, Literal::usize_unsuffixed(*i));
+            quote!(#name: momenta[#i])
+        });
         let indices: Vec<Literal> = remaining
             .iter()
             .map(|i| Literal::usize_unsuffixed(*i))
@@ -152,19 +117,19 @@ impl Emitter<'_> {
     /// The impls of `Routhian` and `RouthianSeries` for the reduced model.
     pub(crate) fn routhian(
         &self,
-        reduced: &Reduced,
+        reduced: &ReducedDeclaration,
         methods: &ReducedMethods,
         full: &Emitter<'_>,
     ) -> TokenStream {
         let (root, scalar) = (&self.declaration.root, &self.scalar);
-        let (n, k) = (self.coordinates(), reduced.reduction.ignorable.len());
+        let (n, k) = (self.coordinates(), reduced.split.ignorable.len());
         let all = n + k;
         let signatures = self.signatures();
         let state = signatures.state();
         let vector = quote!(#root::__private::SVector<#scalar, #k>);
         let labels = &full.lowered.quantities.coordinates;
         let names = reduced
-            .reduction
+            .split
             .ignorable
             .iter()
             .map(|i| labels[*i].to_string());
@@ -179,7 +144,7 @@ impl Emitter<'_> {
             [quote!(ignorable), quote!(state.q)],
             [quote!(velocities), quote!(state.v)],
         ]
-        .map(|[ignorable, remaining]| interleaved(reduced, all, &ignorable, &remaining));
+        .map(|[ignorable, remaining]| interleaved(&reduced.split, all, &ignorable, &remaining));
         let items = quote! {
             type FullState = #root::State<#scalar, #all>;
             const ELIMINATED: [&'static str; #k] = [#(#names),*];
@@ -226,7 +191,7 @@ impl Emitter<'_> {
 
 /// The components of the full state, from those of the ignorable coordinates and of the others.
 fn interleaved(
-    reduced: &Reduced,
+    split: &Split,
     all: usize,
     ignorable: &TokenStream,
     remaining: &TokenStream,
@@ -235,12 +200,11 @@ fn interleaved(
         let place = list.iter().position(|other| *other == i);
         place.map(Literal::usize_unsuffixed)
     };
-    let reduction = &reduced.reduction;
     let component = |i| {
-        if let Some(k) = place(&reduction.ignorable, i) {
+        if let Some(k) = place(&split.ignorable, i) {
             quote!(#ignorable[#k])
         } else {
-            let k = place(&reduction.remaining, i);
+            let k = place(&split.remaining, i);
             quote!(#remaining[#k])
         }
     };

@@ -4,12 +4,13 @@
 pub(crate) const CONSTANTS: [&str; 4] = ["COORDINATES", "OPERATIONS", "EQUATIONS", "LATEX"];
 
 /// The constants of traits that a model has; a constant of the type would hide them.
-pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 5] = [
+pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 6] = [
     "ANGLES",
     "PERIODS",
     "IGNORABLE",
     "SINGULARITIES",
     "STAYS_REGULAR",
+    "POLES",
 ];
 /// The constants of a model with inputs.
 pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];

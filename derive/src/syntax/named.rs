@@ -8,6 +8,7 @@ use crate::syntax::grammar::{equated, list, word};
 use crate::syntax::label::Index;
 
 /// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
+#[derive(Clone)]
 pub(crate) struct NamedExpression {
     pub(crate) name: Ident,
     pub(crate) indices: Vec<Expr>,
@@ -16,6 +17,7 @@ pub(crate) struct NamedExpression {
 }
 
 /// `for index in range`.
+#[derive(Clone)]
 pub(crate) struct ForClause {
     pub(crate) index: Ident,
     pub(crate) range: Expr,

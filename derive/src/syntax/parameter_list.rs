@@ -8,6 +8,7 @@ use syn::{Token, token};
 use crate::syntax::grammar::{separated, word};
 
 /// A word, and the fields that it is about.
+#[derive(Clone)]
 pub(crate) struct ParameterList {
     pub(crate) keyword: Ident,
     /// Their names; none where it is about all parameters.

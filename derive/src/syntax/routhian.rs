@@ -6,13 +6,15 @@ use syn::{Token, token};
 
 use crate::syntax::grammar::{position, word};
 
-/// `routhian(Name)` or `routhian(Name, half_angles)`.
+/// `routhian(Name)`, `routhian(Name, half_angles)` or `routhian(Name, without(output, regressor))`.
 pub(crate) struct RouthianClause {
     pub(crate) keyword: Ident,
     /// The name of the reduced model.
     pub(crate) name: Ident,
     /// Whether quotients by sin² are written in half angles.
     pub(crate) half_angles: bool,
+    /// Outputs, events and clauses that the reduced model does not have.
+    pub(crate) without: Vec<Ident>,
 }
 
 impl RouthianClause {
@@ -26,28 +28,52 @@ impl RouthianClause {
         if content.is_empty() {
             return Err(syn::Error::new(parentheses.span.join(), HOW_TO_WRITE));
         }
-        let name = word(&content, HOW_TO_WRITE)?;
-        let mut half_angles = false;
-        if content.parse::<Option<Token![,]>>()?.is_some() && !content.is_empty() {
-            let form = word(&content, OPTION)?;
-            if form != "half_angles" {
-                return Err(syn::Error::new(form.span(), OPTION));
-            }
-            half_angles = true;
-            content.parse::<Option<Token![,]>>()?;
+        let mut clause = Self {
+            keyword,
+            name: word(&content, HOW_TO_WRITE)?,
+            half_angles: false,
+            without: Vec::new(),
+        };
+        while content.parse::<Option<Token![,]>>()?.is_some() && !content.is_empty() {
+            clause.read_option(&content)?;
         }
         if !content.is_empty() {
             return Err(content.error(HOW_TO_WRITE));
         }
-        Ok(Self {
-            keyword,
-            name,
-            half_angles,
-        })
+        Ok(clause)
+    }
+
+    fn read_option(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        let option = word(input, OPTION)?;
+        if option == "half_angles" && !self.half_angles {
+            self.half_angles = true;
+            return Ok(());
+        }
+        if option != "without" || !self.without.is_empty() {
+            return Err(syn::Error::new(option.span(), OPTION));
+        }
+        if !input.peek(token::Paren) {
+            return Err(syn::Error::new(position(&option, input), WITHOUT));
+        }
+        let content;
+        let parentheses = syn::parenthesized!(content in input);
+        while !content.is_empty() {
+            self.without.push(word(&content, WITHOUT)?);
+            if content.parse::<Option<Token![,]>>()?.is_none() && !content.is_empty() {
+                return Err(content.error(WITHOUT));
+            }
+        }
+        if self.without.is_empty() {
+            return Err(syn::Error::new(parentheses.span.join(), WITHOUT));
+        }
+        Ok(())
     }
 }
 
 const HOW_TO_WRITE: &str =
     "write `routhian(ReducedTop)`, with a name for the model without its ignorable coordinates";
-const OPTION: &str = "write `half_angles` behind the name, so that the reduced model has values at the poles of angles, or \
-                      the name alone";
+const OPTION: &str = "write `half_angles` behind the name, so that the reduced model has values at the poles of angles, \
+                      `without(…)` with the outputs, events and clauses that it shall not have, each once, or the name \
+                      alone";
+const WITHOUT: &str = "write `without(x, regressor)`, with the names of outputs, of events and of clauses that the reduced \
+                       model shall not have";

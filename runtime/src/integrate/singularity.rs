@@ -16,6 +16,8 @@ pub struct Singularity {
     names: &'static [&'static str],
     dependencies: &'static [usize],
     values: [f64; REPORTED_COORDINATES],
+    /// The coordinate's value, where it is at a pole of a reduced model.
+    pole: Option<f64>,
 }
 
 impl Singularity {
@@ -40,6 +42,15 @@ impl Singularity {
             names,
             dependencies,
             values,
+            pole: None,
+        }
+    }
+
+    /// The same of a reduced model at a pole of its coordinate, which has this value.
+    pub(crate) fn at_pole(self, value: f64) -> Self {
+        Self {
+            pole: Some(value),
+            ..self
         }
     }
 
@@ -83,6 +94,14 @@ impl Singularity {
 impl fmt::Display for Singularity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let coordinate = self.coordinate();
+        if let Some(value) = self.pole {
+            return write!(
+                f,
+                "the reduced model has no accelerations at the pole {coordinate} = {} of its angles: write \
+                 `routhian(Name, half_angles)`, which has them for the constants with which a pole is reached",
+                Readable(value)
+            );
+        }
         let pivot = self.relative_pivot;
         write!(
             f,

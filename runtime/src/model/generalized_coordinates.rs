@@ -31,4 +31,9 @@ pub trait GeneralizedCoordinates<const N: usize> {
     /// nothing by which the accelerations are divided comes to vanish, whatever the coordinates and the parameters are.
     /// Then an integration looks at the [relative pivots](crate::Lagrangian::relative_pivots) only where it begins.
     const STAYS_REGULAR: bool = false;
+
+    /// The indices of coordinates of a [reduced model](crate::Routhian) at whose poles sin q = 0 its equations have no value as
+    /// they are written, though they have a limit for the constants with which a pole is reached. Empty with the clause
+    /// `routhian(Name, half_angles)`, under which they have that value.
+    const POLES: &'static [usize] = &[];
 }

@@ -162,6 +162,7 @@ where
     const IGNORABLE: [bool; N] = M::IGNORABLE;
     const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
     const STAYS_REGULAR: bool = M::STAYS_REGULAR;
+    const POLES: &'static [usize] = M::POLES;
 }
 
 impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::common_dynamics::{allowed_error, component_name, reduced};
+use super::events::Events;
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::reconstructed_phase::ReconstructedPhase;
@@ -11,7 +12,9 @@ use super::singular_configuration::{
     singularity, singularity_in_lane, singularity_in_motion, vanishing_inertia,
     vanishing_inertia_in_lane,
 };
-use crate::integrate::{ComponentName, Dynamics, Series, Singularity, TaylorCoefficients};
+use crate::integrate::{
+    ComponentName, Dynamics, EventDynamics, Series, Singularity, TaylorCoefficients,
+};
 use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;
 
@@ -166,5 +169,39 @@ where
             let scale = unit / order;
             *term = joined(*of_motion, SVector::from(*rate).map(|rate| rate * scale));
         }
+    }
+}
+
+/// The events of the reduced model: they depend on its state alone.
+impl<M, S, const N: usize, const K: usize> EventDynamics<S> for Reconstruction<'_, M, S, N, K>
+where
+    M: Routhian<N, K, S> + Events<N, S>,
+    S: Scalar,
+{
+    type Values = M::EventValues;
+
+    fn names(&self) -> &'static [&'static str] {
+        M::EVENTS
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
+        self.model.event_functions(&x.at(t))
+    }
+
+    #[inline]
+    fn event_series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
+        let mut of_phase = TaylorCoefficients::<Phase<S, N>, HALF>::new(motion.initial().phase());
+        let terms = of_phase.higher_mut().iter_mut().zip(motion.higher());
+        for (term, with_ignorable) in terms {
+            *term = with_ignorable.phase();
+        }
+        self.model.event_series(&x.at(t), unit, &of_phase)
     }
 }

@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::lagrangian::Lagrangian;
+use super::poles::at_pole;
 use super::state::State;
 use crate::integrate::Singularity;
 use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
@@ -28,7 +29,7 @@ where
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
     if regular {
-        None
+        at_pole(model, state, Scalar::smallest)
     } else {
         Some(report::<M, S, N>(&pivots, state))
     }
@@ -66,7 +67,11 @@ where
     let pivots = model.relative_pivots(state);
     let pivots = pivots.map(|pivot| pivot.in_lane(lane));
     let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
-    (!regular).then(|| report::<M, f64, N>(&pivots, &in_lane(lane, state)))
+    if regular {
+        at_pole(model, state, |value| value.in_lane(lane))
+    } else {
+        Some(report::<M, f64, N>(&pivots, &in_lane(lane, state)))
+    }
 }
 
 /// The report of the smallest relative pivot.
@@ -90,7 +95,7 @@ where
 }
 
 /// The report of a coordinate, with those that make its block of the mass matrix singular.
-fn named<M, S, const N: usize>(
+pub(super) fn named<M, S, const N: usize>(
     coordinate: usize,
     relative_pivot: f64,
     state: &State<S, N>,

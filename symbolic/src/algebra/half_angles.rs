@@ -11,8 +11,13 @@ use std::collections::BTreeMap;
 use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
 
 impl Graph {
-    /// Writes expressions in functions of half the angle `x`, if one of them has a pole that can be removed.
-    pub(crate) fn write_in_half_angles(&mut self, expressions: &mut [Expression], x: Symbol) {
+    /// Writes expressions in functions of half the angle `x`, if one of them has a pole that can be removed; says whether one
+    /// has.
+    pub(crate) fn write_in_half_angles(
+        &mut self,
+        expressions: &mut [Expression],
+        x: Symbol,
+    ) -> bool {
         let angle = HalfAngle::of(self, x);
         let mut written = expressions.to_vec();
         let mut found = false;
@@ -23,6 +28,7 @@ impl Graph {
             let whole = angle.whole(self);
             expressions.copy_from_slice(&self.replace(&written, &whole));
         }
+        found
     }
 }
 

@@ -13,6 +13,7 @@
 
 mod elimination;
 mod ignorability;
+mod observations;
 mod system;
 
 use std::collections::BTreeMap;
@@ -27,9 +28,12 @@ use system::{Reduced, System};
 /// A model reduced by its ignorable coordinates.
 #[derive(Clone, Debug)]
 pub struct Reduction {
-    /// The reduced model: the other coordinates in their order, and the parameters with the constants Cₐ behind them. It has
-    /// no outputs.
+    /// The reduced model: the other coordinates in their order, and the parameters with the constants Cₐ behind them. Its
+    /// outputs are those that [`retain_outputs`](Self::retain_outputs) chooses; none at first.
     pub model: Model,
+    /// The outputs of the full model in terms of the reduced one; or the position of an ignorable coordinate on which one
+    /// depends, so that the state of the reduced model does not determine it.
+    pub outputs: Vec<Result<Expression, usize>>,
     /// The positions of the ignorable coordinates in the full model.
     pub ignorable: Vec<usize>,
     /// The positions of the others.
@@ -38,6 +42,9 @@ pub struct Reduction {
     pub effective_potential: Expression,
     /// The velocities u of the ignorable coordinates.
     pub ignorable_velocities: Vec<Expression>,
+    /// The positions, in the reduced model, of angles at whose poles sin q = 0 its equations have no value as they are written,
+    /// though they have a limit for some constants. None in half angles.
+    pub poles: Vec<u32>,
 }
 
 /// Why a model has no reduction.
@@ -81,26 +88,29 @@ impl Reduction {
             Some(reduced) => reduced,
             None => system.quadratic_in_ignorable_velocities(&mut graph),
         };
-        split.renumber(&mut graph, &mut reduced, &mut system.forces);
-        let [potential] = in_half_angles(&mut graph, &[reduced.effective_potential])[..] else {
-            return Err(NoReduction::NoneRemains);
-        };
-        reduced.effective_potential = potential;
+        let mut outputs = split.outputs(model, &mut graph, &reduced.velocities);
+        split.renumber(&mut graph, &mut reduced, &mut system.forces, &mut outputs);
+        let (written, mut poles) = in_half_angles(&mut graph, &[reduced.effective_potential]);
+        reduced.effective_potential = written[0];
         if form == PoleForm::HalfAngles {
-            reduced.velocities = in_half_angles(&mut graph, &reduced.velocities);
+            poles.clear();
+            reduced.velocities = in_half_angles(&mut graph, &reduced.velocities).0;
             reduced.energies = match reduced.energies {
                 Energies::Natural { kinetic, potential } => {
-                    let written = in_half_angles(&mut graph, &[kinetic, potential]);
+                    let (written, _) = in_half_angles(&mut graph, &[kinetic, potential]);
                     Energies::Natural {
                         kinetic: written[0],
                         potential: written[1],
                     }
                 }
                 Energies::General(lagrangian) => {
-                    Energies::General(in_half_angles(&mut graph, &[lagrangian])[0])
+                    Energies::General(in_half_angles(&mut graph, &[lagrangian]).0[0])
                 }
             };
-            system.forces = in_half_angles(&mut graph, &system.forces);
+            system.forces = in_half_angles(&mut graph, &system.forces).0;
+            for output in outputs.iter_mut().flatten() {
+                *output = in_half_angles(&mut graph, &[*output]).0[0];
+            }
         }
         let model = Model {
             coordinates: count(split.remaining.len()),
@@ -114,26 +124,34 @@ impl Reduction {
         };
         Ok(Self {
             model,
+            outputs,
             ignorable: split.ignorable,
             remaining: split.remaining,
             effective_potential: reduced.effective_potential,
             ignorable_velocities: reduced.velocities,
+            poles,
         })
+    }
+
+    /// Gives the reduced model the outputs at these positions, as far as it determines them.
+    pub fn retain_outputs(&mut self, positions: &[usize]) {
+        let outputs = positions.iter().filter_map(|i| self.outputs.get(*i));
+        self.model.outputs = outputs.filter_map(|output| output.ok()).collect();
     }
 }
 
-/// Expressions in half angles of each coordinate, where poles make that worth it.
-fn in_half_angles(graph: &mut Graph, expressions: &[Expression]) -> Vec<Expression> {
-    let angles: Vec<Symbol> = graph
-        .symbols(expressions)
-        .into_iter()
-        .filter(|symbol| matches!(symbol, Symbol::Coordinate(_)))
-        .collect();
-    let mut written = expressions.to_vec();
+/// Expressions in half angles of each coordinate, where poles make that worth it, and the coordinates that have such poles.
+fn in_half_angles(graph: &mut Graph, expressions: &[Expression]) -> (Vec<Expression>, Vec<u32>) {
+    let angles = graph.symbols(expressions);
+    let (mut written, mut poles) = (expressions.to_vec(), Vec::new());
     for angle in angles {
-        graph.write_in_half_angles(&mut written, angle);
+        if let Symbol::Coordinate(i) = angle
+            && graph.write_in_half_angles(&mut written, angle)
+        {
+            poles.push(i);
+        }
     }
-    written
+    (written, poles)
 }
 
 /// Which coordinates are ignorable.
@@ -211,12 +229,21 @@ impl Split {
     /// The roots with ignorable coordinates replaced by numbers at which nothing changes, zeros if possible; T and V, which
     /// may depend on what cancels in L, keep their difference.
     fn fixed(&self, graph: &mut Graph, roots: &[Expression]) -> Vec<Expression> {
+        self.fixed_with(graph, roots, self.remaining.len() + 1)
+    }
+
+    /// The same where so many of the first roots have to keep their values.
+    fn fixed_with(
+        &self,
+        graph: &mut Graph,
+        roots: &[Expression],
+        compared: usize,
+    ) -> Vec<Expression> {
         for number in [0, 1, 2, 3] {
             let value = graph.integer(number);
             let values = self.ignorable.iter().map(|i| (coordinate(*i), value));
             let fixed = graph.substitute(roots, &values.collect());
-            let lagrangian = self.remaining.len();
-            let pairs = roots.iter().zip(&fixed).take(lagrangian + 1);
+            let pairs = roots.iter().zip(&fixed).take(compared);
             let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
             if graph.vanishes(&differences) {
                 return fixed;
@@ -226,12 +253,21 @@ impl Split {
     }
 
     /// Numbers the coordinates that remain.
-    fn renumber(&self, graph: &mut Graph, reduced: &mut Reduced, forces: &mut Vec<Expression>) {
+    fn renumber(
+        &self,
+        graph: &mut Graph,
+        reduced: &mut Reduced,
+        forces: &mut Vec<Expression>,
+        outputs: &mut [Result<Expression, usize>],
+    ) {
         let mut values = BTreeMap::new();
         for (k, i) in self.remaining.iter().enumerate() {
-            let [place, rate] = [coordinate(k), velocity(k)].map(|symbol| graph.symbol(symbol));
-            values.insert(coordinate(*i), place);
-            values.insert(velocity(*i), rate);
+            for symbol in [coordinate, velocity, acceleration] {
+                values.insert(symbol(*i), graph.symbol(symbol(k)));
+            }
+        }
+        for output in outputs.iter_mut().flatten() {
+            *output = graph.substitute(&[*output], &values)[0];
         }
         *forces = {
             // The forces may depend on the velocities of ignorable coordinates.
@@ -263,6 +299,10 @@ fn coordinate(index: usize) -> Symbol {
 
 fn velocity(index: usize) -> Symbol {
     Symbol::Velocity(count(index))
+}
+
+fn acceleration(index: usize) -> Symbol {
+    Symbol::Acceleration(count(index))
 }
 
 /// Four billion names do not fit into a source file.

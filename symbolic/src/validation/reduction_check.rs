@@ -2,8 +2,9 @@
 //!
 //! At random points of the reduced model, p of the ignorable coordinates is computed by automatic differentiation of the
 //! energies as they were first built, at the eliminated velocities u. By Routh's theorem it suffices that p = C, that
-//! L − C·u = `L_R`, and that the generalized forces are the same; `V_eff` is −`L_R` at rest. That the equations of the reduced
-//! model are those of `L_R` is checked as for every model.
+//! L − C·u = `L_R`, and that the generalized forces are the same; `V_eff` is −`L_R` at rest. Outputs are the same where the
+//! ignorable coordinates have the velocities u and the accelerations du/dt, by automatic differentiation, too. That the
+//! equations of the reduced model are those of `L_R` is checked as for every model.
 
 use crate::identity::real_point::RealPoint;
 use crate::limits::{VALIDATED_POINTS, VALIDATION_ATTEMPTS};
@@ -21,22 +22,30 @@ const ROUNDED: f64 = 1e-7;
 pub struct ReductionCheck<'a> {
     reduction: &'a Reduction,
     parameters: u32,
-    /// L of the full model as a sum of roots, then D, then the forces.
+    /// L of the full model as a sum of roots, then D, then the forces, then the outputs.
     full: Tape,
     weights: &'static [f64],
     /// u; then `V_eff`.
     eliminated: Tape,
-    /// The same of the reduced model as of the full one.
+    /// The same of the reduced model as of the full one, with the outputs that it determines.
     reduced: Tape,
     reduced_weights: &'static [f64],
+}
+
+/// What the ignorable coordinates do at a point: u and du/dt.
+struct Eliminated {
+    velocities: Vec<f64>,
+    accelerations: Vec<f64>,
 }
 
 impl<'a> ReductionCheck<'a> {
     /// The check of the reduction of `model`, which has so many `parameters`.
     #[must_use]
     pub fn new(model: &Model, reduction: &'a Reduction, parameters: u32) -> Self {
-        let (full, weights) = roots(model);
-        let (reduced, reduced_weights) = roots(&reduction.model);
+        let (mut full, weights) = roots(model);
+        full.extend(&model.outputs);
+        let (mut reduced, reduced_weights) = roots(&reduction.model);
+        reduced.extend(reduction.outputs.iter().flatten());
         let mut eliminated = reduction.ignorable_velocities.clone();
         eliminated.push(reduction.effective_potential);
         let graph = &reduction.model.graph;
@@ -65,48 +74,72 @@ impl<'a> ReductionCheck<'a> {
     /// The largest relative difference at a point; none outside of the domain.
     fn largest_difference(&self, point: RealPoint) -> Option<f64> {
         let exact = Perturbation(None);
-        let eliminated = self
-            .eliminated
-            .evaluate(&|symbol| point.value(symbol), exact);
-        let (potential, velocities) = eliminated.split_last()?;
+        let (eliminated, potential) = self.eliminated(point)?;
+        let velocities = &eliminated.velocities;
         let constants = (0..velocities.len()).map(|k| point.value(self.constant(k)));
         let constants: Vec<f64> = constants.collect();
-        let lagrangian = self.lagrangian(point, velocities, None);
+        let lagrangian = self.lagrangian(point, &eliminated, None);
         if !lagrangian.value.is_finite() || velocities.iter().any(|u| !u.is_finite()) {
             return None;
         }
-        let mut most = 0.0_f64;
-        let mut compare = |found: f64, expected: f64, size: f64| {
-            let difference = (found - expected).abs() / (found.abs() + expected.abs() + size);
-            most = if difference.is_finite() {
-                most.max(difference)
-            } else {
-                f64::INFINITY
-            };
-        };
+        let mut most = Largest(0.0);
         let mut routhian = lagrangian.value;
         let mut size = lagrangian.value.abs();
         for (k, (constant, velocity)) in constants.iter().zip(velocities).enumerate() {
-            let momentum = self.lagrangian(point, velocities, Some(self.reduction.ignorable[k]));
-            compare(momentum.first, *constant, 1e-3);
+            let varied = Some(self.reduction.ignorable[k]);
+            let momentum = self.lagrangian(point, &eliminated, varied);
+            most.compare(momentum.first, *constant, 1e-3);
             routhian -= constant * velocity;
             size += (constant * velocity).abs();
         }
         let symbol = |symbol| point.value(symbol);
-        let reduced = weighted(&self.reduced.evaluate(&symbol, exact), self.reduced_weights);
-        compare(reduced, routhian, size);
+        let roots = self.reduced.evaluate(&symbol, exact);
+        most.compare(weighted(&roots, self.reduced_weights), routhian, size);
         let still = |symbol: Symbol| match symbol {
             Symbol::Velocity(_) => 0.0,
             other => point.value(other),
         };
         let resting = weighted(&self.reduced.evaluate(&still, exact), self.reduced_weights);
-        compare(*potential, -resting, size);
-        for (k, i) in self.reduction.remaining.iter().enumerate() {
-            let forces = self.reduced.evaluate(&symbol, exact);
-            let found = forces[self.reduced_weights.len() + 1 + k];
-            compare(found, self.force(point, velocities, *i), 1e-3);
+        most.compare(potential, -resting, size);
+        let (of_full, of_reduced) = (self.weights.len() + 1, self.reduced_weights.len() + 1);
+        let remaining = &self.reduction.remaining;
+        for (k, i) in remaining.iter().enumerate() {
+            let expected = self.force(point, &eliminated, *i);
+            most.compare(roots[of_reduced + k], expected, 1e-3);
         }
-        Some(most)
+        let all = self.roots_at(point, &eliminated, None);
+        let outputs = all[of_full + remaining.len() + velocities.len()..].iter();
+        let determined = outputs.zip(&self.reduction.outputs);
+        let determined = determined.filter(|(_, output)| output.is_ok());
+        let found = &roots[of_reduced + remaining.len()..];
+        for ((expected, _), found) in determined.zip(found) {
+            if expected.value.is_finite() {
+                most.compare(*found, expected.value, 1e-3);
+            }
+        }
+        Some(most.0)
+    }
+
+    /// u and du/dt along a motion through the point, and `V_eff` there.
+    fn eliminated(&self, point: RealPoint) -> Option<(Eliminated, f64)> {
+        let moving = |symbol: Symbol| HyperDual {
+            first: match symbol {
+                Symbol::Time => 1.0,
+                Symbol::Coordinate(i) => point.value(Symbol::Velocity(i)),
+                Symbol::Velocity(i) => point.value(Symbol::Acceleration(i)),
+                _ => 0.0,
+            },
+            ..HyperDual::constant(point.value(symbol))
+        };
+        let values = self.eliminated.run(&moving, Perturbation(None));
+        let slots = self.eliminated.outputs().iter();
+        let values: Vec<HyperDual> = slots.map(|slot| values[*slot as usize]).collect();
+        let (potential, velocities) = values.split_last()?;
+        let eliminated = Eliminated {
+            velocities: velocities.iter().map(|u| u.value).collect(),
+            accelerations: velocities.iter().map(|u| u.first).collect(),
+        };
+        Some((eliminated, potential.value))
     }
 
     fn constant(&self, k: usize) -> Symbol {
@@ -117,7 +150,7 @@ impl<'a> ReductionCheck<'a> {
     fn roots_at(
         &self,
         point: RealPoint,
-        velocities: &[f64],
+        eliminated: &Eliminated,
         varied: Option<usize>,
     ) -> Vec<HyperDual> {
         let symbol = |symbol: Symbol| HyperDual {
@@ -125,15 +158,20 @@ impl<'a> ReductionCheck<'a> {
                 Symbol::Velocity(i) if varied == Some(i as usize) => 1.0,
                 _ => 0.0,
             },
-            ..HyperDual::constant(self.value(point, velocities, symbol))
+            ..HyperDual::constant(self.value(point, eliminated, symbol))
         };
         let values = self.full.run(&symbol, Perturbation(None));
         let slots = self.full.outputs().iter();
         slots.map(|slot| values[*slot as usize]).collect()
     }
 
-    fn lagrangian(&self, point: RealPoint, velocities: &[f64], varied: Option<usize>) -> HyperDual {
-        let roots = self.roots_at(point, velocities, varied);
+    fn lagrangian(
+        &self,
+        point: RealPoint,
+        eliminated: &Eliminated,
+        varied: Option<usize>,
+    ) -> HyperDual {
+        let roots = self.roots_at(point, eliminated, varied);
         let mut sum = HyperDual::default();
         for (root, weight) in roots.iter().zip(self.weights) {
             sum.value += weight * root.value;
@@ -143,14 +181,14 @@ impl<'a> ReductionCheck<'a> {
     }
 
     /// The generalized force on a coordinate of the full model.
-    fn force(&self, point: RealPoint, velocities: &[f64], coordinate: usize) -> f64 {
-        let roots = self.roots_at(point, velocities, Some(coordinate));
+    fn force(&self, point: RealPoint, eliminated: &Eliminated, coordinate: usize) -> f64 {
+        let roots = self.roots_at(point, eliminated, Some(coordinate));
         let dissipation = self.weights.len();
         roots[dissipation + 1 + coordinate].value - roots[dissipation].first
     }
 
     /// The value of a symbol of the full model.
-    fn value(&self, point: RealPoint, velocities: &[f64], symbol: Symbol) -> f64 {
+    fn value(&self, point: RealPoint, eliminated: &Eliminated, symbol: Symbol) -> f64 {
         let place = |i: u32| {
             let mut remaining = self.reduction.remaining.iter();
             let place = remaining.position(|other| *other == i as usize);
@@ -168,11 +206,30 @@ impl<'a> ReductionCheck<'a> {
             },
             Symbol::Velocity(i) => match (place(i), ignorable(i)) {
                 (Some(place), _) => point.value(Symbol::Velocity(place)),
-                (None, Some(k)) => velocities[k],
+                (None, Some(k)) => eliminated.velocities[k],
+                (None, None) => 0.0,
+            },
+            Symbol::Acceleration(i) => match (place(i), ignorable(i)) {
+                (Some(place), _) => point.value(Symbol::Acceleration(place)),
+                (None, Some(k)) => eliminated.accelerations[k],
                 (None, None) => 0.0,
             },
             other => point.value(other),
         }
+    }
+}
+
+/// The largest relative difference so far.
+struct Largest(f64);
+
+impl Largest {
+    fn compare(&mut self, found: f64, expected: f64, size: f64) {
+        let difference = (found - expected).abs() / (found.abs() + expected.abs() + size);
+        self.0 = if difference.is_finite() {
+            self.0.max(difference)
+        } else {
+            f64::INFINITY
+        };
     }
 }
 

@@ -6,24 +6,9 @@ use lagrangian::ConstantsWatch;
 use lagrangian::prelude::*;
 use lagrangian_tests::{assert_close, relative_error};
 
-/// A symmetric top as three squares (4.5), of which two have the same inertia: ψ is written, and cancels.
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(phi, theta, psi),
-    define(w = angular_velocity_zxz(phi, theta, psi)),
-    kinetic = 0.5 * i * w.x.powi(2) + 0.5 * i * w.y.powi(2) + 0.5 * i_s * w.z.powi(2),
-    potential = m * g * l * cos(theta),
-    taylor,
-)]
-struct SymmetricTop {
-    i: f64,
-    i_s: f64,
-    m: f64,
-    g: f64,
-    l: f64,
-}
+use crate::models::{FurutaPendulum, Gyroscope, Kepler, Satellite, SphericalPendulum, Top, top};
 
-/// The same with friction on the spin.
+/// A symmetric top as three squares (4.5), with friction on the spin.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(phi, theta, psi),
@@ -41,93 +26,6 @@ struct DampedTop {
     friction: f64,
 }
 
-/// Goldstein, chapter 3.
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(r, phi),
-    kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)),
-    potential = -m * mu / r,
-)]
-struct Kepler {
-    m: f64,
-    mu: f64,
-}
-
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(theta, phi),
-    define(r = l * [sin(theta) * cos(phi), sin(theta) * sin(phi), -cos(theta)]),
-    kinetic = 0.5 * m * dot(r).norm_squared(),
-    potential = m * g * r.z,
-)]
-struct SphericalPendulum {
-    m: f64,
-    l: f64,
-    g: f64,
-}
-
-/// Furuta's pendulum, whose arm turns freely.
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(arm, rod),
-    define(
-        turn = rotation_z(arm),
-        along = turn * [1.0, 0.0, 0.0],
-        down = turn * [0.0, sin(rod), -cos(rod)],
-        center = length * along + l * down,
-    ),
-    kinetic = 0.5 * inertia_arm * dot(along).norm_squared()
-        + 0.5 * m * dot(center).norm_squared()
-        + 0.5 * inertia_rod * dot(down).norm_squared(),
-    potential = m * g * center.z,
-)]
-struct FurutaPendulum {
-    inertia_arm: f64,
-    inertia_rod: f64,
-    m: f64,
-    length: f64,
-    l: f64,
-    g: f64,
-}
-
-/// A symmetric satellite on a circular orbit, in the axes of the orbit, which turn with the mean motion (Beletskii,
-/// Motion of an Artificial Satellite about its Center of Mass, 1966): z points to the zenith, y along the normal of the
-/// orbit. The momentum of the spin is constant, and Jacobi's integral, which is not T + V.
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(phi, theta, psi),
-    define(
-        r = rotation_zxz(phi, theta, psi),
-        w = angular_velocity_zxz(phi, theta, psi) + r.transpose() * [0.0, n, 0.0],
-    ),
-    kinetic = 0.5 * w.dot(diagonal([i, i, i_s]) * w),
-    potential = 1.5 * n.powi(2) * (i_s - i) * cos(theta).powi(2),
-)]
-struct GravityGradientSatellite {
-    i: f64,
-    i_s: f64,
-    n: f64,
-}
-
-/// A balanced gyroscope in two gimbals, without friction.
-#[derive(Lagrangian)]
-#[lagrangian(
-    coordinates(alpha, beta, gamma),
-    define(
-        inner = angular_velocity_zx(alpha, beta),
-        rotor = angular_velocity_zxz(alpha, beta, gamma),
-    ),
-    kinetic = 0.5 * outer_gimbal * dot(alpha).powi(2)
-        + 0.5 * inner.dot(diagonal(inner_gimbal) * inner)
-        + 0.5 * rotor.dot(diagonal([a, a, c]) * rotor),
-)]
-struct Gyroscope {
-    outer_gimbal: f64,
-    inner_gimbal: [f64; 3],
-    a: f64,
-    c: f64,
-}
-
 /// Two bodies that turn freely about one axis, with a spring between them: it is neither angle alone that is ignorable.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -137,16 +35,6 @@ struct Gyroscope {
 )]
 struct Spring {
     k: f64,
-}
-
-fn top() -> SymmetricTop {
-    SymmetricTop {
-        i: 0.4,
-        i_s: 0.1,
-        m: 1.3,
-        g: 9.81,
-        l: 0.2,
-    }
 }
 
 fn names<M, const N: usize, const C: usize>(_: &M) -> ([&'static str; C], &'static [usize])
@@ -171,9 +59,12 @@ fn constants_are_those_that_are_published() {
         length: 0.7,
         l,
         g,
+        friction: 0.1,
+        torque: 0.0,
     };
-    assert_eq!(names(&furuta), (["p_arm", "energy"], &[0][..]));
-    let satellite = GravityGradientSatellite {
+    // Friction on the rod takes energy.
+    assert_eq!(names(&furuta), (["p_arm"], &[0][..]));
+    let satellite = Satellite {
         i: 2.0,
         i_s: 1.0,
         n: 0.1,
@@ -184,6 +75,7 @@ fn constants_are_those_that_are_published() {
         inner_gimbal: [0.1, 0.2, 0.3],
         a: 0.4,
         c: 0.7,
+        weight: 1.0,
     };
     let expected = (["p_alpha", "p_gamma", "energy"], &[0, 2][..]);
     assert_eq!(names(&gyroscope), expected);
@@ -231,7 +123,7 @@ fn momenta_of_the_top_are_those_of_the_book() {
 fn changes_are_watched_along_a_motion() {
     let top = top();
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.1, 0.0, 40.0]);
-    let changes = |driver: &dyn Fn(&mut ConstantsWatch<'_, SymmetricTop, f64, 3, 3>)| {
+    let changes = |driver: &dyn Fn(&mut ConstantsWatch<'_, Top, f64, 3, 3>)| {
         let mut watch = top.watch_constants(&start);
         driver(&mut watch);
         let changes = watch.largest_changes();

@@ -1,0 +1,41 @@
+//! The values of external functions, and the impl of `ExternalFunctions` without them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::Fallback;
+use crate::emit::external_functions::{of_checks, signatures, values};
+
+impl Fallback<'_> {
+    pub(super) fn functions(&self) -> TokenStream {
+        let declaration = self.declaration;
+        if declaration.clauses.functions.is_empty() {
+            return TokenStream::new();
+        }
+        let root = &declaration.root;
+        let name = &declaration.name;
+        let scalar = of_checks(&self.scalar);
+        let generics = if self.scalar.is_generic() {
+            declaration.generics.clone()
+        } else {
+            self.scalar.generics(&declaration.generics)
+        };
+        let (generics, _, conditions) = generics.split_for_impl();
+        let (_, arguments, _) = declaration.generics.split_for_impl();
+        let signatures = signatures(declaration);
+        let values = values(declaration, &self.scalar);
+        quote! {
+            impl #generics #name #arguments #conditions { #values }
+
+            #[automatically_derived]
+            impl #generics #root::ExternalFunctions for #name #arguments #conditions {
+                type Scalar = #scalar;
+                #signatures
+                fn function(&self, _: usize, _: &[#scalar]) -> #scalar { ::core::unreachable!() }
+                fn derivative(
+                    &self, _: usize, _: usize, _: &[#scalar],
+                ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
+            }
+        }
+    }
+}

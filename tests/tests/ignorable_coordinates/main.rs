@@ -1,0 +1,7 @@
+//! Ignorable coordinates: the constants of motion that they give, and the models that are left without them.
+
+mod clauses;
+mod constants_of_motion;
+mod models;
+mod reduced_motion;
+mod symmetric_top;
