@@ -302,6 +302,62 @@ fn the_energy_function_is_listed_with_its_rate() {
     page.check();
 }
 
+/// The listing of a chain of links with masses and lengths of their own.
+fn chain(chain: Chain) -> String {
+    let links = chain.links;
+    let mut model = chain.model();
+    let equations = Equations::derive(&mut model).expect("there are equations of motion");
+    let kinetics = Kinetics::cheapest(&mut model, &equations);
+    let solved = kinetics.solved_form(&mut model, &equations);
+    let own = (0..links).flat_map(|i| [format!("m[{i}]"), format!("l[{i}]")]);
+    let others = (2 * links..100).map(|i| format!("other{i}"));
+    let parameters = own.chain(others);
+    let parameters = parameters.chain(["g", "a", "w"].map(String::from));
+    let declared = Declared {
+        names: Names {
+            coordinates: (0..links).map(|i| format!("theta[{i}]")).collect(),
+            parameters: parameters.collect(),
+            ..Names::default()
+        },
+        ..Declared::default()
+    };
+    Listing::of(&mut model, &equations, &solved, &declared).unicode
+}
+
+#[test]
+fn equations_of_a_chain_are_one() {
+    let different = |links| Chain {
+        different: true,
+        ..Chain::of(links)
+    };
+    let page = chain(different(12));
+    let inertial =
+        "Σⱼ₌₀¹¹ lᵢ lⱼ (Σ_(k=max(i,j))^(11) mₖ) (θ\u{308}ⱼ cos(θᵢ − θⱼ) + θ\u{307}ⱼ² sin(θᵢ − θⱼ))";
+    let weight = "lᵢ g (Σₖ₌ᵢ¹¹ mₖ) sin θᵢ";
+    let line = format!("\n{inertial} + {weight} = 0  (i = 0, …, 11)\n");
+    assert!(page.contains(&line), "{page}");
+    let momenta =
+        "p_θᵢ = Σⱼ₌₀¹¹ lᵢ lⱼ θ\u{307}ⱼ (Σ_(k=max(i,j))^(11) mₖ) cos(θᵢ − θⱼ)  (i = 0, …, 11)";
+    assert!(page.contains(momenta), "{page}");
+    // Where the pivot moves, too.
+    let driven = Chain {
+        driven: true,
+        ..different(12)
+    };
+    let page = chain(driven);
+    assert!(
+        page.contains(inertial) && page.contains("= 0  (i = 0, …, 11)"),
+        "{page}"
+    );
+    // In angles from link to link there is no such pattern.
+    let relative = Chain {
+        relative: true,
+        ..different(12)
+    };
+    let page = chain(relative);
+    assert!(!page.contains("Σⱼ₌₀¹¹ l"), "{page}");
+}
+
 #[test]
 fn eulers_equations_are_in_terms_of_the_declared_angular_velocity() {
     let draft = Draft::new(3);

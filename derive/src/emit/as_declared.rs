@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 use lagrangian_symbolic::{AsDeclared, DeclaredLine};
 
-use crate::emit::as_declared::formula::FormulaPrinter;
+use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
 use crate::emit::as_declared::notation::{Notation, join};
 use crate::emit::printed_names::BodyNames;
 use crate::lower::Lowered;
@@ -76,19 +76,15 @@ impl FormulaPrinter<'_> {
         let left = self.member(&definition.name, &definition.indices, &[], 0)?;
         let right = self.print(&definition.expression)?;
         let mut right = right.texts;
-        let ranges: Option<Vec<_>> = definition
-            .iterations
-            .iter()
-            .map(|one| self.range(one))
-            .collect();
+        let ranges: Option<Vec<_>> = definition.iterations.iter().map(range).collect();
         let ranges = ranges?;
         if !ranges.is_empty() {
             let ranges = [0, 1].map(|notation| {
                 let texts: Vec<_> = ranges.iter().map(|texts| &*texts[notation]).collect();
                 texts.join("; ")
             });
-            right[0].push_str(&format!("  ({})", ranges[0]));
-            right[1].push_str(&format!(" \\quad ({})", ranges[1]));
+            right[0].extend(["  (", &ranges[0], ")"]);
+            right[1].extend([" \\quad (", &ranges[1], ")"]);
         }
         Some(DeclaredLine {
             name,
@@ -97,16 +93,16 @@ impl FormulaPrinter<'_> {
             mentions: self.take_mentioned(),
         })
     }
+}
 
-    /// `i = 0, …, 19`.
-    fn range(&mut self, iteration: &ForClause) -> Option<[String; 2]> {
-        let (first, last) = self.bounds(&iteration.range)?;
-        let variable = unraw(&iteration.index);
-        let first = [first.clone(), first];
-        let [unicode, latex] = join(&[&[variable.clone(), variable], &first], " = ");
-        Some([
-            format!("{unicode}, …, {}", last.replace('-', "−")),
-            format!("{latex}, \\ldots, {last}"),
-        ])
-    }
+/// `i = 0, …, 19`.
+fn range(iteration: &ForClause) -> Option<[String; 2]> {
+    let (first, last) = bounds(&iteration.range)?;
+    let variable = unraw(&iteration.index);
+    let first = [first.clone(), first];
+    let [unicode, latex] = join(&[&[variable.clone(), variable], &first], " = ");
+    Some([
+        format!("{unicode}, …, {}", last.replace('-', "−")),
+        format!("{latex}, \\ldots, {last}"),
+    ])
 }

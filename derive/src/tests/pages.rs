@@ -45,7 +45,7 @@ fn constant(expansion: &TokenStream, name: &str) -> String {
 }
 
 /// The equations of a model with bodies.
-fn page(fields: TokenStream, bodies: TokenStream) -> String {
+fn page(fields: &TokenStream, bodies: &TokenStream) -> String {
     constant(
         &expand(quote! {
             #[lagrangian(coordinates(q[2]), #bodies, gravity = [0.0, 0.0, -g])]
@@ -59,24 +59,24 @@ fn page(fields: TokenStream, bodies: TokenStream) -> String {
 fn the_numbers_of_bodies_have_the_names_of_books() {
     let place = quote!((rotation_y(q[0]) * rotation_x(q[1]), [0.0, 0.0, 0.0]));
     let one = quote!(body(rotor = #place));
-    let found = page(quote!(rotor: SymmetricBody), one.clone());
+    let found = page(&quote!(rotor: SymmetricBody), &one);
     assert!(found.contains("(m z_C² + I₁ − I₃)"), "{found}");
     // Another m.
-    let found = page(quote!(rotor: SymmetricBody, m: f64), one);
+    let found = page(&quote!(rotor: SymmetricBody, m: f64), &one);
     assert!(found.contains("m_rotor·z_C_rotor·g"), "{found}");
     let two = quote!(body(rotor = #place, rod = (rotation_y(q[0]), [q[1], 0.0, 0.0])));
     let fields = quote!(rotor: PrincipalBody, rod: RigidBody);
-    let found = page(fields.clone(), two.clone());
+    let found = page(&fields, &two);
     for part in ["I_rotor₂", "I_rod₂₂", "m_rod·", "x_C_rod"] {
         assert!(found.contains(part), "{part}: {found}");
     }
-    let found = page(quote!(#fields, m_rod: f64), two);
+    let found = page(&quote!(#fields, m_rod: f64), &two);
     assert!(
         found.contains("rod_mass·") && found.contains("rotor_inertia₁₁"),
         "{found}"
     );
     let family = quote!(body(rods[i] = (rotation_y(q[i]), [0.0, 0.0, 0.0]) for i in 0..2));
-    let found = page(quote!(rods: [RigidBody; 2]), family);
+    let found = page(&quote!(rods: [RigidBody; 2]), &family);
     assert!(found.contains("I₀,₂₂") && found.contains("m₁"), "{found}");
 }
 

@@ -8,6 +8,8 @@ pub(crate) mod section;
 pub(crate) mod as_declared;
 pub(crate) mod composer;
 pub(crate) mod energy;
+pub(crate) mod families;
+pub(crate) mod index_pattern;
 pub(crate) mod solved;
 
 use crate::mechanics::solvers::form::SolvedForm;

@@ -92,6 +92,13 @@ impl Letters {
         Some(notations.map(|notation| self.print(spelling, 0, notation)))
     }
 
+    /// The same letters, and a sign for one more expression.
+    pub(crate) fn with_sign(mut self, expression: Expression, sign: char) -> Self {
+        let spelling = Spelling::verbatim(&sign.to_string());
+        self.definitions.insert(expression, spelling);
+        self
+    }
+
     /// The expressions that are printed by name.
     pub(crate) fn named(&self) -> impl Iterator<Item = Expression> {
         self.definitions.keys().copied()

@@ -4,7 +4,7 @@ use lagrangian_symbolic::print_sum_sign;
 use proc_macro2::Ident;
 use syn::{Expr, ExprMethodCall, Lit, Pat, UnOp};
 
-use crate::emit::as_declared::formula::FormulaPrinter;
+use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
 use crate::emit::as_declared::notation::{Notation, Precedence, join};
 use crate::syntax::body_type::BodyType;
 use crate::syntax::field_type::Content;
@@ -25,7 +25,7 @@ impl FormulaPrinter<'_> {
     }
 
     fn sum_of_map(&mut self, map: &ExprMethodCall) -> Option<Notation> {
-        let (first, last) = self.bounds(&map.receiver)?;
+        let (first, last) = bounds(&map.receiver)?;
         let Some(Expr::Closure(closure)) = map.args.first() else {
             return None;
         };
@@ -60,9 +60,8 @@ impl FormulaPrinter<'_> {
             ("powi" | "powf", [base, exponent]) => self.power(base, exponent),
             ("dot", [x, y]) if method => self.between(x, y, "·", " \\cdot "),
             ("cross", [x, y]) => self.between(x, y, " × ", " \\times "),
-            ("norm", [x]) => Some(bars(self.print(x)?)),
+            ("norm" | "abs", [x]) => Some(bars(self.print(x)?)),
             ("norm_squared", [x]) => Some(bars(self.print(x)?).followed_by("²", "^{2}")),
-            ("abs", [x]) => Some(bars(self.print(x)?)),
             ("transpose", [x]) => self.with_exponent(x, "ᵀ", "^{T}"),
             ("inverse" | "recip", [x]) => self.with_exponent(x, "⁻¹", "^{-1}"),
             ("sqrt", [x]) => {

@@ -151,25 +151,24 @@ impl<'a> FormulaPrinter<'a> {
         let [unicode, latex] = print_with_indices(&name, is_parameter, &indices, dots);
         Some(Notation::atom(unicode, latex))
     }
+}
 
-    /// The first and the last integer of a range.
-    #[allow(clippy::unused_self)] // Like the others.
-    pub(super) fn bounds(&self, range: &Expr) -> Option<(String, String)> {
-        let range = match range {
-            Expr::Paren(inner) => return self.bounds(&inner.expr),
-            Expr::Group(inner) => return self.bounds(&inner.expr),
-            Expr::Range(range) => range,
-            _ => return None,
-        };
-        let (first, end) = (index(range.start.as_ref()?)?, index(range.end.as_ref()?)?);
-        let last = match (&range.limits, end.parse::<i64>()) {
-            (RangeLimits::Closed(_), _) => end,
-            (_, Ok(end)) => (end - 1).to_string(),
-            (_, Err(_)) if end.contains(['+', '-']) => return None,
-            (_, Err(_)) => format!("{end}-1"),
-        };
-        Some((first, last))
-    }
+/// The first and the last integer of a range.
+pub(super) fn bounds(range: &Expr) -> Option<(String, String)> {
+    let range = match range {
+        Expr::Paren(inner) => return bounds(&inner.expr),
+        Expr::Group(inner) => return bounds(&inner.expr),
+        Expr::Range(range) => range,
+        _ => return None,
+    };
+    let (first, end) = (index(range.start.as_ref()?)?, index(range.end.as_ref()?)?);
+    let last = match (&range.limits, end.parse::<i64>()) {
+        (RangeLimits::Closed(_), _) => end,
+        (_, Ok(end)) => (end - 1).to_string(),
+        (_, Err(_)) if end.contains(['+', '-']) => return None,
+        (_, Err(_)) => format!("{end}-1"),
+    };
+    Some((first, last))
 }
 
 /// An index that is a sum of a variable and integers.

@@ -87,23 +87,19 @@ impl Notation {
         } else {
             term
         };
-        let [mut unicode, mut latex] = self.texts;
-        let [term, term_latex] = term.texts;
-        match (minus, negative) {
+        let [term, in_latex] = term.texts;
+        let (signs, term, in_latex) = match (minus, negative) {
             // A sum continues the one before it, with the sign of its first term.
             (false, true) => {
-                unicode.push_str(&format!(" − {}", term.trim_start_matches('−')));
-                latex.push_str(&format!(" - {}", term_latex.trim_start_matches('-')));
+                let in_latex = in_latex.trim_start_matches('-');
+                ([" − ", " - "], term.trim_start_matches('−'), in_latex)
             }
-            (false, false) => {
-                unicode.push_str(&format!(" + {term}"));
-                latex.push_str(&format!(" + {term_latex}"));
-            }
-            (true, _) => {
-                unicode.push_str(&format!(" − {term}"));
-                latex.push_str(&format!(" - {term_latex}"));
-            }
-        }
+            (false, false) => ([" + "; 2], &*term, &*in_latex),
+            (true, _) => ([" − ", " - "], &*term, &*in_latex),
+        };
+        let [mut unicode, mut latex] = self.texts;
+        unicode.extend([signs[0], term]);
+        latex.extend([signs[1], in_latex]);
         Self::new([unicode, latex], Precedence::Sum)
     }
 

@@ -149,6 +149,12 @@ impl<'a> Composer<'a> {
         ];
         let mut section = Section::new(Some(heading), "the method `momenta`");
         let mut constant = Vec::new();
+        if self.is_long(&equations.momenta)
+            && let Some((left, right)) = self.momentum_of_family(equations)
+        {
+            self.push_arranged(&mut section, left, right);
+            return section;
+        }
         for (i, momentum) in (0..).zip(equations.momenta.clone()) {
             let [unicode, latex] = self.letters.print_both(Symbol::Coordinate(i));
             if equations.coordinate_properties.ignorable[i as usize] {
@@ -164,6 +170,12 @@ impl<'a> Composer<'a> {
         self.mention(section)
     }
 
+    /// Whether one of these is too long to be written out.
+    fn is_long(&self, expressions: &[Expression]) -> bool {
+        let mut each = expressions.iter();
+        each.any(|x| self.model.graph.written_symbols(&[*x], &self.letters) > LONGEST_UNARRANGED)
+    }
+
     /// Σⱼ Mᵢⱼ q̈ⱼ + (Q − f)ᵢ = Qᵢ.
     pub(crate) fn lagrange(&mut self, equations: &Equations) -> Section {
         let heading = [
@@ -172,6 +184,12 @@ impl<'a> Composer<'a> {
         ];
         let method = "the methods `mass_matrix`, `forcing` and `inverse_dynamics`";
         let mut section = Section::new(Some(heading), method);
+        if self.is_long(&equations.inverse_dynamics)
+            && let Some((left, right)) = self.lagrange_of_family(equations)
+        {
+            self.push_arranged(&mut section, left, right);
+            return section;
+        }
         for (i, row) in equations.mass.iter().enumerate() {
             let force = equations.generalized_forces[i];
             let roots = [&**row, &[equations.forcing[i]]].concat();
