@@ -108,6 +108,9 @@ fn calls(model: &Value, inputs: &[&str]) -> String {
         .expect("strings accept everything");
     }
     let outputs = model["outputs"].as_object().expect("outputs by name");
+    if let Some(ignorable) = model["ignorable"].as_array() {
+        write_reduced(&mut calls, model, ignorable);
+    }
     for (name, shape) in outputs {
         let value = match list(shape).len() {
             0 => format!("vec![outputs.{name}]"),
@@ -117,6 +120,42 @@ fn calls(model: &Value, inputs: &[&str]) -> String {
             .expect("strings accept everything");
     }
     calls
+}
+
+/// The calls for the reduced model and its outputs.
+fn write_reduced(calls: &mut String, model: &Value, ignorable: &[Value]) {
+    let all = model["n"].as_u64().expect("a number of coordinates");
+    let (n, k) = (all, ignorable.len());
+    let places: Vec<String> = ignorable.iter().map(ToString::to_string).collect();
+    let places = places.join(", ");
+    let rest = usize::try_from(n).expect("few coordinates") - k;
+    write!(
+        calls,
+        "\n        .chain(crate::reduced::<Model, {n}, {rest}, {k}>(&model, [{places}], at))"
+    )
+    .expect("strings accept everything");
+    let outputs = model["outputs"].as_object().expect("outputs by name");
+    if outputs.is_empty() {
+        return;
+    }
+    let rows = outputs.iter().map(|(name, shape)| {
+        let value = match list(shape).len() {
+            0 => format!("vec![outputs.{name}]"),
+            _ => format!("crate::rows(&outputs.{name})"),
+        };
+        format!("(\"reduced output {name}\", {value})")
+    });
+    let rows: Vec<String> = rows.collect();
+    write!(
+        calls,
+        "\n        .chain({{
+            let (reduced, state) = model.reduce(&at.state::<{n}>());
+            let outputs = Outputs::<{rest}>::outputs(&reduced, &state);
+            [{}]
+        }})",
+        rows.join(", ")
+    )
+    .expect("strings accept everything");
 }
 
 /// How a field is read from the values in order.

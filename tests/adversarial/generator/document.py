@@ -28,6 +28,7 @@ def assembled(name, model, text, states, shapes):
         "kind": model.kind,
         "n": len(model.coordinate_labels()),
         "energies": model.lagrangian is None,
+        **({"ignorable": model.ignorable_places()} if model.ignorable else {}),
         "fields": [field(f) for f in model.fields],
         "outputs": shapes,
         "declaration": text,

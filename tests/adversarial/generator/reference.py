@@ -18,6 +18,7 @@ from mpmath import mp, mpf
 
 import arrays
 from arrays import added, flat, solve
+import reduction
 from derivatives import PRECISE, Dual, NoValue, level
 from mechanics import Equations, outputs
 from rounding import DEVIATION, SCALE, UNIT, Rounded
@@ -26,6 +27,7 @@ BITS = 240
 STEP = 2.0**-100
 SAMPLES = 4
 ALLOWANCE = 32
+RECONSTRUCTION = 1e-8  # Relative errors of two integrations, each of which has 1e-11.
 USELESS = 1e-5  # A tolerance so great, relative to the quantity, tests nothing.
 
 mp.prec = BITS
@@ -160,6 +162,8 @@ def reference(model, at, rng):
         if not noise <= USELESS * max(size, 1.0):
             raise NoValue("too badly conditioned")
         tolerances[name] = ALLOWANCE * max(noise, UNIT * max(size, 1.0))
+    if model.ignorable:
+        add_reduced(model, exact, values, tolerances, rng)
     return {
         "t": at.t,
         "q": at.q,
@@ -169,6 +173,29 @@ def reference(model, at, rng):
         "values": {name: [float(x) for x in value] for name, value in values.items()},
         "tolerances": tolerances,
     }, shapes
+
+
+def add_reduced(model, exact, values, tolerances, rng):
+    """The same of the reduced model. What its accelerations are made of is as large as in the full model, and its terms divide by
+    the inertia of the ignorable coordinates once more: tolerances are those of the full model, and what momenta that are off by a
+    unit make of it."""
+    samples = [reduction.disturbed(model, exact, rng) for _ in range(SAMPLES)]
+    found, noise = reduction.references(model, exact, samples, mpf(STEP))
+    beside = {"constants": "p", "velocities": "p", "routhian": "L", "potential": "L"}
+    worst = max(tolerances[name] for name in ("L", "h", "p", "f"))
+    for name, value in found.items():
+        size = max((abs(float(x)) for x in value), default=0.0)
+        moved = float(noise[name]) / SCALE
+        full = name.removeprefix("reduced ")
+        own = tolerances.get(beside.get(full, full), 0.0)
+        if full in beside or "qdd" in full:
+            own = max(own, worst)
+        tolerance = max(own, ALLOWANCE * max(moved, UNIT * max(size, 1.0)))
+        if not (math.isfinite(size) and tolerance <= USELESS * max(size, 1.0)):
+            raise NoValue("too badly conditioned")
+        values[name], tolerances[name] = value, tolerance
+    values["reconstruction"], tolerances["reconstruction"] = [0.0 for _ in exact.q], RECONSTRUCTION
+
 
 
 def max_difference(found, value):

@@ -185,6 +185,8 @@ def declaration(model, rng):
     for force in model.forces:
         lines += table(printer, "force", [force])
     lines += table(printer, "output", model.outputs)
+    if model.ignorable:
+        lines.append(f"    routhian(Reduced{', half_angles' if model.half_angles else ''}),")
     lines += [")]", "pub struct Model {"]
     for f in model.fields:
         if f.input:

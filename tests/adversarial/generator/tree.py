@@ -205,11 +205,17 @@ class Model:
     q_draw: dict = field(default_factory=dict)
     placed: list = field(default_factory=list)  # (body, its type, r, p) of the clause `body`.
     gravity: E | None = None
+    # The coordinates that are ignorable, by name; then there is a reduced model, in half angles or not.
+    ignorable: list = field(default_factory=list)
+    half_angles: bool = False
     # States to evaluate besides drawn ones: dictionaries of `q`, `v`, and parameters.
     states: list = field(default_factory=list)
 
     def coordinate_labels(self):
         return [(c, i) for c, size in self.coordinates for i in ([None] if size is None else range(size))]
+
+    def ignorable_places(self):
+        return [i for i, (c, _) in enumerate(self.coordinate_labels()) if c in self.ignorable]
 
     def coordinate(self, text, size=None):
         self.coordinates.append((text, size))

@@ -1,6 +1,8 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
-use lagrangian::{Energies, Inputs, Lagrangian};
+use lagrangian::{
+    Dop853, Energies, Inputs, Integrator as _, Lagrangian, RouthReduction, Routhian, State,
+};
 use nalgebra::{SMatrix, SVector};
 
 use crate::At;
@@ -52,6 +54,74 @@ pub fn energies<M: Energies<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
 pub fn driven<M: Inputs<N, U>, const N: usize, const U: usize>(model: &M, at: &At) -> Vec<Found> {
     let jacobian = model.input_jacobian(&at.state::<N>());
     vec![("dqdd_du", rows(&jacobian))]
+}
+
+/// What a model has that is reduced by its ignorable coordinates: the reduced model at its state, and the way back.
+#[must_use]
+pub fn reduced<M, const N: usize, const R: usize, const K: usize>(
+    model: &M,
+    ignorable: [usize; K],
+    at: &At,
+) -> Vec<Found>
+where
+    M: Lagrangian<N> + RouthReduction<N, R, Scalar = f64>,
+    M::Reduced: Routhian<R, K, FullState = State<f64, N>>,
+{
+    let full = at.state::<N>();
+    let (reduced, state) = model.reduce(&full);
+    let places = SVector::from(ignorable.map(|i| full.q[i]));
+    let linearization = reduced.linearize(&state);
+    vec![
+        ("reduced constants", rows(&reduced.constants())),
+        (
+            "reduced velocities",
+            rows(&reduced.ignorable_velocities(&state)),
+        ),
+        ("reduced routhian", vec![reduced.routhian(&state)]),
+        (
+            "reduced potential",
+            vec![reduced.effective_potential(&state)],
+        ),
+        ("reduced h", vec![reduced.energy(&state)]),
+        ("reduced p", rows(&reduced.momenta(&state))),
+        ("reduced Q", rows(&reduced.generalized_forces(&state))),
+        ("reduced qdd", rows(&reduced.accelerations(&state))),
+        ("reduced dqdd_dq", rows(&linearization.position)),
+        ("reduced dqdd_dqd", rows(&linearization.velocity)),
+        ("full state", rows(&reduced.full_state(&state, &places).v)),
+        (
+            "reconstruction",
+            reconstruction(model, &reduced, (&full, &state, places)),
+        ),
+    ]
+}
+
+/// How far the reconstructed motion is from the full one a little later, relative to how far that has gone; nothing where one of
+/// them cannot be integrated.
+fn reconstruction<M, D, const N: usize, const R: usize, const K: usize>(
+    model: &M,
+    reduced: &D,
+    (full, state, places): (&State<f64, N>, &State<f64, R>, SVector<f64, K>),
+) -> Vec<f64>
+where
+    M: Lagrangian<N>,
+    D: Routhian<R, K, FullState = State<f64, N>>,
+{
+    let method = Dop853::new()
+        .relative_tolerance(1e-11)
+        .absolute_tolerance(1e-12);
+    let end = full.t + 0.05;
+    let equations = reduced.reconstruction();
+    let motions = (
+        method.integrate_to(&model.dynamics(), *full, end),
+        method.integrate_to(&equations, (*state, places), end),
+    );
+    let (Ok(expected), Ok(found)) = motions else {
+        return vec![0.0; N];
+    };
+    let (expected, found) = (expected.state(), equations.full_state(end, &found.x));
+    let gone = (expected.q - full.q).amax() + (expected.v - full.v).amax() + full.v.amax() + 1.0;
+    rows(&((found.q - expected.q) / gone))
 }
 
 /// The entries of a matrix row by row.

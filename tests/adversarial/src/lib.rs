@@ -9,7 +9,7 @@ pub mod external;
 
 pub use at::{At, Values};
 pub use comparison::{Comparison, compare};
-pub use evaluation::{Evaluate, Found, driven, energies, motion, rows};
+pub use evaluation::{Evaluate, Found, driven, energies, motion, reduced, rows};
 
 /// The models, written by the build script.
 #[rustfmt::skip]

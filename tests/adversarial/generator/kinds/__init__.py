@@ -16,4 +16,4 @@ def kind(function):
     return function
 
 
-from kinds import bodies, branches, chains, domains, energies, forces, identities, known, mechanisms, placed, vectors  # noqa: E402, F401
+from kinds import bodies, branches, chains, domains, energies, forces, identities, ignorable, known, mechanisms, placed, vectors  # noqa: E402, F401
