@@ -3,12 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{
-    Defect, Energies, ExternalFunction, Model, NoRegressor, NoSeries, Symbol,
+    Defect, Energies, Expression, ExternalFunction, Letters, Model, NoRegressor, NoSeries, Symbol,
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
 use crate::diagnostics::Diagnostics;
+use crate::emit::printed_names;
+use crate::limits::LONGEST_TERM;
 use crate::lower::Lowered;
 use crate::plan::NoTaylorSeries;
 use crate::syntax::clauses::Clause;
@@ -93,14 +95,16 @@ pub(crate) fn report_no_regressor(
     reason: &NoRegressor,
     declaration: &Declaration,
     lowered: &Lowered,
+    model: &Model,
     diagnostics: &mut Diagnostics,
 ) {
     let Some(clause) = &declaration.clauses.regressor else {
         return;
     };
     let message = match reason {
-        NoRegressor::NotPolynomial(parameters) => {
-            return report_not_polynomial(parameters, clause, lowered, diagnostics);
+        NoRegressor::NotPolynomial(parameters, term) => {
+            let term = printed(model, lowered, *term);
+            return report_not_polynomial((parameters, &term), clause, lowered, diagnostics);
         }
         NoRegressor::NothingUnknown => {
             "no equation of motion depends on these parameters: name others, or leave `regressor` out"
@@ -119,7 +123,7 @@ pub(crate) fn report_no_regressor(
 
 /// Names the parameters in which the equations are no polynomials.
 fn report_not_polynomial(
-    parameters: &BTreeSet<Symbol>,
+    (parameters, term): (&BTreeSet<Symbol>, &str),
     clause: &ParameterList,
     lowered: &Lowered,
     diagnostics: &mut Diagnostics,
@@ -137,13 +141,24 @@ fn report_not_polynomial(
             continue;
         }
         let message = format!(
-            "the equations of motion are not linear in `{label}` and its powers and products: it stands within a \
-             function, a root or a sum that is divided by; leave `{name}` out of this list, and it is known",
+            "the equations of motion are not linear in `{label}` and its powers and products: it stands within \
+             {term}; leave `{name}` out of this list, and it is known",
             label = component.label
         );
         let mut fields = clause.fields.iter().flatten();
         let field = fields.find(|field| unraw(field) == name);
         diagnostics.error(field.unwrap_or(&clause.keyword), message);
+    }
+}
+
+/// A term as it is printed; a long one is only described.
+fn printed(model: &Model, lowered: &Lowered, term: Expression) -> String {
+    let letters = Letters::new(&printed_names(lowered));
+    let text = model.graph.display_in(term, &letters).to_string();
+    if text.chars().count() <= LONGEST_TERM {
+        format!("`{text}`")
+    } else {
+        "a function, a root or a sum that is divided by".to_owned()
     }
 }
 

@@ -14,7 +14,7 @@ mod item_names;
 mod signatures;
 mod parameters;
 mod writer;
-mod sensitivities;
+mod acceleration_derivatives;
 mod taylor_series;
 mod model_symbols;
 mod body;
@@ -31,6 +31,7 @@ use proc_macro2::TokenStream;
 pub(crate) use documentation::listing;
 pub(crate) use emitter::Emitter;
 pub(crate) use fallback::{items as items_without_equations, reduced_without_equations};
+pub(crate) use printed_names::printed_names;
 pub(crate) use routhian::reduced_struct;
 pub(crate) use validation_warning::warning;
 

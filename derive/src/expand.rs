@@ -181,7 +181,7 @@ impl Derived {
         let requested = match Requested::derive(clauses, &lowered.quantities, &mut model) {
             Ok(requested) => requested,
             Err(reason) => {
-                defects::report_no_regressor(&reason, declaration, lowered, diagnostics);
+                defects::report_no_regressor(&reason, declaration, lowered, &model, diagnostics);
                 return None;
             }
         };

@@ -72,3 +72,6 @@ pub(crate) fn in_range(number: &Rational) -> bool {
     let rounded = number.to_f64();
     rounded.is_finite() && (rounded != 0.0 || number.is_zero())
 }
+
+/// Terms of more characters are not printed in errors: what is longer is not read.
+pub(crate) const LONGEST_TERM: usize = 80;

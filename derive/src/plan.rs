@@ -15,8 +15,8 @@ pub(crate) mod constants;
 pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{
-    AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, MethodOutputs,
-    OutputSlice, PivotOutputs, SensitivityOutputs, StateJacobian,
+    AccelerationOutputs, DerivativeOutputs, InputJacobianOutputs, LowerTriangle, MethodOutputs,
+    OutputSlice, PivotOutputs, StateJacobian,
 };
 pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;

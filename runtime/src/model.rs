@@ -3,6 +3,7 @@
 
 mod generalized_coordinates;
 mod state;
+mod vector_pair;
 mod phase;
 mod poles;
 mod linearization;

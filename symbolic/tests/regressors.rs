@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use lagrangian_symbolic::{
-    Equations, Model, Names, NoRegressor, Regressor, Symbol, UnknownParameters,
+    Equations, Model, Names, NoRegressor, Node, Regressor, Symbol, UnknownParameters,
 };
 use lagrangian_symbolic_testing::{Draft, Quantity};
 
@@ -145,19 +145,29 @@ const DRIVEN: [&str; 7] = ["i", "s", "k", "a", "w", "α", "l"];
 fn functions_of_known_parameters_remain_in_the_columns() {
     let unknown = parameters([0, 1, 2]);
     let found = base_parameters(&mut driven(), UnknownParameters::Named(&unknown), &DRIVEN);
-    assert_eq!(found, ["i", "s", "k"]);
+    assert_eq!(found, ["I", "s", "k"]);
     // What is within functions is known where nothing is named, and so are the known lengths in a divisor.
     let found = base_parameters(&mut driven(), UnknownParameters::Every, &DRIVEN);
-    assert_eq!(found, ["i", "s", "k"]);
+    assert_eq!(found, ["I", "s", "k"]);
 }
 
 #[test]
 fn a_parameter_within_a_function_is_an_error() {
     for index in [3, 4, 5, 6] {
         let unknown = parameters([0, index]);
-        let found = Regressor::derive(&mut driven(), UnknownParameters::Named(&unknown));
-        let expected = BTreeSet::from(parameters([index]));
-        assert_eq!(found.unwrap_err(), NoRegressor::NotPolynomial(expected));
+        let mut model = driven();
+        let found = Regressor::derive(&mut model, UnknownParameters::Named(&unknown));
+        let NoRegressor::NotPolynomial(within, term) = found.unwrap_err() else {
+            panic!("parameter {index} is within a function");
+        };
+        assert_eq!(within, BTreeSet::from(parameters([index])));
+        // The term contains it, and is no sum that could be taken apart.
+        assert!(
+            model
+                .graph
+                .contains(&[term], |symbol| within.contains(&symbol))
+        );
+        assert!(!matches!(model.graph.node(term), Node::Sum(_)));
     }
     let unknown = parameters([20]);
     let found = Regressor::derive(&mut driven(), UnknownParameters::Named(&unknown));

@@ -14,7 +14,7 @@ use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::label::{Index, Label};
 
 /// The names of coordinates, parameters and inputs.
-pub(super) fn printed_names(lowered: &Lowered) -> Names {
+pub(crate) fn printed_names(lowered: &Lowered) -> Names {
     let quantities = &lowered.quantities;
     let inputs = quantities.inputs.iter();
     let coordinates = quantities.coordinates.iter();

@@ -1,6 +1,6 @@
 //! The bodies of methods: the statements of their programs, and the values that they return.
 
-use lagrangian_symbolic::{Operand, Rational, Symbol};
+use lagrangian_symbolic::Symbol;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -11,8 +11,7 @@ use super::locals::Locals;
 use super::model_symbols::ModelSymbols;
 use super::signatures::InputsFrom;
 use crate::plan::{
-    AccelerationOutputs, InputJacobianOutputs, LinearizationOutputs, LowerTriangle, Method,
-    MethodOutputs, OutputSlice, PivotOutputs, StateJacobian,
+    AccelerationOutputs, LowerTriangle, Method, MethodOutputs, OutputSlice, PivotOutputs,
 };
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
@@ -104,9 +103,9 @@ impl Writer<'_> {
                 let (statements, accelerations) = self.accelerations(outputs);
                 quote!(#statements #accelerations)
             }
-            MethodOutputs::Linearization(outputs) => self.linearization(outputs),
+            MethodOutputs::Linearization(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
-            MethodOutputs::Sensitivities(outputs) => self.sensitivities(outputs),
+            MethodOutputs::Sensitivities(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
         }
@@ -186,128 +185,11 @@ impl Writer<'_> {
         quote!(#root::Lagrangian::<#n, #scalar>::mass_matrix(self, state))
     }
 
-    /// The derivatives of the accelerations by q, q̇ and t.
-    fn linearization(&mut self, outputs: &LinearizationOutputs) -> TokenStream {
-        match outputs {
-            LinearizationOutputs::Symbolic {
-                pivots,
-                accelerations,
-                derivatives,
-                residuals,
-            } => {
-                let (statements, pivots) = self.compute(pivots);
-                let (_, accelerations) = self.compute(accelerations);
-                let accelerations = self.if_positive(&pivots, &accelerations);
-                let is_used = self.reads_accelerations() || !pivots.is_empty();
-                let accelerations = is_used.then(|| quote!(let accelerations = #accelerations;));
-                let (more, derivatives) = self.derivatives(derivatives);
-                let Some(residuals) = residuals else {
-                    return quote!(#statements #accelerations #more #derivatives);
-                };
-                let (others, solved) = self.solve_residuals(residuals);
-                let factors = self.factors_of_mass_matrix();
-                let root = &self.emitter.declaration.root;
-                quote! {
-                    #statements #accelerations #more #others
-                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
-                        let factors = #factors;
-                        #solved
-                    })
-                }
-            }
-            LinearizationOutputs::Numerical {
-                mass,
-                forcing,
-                residuals,
-            } => {
-                let (statements, factors) = self.factors(mass);
-                let (_, forcing) = self.compute(forcing);
-                let forcing = self.vector(&forcing);
-                let (more, solved) = self.solve_residuals(residuals);
-                quote! {
-                    #statements
-                    #factors
-                    let accelerations = factors.solve(&#forcing);
-                    #more
-                    #solved
-                }
-            }
-        }
-    }
-
     /// Whether the program reads accelerations.
     pub(super) fn reads_accelerations(&self) -> bool {
         let symbols = self.method.program.symbols();
         let mut symbols = symbols.iter();
         symbols.any(|symbol| matches!(symbol, Symbol::Acceleration(_)))
-    }
-
-    /// The derivatives by q, q̇ and t from their columns.
-    fn derivatives(&mut self, columns: &StateJacobian) -> (TokenStream, TokenStream) {
-        let root = &self.emitter.declaration.root;
-        let (statements, position) = self.compute(&columns.position);
-        let (_, velocity) = self.compute(&columns.velocity);
-        let (_, time) = self.compute(&columns.time);
-        let (position, velocity) = (self.matrix(&position), self.matrix(&velocity));
-        let time = self.vector(&time);
-        let value = quote! {
-            #root::Linearization {
-                position: #position,
-                velocity: #velocity,
-                time: #time,
-            }
-        };
-        (statements, value)
-    }
-
-    /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x, where `factors` are those of M. All columns are solved for at once,
-    /// but for ∂/∂t where the time does not occur.
-    fn solve_residuals(&mut self, columns: &StateJacobian) -> (TokenStream, TokenStream) {
-        let root = &self.emitter.declaration.root;
-        let (statements, mut elements) = self.compute(&columns.position);
-        elements.extend(self.compute(&columns.velocity).1);
-        let zero = Operand::Constant(Rational::ZERO);
-        let mut of_time = columns.time.operands(&self.method.program).iter();
-        if of_time.any(|output| *output != zero) {
-            elements.extend(self.compute(&columns.time).1);
-        }
-        let columns = self.matrix(&elements);
-        let value = quote!(#root::__private::linearization(&factors, &#columns));
-        (statements, value)
-    }
-
-    /// The derivatives of the accelerations by the inputs.
-    fn input_jacobian(&mut self, outputs: &InputJacobianOutputs) -> TokenStream {
-        let root = &self.emitter.declaration.root;
-        match outputs {
-            InputJacobianOutputs::Symbolic {
-                pivots,
-                derivatives,
-                residuals,
-            } => {
-                let (statements, pivots) = self.compute(pivots);
-                let (more, derivatives) = self.compute(derivatives);
-                let derivatives = self.matrix(&derivatives);
-                let Some(residuals) = residuals else {
-                    return quote!(#statements #more #derivatives);
-                };
-                let (others, residuals) = self.compute(residuals);
-                let residuals = self.matrix(&residuals);
-                let factors = self.factors_of_mass_matrix();
-                quote! {
-                    #statements #more #others
-                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
-                        -#factors.solve(&#residuals)
-                    })
-                }
-            }
-            InputJacobianOutputs::Numerical { mass, residuals } => {
-                let (statements, factors) = self.factors(mass);
-                let (more, residuals) = self.compute(residuals);
-                let residuals = self.matrix(&residuals);
-                quote!(#statements #more #factors -factors.solve(&#residuals))
-            }
-        }
     }
 
     /// The relative pivots where all pivots are positive; else those of a numerical factorization of M.

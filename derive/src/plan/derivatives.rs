@@ -3,9 +3,7 @@
 use lagrangian_symbolic::{Expression, Kinetics, Model, Solution, Symbol};
 
 use super::method::Method;
-use super::outputs::{
-    InputJacobianOutputs, LinearizationOutputs, MethodOutputs, ProgramLayout, SensitivityOutputs,
-};
+use super::outputs::{DerivativeOutputs, InputJacobianOutputs, MethodOutputs, ProgramLayout};
 
 /// The derivatives of the accelerations, before they are scheduled.
 pub(super) struct Derivatives {
@@ -19,18 +17,43 @@ impl Derivatives {
     /// By q, q̇ and t.
     pub(super) fn of_state(model: &mut Model, kinetics: &Kinetics) -> Self {
         let symbols = state_symbols(model);
+        let n = model.coordinates as usize;
+        let add = |layout: &mut ProgramLayout, columns: &[Expression]| {
+            layout.add_state_jacobian(columns, n)
+        };
+        Self::of(model, kinetics, &symbols, add, MethodOutputs::Linearization)
+    }
+
+    /// By parameters, on which M depends, too.
+    pub(super) fn of_parameters(
+        model: &mut Model,
+        kinetics: &Kinetics,
+        symbols: &[Symbol],
+    ) -> Self {
+        let add = |layout: &mut ProgramLayout, columns: &[Expression]| layout.add(columns);
+        Self::of(model, kinetics, symbols, add, MethodOutputs::Sensitivities)
+    }
+
+    /// By some symbols, where columns are added so.
+    fn of<C>(
+        model: &mut Model,
+        kinetics: &Kinetics,
+        symbols: &[Symbol],
+        add: impl Fn(&mut ProgramLayout, &[Expression]) -> C,
+        outputs: fn(DerivativeOutputs<C>) -> MethodOutputs,
+    ) -> Self {
         let mut layout = ProgramLayout::new();
-        if let Some((solution, derivatives)) = solved(model, kinetics, &symbols) {
-            let residuals = residuals_beside(model, kinetics, solution, &symbols);
+        if let Some((solution, derivatives)) = solved(model, kinetics, symbols) {
+            let residuals = residuals_beside(model, kinetics, solution, symbols);
             let pivots = layout.add(&solution.pivots);
             let accelerations = layout.add(&solution.accelerations);
             layout.begin_group();
-            let derivatives = layout.add_state_jacobian(&derivatives, model);
+            let derivatives = add(&mut layout, &derivatives);
             layout.begin_group();
-            let residuals = residuals.map(|columns| layout.add_state_jacobian(&columns, model));
+            let residuals = residuals.map(|columns| add(&mut layout, &columns));
             return Self {
                 layout,
-                outputs: MethodOutputs::Linearization(LinearizationOutputs::Symbolic {
+                outputs: outputs(DerivativeOutputs::Symbolic {
                     pivots,
                     accelerations,
                     derivatives,
@@ -39,15 +62,15 @@ impl Derivatives {
                 right_hand_sides: None,
             };
         }
-        let residuals = kinetics.system_derivatives(&mut model.graph, &symbols);
+        let residuals = kinetics.system_derivatives(&mut model.graph, symbols);
         let system = &kinetics.system;
         let mass = layout.add_mass(system);
         let forcing = layout.add(&system.forcing);
         layout.begin_group();
-        let residuals = layout.add_state_jacobian(&residuals, model);
+        let residuals = add(&mut layout, &residuals);
         Self {
             layout,
-            outputs: MethodOutputs::Linearization(LinearizationOutputs::Numerical {
+            outputs: outputs(DerivativeOutputs::Numerical {
                 mass,
                 forcing,
                 residuals,
@@ -91,49 +114,6 @@ impl Derivatives {
                 residuals,
             }),
             right_hand_sides: Some(symbols.len()),
-        }
-    }
-
-    /// By parameters, on which M depends, too.
-    pub(super) fn of_parameters(
-        model: &mut Model,
-        kinetics: &Kinetics,
-        symbols: &[Symbol],
-    ) -> Self {
-        let mut layout = ProgramLayout::new();
-        if let Some((solution, derivatives)) = solved(model, kinetics, symbols) {
-            let residuals = residuals_beside(model, kinetics, solution, symbols);
-            let pivots = layout.add(&solution.pivots);
-            let accelerations = layout.add(&solution.accelerations);
-            layout.begin_group();
-            let derivatives = layout.add(&derivatives);
-            layout.begin_group();
-            let residuals = residuals.map(|columns| layout.add(&columns));
-            return Self {
-                layout,
-                outputs: MethodOutputs::Sensitivities(SensitivityOutputs::Symbolic {
-                    pivots,
-                    accelerations,
-                    derivatives,
-                    residuals,
-                }),
-                right_hand_sides: None,
-            };
-        }
-        let system = &kinetics.system;
-        let residuals = kinetics.system_derivatives(&mut model.graph, symbols);
-        let mass = layout.add_mass(system);
-        let forcing = layout.add(&system.forcing);
-        layout.begin_group();
-        let residuals = layout.add(&residuals);
-        Self {
-            layout,
-            outputs: MethodOutputs::Sensitivities(SensitivityOutputs::Numerical {
-                mass,
-                forcing,
-                residuals,
-            }),
-            right_hand_sides: Some(symbols.len() + 1),
         }
     }
 

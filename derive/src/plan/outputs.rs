@@ -5,7 +5,7 @@
 
 use core::ops::Range;
 
-use lagrangian_symbolic::{Expression, Kinetics, LinearSystem, Model, Operand, Program};
+use lagrangian_symbolic::{Expression, Kinetics, LinearSystem, Operand, Program};
 
 use crate::syntax::shape::Shape;
 
@@ -105,24 +105,30 @@ impl AccelerationOutputs {
     }
 }
 
-/// What a program for the derivatives of q̈ by q, q̇ and t returns.
+/// What a program for derivatives of q̈ returns, where these columns stand.
 #[derive(Clone, Debug)]
-pub(crate) enum LinearizationOutputs {
+pub(crate) enum DerivativeOutputs<C> {
     /// They were solved for symbolically, which holds where all pivots are positive.
     Symbolic {
         pivots: OutputSlice,
         accelerations: OutputSlice,
-        derivatives: StateJacobian,
+        derivatives: C,
         /// The derivatives of M q̈ − f, where there are pivots that can fail.
-        residuals: Option<StateJacobian>,
+        residuals: Option<C>,
     },
     /// M, f and the derivatives of M q̈ − f, up to a common factor.
     Numerical {
         mass: LowerTriangle,
         forcing: OutputSlice,
-        residuals: StateJacobian,
+        residuals: C,
     },
 }
+
+/// By q, q̇ and t.
+pub(crate) type LinearizationOutputs = DerivativeOutputs<StateJacobian>;
+
+/// By parameters.
+pub(crate) type SensitivityOutputs = DerivativeOutputs<OutputSlice>;
 
 /// What a program for the derivatives of q̈ by the inputs returns.
 #[derive(Clone, Debug)]
@@ -137,25 +143,6 @@ pub(crate) enum InputJacobianOutputs {
     /// M and the derivatives of M q̈ − f, up to a common factor.
     Numerical {
         mass: LowerTriangle,
-        residuals: OutputSlice,
-    },
-}
-
-/// What a program for the derivatives of q̈ by parameters returns.
-#[derive(Clone, Debug)]
-pub(crate) enum SensitivityOutputs {
-    /// They were solved for symbolically, which holds where all pivots are positive.
-    Symbolic {
-        pivots: OutputSlice,
-        accelerations: OutputSlice,
-        derivatives: OutputSlice,
-        /// The derivatives of M q̈ − f, where there are pivots that can fail.
-        residuals: Option<OutputSlice>,
-    },
-    /// M, f and the derivatives of M q̈ − f, up to a common factor.
-    Numerical {
-        mass: LowerTriangle,
-        forcing: OutputSlice,
         residuals: OutputSlice,
     },
 }
@@ -200,11 +187,9 @@ impl MethodOutputs {
     pub(crate) fn pivots(&self) -> Option<usize> {
         match self {
             Self::Accelerations(AccelerationOutputs::Symbolic { pivots, .. })
-            | Self::Linearization(LinearizationOutputs::Symbolic { pivots, .. })
+            | Self::Linearization(DerivativeOutputs::Symbolic { pivots, .. })
             | Self::InputJacobian(InputJacobianOutputs::Symbolic { pivots, .. })
-            | Self::Sensitivities(SensitivityOutputs::Symbolic { pivots, .. }) => {
-                Some(pivots.len())
-            }
+            | Self::Sensitivities(DerivativeOutputs::Symbolic { pivots, .. }) => Some(pivots.len()),
             _ => None,
         }
     }
@@ -248,13 +233,8 @@ impl ProgramLayout {
         LowerTriangle(self.add(&entries))
     }
 
-    /// Adds the columns of derivatives by q, q̇ and t.
-    pub(crate) fn add_state_jacobian(
-        &mut self,
-        columns: &[Expression],
-        model: &Model,
-    ) -> StateJacobian {
-        let n = model.coordinates as usize;
+    /// Adds the columns of derivatives by `n` coordinates q, by q̇ and t.
+    pub(crate) fn add_state_jacobian(&mut self, columns: &[Expression], n: usize) -> StateJacobian {
         let (position, rest) = columns.split_at(n * n);
         let (velocity, time) = rest.split_at(n * n);
         StateJacobian {

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::state::State;
+use super::vector_pair::vector_pair;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
 use crate::integrate::{InitialValue, Sample, TypicalSizes};
@@ -32,14 +33,6 @@ pub struct Phase<S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Phase<S, N> {
-    /// The phase with coordinates `q` and velocities `v`, from arrays or vectors.
-    pub fn new(q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
-        Self {
-            q: q.into_vector(),
-            v: v.into_vector(),
-        }
-    }
-
     /// The state that has this phase at time `t`.
     #[inline]
     #[must_use]
@@ -62,34 +55,7 @@ impl<S: Scalar, const N: usize> From<State<S, N>> for Phase<S, N> {
     }
 }
 
-impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
-    #[inline]
-    fn add_scaled(&mut self, factor: S, other: &Self) {
-        self.q.add_scaled(factor, &other.q);
-        self.v.add_scaled(factor, &other.v);
-    }
-
-    #[inline]
-    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
-        Self {
-            q: self.q.map(&mut function),
-            v: self.v.map(&mut function),
-        }
-    }
-
-    #[inline]
-    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
-        Self {
-            q: VectorSpace::zip_map(&self.q, &other.q, &mut function),
-            v: VectorSpace::zip_map(&self.v, &other.v, &mut function),
-        }
-    }
-
-    #[inline]
-    fn components(&self) -> impl Iterator<Item = S> + '_ {
-        self.q.iter().chain(self.v.iter()).copied()
-    }
-
+vector_pair!(Phase, v, {
     /// First to all coordinates, then to all velocities: as vectors of both, coordinates would wait for accelerations.
     #[inline]
     fn add_multiples(&self, terms: &[(usize, f64)], sums: &mut [Self]) {
@@ -124,7 +90,7 @@ impl<S: Scalar, const N: usize> VectorSpace<S> for Phase<S, N> {
     fn rate(&self, sizes: &Self) -> Option<S> {
         Some(rate(self, sizes))
     }
-}
+});
 
 /// The largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ), where sᵢ is the size of a coordinate, as far as it is not zero.
 fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>) -> S {
@@ -136,32 +102,6 @@ fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>
         })
     };
     largest(&derivative.q).max(largest(&derivative.v).sqrt())
-}
-
-impl<const L: usize, const N: usize> LaneStates<L> for Phase<Lanes<L>, N> {
-    type Lane = Phase<f64, N>;
-
-    #[inline]
-    fn broadcast(state: &Self::Lane) -> Self {
-        Self {
-            q: LaneStates::broadcast(&state.q),
-            v: LaneStates::broadcast(&state.v),
-        }
-    }
-
-    #[inline]
-    fn lane(&self, lane: usize) -> Self::Lane {
-        Phase {
-            q: self.q.lane(lane),
-            v: self.v.lane(lane),
-        }
-    }
-
-    #[inline]
-    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
-        self.q.set_lane(lane, &state.q);
-        self.v.set_lane(lane, &state.v);
-    }
 }
 
 impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {

@@ -44,8 +44,8 @@ pub enum UnknownParameters<'a> {
 /// Why there is no regressor.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum NoRegressor {
-    /// The energies or forces are no polynomials in these parameters.
-    NotPolynomial(BTreeSet<Symbol>),
+    /// The energies or forces are no polynomials in these parameters, because of this term.
+    NotPolynomial(BTreeSet<Symbol>, Expression),
     /// No equation of motion depends on an unknown parameter.
     NothingUnknown,
     /// The energies or forces have too many monomials.
@@ -114,8 +114,10 @@ fn polynomials(
         match graph.parameter_polynomials(roots, Indeterminates::Unknown(&set)) {
             Ok(polynomials) => return Ok((symbols, polynomials)),
             Err(NoPolynomial::TooLong) => return Err(NoRegressor::TooManyMonomials),
-            Err(NoPolynomial::Within(within)) => match unknown {
-                UnknownParameters::Named(_) => return Err(NoRegressor::NotPolynomial(within)),
+            Err(NoPolynomial::Within(within, term)) => match unknown {
+                UnknownParameters::Named(_) => {
+                    return Err(NoRegressor::NotPolynomial(within, term));
+                }
                 UnknownParameters::Every => symbols.retain(|symbol| !within.contains(symbol)),
             },
         }

@@ -12,6 +12,7 @@ use crate::emit::routhian::reduced_struct;
 use crate::lower::Lowered;
 use crate::reduce::{ReducedDeclaration, Split};
 use crate::syntax::declaration::Declaration;
+use crate::syntax::names::unraw;
 
 /// The items of the reduced model without equations, and the way there.
 pub(crate) fn reduced_without_equations(
@@ -22,9 +23,9 @@ pub(crate) fn reduced_without_equations(
     let Some(clause) = &declaration.clauses.routhian else {
         return TokenStream::new();
     };
-    let outputs = outputs_name(declaration);
-    let taken = |name: &Ident| *name == declaration.name || *name == outputs;
-    if taken(&clause.name) {
+    let name = &declaration.name;
+    let is_taken = clause.name == *name || clause.name == outputs_name(declaration);
+    if is_taken || *name == format!("{}Outputs", unraw(&clause.name)) {
         return TokenStream::new();
     }
     let count = lowered.quantities.coordinates.len();

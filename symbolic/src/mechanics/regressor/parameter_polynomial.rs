@@ -29,8 +29,8 @@ pub(crate) enum Indeterminates<'a> {
 /// Why an expression is no polynomial.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum NoPolynomial {
-    /// These unknown parameters are arguments of a function, or stand in the divisor or in a root.
-    Within(BTreeSet<Symbol>),
+    /// These unknown parameters are arguments of a function, or stand in the divisor or in a root: within this term.
+    Within(BTreeSet<Symbol>, Expression),
     /// It has too many terms.
     TooLong,
 }
@@ -126,7 +126,7 @@ impl Expansion<'_> {
                 if within.is_empty() {
                     Ok(coefficient)
                 } else {
-                    Err(NoPolynomial::Within(within))
+                    Err(NoPolynomial::Within(within, part))
                 }
             }
             Indeterminates::FreeOfMotion => {

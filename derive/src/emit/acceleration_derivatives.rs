@@ -1,0 +1,151 @@
+//! The bodies of the methods that differentiate the accelerations: by q, q̇ and t, by inputs, and by parameters.
+
+use lagrangian_symbolic::{Operand, Rational};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::writer::Writer;
+use crate::plan::{DerivativeOutputs, InputJacobianOutputs, OutputSlice, StateJacobian};
+
+/// Columns of derivatives, as a method returns them.
+pub(super) trait Columns {
+    /// The statements that compute the columns, and the value that they make.
+    fn derivatives(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream);
+
+    /// The same of −M⁻¹ times the columns, where `factors` are those of M.
+    fn solved(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream);
+}
+
+impl Columns for StateJacobian {
+    fn derivatives(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
+        let root = &writer.emitter.declaration.root;
+        let (statements, position) = writer.compute(&self.position);
+        let (_, velocity) = writer.compute(&self.velocity);
+        let (_, time) = writer.compute(&self.time);
+        let (position, velocity) = (writer.matrix(&position), writer.matrix(&velocity));
+        let time = writer.vector(&time);
+        let value = quote! {
+            #root::Linearization {
+                position: #position,
+                velocity: #velocity,
+                time: #time,
+            }
+        };
+        (statements, value)
+    }
+
+    /// All columns are solved for at once, but for ∂/∂t where the time does not occur.
+    fn solved(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
+        let root = &writer.emitter.declaration.root;
+        let (statements, mut elements) = writer.compute(&self.position);
+        elements.extend(writer.compute(&self.velocity).1);
+        let zero = Operand::Constant(Rational::ZERO);
+        let mut of_time = self.time.operands(&writer.method.program).iter();
+        if of_time.any(|output| *output != zero) {
+            elements.extend(writer.compute(&self.time).1);
+        }
+        let columns = writer.matrix(&elements);
+        let value = quote!(#root::__private::linearization(&factors, &#columns));
+        (statements, value)
+    }
+}
+
+impl Columns for OutputSlice {
+    fn derivatives(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
+        let (statements, columns) = writer.compute(self);
+        (statements, writer.matrix(&columns))
+    }
+
+    fn solved(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
+        let (statements, columns) = self.derivatives(writer);
+        (statements, quote!(-factors.solve(&#columns)))
+    }
+}
+
+impl Writer<'_> {
+    /// The derivatives of the accelerations by q, q̇ and t, or by parameters.
+    pub(super) fn acceleration_derivatives<C: Columns>(
+        &mut self,
+        outputs: &DerivativeOutputs<C>,
+    ) -> TokenStream {
+        match outputs {
+            DerivativeOutputs::Symbolic {
+                pivots,
+                accelerations,
+                derivatives,
+                residuals,
+            } => {
+                let (statements, pivots) = self.compute(pivots);
+                let (_, accelerations) = self.compute(accelerations);
+                let accelerations = self.if_positive(&pivots, &accelerations);
+                let is_used = self.reads_accelerations() || !pivots.is_empty();
+                let accelerations = is_used.then(|| quote!(let accelerations = #accelerations;));
+                let (more, derivatives) = derivatives.derivatives(self);
+                let Some(residuals) = residuals else {
+                    return quote!(#statements #accelerations #more #derivatives);
+                };
+                let (others, solved) = residuals.solved(self);
+                let factors = self.factors_of_mass_matrix();
+                let root = &self.emitter.declaration.root;
+                quote! {
+                    #statements #accelerations #more #others
+                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
+                        let factors = #factors;
+                        #solved
+                    })
+                }
+            }
+            DerivativeOutputs::Numerical {
+                mass,
+                forcing,
+                residuals,
+            } => {
+                let (statements, factors) = self.factors(mass);
+                let (_, forcing) = self.compute(forcing);
+                let forcing = self.vector(&forcing);
+                let (more, solved) = residuals.solved(self);
+                quote! {
+                    #statements
+                    #factors
+                    let accelerations = factors.solve(&#forcing);
+                    #more
+                    #solved
+                }
+            }
+        }
+    }
+
+    /// The derivatives of the accelerations by the inputs.
+    pub(super) fn input_jacobian(&mut self, outputs: &InputJacobianOutputs) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        match outputs {
+            InputJacobianOutputs::Symbolic {
+                pivots,
+                derivatives,
+                residuals,
+            } => {
+                let (statements, pivots) = self.compute(pivots);
+                let (more, derivatives) = self.compute(derivatives);
+                let derivatives = self.matrix(&derivatives);
+                let Some(residuals) = residuals else {
+                    return quote!(#statements #more #derivatives);
+                };
+                let (others, residuals) = self.compute(residuals);
+                let residuals = self.matrix(&residuals);
+                let factors = self.factors_of_mass_matrix();
+                quote! {
+                    #statements #more #others
+                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
+                        -#factors.solve(&#residuals)
+                    })
+                }
+            }
+            InputJacobianOutputs::Numerical { mass, residuals } => {
+                let (statements, factors) = self.factors(mass);
+                let (more, residuals) = self.compute(residuals);
+                let residuals = self.matrix(&residuals);
+                quote!(#statements #more #factors -factors.solve(&#residuals))
+            }
+        }
+    }
+}
