@@ -3,11 +3,11 @@
 //!
 //! `cargo run --release --example identification` writes `identification.svg`.
 
-use std::fmt::Write as _;
 use std::{error::Error, fs};
 
 use lagrangian::identification::Identification;
 use lagrangian::prelude::*;
+use lagrangian_examples::{Anchor, Panel, Svg, extent};
 
 /// Two links in a vertical plane, each with its mass, the distance of its centre of mass from its joint, and its moment of
 /// inertia about that centre; viscous friction in the joints.
@@ -148,54 +148,38 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The measured torques as dots, and those of the identified parameters as lines.
 fn figure(measured: &[(f64, Vector2<f64>)], predicted: &[(f64, Vector2<f64>)]) -> String {
-    let most = measured
-        .iter()
-        .map(|(_, torque)| torque.amax())
-        .fold(0.0, f64::max);
-    let at = |t: f64, torque: f64| (60.0 + 80.0 * t, 210.0 - 180.0 * torque / most);
-    let mut svg = String::from(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='430' font-family='sans-serif' font-size='13'>\n\
-         <rect width='900' height='430' fill='white'/>\n",
+    let mut svg = Svg::new(1000.0, 470.0);
+    let title = "Parameters of an arm, identified";
+    svg.text("title", Anchor::Start, [24.0, 36.0], title);
+    let subtitle = "Dots are measured torques, lines those of the identified base parameters.";
+    svg.text("subtitle", Anchor::Start, [24.0, 62.0], subtitle);
+    let torques = measured.iter().flat_map(|(_, torque)| [torque.x, torque.y]);
+    let [least, most] = extent(torques);
+    let margin = 0.05 * (most - least);
+    let panel = Panel::new(
+        [84.0, 850.0, 112.0, 400.0],
+        (
+            extent(measured.iter().map(|(t, _)| *t)),
+            [least - margin, most + margin],
+        ),
+        [10.0, 6.0],
     );
-    for (joint, color) in ["#1f5fa8", "#c2541b"].iter().enumerate() {
+    panel.draw(
+        &mut svg,
+        "Torques of the joints",
+        "time t / s",
+        "torque / N m",
+    );
+    for (joint, class) in ["curve", "second"].into_iter().enumerate() {
         for (t, torque) in measured {
-            let (x, y) = at(*t, torque[joint]);
-            let _ = writeln!(
-                svg,
-                "<circle cx='{x:.1}' cy='{y:.1}' r='1.6' fill='{color}' opacity='0.45'/>"
-            );
+            svg.circle(class, panel.at(*t, torque[joint]), 1.2);
         }
-        let points = predicted.iter().map(|(t, torque)| {
-            let (x, y) = at(*t, torque[joint]);
-            format!("{x:.1},{y:.1}")
-        });
-        let points = points.collect::<Vec<_>>().join(" ");
-        let _ = writeln!(
-            svg,
-            "<polyline points='{points}' fill='none' stroke='{color}'/>"
-        );
-        let _ = writeln!(
-            svg,
-            "<text x='{}' y='20' fill='{color}'>joint {}: dots measured, line identified</text>",
-            60 + 330 * joint,
-            joint + 1
-        );
+        let points = predicted.iter().map(|(t, torque)| [*t, torque[joint]]);
+        panel.curve(&mut svg, class, points);
+        let y = if joint == 0 { 130.0 } else { 152.0 };
+        svg.line(class, [874.0, y - 5.0], [904.0, y - 5.0]);
+        let label = format!("joint {}", joint + 1);
+        svg.text("tick", Anchor::Start, [910.0, y], &label);
     }
-    for torque in [-most, 0.0, most] {
-        let (_, y) = at(0.0, torque);
-        let _ = writeln!(
-            svg,
-            "<line x1='60' x2='860' y1='{y:.1}' y2='{y:.1}' stroke='#bbb'/><text x='8' y='{:.1}'>{torque:.0} N m</text>",
-            y + 4.0
-        );
-    }
-    for t in 0..=10 {
-        let (x, _) = at(f64::from(t), 0.0);
-        let _ = writeln!(
-            svg,
-            "<text x='{x:.1}' y='415' text-anchor='middle'>{t} s</text>"
-        );
-    }
-    svg.push_str("</svg>\n");
-    svg
+    svg.finish()
 }
