@@ -26,8 +26,13 @@ pub(crate) struct Built {
 /// Builds the dependencies of all models, so that no model is charged with them. Then says what the
 /// build of a crate takes that has them and nothing else.
 pub(crate) fn build_dependencies(folders: &Folders) -> Result<f64, String> {
+    build_dependencies_with(folders, &Flags::ALL)
+}
+
+/// The same with these flags alone.
+pub(crate) fn build_dependencies_with(folders: &Folders, all: &[Flags]) -> Result<f64, String> {
     let empty = || package(folders, "empty", "fn main() {}\n", &[], true);
-    for flags in Flags::ALL {
+    for &flags in all {
         cargo_build(folders, &empty()?, flags, None)?;
     }
     let package = empty()?;

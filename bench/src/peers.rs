@@ -12,6 +12,9 @@ use crate::side::CSource;
 /// `SymPy` solves for more links in minutes only.
 const SYMPY_LINKS: usize = 5;
 
+/// What pip installs for `CasADi`.
+pub(crate) const CASADI: &str = "casadi==3.8.2";
+
 /// What pip installs for heyoka.
 const HEYOKA: &[&str] = &["heyoka==7.13.2", "numpy>=2,<3"];
 
@@ -66,7 +69,7 @@ impl Peers {
         let hand = || compiler::check().map_err(|error| skipped("C by hand", &error));
         Self {
             hand: arguments.wants(PeerName::Hand) && hand().is_ok(),
-            casadi: install(PeerName::Casadi, "CasADi", &["casadi==3.8.2"], true),
+            casadi: install(PeerName::Casadi, "CasADi", &[CASADI], true),
             sympy: install(PeerName::Sympy, "SymPy", &["sympy==1.14.0"], true),
             heyoka: install(PeerName::Heyoka, "heyoka", HEYOKA, false),
         }

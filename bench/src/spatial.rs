@@ -2,28 +2,31 @@
 //!
 //! The C is straight-line ([`algorithms`]), with base inertial parameters as constants, and once more with the sines and
 //! cosines of all joints in one loop of vectors (gcc's libmvec). Our parameters are fields; what depends on them
-//! alone has been prepared. All are measured in turn in one process, for this processor, and compared at 256 states first.
+//! alone has been prepared. `CasADi` writes C of the same recursions and, for few links, of a declared Lagrangian. All are measured in turn in one process, for this processor, and compared at 256 states first.
 //! Operations are additions, multiplications and divisions. The command ends with an error where a limit is missed.
 
 mod straight_line;
 mod arm;
 mod algorithms;
+mod casadi;
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use lagrangian_bench::{Library, Operations, Report, Request};
 
-use crate::arguments::Arguments;
-use crate::cargo::{Built, build_dependencies, build_source};
+use crate::arguments::{Arguments, PeerName};
+use crate::cargo::{Built, build_dependencies_with, build_source};
 use crate::command::output;
 use crate::compiler;
 use crate::flags::Flags;
 use crate::folders::{Folders, write};
+use crate::peers::skipped;
 use crate::verdict::{Verdict, judge};
 use algorithms::Algorithm;
 use arm::{CENTER, GRAVITY, INERTIA, LINK, axis, mass, states};
+use casadi::Casadi;
 
 /// Our operations over those of the best algorithm by hand.
 const OPERATIONS_LIMIT: f64 = 1.1;
@@ -53,14 +56,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     compiler::check()?;
     let folders = Folders::new()?;
     eprintln!("building what the models depend on");
-    build_dependencies(&folders)?;
+    build_dependencies_with(&folders, &[Flags::Native])?;
+    let casadi = if arguments.wants(PeerName::Casadi) {
+        Casadi::new(&folders)
+            .map_err(|error| skipped("CasADi", &error))
+            .ok()
+    } else {
+        None
+    };
     let mut tables = [Vec::new(), Vec::new()];
     for &links in &arguments.links {
         eprintln!("{links} links: deriving, compiling, measuring");
         let built = build_source(&folders, &format!("arm-{links}"), &declaration(links))?;
         eprintln!("  built in {:.1} s", built.seconds);
         for (table, quantity) in tables.iter_mut().zip(QUANTITIES) {
-            table.push(quantity.measure(&folders, &built, links, arguments.rounds())?);
+            table.push(quantity.measure(
+                &folders,
+                &built,
+                casadi.as_ref(),
+                links,
+                arguments.rounds(),
+            )?);
         }
     }
     let mut verdicts = Vec::new();
@@ -75,6 +91,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
 struct Quantity {
     name: &'static str,
     algorithms: &'static [(&'static str, Algorithm)],
+    /// By their names in the script.
+    of_casadi: &'static [&'static str],
     /// Whether the states have accelerations.
     is_inverse: bool,
 }
@@ -86,11 +104,13 @@ const QUANTITIES: [Quantity; 2] = [
             ("composite", Algorithm::CompositeBodies),
             ("articulated", Algorithm::ArticulatedBodies),
         ],
+        of_casadi: &["composite_bodies", "articulated_bodies", "lagrangian"],
         is_inverse: false,
     },
     Quantity {
         name: "inverse dynamics",
         algorithms: &[("Newton-Euler", Algorithm::NewtonEuler)],
+        of_casadi: &["inverse_dynamics", "lagrangian_inverse"],
         is_inverse: true,
     },
 ];
@@ -100,6 +120,7 @@ impl Quantity {
         &self,
         folders: &Folders,
         built: &Built,
+        casadi: Option<&Casadi>,
         links: usize,
         rounds: usize,
     ) -> Result<Row, String> {
@@ -114,9 +135,15 @@ impl Quantity {
                 } else {
                     (*name).to_owned()
                 };
-                let path = compile(folders, &name, links, &text, is_batched)?;
-                let path = path.to_string_lossy().into_owned();
-                libraries.push(Library { name, path });
+                let path = written(folders, &name, links, &text, is_batched)?;
+                libraries.push(library(folders, name, &path, is_batched)?);
+            }
+        }
+        for algorithm in self.of_casadi {
+            let source = casadi.map(|casadi| casadi.source(folders, algorithm, links));
+            if let Some(source) = source.transpose()?.flatten() {
+                eprintln!("  {}: {} operations", source.name, source.operations);
+                libraries.push(library(folders, source.name, &source.path, false)?);
             }
         }
         let mut states = states(links);
@@ -232,8 +259,8 @@ fn sines_and_cosines(links: usize, is_batched: bool) -> String {
     )
 }
 
-/// A shared object with `void accelerations(const double *x, double *y)`.
-fn compile(
+/// The C with `void accelerations(const double *x, double *y)`.
+fn written(
     folders: &Folders,
     name: &str,
     links: usize,
@@ -241,7 +268,7 @@ fn compile(
     is_batched: bool,
 ) -> Result<PathBuf, String> {
     let file = name.replace(|letter: char| !letter.is_alphanumeric(), "_");
-    let path = |end: &str| folders.output.join(format!("arm_{links}_{file}.{end}"));
+    let path = folders.output.join(format!("arm_{links}_{file}.c"));
     let text = format!(
         "/* Written by lagrangian-bench. */\n{}\
          void accelerations(const double *restrict x, double *restrict y) {{\n{}{statements}}}\n",
@@ -252,18 +279,31 @@ fn compile(
         },
         sines_and_cosines(links, is_batched),
     );
-    write(&path("c"), &text)?;
+    write(&path, &text)?;
+    Ok(path)
+}
+
+/// The shared object beside the C.
+fn library(
+    folders: &Folders,
+    name: String,
+    source: &Path,
+    is_batched: bool,
+) -> Result<Library, String> {
+    let path = source.with_extension("so");
     let mut command = Command::new("gcc");
+    command.current_dir(&folders.output);
     command.args(Flags::Native.c()).args(["-shared", "-fPIC"]);
     if is_batched {
         command.args(["-fopenmp-simd", "-fno-math-errno"]);
     }
-    command.arg(path("c")).arg("-o").arg(path("so"));
+    command.arg(source).arg("-o").arg(&path);
     if is_batched {
         command.arg("-lmvec");
     }
     output(command.arg("-lm"))?;
-    Ok(path("so"))
+    let path = path.to_string_lossy().into_owned();
+    Ok(Library { name, path })
 }
 
 /// The crate of the arm, as a user declares it.

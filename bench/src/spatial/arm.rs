@@ -1,5 +1,7 @@
 //! The arm that is measured: its parameters, and the fewer ones that its motion depends on.
 
+use serde_json::{Value, json};
+
 use crate::states::uniform;
 
 /// Rows.
@@ -85,6 +87,26 @@ pub(super) fn links(count: usize) -> Vec<Link> {
         masses[i - 1] += m;
     }
     links
+}
+
+/// The arm for a script: what its motion depends on, and what is declared.
+pub(super) fn description(count: usize) -> Value {
+    let links: Vec<_> = links(count)
+        .iter()
+        .enumerate()
+        .map(|(i, link)| {
+            json!({
+                "axis": axis(i),
+                "place": link.place,
+                "first": link.first,
+                "second": link.second,
+            })
+        })
+        .collect();
+    let bodies: Vec<_> = (0..count)
+        .map(|i| json!({ "mass": mass(i), "link": LINK, "center": CENTER, "inertia": INERTIA }))
+        .collect();
+    json!({ "gravity": GRAVITY, "links": links, "bodies": bodies })
 }
 
 /// States, pseudo-random: coordinates, velocities and accelerations.
