@@ -71,7 +71,7 @@ def wrenches(links, turns, v, accelerations, gravity):
         for j in range(3):
             x, y = others(j)
             moment[j] = moment[j] + (
-                second[x][y] * (squares[x] - squares[y])
+                second[x][y] * (squares[y] - squares[x])
                 + second[j][x] * field[y][j]
                 - second[j][y] * field[x][j]
                 + second[x][x] * field[y][x]

@@ -81,6 +81,10 @@ pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64;
 #[inline]
 fn vectorized<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
     let mut done = 0;
+    while cfg!(target_feature = "avx512f") && K > done + 4 {
+        block::<8, wide::f64x8, K>(done, x, sines, cosines);
+        done += 8;
+    }
     while K > done + 2 {
         block::<4, wide::f64x4, K>(done, x, sines, cosines);
         done += 4;
