@@ -74,6 +74,8 @@ passes! {
     Vectors = "vectors",
     /// Products fused with sums where the target has the instruction.
     Fusion = "fusion",
+    /// Long programs in an order in which fewer values wait in memory.
+    Ordering = "ordering",
 }
 
 /// Which passes are applied; by default all of them.

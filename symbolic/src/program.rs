@@ -7,6 +7,7 @@ pub(crate) mod dag;
 pub(crate) mod passes;
 pub(crate) mod schedule;
 pub(crate) mod staging;
+pub(crate) mod register_order;
 pub(crate) mod interpret;
 pub(crate) mod verify;
 pub(crate) mod taylor;

@@ -6,6 +6,7 @@ mod declarations;
 mod derivatives;
 mod kane;
 mod recursions;
+mod ordering;
 mod series;
 mod solvers;
 mod spellings;
