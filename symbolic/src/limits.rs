@@ -184,8 +184,8 @@ pub(crate) const COST_OF_CONVOLUTION: usize = 5;
 pub(crate) const MOST_APPLICATIONS_IN_A_SERIES: usize = 128;
 
 /// The instructions of longer groups are put in an order for registers. Made by arms in space; simulated with 30 registers that
-/// are evicted as late as possible, ten links load 236 values again instead of 327, twenty 587 instead of 820. Shorter
-/// groups, in which the compiler finds its own order, keep that of the declaration.
+/// are evicted as late as possible, ten links load 236 values again instead of 327, twenty 587 instead of 820; measured, q̈ of
+/// twenty and of thirty links takes 3 % less time. Shorter groups keep the order of their scheduling.
 pub(crate) const LONGEST_GROUP_AS_SCHEDULED: usize = 600;
 
 /// Integer powers up to this one are repeated factors, of which parts can be shared; higher ones are computed by

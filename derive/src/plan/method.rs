@@ -14,7 +14,6 @@ pub(crate) struct Method {
 impl Method {
     pub(super) fn schedule(model: &Model, layout: &ProgramLayout, outputs: MethodOutputs) -> Self {
         let program = Program::schedule(&model.graph, &layout.groups());
-        let program = program.ordered(model.graph.passes);
         Self {
             count: program.count(),
             program,
@@ -40,6 +39,7 @@ impl Method {
         let is_numerical = matches!(outputs, AccelerationOutputs::Numerical { .. });
         let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
+        // An elimination goes out along the links, in, and out again; recursions of two ways lose by another order.
         let kernel = kernel.ordered(model.graph.passes);
         let prepare = Self::preparation(setup);
         let accelerations = Self {
@@ -68,7 +68,6 @@ impl Method {
         let staged = whole.staged(model.graph.passes);
         let mut setup = core::mem::take(&mut self.program);
         let kernel = staged.with_setup_in(&mut setup);
-        let kernel = kernel.ordered(model.graph.passes);
         *self = Self::preparation(setup);
         Self {
             count: kernel.count(),
