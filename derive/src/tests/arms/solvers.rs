@@ -1,5 +1,7 @@
 //! All solvers of one mechanism find the same accelerations, to what the condition of M allows.
 
+use lagrangian_symbolic::Solution;
+
 use super::*;
 
 /// By articulated links, by the factors of M of composite bodies, and by elimination with pivots of numbers. Towards the
@@ -10,7 +12,7 @@ fn solvers_agree_to_what_the_condition_allows() {
     for (links, lighter) in [(2, 1.0), (3, 1e-3), (5, 0.1), (5, 1e-2), (8, 0.3)] {
         let mut derived = derive(arm(links));
         let solutions = Kinetics::solutions(&mut derived.model, &derived.equations);
-        let methods: Vec<_> = solutions.iter().map(|solution| solution.method()).collect();
+        let methods: Vec<_> = solutions.iter().map(Solution::method).collect();
         for method in ["articulated links", "factors of M"] {
             assert!(methods.contains(&method), "{links}: {methods:?}");
         }
