@@ -210,6 +210,7 @@ fn orders_of<
     mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
 ) {
     let mut next = first;
+    let mut sums = [S::zero(); PAIRS];
     let mut order = S::one();
     let mut reciprocal_order = S::one();
     let mut t = unit;
@@ -225,7 +226,7 @@ fn orders_of<
             t,
             order,
             reciprocal_order,
-            convolutions: convolutions.sums(),
+            convolutions: sums,
         });
         *coefficient = Phase {
             q: next.q,
@@ -234,7 +235,7 @@ fn orders_of<
         if index == last {
             return;
         }
-        convolutions.advance(&factors, pairs);
+        sums = convolutions.advance(&factors, pairs);
         order += S::one();
         reciprocal_order = S::one() / order;
         t = S::zero();
@@ -265,6 +266,7 @@ pub fn event_series<
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
     let mut series = TaylorCoefficients::new(values);
     let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
+    let mut sums = [S::zero(); PAIRS];
     let mut order = S::zero();
     let mut t = unit;
     for (coefficient, of_motion) in series.higher_mut().iter_mut().zip(motion.higher()) {
@@ -275,9 +277,9 @@ pub fn event_series<
             t,
             order,
             reciprocal_order: S::one() / order,
-            convolutions: convolutions.sums(),
+            convolutions: sums,
         });
-        convolutions.advance(&factors, pairs);
+        sums = convolutions.advance(&factors, pairs);
         *coefficient = terms;
         t = S::zero();
     }

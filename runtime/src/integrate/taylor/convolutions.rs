@@ -6,11 +6,9 @@ use crate::scalar::Scalar;
 /// Convolutions order after order, as each order is known only after the one before (relaxed multiplication: J. van der
 /// Hoeven, *Relax, but Don't be Too Lazy*, Journal of Symbolic Computation **34** (2002) 479–542).
 pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize> {
-    /// The sums of the present order.
-    fn sums(&self) -> [S; PAIRS];
-
-    /// Goes on to the next order, given the terms of the present one, and the indices of the factors that are paired.
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]);
+    /// The sums of the next order, given the terms of the present one, of order 1 at first, and the indices of the factors
+    /// that are paired. Those of order 1 are empty.
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS];
 }
 
 /// As many orders are summed at once: each term that is loaded is in as many products, and the sums stay in registers.
@@ -66,13 +64,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     OnlineConvolutions<S, FACTORS, PAIRS> for Convolutions<S, FACTORS, PAIRS, HALF>
 {
     #[inline]
-    fn sums(&self) -> [S; PAIRS] {
-        let place = (self.order - 1) % ORDERS;
-        core::array::from_fn(|pair| self.sums[pair][place])
-    }
-
-    #[inline]
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
         let known = self.order;
         for (terms, factor) in self.terms.iter_mut().zip(factors) {
             if let Some(term) = terms.as_flattened_mut().get_mut(known - 1) {
@@ -96,6 +88,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
                 sums[3] = with_last::<S, 3>(x, y, sums[3]);
             }),
         }
+        core::array::from_fn(|pair| self.sums[pair][place])
     }
 }
 

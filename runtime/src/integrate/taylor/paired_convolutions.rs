@@ -19,18 +19,18 @@ pub(crate) struct PairedConvolutions<S, const PAIRS: usize, const LANES: usize, 
     first: [[[S; PAIRS]; 2]; HALF],
     /// Those of the second ones.
     second: [[[S; PAIRS]; 2]; HALF],
-    /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the present order: blocks
+    /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the next order: blocks
     /// of `LANES` pairs, and in each a row for each order.
     begun: [[S; PAIRS]; ORDERS],
-    /// The sums of the present order.
-    sums: [S; PAIRS],
+    /// The sums of the next order but for the products with a term of the present one.
+    partial: [S; PAIRS],
     order: usize,
 }
 
 impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
     PairedConvolutions<S, PAIRS, LANES, HALF>
 {
-    /// The convolutions of order 1, which are empty sums. `PAIRS` is a multiple of `LANES`.
+    /// Before any term is known. `PAIRS` is a multiple of `LANES`.
     #[inline(always)]
     pub(crate) fn new() -> Self {
         const { assert!(PAIRS.is_multiple_of(LANES)) }
@@ -38,20 +38,21 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
             first: [[[S::zero(); PAIRS]; 2]; HALF],
             second: [[[S::zero(); PAIRS]; 2]; HALF],
             begun: [[S::zero(); PAIRS]; ORDERS],
-            sums: [S::zero(); PAIRS],
+            partial: [S::zero(); PAIRS],
             order: 1,
         }
     }
 
-    /// Adds the terms of the present order, and computes the sums of the next one by `sum`, given the sums that were begun
-    /// and all terms that are known.
+    /// The sums of the next order, given the terms of the present one; `partial` computes those of the order after that
+    /// as far as the terms are known, given the sums that were begun.
     #[inline(always)]
-    fn advance_by<const FACTORS: usize>(
+    fn advance_by<const FACTORS: usize, const BEGIN: bool>(
         &mut self,
         factors: &[S; FACTORS],
         pairs: &[[usize; 2]; PAIRS],
-        sum: impl Fn(&mut [[S; LANES]], &[[S; LANES]], &[[S; LANES]]) -> [S; LANES],
-    ) {
+        partial: impl Fn(&mut [[S; LANES]], &[[S; LANES]], &[[S; LANES]]) -> [S; LANES],
+    ) -> [S; PAIRS] {
+        let order = self.order;
         let first = self.first.as_flattened_mut().as_flattened_mut();
         let second = self.second.as_flattened_mut().as_flattened_mut();
         let begun = self.begun.as_flattened_mut();
@@ -59,28 +60,43 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
             .chunks_exact_mut(2 * HALF * LANES)
             .zip(second.chunks_exact_mut(2 * HALF * LANES))
             .zip(begun.chunks_exact_mut(ORDERS * LANES));
-        let sums = self.sums.as_chunks_mut::<LANES>().0.iter_mut();
+        let mut sums = self.partial;
+        let partials = self.partial.as_chunks_mut::<LANES>().0.iter_mut();
+        let results = sums.as_chunks_mut::<LANES>().0.iter_mut();
         let pairs = pairs.as_chunks::<LANES>().0.iter();
-        for ((((first, second), begun), sums), pairs) in blocks.zip(sums).zip(pairs) {
+        for (((((first, second), begun), partials), sums), pairs) in
+            blocks.zip(partials).zip(results).zip(pairs)
+        {
             let x = first.as_chunks_mut::<LANES>().0;
             let y = second.as_chunks_mut::<LANES>().0;
-            let known = self.order.min(x.len());
-            let (x, y) = (&mut x[..known], &mut y[..known]);
-            if let (Some(x), Some(y)) = (x.last_mut(), y.last_mut()) {
-                if LANES <= LANES_AT_ONCE {
-                    *x = core::array::from_fn(|lane| factors[pairs[lane][0]]);
-                    *y = core::array::from_fn(|lane| factors[pairs[lane][1]]);
-                } else {
-                    // Longer rows do not fit into registers: they are written where they stay.
-                    for ((x, y), pair) in x.iter_mut().zip(y).zip(pairs) {
-                        *x = factors[pair[0]];
-                        *y = factors[pair[1]];
-                    }
+            let begun = begun.as_chunks_mut::<LANES>().0;
+            let new_x = core::array::from_fn(|lane| factors[pairs[lane][0]]);
+            let new_y = core::array::from_fn(|lane| factors[pairs[lane][1]]);
+            *sums = match (x.first(), y.first()) {
+                (Some(first_x), Some(first_y)) if order > 1 => {
+                    plus(&plus(sums, first_x, &new_y), &new_x, first_y)
                 }
+                _ => plus(sums, &new_x, &new_y),
+            };
+            if order + 1 >= x.len() {
+                continue;
             }
-            *sums = sum(begun.as_chunks_mut::<LANES>().0, x, y);
+            if BEGIN {
+                products(begun, &x[..=order], &y[..=order]);
+            }
+            let mut next = partial(begun, &x[..order - 1], &y[..order - 1]);
+            if order > 2 {
+                // Not read back from where they are stored, which would have to wait until they are there.
+                next = plus(&plus(&next, &x[1], &new_y), &new_x, &y[1]);
+            } else if order == 2 {
+                next = plus(&next, &new_x, &new_y);
+            }
+            *partials = next;
+            x[order - 1] = new_x;
+            y[order - 1] = new_y;
         }
         self.order += 1;
+        sums
     }
 }
 
@@ -88,31 +104,27 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const LANES: usize, co
     OnlineConvolutions<S, FACTORS, PAIRS> for PairedConvolutions<S, PAIRS, LANES, HALF>
 {
     #[inline(always)]
-    fn sums(&self) -> [S; PAIRS] {
-        self.sums
-    }
-
-    #[inline(always)]
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) {
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
         match self.order % ORDERS {
-            _ if self.order < ORDERS => self.advance_by(factors, pairs, |_, x, y| {
-                let mut sum = [S::zero(); LANES];
-                for (x, y) in x.iter().zip(y.iter().rev()) {
-                    sum = plus(&sum, x, y);
-                }
-                sum
+            _ if self.order < 2 * ORDERS - 1 => {
+                self.advance_by::<_, false>(factors, pairs, |_, x, y| {
+                    let mut sum = [S::zero(); LANES];
+                    for (x, y) in x.iter().skip(2).zip(y.iter().skip(2).rev()) {
+                        sum = plus(&sum, x, y);
+                    }
+                    sum
+                })
+            }
+            3 => self.advance_by::<_, true>(factors, pairs, |begun, x, y| {
+                with_last::<S, LANES, 0>(begun, x, y)
             }),
-            0 => self.advance_by(factors, pairs, |begun, x, y| {
-                products(begun, x, y);
-                begun[0]
-            }),
-            1 => self.advance_by(factors, pairs, |begun, x, y| {
+            0 => self.advance_by::<_, false>(factors, pairs, |begun, x, y| {
                 with_last::<S, LANES, 1>(begun, x, y)
             }),
-            2 => self.advance_by(factors, pairs, |begun, x, y| {
+            1 => self.advance_by::<_, false>(factors, pairs, |begun, x, y| {
                 with_last::<S, LANES, 2>(begun, x, y)
             }),
-            _ => self.advance_by(factors, pairs, |begun, x, y| {
+            _ => self.advance_by::<_, false>(factors, pairs, |begun, x, y| {
                 with_last::<S, LANES, 3>(begun, x, y)
             }),
         }
@@ -207,7 +219,7 @@ fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
     }
 }
 
-/// A sum that was begun and those of its products that have one of the last terms.
+/// A sum that was begun and those of its products that have one of the last terms, but for those with the first ones.
 #[inline(always)]
 fn with_last<S: Scalar, const LANES: usize, const LAST: usize>(
     begun: &[[S; LANES]],
@@ -215,9 +227,9 @@ fn with_last<S: Scalar, const LANES: usize, const LAST: usize>(
     y: &[[S; LANES]],
 ) -> [S; LANES] {
     let ends = (
-        x.first_chunk(),
+        x.get(2..).and_then(|x| x.first_chunk()),
         x.last_chunk(),
-        y.first_chunk(),
+        y.get(2..).and_then(|y| y.first_chunk()),
         y.last_chunk(),
     );
     let (Some(x_first), Some(x_last), Some(y_first), Some(y_last)) = ends else {
@@ -252,19 +264,19 @@ mod tests {
         mut convolutions: impl OnlineConvolutions<f64, 5, PAIRS>,
     ) {
         let pairs = pairs_of::<PAIRS>();
+        let mut sums = [0.0; PAIRS];
         for order in 1..2 * HALF {
             let expected = pairs.map(|[x, y]| {
                 let products = (1..order).map(|i| factor(x, i) * factor(y, order - i));
                 products.sum::<f64>()
             });
-            let sums = convolutions.sums();
             let mut pairs_of_sums = sums.iter().zip(expected);
             assert!(
                 pairs_of_sums.all(|(sum, expected)| (sum - expected).abs() == 0.0),
                 "order {order} of {HALF}: {sums:?}"
             );
             let factors = core::array::from_fn(|index| factor(index, order));
-            convolutions.advance(&factors, &pairs);
+            sums = convolutions.advance(&factors, &pairs);
         }
     }
 
@@ -286,12 +298,11 @@ mod tests {
 
     const REPEATED: [[usize; 2]; 4] = [[0, 1], [1, 1], [2, 3], [2, 3]];
 
-    /// The sums of three pairs, of which the last is repeated, up to order 11.
+    /// The sums of three pairs, of which the last is repeated, up to order 12.
     fn with_repeated(mut convolutions: impl OnlineConvolutions<f64, 5, 4>) -> [[f64; 3]; 11] {
         core::array::from_fn(|i| {
-            let [first, second, third, _] = convolutions.sums();
             let factors = core::array::from_fn(|index| factor(index, i + 1));
-            convolutions.advance(&factors, &REPEATED);
+            let [first, second, third, _] = convolutions.advance(&factors, &REPEATED);
             [first, second, third]
         })
     }
