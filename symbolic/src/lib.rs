@@ -38,6 +38,7 @@ pub use mechanics::kinetics::{Kinetics, LinearSystem};
 pub use mechanics::model::{Energies, EnergiesInFrames, Model};
 pub use mechanics::regressor::{NoRegressor, Regressor, UnknownParameters};
 pub use mechanics::routhian::{NoReduction, Obstacle, PoleForm, Reduction, Spoiler};
+pub use mechanics::solvers::first_order_equations::FirstOrderEquations;
 pub use mechanics::solvers::form::SolvedForm;
 pub use mechanics::solvers::implicit_equations::ImplicitEquations;
 pub use mechanics::solvers::pivots::Pivot;

@@ -1,8 +1,8 @@
 //! Taylor series of programs, and the check that every expansion makes of them.
 
 use lagrangian_symbolic::{
-    AccelerationProgram, Equations, Expression, Graph, ImplicitEquations, Kinetics, Model, Program,
-    QuasiVelocityEquations, SeriesCheck, SeriesOutputs, Staged, TaylorProgram, ValueSeriesCheck,
+    AccelerationProgram, Equations, Expression, FirstOrderEquations, Graph, ImplicitEquations, Kinetics, Model, PoleForm, Program,
+    Reduction, SeriesCheck, SeriesOutputs, Staged, TaylorProgram, ValueSeriesCheck,
 };
 use lagrangian_symbolic_testing::mutation::wrong_series;
 use lagrangian_symbolic_testing::systems::{
@@ -46,8 +46,8 @@ impl Accelerations {
         let mut model = model.clone();
         let equations = Equations::derive(&mut model).unwrap();
         let kinetics = Kinetics::cheapest(&mut model, &equations);
-        for choice in kinetics.quasi_velocity_equations(&mut model, &equations) {
-            choices.push(Self::of(model.clone()).in_quasi_velocities(&model, &choice));
+        for choice in kinetics.first_order_equations(&mut model, &equations) {
+            choices.push(Self::of(model.clone()).of_first_order(&model, &choice));
         }
         choices.extend(Self::implicit_choices(&mut model, &equations, &kinetics));
         choices
@@ -113,18 +113,17 @@ impl Accelerations {
         outputs
     }
 
-    fn in_quasi_velocities(
+    fn of_first_order(
         mut self,
         model: &Model,
-        equations: &QuasiVelocityEquations,
+        equations: &FirstOrderEquations,
     ) -> (Self, TaylorProgram) {
-        let QuasiVelocityEquations {
-            quasi_velocities,
+        let FirstOrderEquations {
+            values,
             velocities,
             rates,
-            ..
         } = equations;
-        let roots = [&quasi_velocities[..], velocities, rates];
+        let roots = [&values[..], velocities, rates];
         let program = Program::schedule_for_staging(&model.graph, &roots);
         let staged = program.staged(model.graph.passes);
         let kernel = staged.with_setup_in(&mut self.staged.setup);
@@ -161,12 +160,22 @@ impl Accelerations {
     }
 }
 
+/// The symmetric top without its ignorable angles.
+fn reduced_top(form: PoleForm) -> Model {
+    let mut full = top(euler_rates, [0, 0, 1]);
+    let equations = Equations::derive(&mut full).unwrap();
+    let parameters = 4;
+    let reduction = Reduction::of(&full, &equations, parameters, form);
+    reduction.unwrap().model
+}
+
 fn systems() -> Vec<(&'static str, Model)> {
     vec![
         ("driven pendulum", driven_pendulum()),
         ("rigid body", rigid_body()),
         ("symmetric top", top(euler_rates, [0, 0, 1])),
         ("general top", top(cardan_rates, [0, 1, 2])),
+        ("reduced top", reduced_top(PoleForm::Direct)),
         ("cart and pole", cart_pole()),
         ("polar", polar()),
         ("charged", charged()),
@@ -224,6 +233,47 @@ fn series_in_quasi_velocities_take_fewer_convolutions() {
     assert_eq!(fewest(rigid_body()), (22, 13));
     assert_eq!(fewest(top(euler_rates, [0, 0, 1])), (10, 6));
     assert_eq!(fewest(top(cardan_rates, [0, 1, 2])), (26, 15));
+}
+
+/// By the cosine, whose second derivative is a polynomial, three sums: its square, and two for the sine and the rate of the
+/// angle. The acceleration takes sine and cosine, three for the potential and one for the quotient by sin³ θ.
+#[test]
+fn an_angle_in_an_effective_potential_moves_by_its_cosine() {
+    let choices = Accelerations::choices(&reduced_top(PoleForm::Direct));
+    let counts = choices.iter().map(|(_, taylor)| taylor.convolutions.len());
+    let counts: Vec<usize> = counts.collect();
+    assert_eq!((counts[0], counts.iter().min()), (6, Some(&3)));
+    let cheapest = choices.iter().min_by_key(|(_, taylor)| taylor.cost());
+    assert_eq!(cheapest.unwrap().1.convolutions.len(), 3);
+}
+
+/// Without a pole, with a force, where an inertia varies, or in time, there is no such polynomial, or it earns nothing.
+#[test]
+fn other_angles_do_not_move_by_their_cosines() {
+    let x = || Draft::symbol(Symbol::Coordinate(0));
+    let v = || Draft::symbol(Symbol::Velocity(0));
+    let pole = || (1 - Draft::from(2) * x().cos()).squared() / x().sin().squared();
+    let square = || v().squared();
+    let count = |kinetic: Draft, potential: Draft, force: Draft| {
+        let mut model = Draft::natural(1, kinetic, potential, vec![force]);
+        let equations = Equations::derive(&mut model).unwrap();
+        let kinetics = Kinetics::cheapest(&mut model, &equations);
+        kinetics.first_order_equations(&mut model, &equations).len()
+    };
+    let none = || Draft::from(0);
+    let regular = count(square(), x().cos(), none());
+    assert_eq!(count(square(), pole(), none()), regular + 1);
+    assert_eq!(count(square(), pole() + x().cos() - 7, none()), regular + 1);
+    for (potential, force) in [
+        (x().cos(), none()),
+        (pole() + x().sin(), none()),
+        (pole() + x(), none()),
+        (pole() * Draft::symbol(Symbol::Time), none()),
+        (pole(), -v()),
+    ] {
+        assert_eq!(count(square(), potential, force), regular);
+    }
+    assert_eq!(count(square() * (2 + x().cos()), pole(), none()), regular);
 }
 
 /// The factors of M have no series in implicit equations: a link takes two convolutions for its sine and cosine, one for

@@ -111,6 +111,7 @@ impl Emitter<'_> {
             let (more, invariants) = writer.compute(&method.invariants);
             let term = self.term(method, writer);
             let (n, factors) = (self.coordinates(), method.program.factors());
+            let of_variables = method.program.quasi_velocities.map(|count| quote!(#count,));
             let (pairs, lanes) = in_blocks(&method.program.convolutions);
             let count_of_pairs = pairs.len();
             let count = invariants.len();
@@ -122,7 +123,7 @@ impl Emitter<'_> {
                 let accelerations = #rates;
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
-                #root::__private::#expansion::<_, #n, #factors, #count_of_pairs, #lanes, HALF>(
+                #root::__private::#expansion::<_, #n, #of_variables #factors, #count_of_pairs, #lanes, HALF>(
                     state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #next_inputs #term },
                 );
             }

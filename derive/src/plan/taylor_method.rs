@@ -1,7 +1,7 @@
 //! The Taylor series of a motion.
 
 use lagrangian_symbolic::{
-    Equations, Graph, ImplicitEquations, Model, NoSeries, Program, QuasiVelocityEquations,
+    Equations, FirstOrderEquations, Graph, ImplicitEquations, Model, NoSeries, Program,
     SeriesCheck, SeriesOutputs, TaylorProgram, ValueSeriesCheck,
 };
 
@@ -46,8 +46,8 @@ impl Methods {
     ) -> Result<TaylorMethod, NoTaylorSeries> {
         let accelerations = self.series_of_accelerations(&model.graph)?;
         let mut choices = vec![(self.prepare.program.clone(), accelerations)];
-        for choice in self.kinetics.quasi_velocity_equations(model, equations) {
-            choices.extend(self.series_in_quasi_velocities(model, &choice));
+        for choice in self.kinetics.first_order_equations(model, equations) {
+            choices.extend(self.series_of_first_order(model, &choice));
         }
         for choice in self.kinetics.implicit_equations(model, equations) {
             choices.extend(self.series_of_implicit_equations(model, &choice));
@@ -91,15 +91,15 @@ impl Methods {
         })
     }
 
-    /// The series of coordinates and quasi-velocities, and the setup program with their invariants; none if a constant is
+    /// The series of coordinates and quasi-velocities or other variables, and the setup program with their invariants; none if a constant is
     /// beyond the range of `f64`.
-    fn series_in_quasi_velocities(
+    fn series_of_first_order(
         &self,
         model: &Model,
-        equations: &QuasiVelocityEquations,
+        equations: &FirstOrderEquations,
     ) -> Option<(Program, TaylorMethod)> {
         let mut layout = ProgramLayout::new();
-        let values = layout.add(&equations.quasi_velocities);
+        let values = layout.add(&equations.values);
         layout.begin_group();
         let velocities = layout.add(&equations.velocities);
         let rates = layout.add(&equations.rates);

@@ -92,11 +92,11 @@ impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
 
 /// What the recurrence for the Taylor coefficients of order k reads.
 #[derive(Clone, Copy, Debug)]
-pub struct Term<S: Scalar, const N: usize, const PAIRS: usize> {
+pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
     /// The coefficient k of the coordinates.
     pub q: SVector<S, N>,
-    /// That of the velocities, or of the quasi-velocities.
-    pub v: SVector<S, N>,
+    /// That of the velocities, or of `W` quasi-velocities or other variables.
+    pub v: SVector<S, W>,
     /// That of the time.
     pub t: S,
     /// k.
@@ -123,21 +123,28 @@ pub fn taylor_series<
     accelerations: SVector<S, N>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
-    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+    mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
 ) {
-    let term = |order: &Term<S, N, PAIRS>| {
+    let term = |order: &Term<S, N, N, PAIRS>| {
         let (rates, factors) = term(order);
         (order.v, rates, factors)
     };
-    expand::<_, _, _, _, LANES, HALF, true>(state, unit, accelerations, coefficients, pairs, term);
+    expand::<_, _, _, _, _, LANES, HALF>(
+        (state, unit, accelerations),
+        coefficients,
+        pairs,
+        Some,
+        term,
+    );
 }
 
-/// The same from the rates of the quasi-velocities of order 0, and from `term`, which computes the velocities and the rates
-/// of the quasi-velocities of order k and the factors of the convolutions.
+/// The same from the rates of `W` quasi-velocities or other variables of order 0, and from `term`, which computes the
+/// velocities and those rates of order k and the factors of the convolutions.
 #[inline]
 pub fn taylor_series_in_quasi_velocities<
     S: Scalar,
     const N: usize,
+    const W: usize,
     const FACTORS: usize,
     const PAIRS: usize,
     const LANES: usize,
@@ -145,12 +152,12 @@ pub fn taylor_series_in_quasi_velocities<
 >(
     state: &State<S, N>,
     unit: S,
-    rates: SVector<S, N>,
+    rates: SVector<S, W>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
-    term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
+    term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
-    expand::<_, _, _, _, LANES, HALF, false>(state, unit, rates, coefficients, pairs, term);
+    expand::<_, _, _, _, _, LANES, HALF>((state, unit, rates), coefficients, pairs, |_| None, term);
 }
 
 /// The coefficients of a motion from the rates of order 0, in the layout of the convolutions that suits the scalar.
@@ -158,31 +165,27 @@ pub fn taylor_series_in_quasi_velocities<
 fn expand<
     S: Scalar,
     const N: usize,
+    const W: usize,
     const FACTORS: usize,
     const PAIRS: usize,
     const LANES: usize,
     const HALF: usize,
-    const IN_VELOCITIES: bool,
 >(
-    state: &State<S, N>,
-    unit: S,
-    rates: SVector<S, N>,
+    (state, unit, rates): (&State<S, N>, S, SVector<S, W>),
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
-    term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
+    velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
+    term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
     *coefficients.initial_mut() = Phase::from(*state);
-    let first = Phase {
-        q: state.v * unit,
-        v: rates * unit,
-    };
+    let first = (state.v * unit, rates * unit);
     let higher = coefficients.higher_mut();
     if const { pair_by_pair::<S, PAIRS, HALF>() } {
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF>::new();
-        orders_of::<_, _, _, _, IN_VELOCITIES>(unit, first, higher, pairs, convolutions, term);
+        orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     } else {
         let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
-        orders_of::<_, _, _, _, IN_VELOCITIES>(unit, first, higher, pairs, convolutions, term);
+        orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     }
 }
 
@@ -192,46 +195,46 @@ const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
     size_of::<S>() <= size_of::<f64>() && size <= LARGEST_PAIRED_CONVOLUTIONS
 }
 
-/// The coefficients of the motion from that of order 1, one order after the other. Velocities are known before their term,
-/// which the last order then does not need.
+/// The coefficients of the motion from that of order 1, one order after the other. Where the variables are the
+/// `velocities`, these are known before their term, which the last order then does not need.
 #[inline]
 fn orders_of<
     S: Scalar,
     const N: usize,
+    const W: usize,
     const FACTORS: usize,
     const PAIRS: usize,
-    const IN_VELOCITIES: bool,
 >(
     unit: S,
-    first: Phase<S, N>,
+    first: (SVector<S, N>, SVector<S, W>),
     higher: &mut [Phase<S, N>],
     pairs: &[[usize; 2]; PAIRS],
     mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
-    mut term: impl FnMut(&Term<S, N, PAIRS>) -> (SVector<S, N>, SVector<S, N>, [S; FACTORS]),
+    velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
+    mut term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
-    let mut next = first;
+    let (mut q, mut v) = first;
     let mut sums = [S::zero(); PAIRS];
     let mut order = S::one();
     let mut reciprocal_order = S::one();
     let mut t = unit;
     let last = higher.len().saturating_sub(1);
     for (index, coefficient) in higher.iter_mut().enumerate() {
-        if IN_VELOCITIES && index == last {
-            *coefficient = next;
+        if index == last
+            && let Some(velocities) = velocities(v)
+        {
+            *coefficient = Phase { q, v: velocities };
             return;
         }
         let (velocities, rates, factors) = term(&Term {
-            q: next.q,
-            v: next.v,
+            q,
+            v,
             t,
             order,
             reciprocal_order,
             convolutions: sums,
         });
-        *coefficient = Phase {
-            q: next.q,
-            v: velocities,
-        };
+        *coefficient = Phase { q, v: velocities };
         if index == last {
             return;
         }
@@ -240,10 +243,7 @@ fn orders_of<
         reciprocal_order = S::one() / order;
         t = S::zero();
         let step = unit * reciprocal_order;
-        next = Phase {
-            q: velocities * step,
-            v: rates * step,
-        };
+        (q, v) = (velocities * step, rates * step);
     }
 }
 
@@ -262,7 +262,7 @@ pub fn event_series<
     motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     values: [S; EVENTS],
     pairs: &[[usize; 2]; PAIRS],
-    mut term: impl FnMut(&Term<S, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
+    mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
     let mut series = TaylorCoefficients::new(values);
     let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);

@@ -33,16 +33,16 @@ impl Graph {
 }
 
 /// An angle, and the functions of it and of its half.
-struct HalfAngle {
+pub(crate) struct HalfAngle {
     symbol: Symbol,
-    sine: Expression,
-    cosine: Expression,
+    pub(crate) sine: Expression,
+    pub(crate) cosine: Expression,
     half_sine: Expression,
     half_cosine: Expression,
 }
 
 impl HalfAngle {
-    fn of(graph: &mut Graph, symbol: Symbol) -> Self {
+    pub(crate) fn of(graph: &mut Graph, symbol: Symbol) -> Self {
         let x = graph.symbol(symbol);
         let half = graph.scale(x, &Rational::HALF);
         Self {
@@ -90,7 +90,7 @@ impl HalfAngle {
     }
 
     /// The numerator of a quotient by sin² x, multiplied out of the other terms; none for other terms.
-    fn numerator(&self, graph: &mut Graph, term: Expression) -> Option<Expression> {
+    pub(crate) fn numerator(&self, graph: &mut Graph, term: Expression) -> Option<Expression> {
         let Node::Product(factors) = graph.node(term) else {
             return None;
         };
@@ -135,7 +135,7 @@ impl HalfAngle {
     }
 
     /// The coefficients of a polynomial in cos x, by exponent; none where x occurs otherwise.
-    fn powers_of_cosine(
+    pub(crate) fn powers_of_cosine(
         &self,
         graph: &mut Graph,
         polynomial: Expression,

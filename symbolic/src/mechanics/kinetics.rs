@@ -11,11 +11,12 @@ use crate::mechanics::energy_functions::EnergyFunctions;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
+use crate::mechanics::solvers::first_order_equations::FirstOrderEquations;
 use crate::mechanics::solvers::implicit_equations::ImplicitEquations;
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
 use crate::mechanics::solvers::link_derivatives::cheapest_derivatives;
 use crate::mechanics::solvers::link_equations::LinkEquations;
-use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
+use crate::mechanics::solvers::motion_of_cosine;
 use crate::mechanics::solvers::solution::{Solution, Solver};
 use crate::{Equations, Expression, Graph, Model, Pass, Symbol};
 
@@ -166,17 +167,19 @@ impl Kinetics {
         cheapest_derivatives(graph, links, &system.inverse_dynamics, symbols, &beside).concat()
     }
 
-    /// The equations of motion in coordinates and quasi-velocities, for each choice of these that is known.
-    pub fn quasi_velocity_equations(
+    /// The equations of motion in coordinates and quasi-velocities, for each choice of these that is known, and in the cosine
+    /// of an angle, where it moves alone in a potential with poles.
+    pub fn first_order_equations(
         &self,
         model: &mut Model,
         equations: &Equations,
-    ) -> Vec<QuasiVelocityEquations> {
+    ) -> Vec<FirstOrderEquations> {
         let forces = &equations.generalized_forces;
         let choices = self.boltzmann_hamel.iter();
+        let choices = choices.map(|choice| choice.equations(&mut model.graph, forces).into());
+        let mut choices: Vec<_> = choices.collect();
+        choices.extend(motion_of_cosine::equations(model, equations));
         choices
-            .map(|choice| choice.equations(&mut model.graph, forces))
-            .collect()
     }
 
     /// The equations of motion as M q̈ − f = 0, by each known way to compute this.

@@ -15,6 +15,8 @@ pub(crate) mod twist_elimination;
 pub(crate) mod articulated_links;
 pub(crate) mod structure_constants;
 pub(crate) mod quasi_velocity_equations;
+pub(crate) mod first_order_equations;
+pub(crate) mod motion_of_cosine;
 pub(crate) mod boltzmann_hamel;
 pub(crate) mod solution;
 pub(crate) mod form;

@@ -38,8 +38,8 @@ pub struct TaylorProgram {
     pub recurrence: Program,
     /// The sums of orders below k.
     pub convolutions: Vec<Convolution>,
-    /// Whether the values are velocities and the rates of quasi-velocities.
-    pub is_in_quasi_velocities: bool,
+    /// The number of quasi-velocities, whose rates follow the velocities in the values; none where the values are others.
+    pub quasi_velocities: Option<usize>,
 }
 
 /// The sum Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ, which the recurrence reads as a [symbol](Symbol::Convolution): the indices of x and y among
@@ -165,7 +165,7 @@ impl TaylorProgram {
         }
         let mut taylor = builder.finish(program, coefficients);
         if let SeriesOutputs::QuasiVelocities { values, .. } = outputs {
-            taylor.is_in_quasi_velocities = true;
+            taylor.quasi_velocities = Some(values.len());
             taylor.initial.replace_symbols(|symbol| match symbol {
                 Symbol::QuasiVelocity(i) => values.get(i as usize).cloned(),
                 _ => None,

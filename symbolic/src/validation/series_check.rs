@@ -26,8 +26,8 @@ pub struct SeriesCheck {
     coordinates: usize,
     /// The number of pivots before q̈, unless M and f are computed.
     pivots: Option<usize>,
-    /// Whether the recurrence is that of velocities and quasi-velocities.
-    in_quasi_velocities: bool,
+    /// The number of quasi-velocities, if the recurrence is that of velocities and of these.
+    quasi_velocities: Option<usize>,
 }
 
 impl SeriesCheck {
@@ -51,7 +51,7 @@ impl SeriesCheck {
             taylor: RecurrenceTape::of(taylor),
             coordinates,
             pivots,
-            in_quasi_velocities: taylor.is_in_quasi_velocities,
+            quasi_velocities: taylor.quasi_velocities,
         }
     }
 
@@ -66,10 +66,11 @@ impl SeriesCheck {
         let prepared = |symbol: Symbol| point.value(symbol);
         let prepared = self.preparation.evaluate(&prepared, perturbation);
         let motion = self.motion(point, &prepared, perturbation)?;
-        let found = if self.in_quasi_velocities {
-            self.recurrence_in_quasi_velocities(point, &prepared, &motion, perturbation)
-        } else {
-            self.recurrence(point, &prepared, &motion, perturbation)?
+        let found = match self.quasi_velocities {
+            Some(count) => {
+                self.recurrence_in_quasi_velocities(count, point, &prepared, &motion, perturbation)
+            }
+            None => self.recurrence(point, &prepared, &motion, perturbation)?,
         };
         let mut comparisons = Comparisons::default();
         for (found, expected) in found.iter().zip(&motion) {
@@ -186,6 +187,7 @@ impl SeriesCheck {
     /// The coefficients by a recurrence for velocities and quasi-velocities: those of q̈ are k q̇ₖ, k = 1, 2, …
     fn recurrence_in_quasi_velocities(
         &self,
+        count: usize,
         point: RealPoint,
         prepared: &[f64],
         motion: &Coefficients,
@@ -194,7 +196,7 @@ impl SeriesCheck {
         let n = self.coordinates;
         let (mut outputs, invariants) = self.initial(point, prepared, motion, perturbation);
         // The rates of the order before.
-        let mut rates = outputs.split_off(2 * n);
+        let mut rates = outputs.split_off(count + n);
         let mut factors: Vec<Vec<f64>> = Vec::new();
         let orders = [1.0, 2.0, 3.0, 4.0];
         orders.map(|order| {
@@ -207,7 +209,7 @@ impl SeriesCheck {
                 _ => term(point, motion, symbol, factors.len() + 1),
             };
             let mut terms = self.taylor.terms(&known, &symbol, perturbation);
-            factors.push(terms.split_off(2 * n));
+            factors.push(terms.split_off(n + count));
             rates = terms.split_off(n);
             terms.iter().map(|velocity| velocity * order).collect()
         })

@@ -345,7 +345,7 @@ impl<'a> Builder<'a> {
                 groups: implicit::in_two_groups(instructions, coefficients, factors),
             },
             convolutions: self.convolutions.items,
-            is_in_quasi_velocities: false,
+            quasi_velocities: None,
         }
     }
 }
