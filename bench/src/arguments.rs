@@ -57,6 +57,10 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) compile: bool,
 
+    /// A step of the reduced symmetric top beside one of the full top.
+    #[arg(long, group = "task")]
+    pub(crate) reduced: bool,
+
     /// An arm in space of so many links: accelerations and inverse dynamics beside algorithms written by hand in C.
     #[arg(long, group = "task")]
     pub(crate) spatial: bool,

@@ -51,6 +51,7 @@ pub(crate) fn build(
         Calls::Measure | Calls::MeasureWithRounding => format!("model-{model}"),
         Calls::Integrate | Calls::IntegrateAlone => format!("integrated-{model}"),
         Calls::IntegratePrecisely => format!("reference-{model}"),
+        Calls::CompareReduced => format!("reduced-{model}"),
         Calls::Taylor => format!("taylor-{model}"),
         Calls::Dop853 => format!("dop853-{model}"),
     };
@@ -99,6 +100,11 @@ fn program(folders: &Folders, name: &str, flags: Flags) -> PathBuf {
 }
 
 impl Built {
+    /// The program.
+    pub(crate) fn program(&self) -> &Path {
+        &self.program
+    }
+
     /// Whether both are the same to the last byte.
     pub(crate) fn equals(&self, other: &Self) -> Result<bool, String> {
         let bytes = |built: &Self| {

@@ -23,6 +23,8 @@ pub(crate) enum Calls {
     IntegrateAlone,
     /// Of such a model for its references.
     IntegratePrecisely,
+    /// Of such a model that is reduced by its ignorable coordinates to one angle.
+    CompareReduced,
     /// Nothing: one integration, as a user writes it, of a model with the clause `taylor`.
     Taylor,
     /// The same without the clause.
@@ -37,6 +39,7 @@ impl Calls {
             Self::Integrate | Self::IntegrateAlone | Self::IntegratePrecisely | Self::Taylor => {
                 "    taylor,\n"
             }
+            Self::CompareReduced => "    taylor,\n    routhian(Reduced),\n",
         }
     }
 
@@ -48,6 +51,7 @@ impl Calls {
             Self::Integrate => "integrate",
             Self::IntegrateAlone => "integrate_alone",
             Self::IntegratePrecisely => "integrate_precisely",
+            Self::CompareReduced => return compare_reduced(degrees),
             Self::Taylor => return once("Taylor", degrees),
             Self::Dop853 => return once("Dop853", degrees),
         };
@@ -57,6 +61,15 @@ impl Calls {
         );
         (call, "std::process::ExitCode")
     }
+}
+
+/// Steps of the full model and of the reduced one, from where the trajectories of the symmetric top begin.
+fn compare_reduced(degrees: usize) -> (String, &'static str) {
+    let call = format!(
+        "    let start = State::new(0.0, [0.0, 0.5, 0.0], [0.3, 0.0, 20.0]);\n    \
+         lagrangian_bench::compare_steps::<{degrees}, 1, Model>(&model, start)\n"
+    );
+    (call, "std::process::ExitCode")
 }
 
 /// A motion of ten seconds.

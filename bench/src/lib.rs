@@ -18,6 +18,7 @@ mod integrate;
 mod measure;
 mod protocol;
 mod question;
+mod reduced_step;
 mod rounding;
 mod shared_object;
 mod stopwatch;
@@ -27,4 +28,5 @@ pub use integrate::{Contestant, LANES, integrate, integrate_alone, integrate_pre
 pub use measure::{measure, measure_dynamics, measure_with_rounding};
 pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};
 pub use question::{EnergyErrors, Integrated, Integration, Question, answer_questions};
+pub use reduced_step::compare_steps;
 pub use thread_time::fewest_seconds;

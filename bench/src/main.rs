@@ -51,6 +51,7 @@ mod work_precision;
 mod brouwer;
 mod compile_costs;
 mod spatial;
+mod reduced;
 
 use std::process::ExitCode;
 
@@ -86,6 +87,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.compile {
         return compile_costs::run(arguments);
+    }
+    if arguments.reduced {
+        return reduced::run();
     }
     if arguments.spatial {
         return spatial::run(arguments);

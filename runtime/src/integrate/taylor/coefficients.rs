@@ -102,20 +102,22 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         shifted
     }
 
-    /// x(τ) − x(0), by Horner's rule.
+    /// x(τ) − x(0), by Horner's rule for the coefficients of odd and of even order in turn, so that one need not wait for
+    /// the other (Knuth, *The Art of Computer Programming* 2, 3rd edition 1997, section 4.6.4).
     #[inline]
     #[must_use]
     pub fn change<S: Scalar>(&self, tau: S) -> X
     where
         X: VectorSpace<S>,
     {
-        let mut sum = self.initial.zeroed();
-        for coefficient in self.higher().iter().rev() {
-            let mut next = coefficient.clone();
-            next.add_scaled(tau, &sum);
-            sum = next;
+        let square = tau * tau;
+        let mut pairs = self.pairs.iter().rev();
+        let [mut odd, mut even] = self.last_pair(pairs.next());
+        for [first, second] in pairs {
+            odd = with_higher(first, square, &odd);
+            even = with_higher(second, square, &even);
         }
-        sum.map(|component| component * tau)
+        with_higher(&odd, tau, &even).map(|component| component * tau)
     }
 
     /// dx/dτ.
@@ -128,31 +130,95 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.change_and_derivative(tau).1
     }
 
-    /// x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative.
+    /// x(τ) − x(0) and dx/dτ, by the same rule for a polynomial and its derivative: with x(τ) − x(0) = τ A(τ²) + τ² B(τ²),
+    /// dx/dτ = A + 2 τ B + 2 τ² (A′ + τ B′).
     #[inline]
     #[must_use]
     pub fn change_and_derivative<S: Scalar>(&self, tau: S) -> (X, X)
     where
         X: VectorSpace<S>,
     {
-        let mut quotient = self.initial.zeroed();
-        let mut derivative = quotient.clone();
-        for coefficient in self.higher().iter().rev() {
-            let mut next = quotient.clone();
-            next.add_scaled(tau, &derivative);
-            derivative = next;
-            let mut next = coefficient.clone();
-            next.add_scaled(tau, &quotient);
-            quotient = next;
+        let square = tau * tau;
+        let mut pairs = self.pairs.iter().rev();
+        let [mut odd, mut even] = self.last_pair(pairs.next());
+        let mut slopes = [odd.zeroed(), even.zeroed()];
+        for [first, second] in pairs {
+            slopes = [
+                with_higher(&odd, square, &slopes[0]),
+                with_higher(&even, square, &slopes[1]),
+            ];
+            odd = with_higher(first, square, &odd);
+            even = with_higher(second, square, &even);
         }
-        let mut slope = quotient.clone();
-        slope.add_scaled(tau, &derivative);
-        (quotient.map(|component| component * tau), slope)
+        let change = with_higher(&odd, tau, &even).map(|component| component * tau);
+        let [of_odd, of_even] = slopes;
+        let slope = with_higher(&odd, tau + tau, &even);
+        let higher = with_higher(&of_odd, tau, &of_even);
+        (change, with_higher(&slope, square + square, &higher))
     }
+
+    /// The coefficients of the highest orders, with which a rule begins.
+    #[inline]
+    fn last_pair(&self, pair: Option<&[X; 2]>) -> [X; 2] {
+        match pair {
+            Some(pair) => pair.clone(),
+            None => [self.initial.clone(), self.initial.clone()],
+        }
+    }
+}
+
+/// x + τ · higher.
+#[inline]
+fn with_higher<S: Scalar, X: VectorSpace<S>>(x: &X, tau: S, higher: &X) -> X {
+    let mut sum = x.clone();
+    sum.add_scaled(tau, higher);
+    sum
 }
 
 /// An order as a number.
 #[allow(clippy::cast_precision_loss)] // Orders are small.
 pub(super) const fn number(order: usize) -> f64 {
     order as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::{TaylorCoefficients, number};
+
+    /// Fails unless the polynomial with the coefficients 1, 2, … is what its definition says.
+    fn check<const HALF: usize>() {
+        let mut polynomial = TaylorCoefficients::<_, HALF>::new(SVector::from([7.0_f64]));
+        for (index, coefficient) in polynomial.higher_mut().iter_mut().enumerate() {
+            coefficient[0] = number(index + 1);
+        }
+        for tau in [-1.5, -0.25, 0.0, 0.5, 1.0, 1.25] {
+            let terms = |power: i32| {
+                (1..=2 * HALF).map(move |k| (k, f64::powi(tau, i32::try_from(k).unwrap() - power)))
+            };
+            let change: f64 = terms(0).map(|(k, power)| number(k) * power).sum();
+            let slope: f64 = terms(1).map(|(k, power)| number(k * k) * power).sum();
+            // 0⁰ is 1, the inverse of 0 does not occur.
+            let size: f64 = terms(0).map(|(k, power)| number(k * k) * power.abs()).sum();
+            let (found, derivative) = polynomial.change_and_derivative(tau);
+            assert!((found[0] - change).abs() <= 1e-14 * size, "{tau}");
+            assert!(
+                (polynomial.change(tau)[0] - change).abs() <= 1e-14 * size,
+                "{tau}"
+            );
+            assert!(
+                (derivative[0] - slope).abs() <= 1e-14 * (size + slope.abs()),
+                "{tau}"
+            );
+        }
+    }
+
+    #[test]
+    fn polynomials_are_those_of_the_definition() {
+        check::<1>();
+        check::<2>();
+        check::<7>();
+        check::<14>();
+    }
 }

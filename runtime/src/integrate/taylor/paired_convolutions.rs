@@ -106,14 +106,17 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const LANES: usize, co
     #[inline(always)]
     fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
         match self.order % ORDERS {
-            _ if self.order < 2 * ORDERS - 1 => {
-                self.advance_by::<_, false>(factors, pairs, |_, x, y| {
-                    let mut sum = [S::zero(); LANES];
-                    for (x, y) in x.iter().skip(2).zip(y.iter().skip(2).rev()) {
-                        sum = plus(&sum, x, y);
-                    }
-                    sum
-                })
+            _ if self.order < ORDERS => {
+                self.advance_by::<_, false>(factors, pairs, |_, _, _| [S::zero(); LANES])
+            }
+            0 if self.order == ORDERS => {
+                self.advance_by::<_, false>(factors, pairs, |_, x, y| middle::<S, LANES, 1>(x, y))
+            }
+            1 if self.order < 2 * ORDERS => {
+                self.advance_by::<_, false>(factors, pairs, |_, x, y| middle::<S, LANES, 2>(x, y))
+            }
+            2 if self.order < 2 * ORDERS => {
+                self.advance_by::<_, false>(factors, pairs, |_, x, y| middle::<S, LANES, 3>(x, y))
             }
             3 => self.advance_by::<_, true>(factors, pairs, |begun, x, y| {
                 with_last::<S, LANES, 0>(begun, x, y)
@@ -217,6 +220,21 @@ fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
     for (row, sum) in begun.iter_mut().zip([s0, s1, s2, s3]) {
         row[first..first + PART].copy_from_slice(&sum);
     }
+}
+
+/// The products of the terms of order 3 and more, as many as there are.
+#[inline(always)]
+fn middle<S: Scalar, const LANES: usize, const COUNT: usize>(
+    x: &[[S; LANES]],
+    y: &[[S; LANES]],
+) -> [S; LANES] {
+    let (Some(x), Some(y)) = (x.last_chunk(), y.last_chunk()) else {
+        return [S::zero(); LANES];
+    };
+    let [x, y]: [&[[S; LANES]; COUNT]; 2] = [x, y];
+    (0..COUNT).fold([S::zero(); LANES], |sum, i| {
+        plus(&sum, &x[i], &y[COUNT - 1 - i])
+    })
 }
 
 /// A sum that was begun and those of its products that have one of the last terms, but for those with the first ones.

@@ -93,10 +93,7 @@ impl<S: Scalar> Allowance<S> {
 fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
     let excess = residual.zip_map(allowed, |residual, allowed| residual - allowed);
     let is_beyond = |excess: S| excess.largest() > 0.0 || excess.largest().is_nan();
-    if !excess
-        .components()
-        .fold(false, |any, excess| any | is_beyond(excess))
-    {
+    if !excess.fold(false, |any, excess| any | is_beyond(excess)) {
         return None;
     }
     excess.components().position(is_beyond)

@@ -1,5 +1,7 @@
 //! The length of a step of the Taylor series method.
 
+use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
+
 use super::TaylorCoefficients;
 use super::coefficients::number;
 use super::interpolant::TaylorInterpolant;
@@ -44,18 +46,36 @@ pub(super) fn reached<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     reached
 }
 
+/// The bits of 1.
+const ONE: u64 = 1.0_f64.to_bits();
+
+/// Those of 2⁵², whose last bits are those of whole numbers.
+const INTEGERS: u64 = 4_503_599_627_370_496.0_f64.to_bits();
+
+/// 1.5 · 2⁵², to which a number loses its fraction.
+const SHIFT: f64 = 6_755_399_441_055_744.0;
+
+/// The bits of the exponent of a number.
+const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+
+/// 2⁻⁵⁰⁰.
+const LEAST_UNIT: f64 = f64::from_bits((1023 - 500) << 52);
+
 /// The power of two below a positive number and within a factor of 2 of it, within the range of exponents that leaves
 /// room for squares.
 pub(super) fn power_of_two_near(x: f64) -> f64 {
-    libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
+    if x.is_normal() {
+        f64::from_bits(x.to_bits() & EXPONENT).clamp(LEAST_UNIT, 1.0 / LEAST_UNIT)
+    } else {
+        libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
+    }
 }
 
 /// The largest component over its tolerance.
 #[inline]
 pub(super) fn weighted_norm<S: Scalar, X: VectorSpace<S>>(vector: &X, weights: &X) -> f64 {
     let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
-    let largest = ratios.components().map(Scalar::largest);
-    largest.fold(0.0, f64::max)
+    ratios.fold(0.0, |largest: f64, ratio| largest.max(ratio.largest()))
 }
 
 /// The component with the largest last term over its tolerance, which limits the step; `value` is what counts of a scalar.
@@ -166,7 +186,7 @@ impl Proposal {
             let norm = norm.of(term);
             if norm > 0.0 {
                 let order = number(2 * HALF - position);
-                logarithm = logarithm.min(-Scalar::ln(norm) / order);
+                logarithm = logarithm.min(-log2(norm) / order);
             }
             if position > 0 && logarithm < f64::INFINITY {
                 break;
@@ -174,7 +194,7 @@ impl Proposal {
         }
         let middle = coefficients.higher().iter().take(HALF).rev().take(2);
         Self {
-            step: Scalar::exp(logarithm),
+            step: exp2(logarithm),
             middle: middle.fold(0.0, |most, term| norm.of(term).max(most)),
         }
     }
@@ -185,6 +205,38 @@ impl Proposal {
     pub(super) fn is_of_low_degree(self, tau: f64, half_order: usize) -> bool {
         self.middle * power(tau, half_order) < NEGLIGIBLE_TERM
     }
+}
+
+/// The binary logarithm of a positive number, to five digits: by ln z = 2 artanh((z − 1)/(z + 1)) (Abramowitz & Stegun,
+/// *Handbook of Mathematical Functions*, 1964, 4.1.27) about the middle of a binade.
+#[inline]
+pub(super) fn log2(x: f64) -> f64 {
+    if !x.is_normal() {
+        return Scalar::ln(x) * LOG2_E;
+    }
+    let bits = x.to_bits();
+    let mantissa = f64::from_bits((bits & !EXPONENT) | ONE);
+    // The difference of the exponents is exact as a difference of numbers whose last bits they are.
+    let exponent = f64::from_bits(INTEGERS | (bits >> 52)) - f64::from_bits(INTEGERS | (ONE >> 52));
+    let z = (mantissa - SQRT_2) / (mantissa + SQRT_2);
+    let square = z * z;
+    exponent + 0.5 + 2.0 * LOG2_E * z * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0)))
+}
+
+/// 2ˣ to five digits, by the series of the exponential function about the nearest whole number.
+#[inline]
+pub(super) fn exp2(x: f64) -> f64 {
+    if x.is_nan() || x.abs() >= 1000.0 {
+        return Scalar::exp(x * LN_2);
+    }
+    // The sum has no bits for a fraction, and the whole number is its last ones.
+    let shifted = x + SHIFT;
+    let z = (x - (shifted - SHIFT)) * LN_2;
+    let power = f64::from_bits(shifted.to_bits() << 52)
+        .to_bits()
+        .wrapping_add(ONE);
+    let series = 1.0 / 6.0 + z * (1.0 / 24.0 + z * (1.0 / 120.0));
+    f64::from_bits(power) * (1.0 + z * (1.0 + z * (0.5 + z * series)))
 }
 
 /// A power by repeated squaring.
@@ -221,5 +273,41 @@ pub(super) fn too_small(
             component: Some(component),
             relative_only: tolerance.absolute == 0.0,
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{exp2, log2, power_of_two_near};
+
+    /// Numbers of all sizes.
+    fn numbers() -> impl Iterator<Item = f64> {
+        (-1070..1020).map(|i| (1.0 + f64::from(i).sin().abs()) * libm::ldexp(1.0, i))
+    }
+
+    #[test]
+    fn powers_and_logarithms_have_five_digits() {
+        for x in numbers() {
+            let exact = libm::log2(x);
+            assert!((log2(x) - exact).abs() < 1e-5, "{x:e}");
+            if exact > -1020.0 {
+                assert!((exp2(exact) / x - 1.0).abs() < 1e-5, "{x:e}");
+            }
+        }
+        for fraction in [0.499_999, 0.5, 0.500_001, -0.5] {
+            assert!((exp2(3.0 + fraction) / libm::exp2(3.0 + fraction) - 1.0).abs() < 1e-5);
+        }
+        assert_eq!(log2(f64::INFINITY), f64::INFINITY);
+        assert!(log2(f64::NAN).is_nan() && exp2(f64::NAN).is_nan());
+        assert_eq!([exp2(f64::INFINITY), exp2(-2000.0)], [f64::INFINITY, 0.0]);
+    }
+
+    #[test]
+    fn the_power_of_two_is_below() {
+        for x in numbers() {
+            let power = power_of_two_near(x);
+            let expected = libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500));
+            assert!((power - expected).abs() <= 0.0, "{x:e}");
+        }
     }
 }

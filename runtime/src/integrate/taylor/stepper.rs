@@ -109,12 +109,12 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             .then(|| &self.polynomials[usize::from(!self.exchanged)])
     }
 
-    /// Computes the coefficients of one of the polynomials, in a unit in which they are finite, for a step of about this
+    /// Computes the coefficients of one of the polynomials, about a reduced state, in a unit in which they are finite, for a step of about this
     /// length; or a component that is not finite.
     fn expand<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
-        index: usize,
+        (index, from): (usize, &X),
         mut unit: f64,
         length: f64,
     ) -> Result<Proposal, usize>
@@ -124,12 +124,11 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let tolerance = self.tolerance(length);
         let polynomial = &mut self.polynomials[index];
         let t = S::from_f64(polynomial.time);
-        let from = polynomial.from.reduced(dynamics);
         let mut non_finite = None;
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             polynomial.unit = unit;
-            dynamics.series(t, &from, S::from_f64(unit), &mut polynomial.coefficients);
+            dynamics.series(t, from, S::from_f64(unit), &mut polynomial.coefficients);
             self.statistics.evaluations += 1;
             let mut last = polynomial.coefficients.higher().iter().rev().take(2);
             non_finite = last.find_map(VectorSpace::first_non_finite);
@@ -163,8 +162,9 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         } else {
             FIRST_UNIT * self.time_scale
         };
-        let component = match self.expand(dynamics, usize::from(self.exchanged), self.unit, length)
-        {
+        let from = self.polynomial().from.reduced(dynamics);
+        let present = (usize::from(self.exchanged), &from);
+        let component = match self.expand(dynamics, present, self.unit, length) {
             Ok(proposal) => {
                 self.proposal = Some(proposal);
                 return Ok(proposal);
@@ -209,7 +209,9 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.polynomials[next].from = state;
         let mut next_proposal = None;
         if needed && h.is_normal() {
-            next_proposal = self.expand(dynamics, next, power_of_two_near(h), h).ok();
+            let about_end = (next, &point.state);
+            let proposal = self.expand(dynamics, about_end, power_of_two_near(h), h);
+            next_proposal = proposal.ok();
         }
         let derivative = if next_proposal.is_some() {
             self.polynomials[next].first_derivative()
