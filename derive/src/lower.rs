@@ -7,6 +7,8 @@ pub(crate) mod scope;
 pub(crate) mod builtins;
 mod hints;
 mod expression;
+mod energies;
+mod events;
 mod forces;
 mod at_rest;
 mod in_frames;
@@ -25,7 +27,6 @@ use crate::lower::in_frames::energies_in_frames;
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::{Binding, Origin, Scope};
 use crate::lower::value::Value;
-use crate::syntax::clauses::Clause;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::named::{ForClause, NamedExpression};
 use crate::syntax::shape::Shape;
@@ -141,7 +142,7 @@ impl Lowerer<'_> {
         let kinetic = self.total(&clauses.kinetic);
         let potential = self.total(&clauses.potential);
         let lagrangian = self.total(&clauses.lagrangian);
-        let dissipation = self.total(&clauses.dissipation);
+        let dissipation = self.dissipation(&clauses.dissipation);
         let forces = self.forces(declaration);
         let outputs = self.observed(&clauses.outputs, ExpressionContext::Observation);
         let events = self.observed(&clauses.events, ExpressionContext::Energy);
@@ -175,33 +176,6 @@ impl Lowerer<'_> {
             self.lower(expression, context)
         });
         values.collect()
-    }
-
-    /// An event is a scalar or a vector.
-    fn check_events(&mut self, events: &[NamedExpression], values: &[Option<Value>]) {
-        for (event, value) in events.iter().zip(values) {
-            let shape = value.as_ref().map(Value::shape);
-            if let Some(shape @ Shape::Array { columns: 2.., .. }) = shape {
-                let message = format!(
-                    "this is {shape}, and an event is a scalar, or several as a vector: write one of its \
-                     components or columns"
-                );
-                self.diagnostics.error(&event.expression, message);
-            }
-        }
-    }
-
-    fn natural(
-        &mut self,
-        clauses: &[Clause],
-        kinetic: Option<Expression>,
-        potential: Option<Expression>,
-    ) -> Option<Energies> {
-        self.check_velocities(clauses, kinetic?);
-        Some(Energies::Natural {
-            kinetic: kinetic?,
-            potential: potential?,
-        })
     }
 
     /// Gives a name its binding, or the members of a family theirs.
@@ -285,32 +259,6 @@ impl Lowerer<'_> {
             }
         });
         indices.collect()
-    }
-
-    /// The sum of all clauses with one keyword.
-    fn total(&mut self, clauses: &[Clause]) -> Option<Expression> {
-        let values: Vec<_> = clauses
-            .iter()
-            .map(|clause| self.scalar(&clause.expression, ExpressionContext::Energy))
-            .collect();
-        let zero = self.graph.zero();
-        values
-            .into_iter()
-            .try_fold(zero, |total, value| Some(self.graph.add(total, value?)))
-    }
-
-    fn check_velocities(&mut self, clauses: &[Clause], energy: Expression) {
-        if self.coordinates == 0 {
-            return;
-        }
-        let moving = self.graph.contents(energy).has_velocity();
-        if let (false, Some(clause)) = (moving, clauses.first()) {
-            self.diagnostics.error(
-                &clause.expression,
-                "this contains no velocity, so nothing moves: write velocities as `dot(q)`, \
-                 as in `0.5 * m * dot(x).powi(2)`",
-            );
-        }
     }
 }
 

@@ -147,6 +147,12 @@ impl Lowerer<'_> {
         let (digits, suffix) = match &literal.lit {
             Lit::Int(integer) => (integer.base10_digits(), integer.suffix()),
             Lit::Float(float) => (float.base10_digits(), float.suffix()),
+            Lit::Str(_) => {
+                return self.reject(
+                    literal,
+                    "write the expression itself, without quotation marks",
+                );
+            }
             other => return self.reject(other, "write a number such as `2`, `0.5` or `1e-3`"),
         };
         if !matches!(suffix, "" | "f64" | "f32") {

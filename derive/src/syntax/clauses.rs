@@ -234,7 +234,9 @@ impl Clauses {
             written => {
                 // Functions stand in parentheses, and friction is a word of mechanics.
                 let fits = |meant: &&str| *meant != "function" || input.peek(token::Paren);
-                let meant = similar(written, KEYWORDS).filter(fits);
+                let meant = similar(written, KEYWORDS)
+                    .filter(fits)
+                    .or_else(|| called_otherwise(written));
                 let hint = match meant {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => no_clause(),
@@ -267,6 +269,19 @@ const NO_CONSTRAINTS: &str = "there are no constraints yet: choose coordinates t
                               f(q, t) = 0, or hold it by a stiff spring and damper, or a multiplier of your own, under \
                               `force`; do not put a nonholonomic one, such as rolling, into the energies, which gives \
                               wrong equations unless it can be integrated, as that of a disc on a straight line";
+
+/// The clause that has another name elsewhere, or here a longer one.
+fn called_otherwise(written: &str) -> Option<&'static str> {
+    let elsewhere = match written {
+        "damping" | "damper" | "friction" | "rayleigh" => Some("dissipation"),
+        "state" | "states" | "dofs" | "q" => Some("coordinates"),
+        "let" | "definitions" => Some("define"),
+        _ => None,
+    };
+    // `kinetic_energy` is `kinetic`.
+    let first = written.split('_').next().unwrap_or_default();
+    elsewhere.or_else(|| KEYWORDS.into_iter().find(|keyword| *keyword == first))
+}
 
 fn no_clause() -> String {
     format!("write a clause: one of `{}`", KEYWORDS.join("`, `"))

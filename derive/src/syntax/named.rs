@@ -38,6 +38,11 @@ pub(crate) fn named_expressions(
 impl NamedExpression {
     fn read(keyword: &Ident, input: ParseStream<'_>) -> syn::Result<Self> {
         let name = word(input, &format!("write `{keyword}(name = expression, …)`"))?;
+        if keyword == "force" && name == "dot" && input.peek(token::Paren) {
+            let message = "a force acts on a coordinate, or on a position or velocity that has a name in `define`: write \
+                           `force(x = …)`";
+            return Err(syn::Error::new(name.span(), message));
+        }
         let mut indices = Vec::new();
         loop {
             if input.peek(Token![.]) && keyword == "force" {

@@ -69,6 +69,14 @@ impl Contents {
         self.0 & Self::INPUT != 0
     }
 
+    /// Whether there is what can change along a motion: the time, a coordinate, a velocity, an acceleration or an input.
+    #[must_use]
+    pub const fn varies_in_motion(self) -> bool {
+        let varying =
+            Self::TIME | Self::COORDINATE | Self::VELOCITY | Self::ACCELERATION | Self::INPUT;
+        self.0 & varying != 0
+    }
+
     /// Whether there is a component of a vector that is not resolved yet.
     #[must_use]
     pub const fn has_component(self) -> bool {

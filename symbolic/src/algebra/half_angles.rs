@@ -181,5 +181,7 @@ fn divisor(graph: &mut Graph, numerator: Expression, function: Expression) -> Ex
     let sign = graph.unary(Unary::Signum, numerator);
     let sign = graph.square(sign);
     let is_zero = graph.sum([(graph.one(), Rational::ONE), (sign, Rational::MINUS_ONE)]);
+    // Opaque, so that the square is not rounded beside 1.
+    let is_zero = graph.opaque(is_zero);
     graph.add(square, is_zero)
 }

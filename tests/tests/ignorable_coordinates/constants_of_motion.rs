@@ -26,6 +26,18 @@ struct DampedTop {
     friction: f64,
 }
 
+/// A cart on which a force acts that its position does not change.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    force(x = push),
+)]
+struct Pushed {
+    m: f64,
+    push: f64,
+}
+
 /// Two bodies that turn freely about one axis, with a spring between them: it is neither angle alone that is ignorable.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -97,6 +109,14 @@ fn dissipation_on_the_spin_leaves_one_momentum() {
 }
 
 /// The momenta (4.8): that of φ is I φ̇ sin²θ and cos θ times that of ψ, which is Iₛ (ψ̇ + φ̇ cos θ).
+/// What is printed names the same momenta as the trait.
+#[test]
+fn printed_constants_are_those_of_the_trait() {
+    assert!(Top::EQUATIONS.contains("p_φ and p_ψ are constant."));
+    assert!(DampedTop::EQUATIONS.contains("p_φ is constant."));
+    assert!(!Pushed::EQUATIONS.contains("constant"));
+}
+
 #[test]
 fn momenta_of_the_top_are_those_of_the_book() {
     let top = top();

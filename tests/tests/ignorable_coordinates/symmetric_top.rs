@@ -1,7 +1,7 @@
 //! The reduced symmetric top, against closed forms and the full one.
 
 use lagrangian::prelude::*;
-use lagrangian::{OperationCount, ReconstructedPhase};
+use lagrangian::{OperationCount, ReconstructedPhase, StopReason};
 use lagrangian_tests::{Random, assert_close, relative_error};
 
 use crate::models::{ReducedTop, Top, TopThroughPoles, polar_top, top};
@@ -223,4 +223,74 @@ fn the_pole_of_the_shorter_form_is_reported() {
     let lost = State::new(0.0, [1.0], [f64::NAN]);
     let error = Dop853::new().integrate_to(&reduced.dynamics(), lost, 1.0);
     assert!(!error.unwrap_err().to_string().contains("pole"));
+}
+
+/// Every method keeps its digits near the pole where C_φ and C_ψ nearly agree, and at the pole where they do.
+#[test]
+fn all_methods_keep_their_digits_near_the_pole() {
+    let Top { i, i_s, m, g, l } = top();
+    let weight = m * g * l;
+    let p_psi = 3.0;
+    for theta in [1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-12_f64] {
+        let p_phi = p_psi - theta;
+        let top = TopThroughPoles {
+            i,
+            i_s,
+            m,
+            g,
+            l,
+            p_phi,
+            p_psi,
+        };
+        let (s, c) = (0.5 * theta).sin_cos();
+        let [lesser, greater] = [p_phi - p_psi, p_phi + p_psi].map(|x| x * x / (8.0 * i));
+        let potential = lesser / (s * s) + greater / (c * c)
+            - p_psi * p_psi * (0.5 / i - 0.5 / i_s)
+            + weight * theta.cos();
+        let force = lesser * c / s.powi(3) - greater * s / c.powi(3) + weight * theta.sin();
+        let slope = -0.5 * lesser * (s * s + 3.0 * c * c) / s.powi(4)
+            - 0.5 * greater * (c * c + 3.0 * s * s) / c.powi(4)
+            + weight * theta.cos();
+        let state = State::new(0.0, [theta], [0.0]);
+        assert_close(
+            "V_eff",
+            &[top.effective_potential(&state)],
+            &[potential],
+            1e-14,
+        );
+        assert_close("h", &[top.energy(&state)], &[potential], 1e-14);
+        assert_close("L", &[top.lagrangian(&state)], &[-potential], 1e-14);
+        assert_close("f", &[top.forcing(&state)[0]], &[force], 1e-13);
+        let slopes = top.linearize(&state).position;
+        assert_close("∂q̈/∂θ", &[slopes[(0, 0)]], &[slope / i], 1e-13);
+    }
+}
+
+/// A motion that passes near the pole with nearly equal constants turns φ and ψ quickly there, and is followed by both methods.
+#[test]
+fn a_motion_near_the_pole_is_reconstructed() {
+    let Top { i, i_s, m, g, l } = top();
+    let reduced = TopThroughPoles {
+        i,
+        i_s,
+        m,
+        g,
+        l,
+        p_phi: 1.0,
+        p_psi: 1.0 - 1e-6,
+    };
+    let equations = reduced.reconstruction();
+    let start = (State::new(0.0, [0.3], [-1.0]), [0.0; 2]);
+    let series = Taylor::new().driver().max_steps(200);
+    let by_series = series.run_until(&equations, start, 2.0).unwrap();
+    let stages = Dop853::new().driver().max_steps(400);
+    let by_stages = stages.run_until(&equations, start, 2.0).unwrap();
+    assert_eq!(by_series.reason, StopReason::Completed);
+    assert_eq!(by_stages.reason, StopReason::Completed);
+    let [found, expected] = [by_series, by_stages].map(|outcome| outcome.last.x);
+    assert_close("q", found.q.as_slice(), expected.q.as_slice(), 1e-9);
+    let [found, expected] = [found, expected].map(|x| <[f64; 2]>::from(x.ignorable));
+    assert_close("φ and ψ", &found, &expected, 1e-9);
+    // Half a turn within a millionth of a second.
+    assert!(found[0] > 3.0, "{found:?}");
 }

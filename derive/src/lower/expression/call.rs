@@ -236,12 +236,40 @@ impl Lowerer<'_> {
             .map(|(value, argument)| self.as_scalar(&value, argument))
             .collect();
         let scalars: Vec<Expression> = scalars.into_iter().collect::<Option<_>>()?;
+        self.check_domain(&written, unary, arguments, &scalars)?;
         match (unary, binary) {
             (Some(function), _) => Some(self.graph.unary(function, scalars[0])),
             (_, Some(function)) => Some(self.graph.binary(function, scalars[0], scalars[1])),
             _ => self.power(&written, arguments, &scalars),
         }
         .map(Value::Scalar)
+    }
+
+    /// Rejects a number at which a function has no value.
+    fn check_domain(
+        &mut self,
+        name: &str,
+        function: Option<Unary>,
+        arguments: &[&Expr],
+        values: &[Expression],
+    ) -> Option<()> {
+        let number = self
+            .graph
+            .as_constant(*values.first()?)
+            .map(Rational::to_f64);
+        let Some(number) = number else {
+            return Some(());
+        };
+        let value = match (function, name) {
+            (Some(function), _) => function.value(number),
+            (_, "sqrt") => number.sqrt(),
+            _ => return Some(()),
+        };
+        if value.is_finite() {
+            return Some(());
+        }
+        let message = format!("`{name}` has no finite value at {number}");
+        self.reject(arguments[0], message)
     }
 
     /// A call of what is no function.

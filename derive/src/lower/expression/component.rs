@@ -176,7 +176,13 @@ impl Lowerer<'_> {
             }
             _ => {}
         }
-        let message = format!("this is {}, which has no such component", value.shape());
+        let message = match &value {
+            Value::Array(array) if array.columns() == 1 && (2..=4).contains(&array.rows()) => {
+                let names = Index::AXES[..array.rows()].join("`, `.");
+                format!("this is {}: its components are `.{names}`", value.shape())
+            }
+            _ => format!("this is {}, which has no such component", value.shape()),
+        };
         self.reject(&field.member, message)
     }
 }

@@ -157,7 +157,7 @@ impl<'a> Composer<'a> {
         }
         for (i, momentum) in (0..).zip(equations.momenta.clone()) {
             let [unicode, latex] = self.letters.print_both(Symbol::Coordinate(i));
-            if equations.coordinate_properties.ignorable[i as usize] {
+            if equations.conservation.momenta[i as usize] {
                 constant.push([format!("p_{unicode}"), format!("$p_{{{latex}}}$")]);
             }
             let left = Side::Text(format!("p_{unicode}"), format!("p_{{{latex}}}"));
