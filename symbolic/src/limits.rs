@@ -227,6 +227,10 @@ pub(crate) const NEGLIGIBLE_DIFFERENCE: f64 = 1.0 / 1_073_741_824.0;
 /// derivatives of the Lagrangian function.
 pub(crate) const HIGHEST_EXTERNAL_DERIVATIVE: usize = 3;
 
+/// For more coordinates the derivatives of a mechanism are those along its links, without a look at the general ones, which
+/// grow with the cube of the number of links and are 7 % of what it takes to derive an arm of thirty.
+pub(crate) const MOST_DIFFERENTIATED_BOTH_WAYS: usize = 4;
+
 // print
 
 /// The longest printed formula, in characters: what is shared in the graph is printed wherever it occurs, which can

@@ -9,6 +9,7 @@
 //!
 //! Where a joint slides and turns, it slides first, seen from the link before.
 
+use crate::limits::MOST_DIFFERENTIATED_BOTH_WAYS;
 use crate::mechanics::mechanism::{Inertia, Vector, cross, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
 use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
@@ -16,8 +17,8 @@ use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::newton_euler::Wrench;
 use crate::{Expression, Graph, Rational, Symbol};
 
-/// The derivatives of M q̈ − f, column by column: along the links of a mechanism where they cost less so, beside other
-/// expressions of the same program.
+/// The derivatives of M q̈ − f, column by column: along the links of a mechanism, unless there are few coordinates and
+/// the general derivatives cost less beside other expressions of the same program.
 pub(crate) fn cheapest_derivatives(
     graph: &mut Graph,
     links: Option<&LinkEquations>,
@@ -25,13 +26,16 @@ pub(crate) fn cheapest_derivatives(
     symbols: &[Symbol],
     beside: &[Expression],
 ) -> Vec<Vec<Expression>> {
-    let columns = graph.jacobian(residuals, symbols);
     // The links know no inputs.
     let are_inputs = symbols.iter().all(|x| matches!(x, Symbol::Input(_)));
     let Some(links) = links.filter(|_| !are_inputs) else {
-        return columns;
+        return graph.jacobian(residuals, symbols);
     };
     let along_links = links.derivatives(graph, symbols);
+    if residuals.len() > MOST_DIFFERENTIATED_BOTH_WAYS {
+        return along_links;
+    }
+    let columns = graph.jacobian(residuals, symbols);
     let cost = |columns: &[Vec<Expression>]| graph.cost(&[beside, &columns.concat()].concat());
     if cost(&along_links) < cost(&columns) {
         along_links
