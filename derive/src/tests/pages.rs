@@ -55,6 +55,29 @@ fn page(fields: &TokenStream, bodies: &TokenStream) -> String {
     )
 }
 
+/// A root, a quotient and a component that is a product are written out where they are defined.
+#[test]
+fn definitions_are_not_their_own_names() {
+    let equations = constant(
+        &expand(quote! {
+            #[lagrangian(
+                coordinates(x),
+                define(h = sqrt(1.0 + x.powi(2)), u = a / (1.0 + x), p = [x + a * sin(x), a * cos(x)]),
+                kinetic = 0.5 * m * dot(x).powi(2),
+                potential = cos(h) + sin(u) + p.y + p.x,
+            )]
+            struct Defined { m: f64, a: f64 }
+        }),
+        "EQUATIONS",
+    );
+    for line in ["h = √(1 + x²)", "u = a/(1 + x)", "p₁ = a cos x"] {
+        assert!(
+            equations.lines().any(|one| one == line),
+            "{line}: {equations}"
+        );
+    }
+}
+
 #[test]
 fn the_numbers_of_bodies_have_the_names_of_books() {
     let place = quote!((rotation_y(q[0]) * rotation_x(q[1]), [0.0, 0.0, 0.0]));

@@ -145,7 +145,12 @@ impl<'a> Layout<'a> {
                 )));
             }
             Node::Sum(terms) => self.sum(line, terms, &Rational::ONE, true),
-            Node::Product(_) => self.term(line, expression, &Rational::ONE, true),
+            // By its factors, even if it has a name itself.
+            Node::Product(factors) => {
+                let (coefficient, factors) = self.with_positive_sums(&Rational::ONE, factors);
+                self.sign(line, &coefficient, true);
+                self.product(line, &coefficient.abs(), factors);
+            }
             Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
             Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
             Node::Application(function, arguments) => self.application(line, *function, arguments),
@@ -192,18 +197,23 @@ impl<'a> Layout<'a> {
             return self.sum(line, terms, &Rational::ONE, first);
         }
         let (coefficient, factors) = self.powers_of_term(x, coefficient);
+        self.sign(line, &coefficient, first);
+        let size = coefficient.abs();
+        if x == self.graph.one() {
+            line.push(Piece::owned(Numeral::of(&size).print(self.notation)));
+        } else {
+            self.product(line, &size, factors);
+        }
+    }
+
+    /// What stands before a term.
+    fn sign(&self, line: &mut Vec<Piece<'a>>, coefficient: &Rational, first: bool) {
         match (first, coefficient.is_negative()) {
             (true, false) => {}
             (true, true) => line.push(Piece::Text(self.notation.minus().into())),
             (false, negative) => {
                 line.push(Piece::Text(self.notation.between_terms(negative).into()));
             }
-        }
-        let size = coefficient.abs();
-        if x == self.graph.one() {
-            line.push(Piece::owned(Numeral::of(&size).print(self.notation)));
-        } else {
-            self.product(line, &size, factors);
         }
     }
 
