@@ -69,7 +69,7 @@ pub(super) fn reduced_declaration(
                 .energy_balance
                 .clone()
                 .filter(|_| wanted("energy_balance")),
-            sensitivities: with_constants(&clauses.sensitivities, &constants)
+            sensitivities: with_constants(clauses.sensitivities.as_ref(), &constants)
                 .filter(|_| wanted("sensitivities")),
             regressor: clauses.regressor.clone().filter(|_| wanted("regressor")),
             scalar: clauses.scalar.clone(),
@@ -107,8 +107,8 @@ fn retained(named: &[NamedExpression], clause: &RouthianClause) -> Vec<NamedExpr
 }
 
 /// A list that names some parameters, with the constant momenta behind them.
-fn with_constants(list: &Option<ParameterList>, constants: &[Field]) -> Option<ParameterList> {
-    let mut list = list.clone()?;
+fn with_constants(list: Option<&ParameterList>, constants: &[Field]) -> Option<ParameterList> {
+    let mut list = list?.clone();
     if let Some(fields) = &mut list.fields {
         fields.extend(constants.iter().map(|constant| constant.name.clone()));
     }

@@ -16,8 +16,8 @@ pub struct Singularity {
     names: &'static [&'static str],
     dependencies: &'static [usize],
     values: [f64; REPORTED_COORDINATES],
-    /// The coordinate's value, where it is at a pole of a reduced model.
-    pole: Option<f64>,
+    /// Whether it is a pole of a reduced model at this coordinate, the value of which is the first one.
+    is_at_pole: bool,
 }
 
 impl Singularity {
@@ -42,15 +42,23 @@ impl Singularity {
             names,
             dependencies,
             values,
-            pole: None,
+            is_at_pole: false,
         }
     }
 
     /// The same of a reduced model at a pole of its coordinate, which has this value.
-    pub(crate) fn at_pole(self, value: f64) -> Self {
-        Self {
-            pole: Some(value),
-            ..self
+    pub(crate) fn at_pole(mut self, value: f64) -> Self {
+        self.is_at_pole = true;
+        self.values[0] = value;
+        self
+    }
+
+    /// The indices of the coordinates that make it so.
+    fn dependencies(&self) -> &[usize] {
+        if self.is_at_pole {
+            core::slice::from_ref(&self.coordinate)
+        } else {
+            self.dependencies
         }
     }
 
@@ -69,7 +77,7 @@ impl Singularity {
     /// Names and values of the coordinates on which the singularity depends, at most six of them.
     /// None if parameters or the time alone make the mass matrix singular.
     pub fn coordinates(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
-        let names = self.dependencies.iter().map(|index| self.name(*index));
+        let names = self.dependencies().iter().map(|index| self.name(*index));
         names.zip(self.values)
     }
 
@@ -79,7 +87,10 @@ impl Singularity {
             let separator = if i == 0 { " where" } else { "," };
             write!(f, "{separator} {name} = {}", Readable(value))?;
         }
-        let left_out = self.dependencies.len().saturating_sub(REPORTED_COORDINATES);
+        let left_out = self
+            .dependencies()
+            .len()
+            .saturating_sub(REPORTED_COORDINATES);
         if left_out > 0 {
             write!(f, " and {left_out} more")?;
         }
@@ -94,7 +105,8 @@ impl Singularity {
 impl fmt::Display for Singularity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let coordinate = self.coordinate();
-        if let Some(value) = self.pole {
+        if self.is_at_pole {
+            let value = self.values[0];
             return write!(
                 f,
                 "the reduced model has no accelerations at the pole {coordinate} = {} of its angles: write \

@@ -13,6 +13,7 @@ use crate::lower::Lowered;
 use crate::reduce::{ReducedDeclaration, Split};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::unraw;
+use crate::syntax::routhian::RouthianClause;
 
 /// The items of the reduced model without equations, and the way there.
 pub(crate) fn reduced_without_equations(
@@ -29,21 +30,13 @@ pub(crate) fn reduced_without_equations(
         return TokenStream::new();
     }
     let count = lowered.quantities.coordinates.len();
-    let (guessed, remaining) = match known {
-        Some(reduced) => (None, reduced.split.remaining.len()),
-        None => {
-            let all = || (0..count).collect();
-            let split = Split {
-                ignorable: all(),
-                remaining: all(),
-            };
-            let mut reduced = ReducedDeclaration::of(declaration, lowered, split, clause);
-            reduced.lowered.scope.complete = false;
-            (Some(reduced), 1)
-        }
-    };
-    let Some(reduced) = known.or(guessed.as_ref()) else {
-        return TokenStream::new();
+    let remaining = known.map_or(1, |reduced| reduced.split.remaining.len());
+    let guess;
+    let reduced = if let Some(reduced) = known {
+        reduced
+    } else {
+        guess = guessed(declaration, lowered, clause);
+        &guess
     };
     let definition = reduced_struct(declaration, &reduced.declaration);
     let fallback = Fallback::new(&reduced.declaration, &reduced.lowered);
@@ -51,6 +44,22 @@ pub(crate) fn reduced_without_equations(
     let there = Fallback::new(declaration, lowered).routh_reduction(&clause.name, remaining);
     let back = fallback.routhian(count.saturating_sub(remaining), count);
     quote!(#definition #items #there #back)
+}
+
+/// The reduced model with all coordinates and all momenta.
+fn guessed(
+    declaration: &Declaration,
+    lowered: &Lowered,
+    clause: &RouthianClause,
+) -> ReducedDeclaration {
+    let all = || (0..lowered.quantities.coordinates.len()).collect();
+    let split = Split {
+        ignorable: all(),
+        remaining: all(),
+    };
+    let mut reduced = ReducedDeclaration::of(declaration, lowered, split, clause);
+    reduced.lowered.scope.complete = false;
+    reduced
 }
 
 impl Fallback<'_> {
