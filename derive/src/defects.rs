@@ -204,6 +204,20 @@ pub(crate) fn report(
                 }
             }
         }
+        Defect::NothingResists(coordinates) => {
+            for (coordinate, range) in indices(&declaration.clauses.coordinates) {
+                let missing = |i: &usize| coordinates.iter().any(|still| *still as usize == *i);
+                let missing: Vec<usize> = range.clone().filter(missing).collect();
+                if !missing.is_empty() {
+                    let velocities = velocities(coordinate, &missing, lowered).join("` or `");
+                    let message = format!(
+                        "nothing resists `{velocities}`: the kinetic energy contains it, and yet does not depend on it; give what is \
+                         behind this joint a moment of inertia about its axis or a mass beside it, or remove the coordinate"
+                    );
+                    diagnostics.error(&coordinate.name, message);
+                }
+            }
+        }
         Defect::SingularMass(coordinates) => {
             let names = coordinates.iter();
             let names = names.map(|i| format!("`{}`", lowered.quantities.coordinates[*i as usize]));

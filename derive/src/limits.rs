@@ -41,6 +41,11 @@ pub(crate) const MOST_DIAGONAL_ROWS: usize = LARGEST_ARRAY.isqrt();
 /// second. Sums that stay loops would lift it.
 pub(crate) const MOST_REPETITIONS: usize = 100_000;
 
+/// How many rotations and matrices of frames are in one declaration. Each of a chain remembers its factors, so that memory and
+/// time grow with the square of their number; 2000 are a chain of 600 links. Products that share the factors of those before
+/// them would lift it.
+pub(crate) const MOST_ROTATIONS: usize = 2000;
+
 /// For more coordinates the relative pivots are those of a numerical factorization: symbolic elimination keeps the
 /// entries of larger systems opaque, and the magnitude of a pivot is summed over its terms. Magnitudes that are
 /// computed along with the elimination would move it.

@@ -60,6 +60,8 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         within_derivative: false,
         at_rest: false,
         rotations: 0,
+        definitions: &declaration.clauses.definitions,
+        defining: None,
         turning: Vec::new(),
     };
     let parts = lowerer.parts(declaration);
@@ -191,7 +193,10 @@ impl Lowerer<'_> {
                 self.diagnostics.error(name, message);
                 return self.scope.define(name, Binding::Poisoned);
             }
-            let binding = match self.lower(&definition.expression, ExpressionContext::Observation) {
+            self.defining = Some((definition.name.clone(), Vec::new()));
+            let value = self.lower(&definition.expression, ExpressionContext::Observation);
+            self.defining = None;
+            let binding = match value {
                 Some(value) => Binding::Quantity(Origin::Defined, value),
                 None => Binding::Poisoned,
             };
@@ -223,7 +228,16 @@ impl Lowerer<'_> {
             );
             return self.reject(name, message);
         }
-        let value = self.lower(&definition.expression, ExpressionContext::Observation)?;
+        self.defining = Some((name.clone(), indices.clone()));
+        let value = self.lower(&definition.expression, ExpressionContext::Observation);
+        self.defining = None;
+        let value = value?;
+        if let Value::Array(matrix) = &value
+            && matrix.rows() >= 3
+            && matrix.columns() >= 3
+        {
+            self.count_rotation(name)?;
+        }
         if self.scope.define_member(name, &indices, value) {
             return Some(());
         }

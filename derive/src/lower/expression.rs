@@ -9,6 +9,7 @@ mod array;
 mod block;
 mod call;
 mod binary_operators;
+mod circle;
 mod body;
 mod component;
 mod derivative;
@@ -26,6 +27,7 @@ use crate::lower::builtins;
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Origin, Scope};
 use crate::lower::value::Value;
+use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{to_source, unraw};
 
 /// The context of an expression, which decides what it may contain.
@@ -53,6 +55,10 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) at_rest: bool,
     /// The number of rotations by angles, and of angular velocities, so far.
     pub(crate) rotations: usize,
+    /// What is defined by the declaration.
+    pub(crate) definitions: &'a [NamedExpression],
+    /// The definition that is lowered, and its indices.
+    pub(crate) defining: Option<(Ident, Vec<usize>)>,
     /// The bodies whose kinetic energies were lowered, as their masses, with their angular velocities.
     pub(crate) turning: Vec<(Expression, Vec<Expression>)>,
 }
@@ -217,9 +223,9 @@ impl Lowerer<'_> {
     /// An unresolved name that can be used here.
     fn refuse<T>(&mut self, name: &Ident, binding: &Binding) -> Option<T> {
         let message = match binding {
-            Binding::DefinedLater => {
+            Binding::DefinedLater => self.circle(name).unwrap_or_else(|| {
                 format!("`{name}` is not defined yet: a definition may use only those before it")
-            }
+            }),
             Binding::Output => format!(
                 "`{name}` is an output: write it under `define` to use it in other expressions"
             ),

@@ -27,6 +27,7 @@ pub(super) fn energies_in_frames(
     mem::swap(&mut scope, &mut lowerer.scope);
     let before = mem::take(lowerer.diagnostics);
     let repetitions = mem::take(&mut lowerer.repetitions);
+    let rotations = mem::take(&mut lowerer.rotations);
     lowerer.declare_functions(&clauses.functions);
     for definition in &clauses.definitions {
         lowerer.define(definition);
@@ -36,6 +37,7 @@ pub(super) fn energies_in_frames(
     let is_complete = lowerer.diagnostics.is_empty();
     *lowerer.diagnostics = before;
     lowerer.repetitions = repetitions;
+    lowerer.rotations = rotations;
     mem::swap(&mut graph, &mut lowerer.graph);
     mem::swap(&mut scope, &mut lowerer.scope);
     Some(EnergiesInFrames {

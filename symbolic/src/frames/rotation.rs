@@ -81,6 +81,26 @@ impl Graph {
         Ok(())
     }
 
+    /// Whether a matrix is a rotation, identically in all that it depends on: each factor of a product is, or all together are.
+    ///
+    /// # Errors
+    ///
+    /// If it is none. Constant factors with parameters are taken for rotations.
+    pub fn check_rotation(&mut self, matrix: &Matrix) -> Result<(), NoRotation> {
+        let factors = self.matrix_factors(matrix).ok_or(NoRotation::Shape)?;
+        let others: Vec<_> = factors
+            .iter()
+            .filter(|factor| !factor.is_rotation())
+            .map(|factor| factor.elements(self))
+            .collect();
+        let found = others.iter().try_for_each(|x| self.verify_rotation(x));
+        if found.is_ok() || others.len() == 1 && factors.len() == 1 {
+            return found;
+        }
+        let elements = matrix.elements().try_into();
+        self.verify_rotation(&elements.map_err(|_| NoRotation::Shape)?)
+    }
+
     fn verify_constant_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {
         if !self.symbols(elements).is_empty() {
             return Ok(());

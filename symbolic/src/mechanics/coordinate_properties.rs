@@ -56,6 +56,11 @@ pub(crate) fn analyze(
             singularities[i].clone_from(&depends);
         }
     }
+    let is_still = |i: &u32| graph.vanishes(&mass[*i as usize]);
+    let still: Vec<u32> = singular.iter().copied().filter(is_still).collect();
+    if !still.is_empty() {
+        return Err(Defect::NothingResists(still));
+    }
     if !singular.is_empty() {
         return Err(Defect::SingularMass(singular));
     }

@@ -7,6 +7,9 @@ use crate::{Expression, Model, Symbol};
 pub enum Defect {
     /// The rows of M of these coordinates are zero: no energy is quadratic in their velocities.
     NoInertia(Vec<u32>),
+    /// The rows of M of these coordinates vanish identically, though squares of their velocities are written: what turns or
+    /// moves with them has no inertia.
+    NothingResists(Vec<u32>),
     /// det M vanishes identically; the velocities of these coordinates occur only in combinations.
     SingularMass(Vec<u32>),
     /// The momenta depend on these inputs, so that the inputs' unknown rates would act.

@@ -31,7 +31,7 @@ impl Lowerer<'_> {
                 let varies = |x: &Expression| self.graph.contents(*x).varies();
                 let is_large = matrix.rows() >= 3 && matrix.columns() >= 3;
                 if is_large && matrix.elements().iter().any(varies) {
-                    self.rotations += 1;
+                    self.count_rotation(array)?;
                 }
                 Some(Value::Array(matrix))
             }

@@ -10,6 +10,7 @@ use quote::ToTokens;
 use syn::{Expr, Member};
 
 use super::component::base_and_indices;
+use super::rotation::no_rotation;
 use super::{ExpressionContext, Lowerer};
 use crate::diagnostics::similar;
 use crate::lower::body::Body;
@@ -153,7 +154,11 @@ impl Lowerer<'_> {
                 let what =
                     "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
                 let gravity = self.matrix_of(1, gravity, what, context);
-                self.potential_of_body(&body?, &rotation?, &position?, &gravity?)
+                let rotation = rotation?;
+                if let Err(reason) = self.graph.check_rotation(&rotation) {
+                    return self.reject(arguments[1], no_rotation(reason));
+                }
+                self.potential_of_body(&body?, &rotation, &position?, &gravity?)
             }
             _ => self.kinetic_of_body(
                 &body?,

@@ -24,6 +24,13 @@ impl Lowerer<'_> {
         let (name, origin, family) = match family {
             Some((name, Binding::Family(origin, family))) => (name, origin, family),
             Some((name, Binding::DefinedLater)) => {
+                let written = indices.first().and_then(|index| self.integer(index));
+                if let Some(message) = self
+                    .own_member(name, &[written?])
+                    .or_else(|| self.circle(name))
+                {
+                    return self.reject(name, message);
+                }
                 let message = format!(
                     "no member of `{name}` is defined before this one: define the first of them first, as in \
                      `{name}[0] = …, {name}[i] = … for i in 1..5`"
@@ -75,7 +82,8 @@ impl Lowerer<'_> {
         let positions: Option<Vec<usize>> = positions.collect();
         let found = positions.and_then(|positions| family.members.get(&positions).cloned());
         if found.is_none() {
-            let message = absent(name, origin, &member, family);
+            let itself = self.own_member(name, &member);
+            let message = itself.unwrap_or_else(|| absent(name, origin, &member, family));
             return self.reject(outer.first(), message);
         }
         found

@@ -6,6 +6,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::{ExpressionContext, Lowerer};
+use crate::limits::MOST_ROTATIONS;
 use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
@@ -78,7 +79,7 @@ impl Lowerer<'_> {
             .collect();
         let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
-        self.rotations += 1;
+        self.count_rotation(call)?;
         let rotation = self.graph.rotation(&factors);
         match function {
             RotationFunction::Rotation => Some(Value::Array(rotation)),
@@ -125,6 +126,20 @@ impl Lowerer<'_> {
         }
     }
 
+    /// One more rotation, unless there are too many.
+    pub(crate) fn count_rotation(&mut self, tokens: impl ToTokens) -> Option<()> {
+        self.rotations += 1;
+        if self.rotations <= MOST_ROTATIONS {
+            return Some(());
+        }
+        let message = format!(
+            "at most {MOST_ROTATIONS} rotations are in one declaration, and here are more: a product of them is computed for \
+             each; declare fewer links, or bodies of which several are one"
+        );
+        self.rotations = 0;
+        self.reject(tokens, message)
+    }
+
     pub(super) fn velocity(
         &mut self,
         call: &dyn ToTokens,
@@ -133,7 +148,7 @@ impl Lowerer<'_> {
         inertial: bool,
         context: ExpressionContext,
     ) -> Option<Value> {
-        self.rotations += 1;
+        self.count_rotation(call)?;
         let value = Value::Array(rotation.clone());
         self.check_differentiable(call, &value)?;
         if self.at_rest {
@@ -152,20 +167,25 @@ impl Lowerer<'_> {
         };
         let velocity = match velocity {
             Ok(velocity) => velocity,
-            Err(NoRotation::Reflection) => {
-                let message =
-                    "this is no rotation but reflects, so that it has no angular velocity";
-                return self.reject(argument, message);
-            }
-            Err(_) => {
-                let message = "this is no rotation: its transpose times itself is not the identity, so that it \
-                               has no angular velocity";
+            Err(reason) => {
+                let message = format!(
+                    "{}, so that it has no angular velocity",
+                    no_rotation(reason)
+                );
                 return self.reject(argument, message);
             }
         };
         let velocity = Value::Array(velocity);
         self.check_derivative(call, &velocity, context)?;
         Some(velocity)
+    }
+}
+
+/// Why a matrix is no rotation.
+pub(super) fn no_rotation(reason: NoRotation) -> &'static str {
+    match reason {
+        NoRotation::Reflection => "this is no rotation but reflects",
+        _ => "this is no rotation: its transpose times itself is not the identity",
     }
 }
 

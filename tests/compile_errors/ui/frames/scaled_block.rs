@@ -1,0 +1,16 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(q),
+    define(
+        a = homogeneous(1.5 * rotation_z(q), [1.0, 0.0, 0.0]),
+        w = angular_velocity((a * a).view((0, 0), (3, 3))),
+    ),
+    kinetic = 0.5 * m * w.norm_squared(),
+)]
+struct Model {
+    m: f64,
+}
+
+fn main() {}
