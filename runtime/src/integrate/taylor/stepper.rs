@@ -109,8 +109,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             .then(|| &self.polynomials[usize::from(!self.exchanged)])
     }
 
-    /// Computes the coefficients of one of the polynomials, about a reduced state, in a unit in which they are finite, for a step of about this
-    /// length; or a component that is not finite.
+    /// Computes the coefficients of one of the polynomials, about a reduced state, in a unit in which they are finite, for a
+    /// step of about this length; or a component that is not finite.
     fn expand<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
