@@ -16,7 +16,9 @@ use crate::emit::{
 };
 use crate::limits::MOST_SCOPES;
 use crate::lower::{Lowered, lower};
-use crate::plan::{EventSeries, Methods, ReducedMethods, Requested, TaylorMethod};
+use crate::plan::{
+    EventSeries, Methods, ReducedMethods, Requested, TaylorMethod, branches_of_events,
+};
 use crate::reduce::{ReducedDeclaration, Split, reduce};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::routhian::RouthianClause;
@@ -169,6 +171,9 @@ impl Derived {
         mut model: Model,
         diagnostics: &mut Diagnostics,
     ) -> Option<Self> {
+        let has_series = declaration.clauses.taylor.is_some();
+        let branches = has_series.then(|| branches_of_events(&mut model, &lowered.outputs));
+        let branches = branches.unwrap_or_default();
         let validator = Validator::new(&model);
         let mut equations = match Equations::derive(&mut model) {
             Ok(equations) => equations,
@@ -203,7 +208,9 @@ impl Derived {
         let (mut taylor, mut event_series) = (None, None);
         if let Some(clause) = &declaration.clauses.taylor {
             let series = methods.taylor_method(&mut model, &equations);
-            match series.and_then(|series| Ok((series, methods.event_series(&model.graph)?))) {
+            match series
+                .and_then(|series| Ok((series, methods.event_series(&model.graph, branches)?)))
+            {
                 Ok((series, events)) => (taylor, event_series) = (Some(series), events),
                 Err(reason) => {
                     defects::report_no_series(reason, clause, declaration, diagnostics);

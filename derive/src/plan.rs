@@ -8,10 +8,12 @@ mod requested;
 mod table;
 mod taylor_method;
 mod reduced_methods;
+mod branches;
 mod undeclared;
 mod validation;
 pub(crate) mod constants;
 
+pub(crate) use branches::branches_of_events;
 pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{

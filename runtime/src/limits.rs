@@ -93,6 +93,13 @@ pub(crate) mod events {
     /// each if the one before shows nothing but rounding errors.
     pub(crate) const EXTRAPOLATIONS: [f64; 3] = [1.0 / 1024.0, 1.0 / 32.0, 1.0];
 
+    /// The iterations by which an event is located in the arithmetic of the scalar. The slope is one of differences, right
+    /// to some 1e-4 at least, so that three are enough for each order of derivative parts.
+    pub(crate) const DELAY_ITERATIONS: usize = 6;
+
+    /// The change of an event function over its values on both sides of a zero, below which the zero is an extremum.
+    pub(crate) const LEAST_CHANGE: f64 = 1e-8;
+
     /// The rounding errors that an event function has to exceed after a reaction to count again.
     pub(crate) const COOLDOWN: f64 = 4.0;
 
@@ -119,6 +126,9 @@ pub(crate) mod events {
     /// A value of an event function that differs from that of its polynomial by more than this part of the terms shows a
     /// corner. Larger than the rounding errors of `f32`.
     pub(crate) const NEAR: f64 = 1e-5;
+
+    /// How many times the end of an interval is moved off a zero, in the search for one root.
+    pub(crate) const DISPLACEMENTS: u32 = 3;
 
     /// The intervals that are looked at for one root, at most. A simple root takes some ten, a multiple one some hundred.
     pub(crate) const ISOLATION_STEPS: usize = 1024;

@@ -17,6 +17,7 @@ pub(crate) mod circular;
 pub(crate) mod function;
 pub(crate) mod external_function;
 pub(crate) mod dependence;
+pub(crate) mod branches;
 pub(crate) mod derivative;
 pub(crate) mod time_derivative;
 pub(crate) mod velocity_degree;

@@ -20,10 +20,18 @@ impl Emitter<'_> {
             return TokenStream::new();
         }
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let count = count(&self.lowered.events);
+        let count = self.model.outputs.len() - count(&self.lowered.outputs);
         let types = quote! {
             const EVENTS: &'static [&'static str] = &Self::EVENTS;
             type EventValues = [#scalar; #count];
+        };
+        let branches = self.event_series.map(|series| series.branches.as_slice());
+        let branches = branches.unwrap_or_default();
+        let types = if branches.iter().any(|branches| !branches.is_empty()) {
+            let lists = branches.iter().map(|branches| quote!(&[#(#branches),*]));
+            quote!(#types const BRANCHES: &'static [&'static [usize]] = &[#(#lists),*];)
+        } else {
+            types
         };
         let methods = |inputs| self.methods_where(inputs, |row| row.interface == Interface::Events);
         let interface = quote!(#root::Events<#n, #scalar>);

@@ -39,6 +39,7 @@ impl ReducedMethods {
             return Err(NoTaylorSeries::Wrong);
         }
         self.series = Some(EventSeries {
+            branches: Vec::new(),
             invariants: OutputSlice::of_last_group(&taylor.initial),
             initial: Method::initial(&taylor, MethodOutputs::Vector(values.clone())),
             values,

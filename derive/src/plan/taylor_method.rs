@@ -190,6 +190,8 @@ pub(crate) struct EventSeries {
     pub(crate) values: OutputSlice,
     pub(crate) invariants: OutputSlice,
     pub(crate) program: TaylorProgram,
+    /// For each event the indices of the values at whose zeros it has another branch.
+    pub(crate) branches: Vec<Vec<usize>>,
 }
 
 impl Methods {
@@ -198,6 +200,7 @@ impl Methods {
     pub(crate) fn event_series(
         &self,
         graph: &Graph,
+        branches: Vec<Vec<usize>>,
     ) -> Result<Option<EventSeries>, NoTaylorSeries> {
         let Some(method) = &self.event_functions else {
             return Ok(None);
@@ -218,6 +221,7 @@ impl Methods {
             invariants: OutputSlice::of_last_group(&taylor.initial),
             initial: Method::initial(&taylor, method.outputs.clone()),
             program: taylor,
+            branches,
         }))
     }
 }

@@ -7,8 +7,9 @@ use crate::scalar::Scalar;
 
 /// The whole state of an integration in progress: time, state, what rounding has removed from them, and what the method
 /// remembers. Made by [`RunningIntegration::checkpoint`](crate::RunningIntegration::checkpoint); the integration goes on
-/// from it by [`Driver::resume`](crate::Driver::resume), to the last bit as if it had not stopped. What was
-/// known of event functions is not stored: a zero at the time of the checkpoint, to rounding, is not reported.
+/// from it by [`Driver::resume`](crate::Driver::resume), to the last bit as if it had not stopped. The driver then has to
+/// watch for the same events in the same order, since their signs are stored, too: a zero at the time of the checkpoint is
+/// reported once.
 ///
 /// With the feature `serde` it is stored in any format that keeps the digits of numbers, where the components of the state
 /// can be. A format without infinite numbers, such as JSON, cannot hold one whose motion is a polynomial under the Taylor
@@ -43,6 +44,45 @@ use crate::scalar::Scalar;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Checkpoint<M> {
     pub(super) memory: M,
+    /// What is known of event functions, if any were watched.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub(super) events: Option<EventSigns>,
+}
+
+/// The signs of event functions at the end of a step: a bit for each event.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct EventSigns {
+    pub(super) positive: u64,
+    pub(super) negative: u64,
+    /// Whether time goes forwards; none before the first step.
+    pub(super) forwards: Option<bool>,
+}
+
+impl EventSigns {
+    /// Of values of event functions, in the order of events.
+    pub(super) fn of(values: &[f64], forwards: Option<bool>) -> Self {
+        let bits = |sign: f64| {
+            let pairs = (0..u64::BITS).zip(values);
+            pairs.fold(0, |bits, (i, value)| {
+                bits | u64::from(sign * value > 0.0) << i
+            })
+        };
+        Self {
+            positive: bits(1.0),
+            negative: bits(-1.0),
+            forwards,
+        }
+    }
+
+    /// The sign of an event's function; 0 where it had none.
+    pub(super) fn sign(self, event: usize) -> f64 {
+        let is_in = |bits: u64| {
+            let shifted = u32::try_from(event).ok().and_then(|i| bits.checked_shr(i));
+            shifted.is_some_and(|bits| bits & 1 == 1)
+        };
+        f64::from(u8::from(is_in(self.positive))) - f64::from(u8::from(is_in(self.negative)))
+    }
 }
 
 /// A method whose integrations go on from checkpoints.

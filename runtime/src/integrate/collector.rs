@@ -13,9 +13,9 @@ pub(crate) trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
         let _ = sample;
     }
 
-    /// An event of that index, and where it occurred.
-    fn event(&mut self, event: usize, there: &Sample<D::State>) {
-        let _ = (event, there);
+    /// An event of that index, when it occurred, and the state there.
+    fn event(&mut self, event: usize, t: S, x: &D::State) {
+        let _ = (event, t, x);
     }
 
     /// The last step of `stepper`, which is part of the motion until `end`.
@@ -31,19 +31,19 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Uncollected {
 
 /// The samples and the events.
 #[cfg(feature = "alloc")]
-pub(crate) struct Samples<X> {
+pub(crate) struct Samples<X, S> {
     pub(crate) samples: alloc::vec::Vec<Sample<X>>,
-    pub(crate) events: alloc::vec::Vec<Occurrence<X>>,
+    pub(crate) events: alloc::vec::Vec<Occurrence<X, S>>,
 }
 
 #[cfg(feature = "alloc")]
-impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Samples<D::State> {
+impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Samples<D::State, S> {
     fn sample(&mut self, sample: &Sample<D::State>) {
         self.samples.push(sample.clone());
     }
 
-    fn event(&mut self, event: usize, there: &Sample<D::State>) {
-        let Sample { t, x } = there.clone();
+    fn event(&mut self, event: usize, t: S, x: &D::State) {
+        let x = x.clone();
         self.events.push(Occurrence { event, t, x });
     }
 }

@@ -135,6 +135,11 @@ impl<I, C, O> Driver<I, C, O> {
         self
     }
 
+    pub(crate) fn condition_mut(&mut self) -> &mut C {
+        &mut self.condition
+    }
+
+    /// The steps that are allowed at a time.
     pub(crate) fn steps_at_a_time(&self) -> u64 {
         self.max_steps
     }
@@ -235,7 +240,7 @@ impl<I, C, O> Driver<I, C, O> {
         dynamics: &D,
         initial: impl InitialValue<D::State>,
         times: &[f64],
-    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    ) -> Result<Trajectory<D::State, S>, PartialTrajectory<D::State, S>>
     where
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
@@ -247,10 +252,10 @@ impl<I, C, O> Driver<I, C, O> {
     #[cfg(feature = "alloc")]
     fn collect<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
-        system: &mut impl React<D, D::State>,
+        system: &mut impl React<S, D>,
         initial: impl InitialValue<D::State>,
         times: &[f64],
-    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    ) -> Result<Trajectory<D::State, S>, PartialTrajectory<D::State, S>>
     where
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
@@ -324,7 +329,7 @@ impl<I, C, O> Driver<I, C, O> {
     #[allow(clippy::type_complexity)] // The interpolant is that of the method's stepper.
     fn collect_steps<S: Scalar, D: Dynamics<S> + ?Sized, T>(
         &mut self,
-        system: &mut impl React<D, D::State>,
+        system: &mut impl React<S, D>,
         initial: impl InitialValue<D::State>,
         end: f64,
     ) -> Result<

@@ -15,12 +15,15 @@ mod values;
 mod functions;
 mod event_dynamics;
 mod polynomial;
+mod window;
 mod declared;
+mod event_time;
 mod met_conditions;
 
 pub use declared::DeclaredEvents;
 pub(crate) use detection::{Detection, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
+pub(crate) use event_time::{Located, moved};
 pub use functions::{Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
 pub(crate) use memory::Memory;
@@ -134,11 +137,12 @@ pub enum Reaction {
 
 /// An event that occurred: which, when, and the state there, before any reaction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Occurrence<X> {
+pub struct Occurrence<X, S = f64> {
     /// The index of the event.
     pub event: usize,
-    /// The time.
-    pub t: f64,
-    /// The state.
+    /// The time, of the scalar of the integration: of a declared event it has derivative parts and the digits of a
+    /// double-double.
+    pub t: S,
+    /// The state at that time. Its derivative parts are those of the state at the event, whose time moves, too.
     pub x: X,
 }

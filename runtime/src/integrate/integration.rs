@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::{Detection, LastStep, Memory, MetConditions, Occurring};
+use super::event::{Detection, LastStep, Located, Memory, MetConditions, Occurring, moved};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
@@ -172,10 +172,21 @@ where
         there: Sample<D::State>,
     ) -> Result<(), Interruption> {
         self.samples_until(there.t)?;
-        self.outcome.last = there;
         self.outcome.occurred = self.outcome.occurred.or(occurring.events);
         for event in occurring.events.indices() {
-            self.collector.event(event, &self.outcome.last);
+            let located = Located {
+                dynamics: self.dynamics,
+                t: there.t,
+                x: &there.x,
+                step: self.stepper.time() - self.stepper.previous_time(),
+            };
+            let t = S::from_f64(there.t);
+            let delay = located.delay(self.condition, event);
+            self.outcome.last = Sample {
+                t: there.t,
+                x: moved(self.dynamics, t, &there.x, delay),
+            };
+            self.collector.event(event, t + delay, &self.outcome.last.x);
             self.notify(ObservationKind::Event(event))?;
         }
         let mut events = occurring.events.indices();

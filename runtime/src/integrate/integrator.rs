@@ -63,7 +63,7 @@ pub trait Integrator<S: Scalar, D: Dynamics<S> + ?Sized> {
         dynamics: &D,
         initial: impl InitialValue<D::State>,
         times: &[f64],
-    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    ) -> Result<Trajectory<D::State, S>, PartialTrajectory<D::State, S>>
     where
         Self: Clone,
     {

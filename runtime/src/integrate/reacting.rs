@@ -1,29 +1,31 @@
 //! Dynamics that reactions to events may change, and those that stay as they are.
 
-use super::event::{Occurring, Reaction};
+use super::dynamics::Dynamics;
+use super::event::Reaction;
+use crate::scalar::Scalar;
 
 /// The dynamics of an integration, and the reaction to events.
-pub(crate) trait React<D: ?Sized, X> {
+pub(crate) trait React<S: Scalar, D: Dynamics<S> + ?Sized> {
     /// Whether there is a reaction.
     const REACTS: bool;
 
     fn dynamics(&self) -> &D;
 
-    /// Reacts to events, in the order of their indices.
-    fn react(&mut self, occurring: Occurring, x: &mut X) -> Reaction;
+    /// Reacts to an event at a time.
+    fn react(&mut self, event: usize, t: S, x: &mut D::State) -> Reaction;
 }
 
 /// Dynamics that stay as they are.
 pub(crate) struct Unreacting<'a, D: ?Sized>(pub(crate) &'a D);
 
-impl<D: ?Sized, X> React<D, X> for Unreacting<'_, D> {
+impl<S: Scalar, D: Dynamics<S> + ?Sized> React<S, D> for Unreacting<'_, D> {
     const REACTS: bool = false;
 
     fn dynamics(&self) -> &D {
         self.0
     }
 
-    fn react(&mut self, _: Occurring, _: &mut X) -> Reaction {
+    fn react(&mut self, _: usize, _: S, _: &mut D::State) -> Reaction {
         Reaction::Unchanged
     }
 }
@@ -34,9 +36,9 @@ pub(crate) struct Reacting<'a, D: ?Sized, F> {
     pub(crate) reaction: F,
 }
 
-impl<D: ?Sized, X: Clone, F> React<D, X> for Reacting<'_, D, F>
+impl<S: Scalar, D: Dynamics<S> + ?Sized, F> React<S, D> for Reacting<'_, D, F>
 where
-    F: FnMut(usize, f64, &mut X, &mut D) -> Reaction,
+    F: FnMut(usize, S, &mut D::State, &mut D) -> Reaction,
 {
     const REACTS: bool = true;
 
@@ -44,16 +46,7 @@ where
         self.dynamics
     }
 
-    fn react(&mut self, occurring: Occurring, x: &mut X) -> Reaction {
-        let mut all = Reaction::Unchanged;
-        for event in occurring.events.indices() {
-            let before = x.clone();
-            match (self.reaction)(event, occurring.t, x, self.dynamics) {
-                Reaction::Unchanged => *x = before,
-                Reaction::Changed => all = Reaction::Changed,
-                Reaction::Stop => return Reaction::Stop,
-            }
-        }
-        all
+    fn react(&mut self, event: usize, t: S, x: &mut D::State) -> Reaction {
+        (self.reaction)(event, t, x, self.dynamics)
     }
 }

@@ -1,10 +1,11 @@
 //! Integrations in progress, as values that are stepped by hand.
 
-use super::checkpoint::{Checkpoint, Resume};
+use super::checkpoint::{Checkpoint, EventSigns, Resume};
 use super::collector::Uncollected;
 use super::driver::{Driver, check_times};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
+use super::event::Memory;
 use super::integrator::Integrator;
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
@@ -27,10 +28,11 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
     where
         I: Integrator<S, D>,
+        C: StopCondition<S, D>,
     {
         let initial = initial.into_sample();
         let stepper = self.begin(dynamics, &initial)?;
-        Ok(RunningIntegration::new(self, dynamics, stepper))
+        Ok(RunningIntegration::new(self, dynamics, stepper, None))
     }
 
     /// The integration that goes on from a checkpoint, to the last bit as if it had not stopped if the dynamics and the
@@ -46,11 +48,13 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<RunningIntegration<'_, S, D, I, C, O>, IntegrationError>
     where
         I: Resume<S, D>,
+        C: StopCondition<S, D>,
     {
-        let stepper = self.integrator.recall(checkpoint.memory)?;
+        let Checkpoint { memory, events } = checkpoint;
+        let stepper = self.integrator.recall(memory)?;
         let (t, x) = (stepper.time(), stepper.state().clone());
         self.check_state(dynamics, &Sample { t, x })?;
-        Ok(RunningIntegration::new(self, dynamics, stepper))
+        Ok(RunningIntegration::new(self, dynamics, stepper, events))
     }
 }
 
@@ -106,10 +110,15 @@ where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     I: Integrator<S, D>,
+    C: StopCondition<S, D>,
 {
     driver: Driver<I, C, O>,
     dynamics: &'a D,
     stepper: I::Stepper,
+    /// What is known of event functions at the end of the last step, if the integration goes on from there.
+    memory: Option<Memory<C::Values>>,
+    /// The same as far as a checkpoint has it.
+    events: Option<EventSigns>,
 }
 
 /// A step of a [`RunningIntegration`].
@@ -128,13 +137,38 @@ where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     I: Integrator<S, D>,
+    C: StopCondition<S, D>,
 {
-    pub(super) fn new(driver: Driver<I, C, O>, dynamics: &'a D, stepper: I::Stepper) -> Self {
+    pub(super) fn new(
+        driver: Driver<I, C, O>,
+        dynamics: &'a D,
+        stepper: I::Stepper,
+        events: Option<EventSigns>,
+    ) -> Self {
         Self {
             driver,
             dynamics,
             stepper,
+            memory: None,
+            events,
         }
+    }
+
+    /// What is known of event functions is forgotten: the integration begins anew.
+    fn forget_events(&mut self) {
+        (self.memory, self.events) = (None, None);
+    }
+
+    /// What is known of event functions, if the integration goes on in the same direction.
+    fn recall_events(&mut self, end: f64) -> Option<Memory<C::Values>> {
+        let (t, x) = (self.time(), self.stepper.state());
+        let condition = self.driver.condition_mut();
+        let known = match (self.memory.take(), self.events.take()) {
+            (Some(memory), _) => Some(memory),
+            (None, Some(signs)) => Some(condition.begin(self.dynamics, t, x).recalled(signs)),
+            (None, None) => None,
+        };
+        known.filter(|memory| memory.goes_on(t, end))
     }
 
     /// The time reached.
@@ -177,6 +211,11 @@ where
     {
         Checkpoint {
             memory: I::memory(&self.stepper),
+            events: self
+                .memory
+                .as_ref()
+                .map(Memory::event_signs)
+                .or(self.events),
         }
     }
 
@@ -210,6 +249,7 @@ where
         let t = self.time();
         let initial = Sample { t, x };
         self.driver.check_state(self.dynamics, &initial)?;
+        self.forget_events();
         self.stepper.restart_at(self.dynamics, t, initial.x)
     }
 
@@ -221,6 +261,7 @@ where
     pub fn change_dynamics(&mut self, dynamics: &'a D) -> Result<(), IntegrationError> {
         let here = self.sample();
         self.driver.check_state(dynamics, &here)?;
+        self.forget_events();
         self.stepper.restart_at(dynamics, here.t, here.x)?;
         self.dynamics = dynamics;
         Ok(())
@@ -276,18 +317,25 @@ where
 
     fn advance(&mut self, end: f64, steps: u64) -> Result<Outcome<D::State>, IntegrationError> {
         check_times(self.time(), &[end])?;
+        self.memory = self.recall_events(end);
         let (dynamics, stepper) = (self.dynamics, &mut self.stepper);
         let (outcome, result) = self.driver.advance(
             &mut Unreacting(dynamics),
-            stepper,
+            (&mut *stepper, &mut self.memory),
             &[end],
             steps,
             &mut Uncollected,
         );
-        let Sample { t, x } = &outcome.last;
+        let t = outcome.last.t;
         let mut returned = Ok(());
-        if *t - self.time() != 0.0 {
-            returned = self.stepper.restart_at(dynamics, *t, x.clone());
+        if t - self.time() != 0.0 {
+            // The derivative parts of the state at an event are those at a time that moves.
+            let x = self.stepper.interpolate(dynamics, t);
+            self.forget_events();
+            returned = self.stepper.restart_at(dynamics, t, x);
+        }
+        if result.is_err() {
+            self.forget_events();
         }
         result.and(returned)?;
         Ok(outcome)
@@ -300,6 +348,7 @@ where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     I: Integrator<S, D>,
+    C: StopCondition<S, D>,
 {
     integration: &'r mut RunningIntegration<'a, S, D, I, C, O>,
     end: f64,

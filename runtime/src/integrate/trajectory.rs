@@ -11,15 +11,15 @@ use super::sample::Sample;
 use super::stepper::Statistics;
 use crate::number_format::Readable;
 
-/// The samples of a motion, in the order of the requested times, and its outcome.
+/// The samples of a motion, in the order of the requested times, its events, and its outcome. `S` is the scalar.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Trajectory<X> {
+pub struct Trajectory<X, S = f64> {
     pub(super) samples: Vec<Sample<X>>,
-    pub(super) events: Vec<Occurrence<X>>,
+    pub(super) events: Vec<Occurrence<X, S>>,
     pub(super) outcome: Outcome<X>,
 }
 
-impl<X> Trajectory<X> {
+impl<X, S> Trajectory<X, S> {
     /// The samples.
     #[must_use]
     pub fn samples(&self) -> &[Sample<X>] {
@@ -34,7 +34,7 @@ impl<X> Trajectory<X> {
 
     /// The events that occurred, in the order of time, simultaneous ones in the order of their indices.
     #[must_use]
-    pub fn events(&self) -> &[Occurrence<X>] {
+    pub fn events(&self) -> &[Occurrence<X, S>] {
         &self.events
     }
 
@@ -91,7 +91,7 @@ pub struct Partial<T> {
 }
 
 /// An error that stopped an integration, with the trajectory up to then.
-pub type PartialTrajectory<X> = Partial<Trajectory<X>>;
+pub type PartialTrajectory<X, S = f64> = Partial<Trajectory<X, S>>;
 
 /// An error that stopped an integration, with the solution up to then.
 pub type PartialSolution<X, P, S = f64> = Partial<DenseSolution<X, P, S>>;
@@ -124,21 +124,21 @@ impl<X, P, S> Partial<DenseSolution<X, P, S>> {
     }
 }
 
-impl<X> Partial<Trajectory<X>> {
+impl<X, S> Partial<Trajectory<X, S>> {
     /// The trajectory up to the error. Its [`last`](Trajectory::last) state is the last that was reached.
     #[must_use]
-    pub fn trajectory(&self) -> &Trajectory<X> {
+    pub fn trajectory(&self) -> &Trajectory<X, S> {
         &self.parts.1
     }
 
     /// The trajectory up to the error, owned.
     #[must_use]
-    pub fn into_trajectory(self) -> Trajectory<X> {
+    pub fn into_trajectory(self) -> Trajectory<X, S> {
         self.parts.1
     }
 }
 
-impl<X> fmt::Display for Partial<Trajectory<X>> {
+impl<X, S> fmt::Display for Partial<Trajectory<X, S>> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory().len();
         let plural = if samples == 1 { "" } else { "s" };

@@ -182,7 +182,7 @@ macro_rules! further_components {
         }
 
         #[cfg(feature = "alloc")]
-        impl<S: Scalar, const N: usize, const K: usize> Trajectory<$phase<S, N, K>> {
+        impl<S: Scalar, const N: usize, const K: usize> Trajectory<$phase<S, N, K>, S> {
             /// The samples as states of the mechanical system; the further components are in
             /// [`samples`](Self::samples).
             pub fn states(

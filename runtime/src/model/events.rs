@@ -29,7 +29,12 @@ pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The names of the events, in order.
     const EVENTS: &'static [&'static str];
 
-    /// One value for each event: an array.
+    /// For each event the indices of the values at whose zeros its function has a corner or a jump; empty where no event
+    /// has any.
+    const BRANCHES: &'static [&'static [usize]] = &[];
+
+    /// One value for each event: an array. With the clause `taylor`, there are more behind them: the arguments whose signs
+    /// distinguish the branches of event functions, such as u for |u| and u − v for max(u, v).
     type EventValues: AsRef<[S]> + Copy + core::fmt::Debug;
 
     /// The values of the event functions. Inputs have the values of their fields.
@@ -88,6 +93,8 @@ where
 {
     const EVENTS: &'static [&'static str] = M::EVENTS;
 
+    const BRANCHES: &'static [&'static [usize]] = M::BRANCHES;
+
     type EventValues = M::EventValues;
 
     #[inline]
@@ -114,6 +121,10 @@ macro_rules! event_dynamics {
 
         fn names(&self) -> &'static [&'static str] {
             M::EVENTS
+        }
+
+        fn branches(&self, event: usize) -> &'static [usize] {
+            M::BRANCHES.get(event).copied().unwrap_or_default()
         }
 
         #[inline]
@@ -163,6 +174,10 @@ where
         M::EVENTS
     }
 
+    fn branches(&self, event: usize) -> &'static [usize] {
+        M::BRANCHES.get(event).copied().unwrap_or_default()
+    }
+
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
         let inputs = self.inputs(t);
@@ -198,6 +213,10 @@ where
         M::EVENTS
     }
 
+    fn branches(&self, event: usize) -> &'static [usize] {
+        M::BRANCHES.get(event).copied().unwrap_or_default()
+    }
+
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
         let state = x.at(t);
@@ -220,6 +239,10 @@ where
 
     fn names(&self) -> &'static [&'static str] {
         M::EVENTS
+    }
+
+    fn branches(&self, event: usize) -> &'static [usize] {
+        M::BRANCHES.get(event).copied().unwrap_or_default()
     }
 
     #[inline]

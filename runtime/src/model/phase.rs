@@ -154,7 +154,7 @@ impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {
 }
 
 #[cfg(feature = "alloc")]
-impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>> {
+impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>, S> {
     /// The samples as states of the mechanical system.
     pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
         self.samples().iter().map(Sample::<Phase<S, N>>::state)

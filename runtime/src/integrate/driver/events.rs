@@ -119,8 +119,10 @@ impl<I, C, O> Driver<I, C, O> {
     /// Where the reactions to an event come more and more often, as the bounces of a ball do before it is at rest, the
     /// integration ends with [`StopReason::Zeno`](crate::StopReason::Zeno).
     ///
-    /// With dual numbers, the time of an event has no derivative, and derivatives after a change of the state lack what the
-    /// shift of that time contributes.
+    /// With dual numbers, the time and the state of a [declared event](Self::declared_events) have derivative parts, and those
+    /// of the motion jump as a reaction changes the state or the dynamics (the saltation matrix: Leine & Nijmeijer 2004,
+    /// ch. 7). Of simultaneous events each sees what those before it have left. A function of [`events`](Self::events)
+    /// returns plain numbers: the time of its event has no derivative.
     ///
     /// # Errors
     ///
@@ -136,7 +138,7 @@ impl<I, C, O> Driver<I, C, O> {
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
         O: Observer<D::State>,
-        F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
+        F: FnMut(usize, S, &mut D::State, &mut D) -> Reaction,
     {
         let initial = initial.into_sample();
         let mut system = Reacting { dynamics, reaction };
@@ -157,12 +159,12 @@ impl<I, C, O> Driver<I, C, O> {
         initial: impl InitialValue<D::State>,
         times: &[f64],
         reaction: F,
-    ) -> Result<Trajectory<D::State>, PartialTrajectory<D::State>>
+    ) -> Result<Trajectory<D::State, S>, PartialTrajectory<D::State, S>>
     where
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
         O: Observer<D::State>,
-        F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
+        F: FnMut(usize, S, &mut D::State, &mut D) -> Reaction,
     {
         self.collect(&mut Reacting { dynamics, reaction }, initial, times)
     }
@@ -219,7 +221,7 @@ impl<I, C, O> Driver<I, C, O> {
         T: DenseOutput<S, D>,
         C: StopCondition<S, D>,
         O: Observer<D::State>,
-        F: FnMut(usize, f64, &mut D::State, &mut D) -> Reaction,
+        F: FnMut(usize, S, &mut D::State, &mut D) -> Reaction,
     {
         self.collect_steps(&mut Reacting { dynamics, reaction }, initial, end)
     }

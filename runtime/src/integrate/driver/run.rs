@@ -4,7 +4,9 @@ use super::Driver;
 use crate::integrate::collector::Collector;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::{self, Memory, MetConditions, Occurring, Reaction};
+use crate::integrate::event::{
+    self, LastStep, Located, Memory, MetConditions, Occurring, Reaction, moved,
+};
 use crate::integrate::integration::{Beginning, Integration, Interruption, check_singularity};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
@@ -36,7 +38,7 @@ impl<I, C, O> Driver<I, C, O> {
     /// The same, with reactions to events.
     pub(crate) fn run_parts<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
-        system: &mut impl React<D, D::State>,
+        system: &mut impl React<S, D>,
         initial: &Sample<D::State>,
         times: &[f64],
         collector: &mut dyn Collector<S, D, I::Stepper>,
@@ -50,7 +52,7 @@ impl<I, C, O> Driver<I, C, O> {
         match checked.and_then(|()| self.begin(system.dynamics(), initial)) {
             Ok(mut stepper) => {
                 let steps = self.max_steps;
-                self.advance(system, &mut stepper, times, steps, collector)
+                self.advance(system, (&mut stepper, &mut None), times, steps, collector)
             }
             Err(error) => (Outcome::at(initial.clone()), Err(error)),
         }
@@ -59,8 +61,8 @@ impl<I, C, O> Driver<I, C, O> {
     /// Goes on through `times`, which are checked, with at most so many more steps.
     pub(crate) fn advance<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
-        system: &mut impl React<D, D::State>,
-        stepper: &mut I::Stepper,
+        system: &mut impl React<S, D>,
+        (stepper, memory): (&mut I::Stepper, &mut Option<Memory<C::Values>>),
         times: &[f64],
         steps: u64,
         collector: &mut dyn Collector<S, D, I::Stepper>,
@@ -72,16 +74,27 @@ impl<I, C, O> Driver<I, C, O> {
     {
         let (t, x) = (stepper.time(), stepper.state().clone());
         let mut outcome = Outcome::at(Sample { t, x });
-        let result = self.advance_parts(system, stepper, (times, steps), collector, &mut outcome);
+        let begun = memory.take();
+        let mut known =
+            begun.unwrap_or_else(|| self.condition.begin(system.dynamics(), t, &outcome.last.x));
+        let parts = (times, steps);
+        let result = self.advance_parts(
+            system,
+            (&mut *stepper, &mut known),
+            parts,
+            collector,
+            &mut outcome,
+        );
+        *memory = Some(known);
         let result = result.map(|reason| outcome.reason = reason);
         (outcome, result)
     }
 
     /// One part after the other, with a reaction between them.
-    fn advance_parts<S: Scalar, D: Dynamics<S> + ?Sized, R: React<D, D::State>>(
+    fn advance_parts<S: Scalar, D: Dynamics<S> + ?Sized, R: React<S, D>>(
         &mut self,
         system: &mut R,
-        stepper: &mut I::Stepper,
+        (stepper, memory): (&mut I::Stepper, &mut Memory<C::Values>),
         (mut waiting, steps): (&[f64], u64),
         collector: &mut dyn Collector<S, D, I::Stepper>,
         outcome: &mut Outcome<D::State>,
@@ -91,8 +104,7 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
-        let Sample { t: start, x } = outcome.last.clone();
-        let mut memory = self.condition.begin(system.dynamics(), start, &x);
+        let start = outcome.last.t;
         let end = waiting.last().copied().unwrap_or(start);
         let min_pivot = self.min_pivot::<S, D>();
         let step_limit = stepper.statistics().attempts().saturating_add(steps);
@@ -107,7 +119,7 @@ impl<I, C, O> Driver<I, C, O> {
                 min_pivot,
                 step_limit,
                 condition: &mut self.condition,
-                memory: &mut memory,
+                memory: &mut *memory,
                 reacts: R::REACTS,
                 is_visited,
                 observer: &mut self.observer,
@@ -119,8 +131,8 @@ impl<I, C, O> Driver<I, C, O> {
                 Interruption::Reaction(occurring) => occurring,
             };
             is_visited = part.is_visited;
-            let mut x = outcome.last.x.clone();
-            match system.react(occurring, &mut x) {
+            let (reaction, x) = self.react(system, stepper, occurring);
+            match reaction {
                 Reaction::Unchanged => beginning = Beginning::Unchanged,
                 Reaction::Stop => {
                     outcome.last.x = x;
@@ -129,7 +141,7 @@ impl<I, C, O> Driver<I, C, O> {
                 }
                 Reaction::Changed => {
                     let dynamics = system.dynamics();
-                    outcome.met = self.begin_anew(dynamics, stepper, &mut memory, occurring, &x)?;
+                    outcome.met = self.begin_anew(dynamics, stepper, memory, occurring, &x)?;
                     outcome.last.x = x;
                     outcome.statistics = stepper.statistics();
                     if outcome.met.any() {
@@ -139,6 +151,43 @@ impl<I, C, O> Driver<I, C, O> {
                 }
             }
         }
+    }
+
+    /// The reactions to events of one time, in the order of their indices, and the state at that time of the stepper.
+    fn react<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        system: &mut impl React<S, D>,
+        stepper: &mut I::Stepper,
+        occurring: Occurring,
+    ) -> (Reaction, D::State)
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+    {
+        let step = stepper.time() - stepper.previous_time();
+        let Sample { t, mut x } = LastStep::new(system.dynamics(), stepper).at(occurring.t);
+        let here = S::from_f64(t);
+        let mut all = Reaction::Unchanged;
+        for event in occurring.events.indices() {
+            let dynamics = system.dynamics();
+            let located = Located {
+                dynamics,
+                t,
+                x: &x,
+                step,
+            };
+            let delay = located.delay(&mut self.condition, event);
+            let mut there = moved(dynamics, here, &x, delay);
+            match system.react(event, here + delay, &mut there) {
+                Reaction::Unchanged => {}
+                Reaction::Changed => {
+                    all = Reaction::Changed;
+                    x = moved(system.dynamics(), here + delay, &there, -delay);
+                }
+                Reaction::Stop => return (Reaction::Stop, there),
+            }
+        }
+        (all, x)
     }
 
     /// Begins anew from the state that a reaction has left. The events that occur again and again in too short a time.

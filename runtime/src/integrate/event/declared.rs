@@ -6,15 +6,12 @@
 use super::detection::Detection;
 use super::memory::Memory;
 use super::polynomial::{Polynomial, Root};
+use super::window::{Search, Window};
 use super::{
     Crossing, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling,
 };
-use crate::integrate::sample::Sample;
-use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::Advance;
-use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{LEAST_WINDOW, MOST_COEFFICIENTS, UNCERTAINTY};
-use crate::scalar::{DoubleDouble, Scalar};
+use crate::limits::events::{LEAST_WINDOW, MOST_COEFFICIENTS};
 
 /// Some of the events that the dynamics declare, by their indices, and what is watched for; made by
 /// [`Driver::declared_events`](crate::Driver::declared_events).
@@ -44,6 +41,11 @@ where
         let value = |index: usize| values.as_ref().get(index).map(|value| value.smallest());
         self.events
             .map(|(index, _)| value(index).unwrap_or(f64::NAN))
+    }
+
+    fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
+        let (index, _) = self.events.get(event)?;
+        dynamics.event_functions(t, x).as_ref().get(*index).copied()
     }
 
     fn event(&self, index: usize) -> Event {
@@ -79,41 +81,61 @@ where
 impl<const K: usize> DeclaredEvents<K> {
     /// The window that begins at a time, with the polynomials of the event functions; none if they have no series.
     ///
-    /// A series does not see corners, as those of |x| and max(x, y): where the polynomials are not the functions in the
-    /// middle and at the end of the window, it is shortened, down to a small part of the step.
+    /// A series does not see corners, as those of |x| and max(x, y). Where dynamics tell at which zeros there are some, the
+    /// window ends behind the first one. Of external functions nothing is told: where the polynomials are not the functions
+    /// in the middle and at the end of the window, it is shortened, down to a small part of the step.
     fn window<S, D, T>(
         &mut self,
         begin: f64,
         step: &mut LastStep<'_, S, D, T>,
-    ) -> Option<(Window, [Polynomial; K])>
+    ) -> Option<(Window<K>, [Polynomial; K])>
     where
         S: SingleNumber,
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let from = step.at(begin);
         let least = LEAST_WINDOW * (step.end() - step.begin()).abs();
-        let mut end = step.end();
+        let (mut begin, mut end) = (begin, step.end());
+        let mut shift = step.resolution(begin).copysign(end - begin);
+        let mut from = step.at(begin);
         loop {
+            let resolution = step.resolution(begin);
             let search = Search {
                 events: self,
                 dynamics: step.dynamics(),
                 from: &from,
                 end,
+                resolution,
             };
-            let (polynomials, end_of_window) = step.polynomial(search)??;
-            end = end_of_window;
+            let expansion = step.polynomial(search)??;
+            if expansion.is_at_corner && step.comes_before(begin + shift, end) {
+                // Which branch follows is not certain yet.
+                begin += shift;
+                shift *= 4.0;
+                from = step.at(begin);
+                continue;
+            }
+            end = expansion.end;
+            let polynomials = expansion.polynomials;
+            let mut last = [0.0; K];
             let mut agree = true;
             for part in [0.5, 1.0] {
                 let sample = step.at(begin + (end - begin) * part);
-                let values = self.values(step.dynamics(), sample.t, &sample.x);
-                let mut pairs = values.iter().zip(&polynomials);
+                last = self.values(step.dynamics(), sample.t, &sample.x);
+                let mut pairs = last.iter().zip(&polynomials);
                 agree &= pairs
                     // Where a function is not a number, or there is no such event, nothing is compared.
                     .all(|(value, polynomial)| value.is_nan() || polynomial.is_near(part, *value));
             }
             if agree || (end - begin).abs() <= least {
-                return Some((Window { begin, end }, polynomials));
+                let window = Window {
+                    begin,
+                    end,
+                    corner: expansion.corner,
+                    last,
+                    is_known: agree,
+                };
+                return Some((window, polynomials));
             }
             end = begin + 0.25 * (end - begin);
         }
@@ -124,7 +146,7 @@ impl<const K: usize> DeclaredEvents<K> {
         &mut self,
         memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
-        window: Window,
+        window: Window<K>,
         polynomials: &[Polynomial; K],
     ) -> Option<Occurring>
     where
@@ -136,15 +158,21 @@ impl<const K: usize> DeclaredEvents<K> {
         let near = window.fraction(step.after(window.begin));
         let mut found = [None; K];
         for (event, polynomial) in polynomials.iter().enumerate() {
-            found[event] = self.first_of(event, polynomial, memory, from, near);
+            found[event] = self.first_of(event, polynomial, memory, (window, from, near));
         }
         let times = found.iter().flatten().map(|root: &Root| root.at);
         let first = times.fold(f64::INFINITY, f64::min);
         if first > 1.0 {
-            for (sign, polynomial) in memory.signs.iter_mut().zip(polynomials) {
-                *sign = polynomial.last_sign(from, *sign);
+            for (event, polynomial) in polynomials.iter().enumerate() {
+                let known = (from, memory.resume[event]);
+                memory.signs[event] = window.last_sign(polynomial, known, memory.signs[event]);
             }
+            let touches = polynomials.iter().zip(memory.resume);
+            let touches = MetConditions::of(
+                touches.map(|(polynomial, resume)| resume < 1.0 && polynomial.is_uncertain(1.0)),
+            );
             memory.arrive(window.end);
+            memory.touching = touches;
             (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             memory.window = window.end;
             return None;
@@ -182,8 +210,7 @@ impl<const K: usize> DeclaredEvents<K> {
         event: usize,
         polynomial: &Polynomial,
         memory: &Memory<[f64; K]>,
-        from: f64,
-        near: f64,
+        (window, from, near): (Window<K>, f64, f64),
     ) -> Option<Root> {
         let crossing = self.event(event).crossing();
         let is_at_start = from <= 0.0 && memory.is_leaving;
@@ -205,6 +232,18 @@ impl<const K: usize> DeclaredEvents<K> {
             // The last step may have ended before a root that is now behind, to rounding.
             let before = memory.signs[event];
             let behind = polynomial.sign_behind(from, next);
+            // A zero at the end of the last step, whether or not the sign changes there.
+            if memory.touching.contains(event)
+                && before * behind > 0.0
+                && crossing.between(before, 0.0)
+            {
+                return Some(Root {
+                    at: 0.0,
+                    before,
+                    behind,
+                    until: 0.0,
+                });
+            }
             let returns = next.is_some_and(|root| root.at <= near && root.behind * before > 0.0);
             if returns {
                 next = next.and_then(|root| polynomial.next_root(root.until, root.behind));
@@ -218,7 +257,7 @@ impl<const K: usize> DeclaredEvents<K> {
             }
         }
         for _ in 0..MOST_COEFFICIENTS {
-            let root = next?;
+            let root = window.behind(event, next?);
             // A zero at the initial time is no crossing, whatever rounding makes of it.
             let is_initial =
                 is_at_start && !deflated && root.at <= near && crossing == Crossing::Either;
@@ -227,7 +266,8 @@ impl<const K: usize> DeclaredEvents<K> {
             } else {
                 0.0
             };
-            if crossing.between(root.before, behind) && !is_initial {
+            let is_one = window.is_known || behind != 0.0;
+            if is_one && crossing.between(root.before, behind) && !is_initial {
                 return Some(root);
             }
             next = polynomial.next_root(root.until, root.behind);
@@ -272,106 +312,4 @@ impl<const K: usize> DeclaredEvents<K> {
         memory.at_event = self.values(step.dynamics(), last, &sample.x);
         last
     }
-}
-
-/// A part of a step, over which the series of the event functions converge.
-#[derive(Clone, Copy)]
-struct Window {
-    begin: f64,
-    end: f64,
-}
-
-impl Window {
-    /// The part of it up to a time.
-    fn fraction(self, t: f64) -> f64 {
-        (t - self.begin) / (self.end - self.begin)
-    }
-
-    /// The first number that is not before a part of it.
-    fn time(self, fraction: f64) -> f64 {
-        if fraction >= 1.0 {
-            return self.end;
-        }
-        let time = self.begin + fraction * (self.end - self.begin);
-        if self.fraction(time) >= fraction {
-            time
-        } else if self.end >= self.begin {
-            time.next_up()
-        } else {
-            time.next_down()
-        }
-    }
-}
-
-/// Makes the polynomials of event functions in a window from the polynomial of a step.
-struct Search<'a, D: ?Sized, X, const K: usize> {
-    events: &'a DeclaredEvents<K>,
-    dynamics: &'a D,
-    /// Where the window begins.
-    from: &'a Sample<X>,
-    /// Where it ends at the latest.
-    end: f64,
-}
-
-impl<S, D, const K: usize> StepPolynomial<S, D::State> for Search<'_, D, D::State, K>
-where
-    S: SingleNumber,
-    D: EventDynamics<S> + ?Sized,
-{
-    /// The polynomials, and where the window ends.
-    type Output = Option<([Polynomial; K], f64)>;
-
-    /// The series of an event function may converge more slowly than that of the motion, for which the step was chosen.
-    /// Then the window is shorter than the step: its last two terms are rounding errors there, or as small in relation to
-    /// the others as those of the motion are in the step.
-    fn visit<const HALF: usize>(
-        self,
-        t: f64,
-        unit: f64,
-        motion: &TaylorCoefficients<D::State, HALF>,
-    ) -> Self::Output {
-        let Sample { t: begin, x } = self.from;
-        let offset = (begin - t) / unit;
-        let shifted = (offset != 0.0).then(|| motion.shifted(S::from_f64(offset)));
-        let motion = shifted.as_ref().unwrap_or(motion);
-        let (time, unit_of_time) = (S::from_f64(*begin), S::from_f64(unit));
-        let series = (self.dynamics).event_series(time, x, unit_of_time, motion)?;
-        let epsilon = S::machine_epsilon();
-        let step = (self.end - begin) / unit;
-        let allowed = (UNCERTAINTY * epsilon).max(motion.last_terms(step));
-        let mut part = 1.0;
-        loop {
-            let ratio = DoubleDouble::from(step) * DoubleDouble::from(part);
-            let mut converge = true;
-            let mut polynomials = [Polynomial::ZERO; K];
-            for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
-                let values = core::iter::once(series.initial()).chain(series.higher());
-                let mut power = DoubleDouble::from(1.0);
-                let coefficients = values.map(|values| {
-                    let value = values.as_ref().get(index).copied().unwrap_or(S::zero());
-                    let coefficient = double_double(value) * power;
-                    power *= ratio;
-                    coefficient
-                });
-                *polynomial = Polynomial::new(coefficients, epsilon)?;
-                converge &= polynomial.last_terms() <= allowed;
-            }
-            if converge || part <= LEAST_WINDOW {
-                let end = if part < 1.0 {
-                    begin + (self.end - begin) * part
-                } else {
-                    self.end
-                };
-                return Some((polynomials, end));
-            }
-            part *= 0.5;
-        }
-    }
-}
-
-/// A number with its digits beyond those of `f64`.
-fn double_double<S: Scalar>(value: S) -> DoubleDouble {
-    let high = value.smallest();
-    let low = (value - S::from_f64(high)).smallest();
-    DoubleDouble::new(high, if low.is_finite() { low } else { 0.0 })
 }

@@ -14,11 +14,19 @@ use crate::scalar::{DoubleDouble, Scalar};
             functions to `Driver::events`"
 )]
 pub trait EventDynamics<S: Scalar>: Dynamics<S> {
-    /// One value for each event: an array.
+    /// One value for each event, and behind them those of the functions at whose zeros event functions have corners or
+    /// jumps ([`branches`](Self::branches)): an array.
     type Values: AsRef<[S]> + Copy;
 
     /// The names of the events.
     fn names(&self) -> &'static [&'static str];
+
+    /// The indices of those values at whose zeros the function of an event has a corner or a jump, such as that of u for |u|
+    /// and of u − v for max(u, v): there its series ends, and another one begins. None by default.
+    fn branches(&self, event: usize) -> &'static [usize] {
+        let _ = event;
+        &[]
+    }
 
     /// The values of the event functions.
     fn event_functions(&self, t: S, x: &Self::State) -> Self::Values;
@@ -43,6 +51,10 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_,
 
     fn names(&self) -> &'static [&'static str] {
         self.dynamics.names()
+    }
+
+    fn branches(&self, event: usize) -> &'static [usize] {
+        self.dynamics.branches(event)
     }
 
     #[inline]

@@ -3,6 +3,7 @@
 use super::LastStep;
 use super::met_conditions::MetConditions;
 use super::values::Values;
+use crate::integrate::checkpoint::EventSigns;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::{
@@ -36,6 +37,11 @@ pub struct Memory<V> {
     /// Of polynomials: after an event, the signs of the others' functions before their next roots, which rounding may have
     /// brought next to it; 0 where there is none.
     pub(super) ahead: V,
+    /// Of polynomials: the events whose functions are zero to rounding at the end of the last window. Where they do not cross
+    /// it, they have touched it.
+    pub(super) touching: MetConditions,
+    /// The direction of time in the steps that were looked at.
+    forwards: Option<bool>,
     /// The events to which the reaction was from which the method began anew: their functions are zero there.
     pub(super) at_zero: MetConditions,
     /// The time of the last reaction to each event.
@@ -67,6 +73,8 @@ impl<V: Values> Memory<V> {
             resume: V::ZERO,
             ahead: V::ZERO,
             at_zero: MetConditions::default(),
+            touching: MetConditions::default(),
+            forwards: None,
             reactions,
             in_a_row: V::ZERO,
         }
@@ -81,6 +89,30 @@ impl<V: Values> Memory<V> {
             at_event: self.at_event,
             ..Self::new(start, signs)
         };
+    }
+
+    /// What a checkpoint has of it.
+    pub(crate) fn event_signs(&self) -> EventSigns {
+        EventSigns::of(self.signs.as_slice(), self.forwards)
+    }
+
+    /// This memory of the functions at the time of a checkpoint, with what that has of them.
+    pub(crate) fn recalled(mut self, stored: EventSigns) -> Self {
+        for (event, value) in self.signs.as_mut_slice().iter_mut().enumerate() {
+            let sign = stored.sign(event);
+            if *value * sign <= 0.0 || value.is_nan() {
+                *value = sign;
+            }
+        }
+        self.forwards = stored.forwards;
+        self.is_leaving = stored.forwards.is_none();
+        self
+    }
+
+    /// Whether what is known serves an integration from `t` towards `end`: one in the same direction.
+    pub(crate) fn goes_on(&self, t: f64, end: f64) -> bool {
+        let forwards = end >= t;
+        t - self.until == 0.0 && self.forwards.is_none_or(|before| before == forwards)
     }
 
     /// Whether a value of an event function says anything: during the cooldown it may be a rounding error.
@@ -180,10 +212,11 @@ impl<V: Values> Memory<V> {
 
     /// Notes that all events up to a time are known.
     pub(super) fn arrive(&mut self, time: f64) {
-        self.until = time;
+        self.go_to(time);
         self.is_leaving = false;
         self.departure = 0.0;
         self.at_zero = MetConditions::default();
+        self.touching = MetConditions::default();
     }
 
     /// Notes that no event has occurred up to a time with these values.
@@ -199,6 +232,13 @@ impl<V: Values> Memory<V> {
             0.0
         };
         self.is_leaving = false;
+        self.go_to(time);
+    }
+
+    fn go_to(&mut self, time: f64) {
+        if time - self.until != 0.0 {
+            self.forwards = Some(time > self.until);
+        }
         self.until = time;
     }
 }

@@ -10,7 +10,9 @@
 mod tests;
 
 use super::location::Bracket;
-use crate::limits::events::{ISOLATION_STEPS, LEAST_WIDTH, MOST_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::limits::events::{
+    DISPLACEMENTS, ISOLATION_STEPS, LEAST_WIDTH, MOST_COEFFICIENTS, NEAR, UNCERTAINTY,
+};
 use crate::scalar::DoubleDouble;
 
 /// The polynomial Σ aₖ uᵏ.
@@ -132,6 +134,15 @@ impl Polynomial {
         (self.value(u) - value).abs() <= NEAR * sum
     }
 
+    /// Whether the root of its tangent at 0 is no farther away than that, or its value there is 0. A polynomial that is 0
+    /// everywhere is not meant.
+    pub(super) fn is_zero_within(&self, distance: f64) -> bool {
+        let mut sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
+        let [value, slope] = [sizes.next(), sizes.next()].map(|size| size.unwrap_or(0.0));
+        let is_zero = value <= slope * distance || value <= 0.0;
+        is_zero && sizes.fold(slope, f64::max) > 0.0
+    }
+
     /// The derivative at `u`.
     fn slope(&self, u: f64) -> f64 {
         let (u, zero) = (DoubleDouble::from(u), DoubleDouble::from(0.0));
@@ -145,6 +156,12 @@ impl Polynomial {
         let coefficients = self.coefficients().iter().rev();
         let sum = coefficients.fold(0.0, |sum, a| sum * u + a.to_f64().abs());
         UNCERTAINTY * self.epsilon * sum
+    }
+
+    /// The sign at `u`, if it has one.
+    pub(super) fn certain_sign(&self, u: f64) -> Option<f64> {
+        let value = self.value(u);
+        (value.abs() > self.uncertainty(u)).then(|| value.signum())
     }
 
     /// Whether the value at `u` has no sign.
@@ -179,6 +196,10 @@ impl Polynomial {
             };
             (root, last) = (next.until, next.behind);
         }
+        if last == 0.0 {
+            // Without a root it has one sign, which is certain away from the ends.
+            last = self.sign_behind(from, None);
+        }
         if last == 0.0 { otherwise } else { last }
     }
 
@@ -190,6 +211,7 @@ impl Polynomial {
         let (mut left, mut width) = (from, 1.0 - from);
         // Up to where the sign was certain.
         let mut until = from;
+        let mut displaced = 0;
         for _ in 0..ISOLATION_STEPS {
             if left >= 1.0 {
                 break;
@@ -201,6 +223,15 @@ impl Polynomial {
                 width <= LEAST_WIDTH || self.uncertainty(right) <= 2.0 * self.uncertainty(left);
             if values.is_uncertain && !settled {
                 width *= 0.5;
+                continue;
+            }
+            // A zero at the end would be seen from neither side.
+            if values.is_uncertain
+                && right < 1.0
+                && displaced < DISPLACEMENTS
+                && self.is_uncertain(right)
+            {
+                (width, displaced) = (0.7 * width, displaced + 1);
                 continue;
             }
             if sign * values.first < 0.0 {
@@ -232,6 +263,14 @@ impl Polynomial {
                         behind: values.last,
                         until: right,
                     });
+                }
+            }
+            let turns = values.first * slopes.first < 0.0 && values.first * slopes.last > 0.0;
+            if values.count == 0 && values.is_uncertain && turns && !self.is_uncertain(right) {
+                // A zero of a higher even order, around which no coefficient is certain.
+                let root = self.at_extremum(left, right, values.first, slopes.first);
+                if root.is_some() {
+                    return root;
                 }
             }
             if values.last != 0.0 {

@@ -1,0 +1,226 @@
+//! A part of a step in which event functions are polynomials.
+
+use super::polynomial::{Polynomial, Root};
+use super::{DeclaredEvents, EventDynamics, SingleNumber};
+use crate::integrate::sample::Sample;
+use crate::integrate::step_polynomial::StepPolynomial;
+use crate::integrate::taylor::TaylorCoefficients;
+use crate::limits::events::{LEAST_WINDOW, UNCERTAINTY};
+use crate::scalar::{DoubleDouble, Scalar};
+
+/// A part of a step, over which the series of the event functions converge.
+#[derive(Clone, Copy)]
+pub(super) struct Window<const K: usize> {
+    pub(super) begin: f64,
+    pub(super) end: f64,
+    /// The part of it behind which an event function may have another branch: it has a corner there.
+    pub(super) corner: Option<f64>,
+    /// The values of the event functions at its end.
+    pub(super) last: [f64; K],
+    /// Whether the polynomials are the functions.
+    pub(super) is_known: bool,
+}
+
+impl<const K: usize> Window<K> {
+    /// The part of it up to a time.
+    pub(super) fn fraction(&self, t: f64) -> f64 {
+        (t - self.begin) / (self.end - self.begin)
+    }
+
+    /// The first number that is not before a part of it.
+    pub(super) fn time(&self, fraction: f64) -> f64 {
+        if fraction >= 1.0 {
+            return self.end;
+        }
+        let time = self.begin + fraction * (self.end - self.begin);
+        if self.fraction(time) >= fraction {
+            time
+        } else if self.end >= self.begin {
+            time.next_up()
+        } else {
+            time.next_down()
+        }
+    }
+
+    /// The part from which on signs of polynomials are not those of the functions.
+    fn trusted(&self) -> f64 {
+        if self.is_known {
+            self.corner.unwrap_or(f64::INFINITY)
+        } else {
+            0.0
+        }
+    }
+
+    /// A root of an event's polynomial with the sign that the function has behind it: at a corner it may turn back.
+    pub(super) fn behind(&self, event: usize, root: Root) -> Root {
+        let value = self.last.get(event).copied().unwrap_or(f64::NAN);
+        if root.at < self.trusted() || value.is_nan() {
+            return root;
+        }
+        let behind = if value == 0.0 { 0.0 } else { value.signum() };
+        let until = 1.0;
+        Root {
+            behind,
+            until,
+            ..root
+        }
+    }
+
+    /// The sign of an event's function behind its last root, where it is certain; `sign` is that behind the last event, and
+    /// `from` and `resume` tell up to where that is known. Behind a corner the polynomial has none: a jump there is seen when
+    /// the next window begins.
+    pub(super) fn last_sign(
+        &self,
+        polynomial: &Polynomial,
+        (from, resume): (f64, f64),
+        sign: f64,
+    ) -> f64 {
+        let trusted = self.trusted();
+        if trusted > 1.0 {
+            return polynomial.last_sign(from, sign);
+        }
+        if resume >= 1.0 {
+            return sign;
+        }
+        let before = polynomial.certain_sign(trusted.max(0.0));
+        before.unwrap_or_else(|| polynomial.last_sign(from, sign))
+    }
+}
+
+/// The polynomials of event functions from the beginning of a window.
+pub(super) struct Expansion<const K: usize> {
+    pub(super) polynomials: [Polynomial; K],
+    /// Where the window ends.
+    pub(super) end: f64,
+    /// The part of it at which there is a corner.
+    pub(super) corner: Option<f64>,
+    /// Whether it begins so near to a corner that rounding may have chosen the branch.
+    pub(super) is_at_corner: bool,
+}
+
+/// Makes the polynomials of event functions in a window from the polynomial of a step.
+pub(super) struct Search<'a, D: ?Sized, X, const K: usize> {
+    pub(super) events: &'a DeclaredEvents<K>,
+    pub(super) dynamics: &'a D,
+    /// Where the window begins.
+    pub(super) from: &'a Sample<X>,
+    /// Where it ends at the latest.
+    pub(super) end: f64,
+    /// The shortest time that is safely distinguishable.
+    pub(super) resolution: f64,
+}
+
+impl<S, D, const K: usize> StepPolynomial<S, D::State> for Search<'_, D, D::State, K>
+where
+    S: SingleNumber,
+    D: EventDynamics<S> + ?Sized,
+{
+    type Output = Option<Expansion<K>>;
+
+    /// The series of an event function may converge more slowly than that of the motion, for which the step was chosen.
+    /// Then the window is shorter than the step: its last two terms are rounding errors there, or as small in relation to
+    /// the others as those of the motion are in the step. It ends behind the first corner.
+    fn visit<const HALF: usize>(
+        self,
+        t: f64,
+        unit: f64,
+        motion: &TaylorCoefficients<D::State, HALF>,
+    ) -> Self::Output {
+        let Sample { t: begin, x } = self.from;
+        let offset = (begin - t) / unit;
+        let shifted = (offset != 0.0).then(|| motion.shifted(S::from_f64(offset)));
+        let motion = shifted.as_ref().unwrap_or(motion);
+        let (time, unit_of_time) = (S::from_f64(*begin), S::from_f64(unit));
+        let series = (self.dynamics).event_series(time, x, unit_of_time, motion)?;
+        let allowed = UNCERTAINTY * S::machine_epsilon();
+        let allowed = allowed.max(motion.last_terms((self.end - begin) / unit));
+        let whole = self.end - begin;
+        let watched = self.events.events.iter();
+        let branches = watched.flat_map(|(index, _)| self.dynamics.branches(*index));
+        let (mut part, mut polynomials) = (1.0, [Polynomial::ZERO; K]);
+        loop {
+            let length = part * whole / unit;
+            let mut converge = true;
+            for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
+                *polynomial = polynomial_of(&series, index, length)?;
+                converge &= polynomial.last_terms() <= allowed;
+            }
+            for index in branches.clone() {
+                converge &= polynomial_of(&series, *index, length)?.last_terms() <= allowed;
+            }
+            if converge || part <= LEAST_WINDOW {
+                break;
+            }
+            part *= 0.5;
+        }
+        let least = self.resolution / (whole * part).abs();
+        let (mut corner, mut is_at_corner) = (None::<Root>, false);
+        for index in branches {
+            let polynomial = polynomial_of(&series, *index, part * whole / unit)?;
+            is_at_corner |= polynomial.is_zero_within(least);
+            let found = first_change(&polynomial);
+            corner = found
+                .into_iter()
+                .chain(corner)
+                .min_by(|a, b| a.at.total_cmp(&b.at));
+        }
+        let behind = corner.map(|root| root.until.max(root.at + 2.0 * least));
+        let cut = behind.filter(|behind| *behind < 1.0).unwrap_or(1.0);
+        if cut < 1.0 {
+            part *= cut;
+            for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
+                *polynomial = polynomial_of(&series, index, part * whole / unit)?;
+            }
+        }
+        Some(Expansion {
+            polynomials,
+            end: if part < 1.0 {
+                begin + whole * part
+            } else {
+                self.end
+            },
+            corner: corner.map(|root| (root.at - 2.0 * least) / cut),
+            is_at_corner,
+        })
+    }
+}
+
+/// The polynomial of a function in the part of a step of this length, in units of the series.
+fn polynomial_of<S, V, const HALF: usize>(
+    series: &TaylorCoefficients<V, HALF>,
+    index: usize,
+    length: f64,
+) -> Option<Polynomial>
+where
+    S: Scalar,
+    V: AsRef<[S]> + Clone,
+{
+    let values = core::iter::once(series.initial()).chain(series.higher());
+    let mut power = DoubleDouble::from(1.0);
+    let coefficients = values.map(|values| {
+        let value = values.as_ref().get(index).copied().unwrap_or(S::zero());
+        let coefficient = double_double(value) * power;
+        power *= DoubleDouble::from(length);
+        coefficient
+    });
+    Polynomial::new(coefficients, S::machine_epsilon())
+}
+
+/// The first root at which a polynomial changes its sign.
+fn first_change(polynomial: &Polynomial) -> Option<Root> {
+    let mut next = polynomial.next_root(0.0, 0.0);
+    while let Some(root) = next {
+        if root.before * root.behind < 0.0 || root.until >= 1.0 {
+            return Some(root);
+        }
+        next = polynomial.next_root(root.until, root.behind);
+    }
+    None
+}
+
+/// A number with its digits beyond those of `f64`.
+fn double_double<S: Scalar>(value: S) -> DoubleDouble {
+    let high = value.smallest();
+    let low = (value - S::from_f64(high)).smallest();
+    DoubleDouble::new(high, if low.is_finite() { low } else { 0.0 })
+}

@@ -1,0 +1,396 @@
+//! Derivatives of event times, and of motions through impacts and switches, against closed forms and differences.
+#![cfg(feature = "num-dual")]
+
+use lagrangian::prelude::*;
+use lagrangian::{DoubleDouble, SingleNumber};
+use num_dual::{Dual2_64, Dual64, DualSVec64};
+
+#[track_caller]
+fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
+    let error = (found - expected).abs();
+    assert!(
+        error <= tolerance * expected.abs().max(1.0),
+        "{what}: {found} is not {expected}: {error:e}"
+    );
+}
+
+/// A ball above a floor that rises at a constant speed.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(y),
+    kinetic = 0.5 * m * dot(y).powi(2),
+    potential = m * g * y,
+    event(floor = y - rise * t, graze = (y - top).powi(2), limit = y - top),
+)]
+struct Ball<T: Scalar> {
+    m: T,
+    g: T,
+    rise: T,
+    top: T,
+}
+
+/// Height, gravity, restitution, speed of the floor.
+const BALL: [f64; 4] = [1.3, 9.81, 0.7, 0.05];
+
+/// The times of two impacts and the state at a time behind them, in the frame of the floor, in closed form.
+fn bounces<T: Scalar>([height, g, restitution, rise]: [T; 4], end: f64) -> [T; 4] {
+    let number = T::from_f64;
+    // Above the floor: height − rise t − ½ g t².
+    let first = ((rise * rise + number(2.0) * g * height).sqrt() - rise) / g;
+    let up = (g * first + rise) * restitution;
+    let flight = number(2.0) * up / g;
+    let again = up * restitution;
+    let rest = number(end) - first - flight;
+    let above = again * rest - number(0.5) * g * rest * rest;
+    [
+        first,
+        first + flight,
+        above + rise * number(end),
+        again - g * rest + rise,
+    ]
+}
+
+/// The same by integration.
+fn integrated<T, I>(method: &I, [height, g, restitution, rise]: [T; 4], end: f64) -> [T; 4]
+where
+    T: SingleNumber,
+    I: IntegrationMethod + for<'a> Integrator<T, lagrangian::EquationsOfMotion<'a, Ball<T>, T, 1>>,
+{
+    let ball = Ball {
+        m: T::from_f64(0.4),
+        g,
+        rise,
+        top: height,
+    };
+    let zero = T::from_f64(0.0);
+    let driver = method
+        .driver()
+        .declared_events([(Ball::<f64>::FLOOR, Event::falling())]);
+    let start = State::new(zero, [height], [zero]);
+    let mut dynamics = ball.dynamics();
+    let motion = driver
+        .sample_reacting(&mut dynamics, start, &[end], |_, _, x, _| {
+            x.v[0] = rise - restitution * (x.v[0] - rise);
+            Reaction::Changed
+        })
+        .unwrap();
+    let [first, second] = motion.events() else {
+        panic!("{} impacts", motion.events().len());
+    };
+    let last = motion.last().x;
+    [first.t, second.t, last.q[0], last.v[0]]
+}
+
+const END: f64 = 1.5;
+
+#[test]
+fn a_bouncing_ball_has_the_gradient_of_its_closed_form() {
+    type Dual = DualSVec64<4>;
+    let mut index = 0;
+    let parameters = BALL.map(|value| {
+        index += 1;
+        Dual::from_re(value).derivative(index - 1)
+    });
+    let expected = bounces(parameters, END);
+    let methods = [
+        ("Taylor", integrated(&Taylor::new(), parameters, END), 1e-12),
+        ("DOP853", integrated(&Dop853::new(), parameters, END), 1e-9),
+        (
+            "Runge-Kutta",
+            integrated(&RungeKutta::classical(1e-3), parameters, END),
+            1e-9,
+        ),
+    ];
+    for (name, found, tolerance) in methods {
+        for (found, expected) in found.iter().zip(&expected) {
+            close(name, found.re, expected.re, tolerance);
+            for part in 0..4 {
+                let [found, expected] = [found, expected].map(|x| x.derivative_part(part));
+                close(name, found, expected, tolerance);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_bouncing_ball_has_second_derivatives() {
+    for moving in 0..4 {
+        let mut parameters = BALL.map(Dual2_64::from_re);
+        parameters[moving] = parameters[moving].derivative();
+        let expected = bounces(parameters, END);
+        let found = integrated(&Taylor::new(), parameters, END);
+        for (found, expected) in found.iter().zip(&expected) {
+            for part in 0..2 {
+                let [found, expected] = [found, expected].map(|x| x.derivative_part(part));
+                close("a derivative", found, expected, 1e-10);
+            }
+        }
+    }
+}
+
+/// The time of an event has the digits of the scalar, which times of a stepper do not have.
+#[test]
+fn events_have_the_digits_of_double_doubles() {
+    let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
+    let parameters = BALL.map(|value| DoubleDouble::from(value) + third);
+    let expected = bounces(parameters, 2.5);
+    let found = integrated(&Taylor::order_40(), parameters, 2.5);
+    for (found, expected) in found.into_iter().zip(expected) {
+        let error = (found - expected).to_f64().abs();
+        assert!(error < 1e-28, "{error:e}");
+    }
+    assert!((expected[0] - DoubleDouble::from(expected[0].to_f64())).to_f64() != 0.0);
+}
+
+/// Where a height is reached without being crossed, its time has no derivative.
+#[test]
+fn a_time_without_a_derivative_is_not_a_number_in_disguise() {
+    let number = Dual64::from_re;
+    let ball = Ball {
+        m: number(0.4),
+        g: number(8.0),
+        rise: number(0.0),
+        top: Dual64::from_re(1.0).derivative(),
+    };
+    let event = |index| {
+        let driver = Taylor::new().driver();
+        let driver = driver.declared_events([(index, Event::either().terminal())]);
+        let start = State::new(number(0.0), [number(0.0)], [number(4.0)]);
+        driver.sample(&ball.dynamics(), start, &[1.0]).unwrap()
+    };
+    let touched = event(Ball::<f64>::LIMIT);
+    assert_eq!(touched.events().len(), 1);
+    let time = touched.events()[0].t;
+    close("the apex", time.re, 0.5, 1e-7);
+    assert!(!(time.eps.abs() < 1e100), "{}", time.eps);
+}
+
+/// A pendulum that bounces off a wall at an angle, whose restitution acts on its velocity.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(theta),
+    define(bob = l * [sin(theta), -cos(theta)]),
+    kinetic = 0.5 * m * dot(bob).norm_squared(),
+    potential = m * g * bob.y,
+    event(wall = bob.x - place),
+)]
+struct Pendulum<T: Scalar> {
+    m: T,
+    l: T,
+    g: T,
+    place: T,
+}
+
+/// Initial angle, length, place of the wall, restitution.
+const PENDULUM: [f64; 4] = [1.2, 0.9, -0.1, 0.8];
+
+/// The times of the first three impacts, and the state at the end.
+fn swings<T: SingleNumber>([theta, l, place, restitution]: [T; 4]) -> [T; 5]
+where
+    for<'a> Taylor: Integrator<T, lagrangian::EquationsOfMotion<'a, Pendulum<T>, T, 1>>,
+{
+    let number = T::from_f64;
+    let pendulum = Pendulum {
+        m: number(0.5),
+        l,
+        g: number(9.81),
+        place,
+    };
+    let driver = Taylor::new()
+        .driver()
+        .declared_events([(Pendulum::<f64>::WALL, Event::falling())]);
+    let start = State::new(number(0.0), [theta], [number(0.0)]);
+    let mut dynamics = pendulum.dynamics();
+    let motion = driver
+        .sample_reacting(&mut dynamics, start, &[4.0], |_, _, x, _| {
+            x.v[0] = -(x.v[0] * restitution);
+            Reaction::Changed
+        })
+        .unwrap();
+    let (events, last) = (motion.events(), motion.last().x);
+    assert!(events.len() >= 3);
+    [events[0].t, events[1].t, events[2].t, last.q[0], last.v[0]]
+}
+
+/// Differences with an error of the fourth order of the step.
+fn differences<const N: usize, const R: usize>(
+    at: [f64; N],
+    moving: usize,
+    function: impl Fn([f64; N]) -> [f64; R],
+) -> [f64; R] {
+    let step = 1e-3;
+    let there = |parts: f64| {
+        let mut moved = at;
+        moved[moving] += parts * step;
+        function(moved)
+    };
+    let [one, two, back, far_back] = [1.0, 2.0, -1.0, -2.0].map(there);
+    core::array::from_fn(|i| (8.0 * (one[i] - back[i]) - (two[i] - far_back[i])) / (12.0 * step))
+}
+
+#[test]
+fn a_bouncing_pendulum_has_the_gradient_of_differences() {
+    for moving in 0..4 {
+        let mut parameters = PENDULUM.map(Dual64::from_re);
+        parameters[moving] = parameters[moving].derivative();
+        let found = swings(parameters);
+        let expected = differences(PENDULUM, moving, swings);
+        assert!(expected.iter().any(|expected| expected.abs() > 0.1));
+        for (found, expected) in found.iter().zip(expected) {
+            close("a derivative", found.eps, expected, 1e-7);
+        }
+    }
+}
+
+/// Newton's cradle: two balls fall on three, so that impacts follow each other within the small gaps.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(theta[5]),
+    kinetic = (0..5).map(|i| 0.5 * m[i] * (l * dot(theta[i])).powi(2)).sum(),
+    potential = (0..5).map(|i| -m[i] * g * l * cos(theta[i])).sum(),
+    event(contact = (0..4).map(|i| theta[i + 1] - theta[i] + gap).collect()),
+)]
+struct Cradle<T: Scalar> {
+    m: [T; 5],
+    l: T,
+    g: T,
+    gap: T,
+}
+
+/// First angles of two balls, mass of the last ball, gap, length.
+const CRADLE: [f64; 5] = [-0.5, -0.45, 0.12, 0.01, 0.25];
+
+/// The number of impacts, the time of the last, and the state at the end.
+fn impacts<T: SingleNumber>([first, second, mass, gap, l]: [T; 5]) -> (usize, [T; 11])
+where
+    for<'a> Taylor: Integrator<T, lagrangian::EquationsOfMotion<'a, Cradle<T>, T, 5>>,
+{
+    let number = T::from_f64;
+    let mut m = [number(0.1); 5];
+    m[4] = mass;
+    let cradle = Cradle {
+        m,
+        l,
+        g: number(9.81),
+        gap,
+    };
+    let zero = number(0.0);
+    let start = State::new(zero, [first, second, zero, zero, zero], [zero; 5]);
+    let contacts = Cradle::<f64>::CONTACT.map(|contact| (contact, Event::falling()));
+    let driver = Taylor::new().driver().declared_events(contacts);
+    let mut dynamics = cradle.dynamics();
+    let motion = driver
+        .sample_reacting(&mut dynamics, start, &[0.9], |i, _, x, _| {
+            let (u, v) = (x.v[i], x.v[i + 1]);
+            let sum = m[i] + m[i + 1];
+            let mean = (m[i] * u + m[i + 1] * v) / sum;
+            x.v[i] = mean + mean - u;
+            x.v[i + 1] = mean + mean - v;
+            Reaction::Changed
+        })
+        .unwrap();
+    let last = motion.last().x;
+    let mut found = [zero; 11];
+    found[0] = motion.events()[motion.events().len() - 1].t;
+    for i in 0..5 {
+        found[1 + i] = last.q[i];
+        found[6 + i] = last.v[i];
+    }
+    (motion.events().len(), found)
+}
+
+#[test]
+fn newtons_cradle_has_the_gradient_of_differences() {
+    for moving in 0..5 {
+        let mut parameters = CRADLE.map(Dual64::from_re);
+        parameters[moving] = parameters[moving].derivative();
+        let (count, found) = impacts(parameters);
+        assert!(count >= 4, "{count} impacts");
+        let step = 1e-5;
+        let there = |parts: f64| {
+            let mut moved = CRADLE;
+            moved[moving] += parts * step;
+            let (other, found) = impacts(moved);
+            assert_eq!(other, count);
+            found
+        };
+        let [one, two, back, far_back] = [1.0, 2.0, -1.0, -2.0].map(there);
+        for i in 0..11 {
+            let expected = (8.0 * (one[i] - back[i]) - (two[i] - far_back[i])) / (12.0 * step);
+            close("a derivative", found[i].eps, expected, 1e-6);
+        }
+    }
+}
+
+/// A particle in one of two fields, which a switch at a place exchanges.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = -field * x,
+    event(switch = x - place),
+)]
+struct Switched<T: Scalar> {
+    field: T,
+    place: T,
+}
+
+/// A reaction that changes the dynamics alone, and a part of the motion from where an event has stopped it.
+#[test]
+fn a_switch_has_the_gradient_of_its_closed_form() {
+    type Dual = DualSVec64<3>;
+    let [before, after, place] = [(2.0, 0), (-1.0, 1), (0.75, 2)]
+        .map(|(value, index)| Dual::from_re(value).derivative(index));
+    let number = Dual::from_re;
+    let switch = (number(2.0) * place / before).sqrt();
+    let speed = before * switch;
+    let end = number(1.5) - switch;
+    let expected = [
+        place + speed * end + number(0.5) * after * end * end,
+        speed + after * end,
+    ];
+    let mut dynamics = Switched {
+        field: before,
+        place,
+    }
+    .into_dynamics();
+    let driver = Taylor::new()
+        .driver()
+        .declared_events([(Switched::<f64>::SWITCH, Event::rising())]);
+    let start = State::new(number(0.0), [number(0.0)], [number(0.0)]);
+    let motion = driver
+        .sample_reacting(&mut dynamics, start, &[1.5], |_, _, _, dynamics| {
+            dynamics.change(|model| model.field = after);
+            Reaction::Changed
+        })
+        .unwrap();
+    let last = motion.last().x;
+    for (found, expected) in [last.q[0], last.v[0]].iter().zip(&expected) {
+        close("a value", found.re, expected.re, 1e-14);
+        for part in 0..3 {
+            let [found, expected] = [found, expected].map(|x| x.derivative_part(part));
+            close("a derivative", found, expected, 1e-13);
+        }
+    }
+    // At the event, the place is where the switch is, whatever moves it.
+    let at_switch = &motion.events()[0];
+    for part in 0..3 {
+        let expected = if part == 2 { 1.0 } else { 0.0 };
+        close(
+            "the place",
+            at_switch.x.q[0].derivative_part(part),
+            expected,
+            1e-14,
+        );
+        close(
+            "the time",
+            at_switch.t.derivative_part(part),
+            switch.derivative_part(part),
+            1e-14,
+        );
+    }
+}
