@@ -53,6 +53,10 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) brouwer: bool,
 
+    /// With `--brouwer`: the tolerance, instead of the default one.
+    #[arg(long, requires = "brouwer")]
+    pub(crate) tolerance: Option<f64>,
+
     /// What the clause `taylor` costs when models are compiled.
     #[arg(long, group = "task")]
     pub(crate) compile: bool,

@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         let period = period(model)?;
         eprintln!("{model}: {periods:.0e} periods of {period:.3} s, from {STARTS} starts");
         let began = Instant::now();
-        let (times, errors) = errors(&folders, model, period, periods)?;
+        let (times, errors) = errors(&folders, arguments.tolerance, model, (period, periods))?;
         let exponent = exponent(&times, &errors);
         println!(
             "\n{model}, {STARTS} starts, in {:.0} s:",
@@ -72,9 +72,9 @@ fn period(model: Model) -> Result<f64, String> {
 /// Times, and the root of the mean square error at each.
 fn errors(
     folders: &Folders,
+    tolerance: Option<f64>,
     model: Model,
-    period: f64,
-    periods: f64,
+    (period, periods): (f64, f64),
 ) -> Result<(Vec<f64>, Vec<f64>), String> {
     let trajectory = Trajectory::of(folders, model)?;
     let mut uniform = uniform();
@@ -91,6 +91,7 @@ fn errors(
     let question = Question::EnergyErrors(EnergyErrors {
         starts: (0..STARTS).map(|_| start()).collect(),
         times: times.clone(),
+        tolerance,
     });
     let built = build(folders, model, Calls::Integrate, Flags::Native)?;
     let rows: Vec<Vec<f64>> = built.start()?.ask(&question)?;

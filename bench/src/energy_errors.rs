@@ -22,7 +22,7 @@ pub(crate) fn energy_errors<const N: usize, M: Contestant<N>>(
                 scope.spawn(move || {
                     let errors = half
                         .iter()
-                        .map(|starts| errors_together(model, starts, &question.times));
+                        .map(|starts| errors_together(model, starts, question));
                     errors.collect::<Result<Vec<_>, _>>()
                 })
             })
@@ -42,10 +42,17 @@ pub(crate) fn energy_errors<const N: usize, M: Contestant<N>>(
 fn errors_together<const N: usize, M: Contestant<N>>(
     model: &M,
     starts: &[Vec<f64>],
-    times: &[f64],
+    EnergyErrors {
+        times, tolerance, ..
+    }: &EnergyErrors,
 ) -> Result<Vec<Vec<f64>>, String> {
     let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
-    let driver = Taylor::new().driver().max_steps(u64::MAX);
+    let method = tolerance.map_or(Taylor::new(), |tolerance| {
+        Taylor::new()
+            .relative_tolerance(tolerance)
+            .absolute_tolerance(tolerance)
+    });
+    let driver = method.driver().max_steps(u64::MAX);
     let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
     let trajectory = driver
         .sample(&dynamics, state::<Lanes<LANES>, N>(starts), times)

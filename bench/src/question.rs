@@ -51,6 +51,8 @@ pub struct EnergyErrors {
     pub starts: Vec<Vec<f64>>,
     /// The times, which grow.
     pub times: Vec<f64>,
+    /// The relative and absolute tolerance; none is the method's own.
+    pub tolerance: Option<f64>,
 }
 
 /// The `main` of a contestant: answers questions until there are no more.
