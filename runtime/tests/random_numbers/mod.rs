@@ -1,0 +1,30 @@
+//! Random numbers for tests, the same in every run.
+#![allow(dead_code, reason = "no test needs all of them")]
+#![allow(clippy::cast_precision_loss, reason = "numbers below 2⁵³")]
+
+/// xorshift64 (G. Marsaglia, *Xorshift RNGs*, J. Stat. Softw. **8** (2003) 14).
+pub struct Random(pub u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    /// A number below n.
+    pub fn below(&mut self, n: u64) -> u64 {
+        (self.next() >> 11) % n
+    }
+
+    /// One of the multiples of 1/64 in [−1, 1].
+    pub fn dyadic(&mut self) -> f64 {
+        (self.below(129) as f64 - 64.0) / 64.0
+    }
+
+    /// A number in [0, 1).
+    pub fn uniform(&mut self) -> f64 {
+        (self.next() >> 11) as f64 * 2.0_f64.powi(-53)
+    }
+}
