@@ -154,7 +154,7 @@ where
                 break;
             };
             let there = step.at(occurring.t);
-            self.visit_event(occurring, there)?;
+            self.visit_event(occurring, &there)?;
         }
         let end = self.stepper.time();
         self.samples_until(end)?;
@@ -169,7 +169,7 @@ where
     fn visit_event(
         &mut self,
         occurring: Occurring,
-        there: Sample<D::State>,
+        there: &Sample<D::State>,
     ) -> Result<(), Interruption> {
         self.samples_until(there.t)?;
         self.outcome.occurred = self.outcome.occurred.or(occurring.events);

@@ -3,7 +3,7 @@
 #![allow(clippy::cast_precision_loss, reason = "numbers below 2⁵³")]
 
 /// xorshift64 (G. Marsaglia, *Xorshift RNGs*, J. Stat. Softw. **8** (2003) 14).
-pub struct Random(pub u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -14,17 +14,17 @@ impl Random {
     }
 
     /// A number below n.
-    pub fn below(&mut self, n: u64) -> u64 {
+    pub(crate) fn below(&mut self, n: u64) -> u64 {
         (self.next() >> 11) % n
     }
 
     /// One of the multiples of 1/64 in [−1, 1].
-    pub fn dyadic(&mut self) -> f64 {
+    pub(crate) fn dyadic(&mut self) -> f64 {
         (self.below(129) as f64 - 64.0) / 64.0
     }
 
     /// A number in [0, 1).
-    pub fn uniform(&mut self) -> f64 {
+    pub(crate) fn uniform(&mut self) -> f64 {
         (self.next() >> 11) as f64 * 2.0_f64.powi(-53)
     }
 }
