@@ -1,4 +1,4 @@
-//! Methods on both sides of the length from which on their variables are declared many at once, against the
+//! Methods on both sides of the length from which on they are divided into pieces, against the
 //! derivatives of the closed form of a chain of pendulums. No lint may flag what is emitted, either.
 #![deny(
     warnings,

@@ -189,15 +189,14 @@ impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
     type Prepared = [__S; 7usize];
     fn prepare(&self) -> [__S; 7usize] {
-        let [i1, i2, i3, m, g, l, x0, x1]: [__S; 8usize];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
-        x0 = m * g;
-        x1 = l * x0;
+        let i1: __S = ::lagrangian::__private::parameter(self.i1);
+        let i2: __S = ::lagrangian::__private::parameter(self.i2);
+        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = m * g;
+        let x1 = l * x0;
         [
             (i1 - i3) / i2,
             x1 / i2,
@@ -209,120 +208,214 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        sin_theta, cos_psi, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = phi_dot * sin_theta;
-        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
-        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x1 = (-(m * g * l))
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
+        let mut values: [__S; 12usize] = [__S::from_f64(0.0); 12usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize, 10usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+                ::lagrangian::__private::parameter(self.m),
+                ::lagrangian::__private::parameter(self.g),
+                ::lagrangian::__private::parameter(self.l),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 12usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l,
+                ]: [__S; 11usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = phi_dot * sin_theta;
+                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+                let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
+                let x1 = (-(m * g * l))
+                    .mul_add(
+                        cos_theta,
+                        __S::from_f64(0.5)
+                            * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
+                    );
+                ::lagrangian::__private::scatter(&mut values[..], [11], [x1]);
+            }
+            piece(&mut values);
+        }
+        let [x1]: [__S; 1usize] = ::lagrangian::__private::gather(&values[..], [11]);
         x1
     }
     fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        sin_theta, cos_psi, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = phi_dot * sin_theta;
-        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
-        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x1 = (m * g * l)
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
+        let mut values: [__S; 12usize] = [__S::from_f64(0.0); 12usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize, 10usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+                ::lagrangian::__private::parameter(self.m),
+                ::lagrangian::__private::parameter(self.g),
+                ::lagrangian::__private::parameter(self.l),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 12usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l,
+                ]: [__S; 11usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = phi_dot * sin_theta;
+                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+                let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
+                let x1 = (m * g * l)
+                    .mul_add(
+                        cos_theta,
+                        __S::from_f64(0.5)
+                            * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
+                    );
+                ::lagrangian::__private::scatter(&mut values[..], [11], [x1]);
+            }
+            piece(&mut values);
+        }
+        let [x1]: [__S; 1usize] = ::lagrangian::__private::gather(&values[..], [11]);
         x1
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        sin_theta, cos_psi, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
-        x9, x10, x11]: [__S; 30usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = theta_dot * sin_psi;
-        x1 = phi_dot * sin_theta;
-        w2 = cos_psi.mul_add(x1, -x0);
-        x2 = theta_dot * cos_psi;
-        x3 = psi_dot * sin_theta;
-        w1 = sin_psi.mul_add(x1, x2);
-        x4 = phi_dot * cos_theta;
-        x5 = (-psi_dot).mul_add(w1, x2 * x4);
-        x6 = i2 * cos_psi;
-        x7 = psi_dot.mul_add(w2, x0 * x4);
-        x8 = i1 * sin_psi;
-        w3 = psi_dot + x4;
-        x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-        x10 = i3 * x1;
-        x11 = (-(i1 * cos_psi))
-            .mul_add(
-                x7,
-                w3
+        let mut values: [__S; 26usize] = [__S::from_f64(0.0); 26usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize, 10usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+                ::lagrangian::__private::parameter(self.m),
+                ::lagrangian::__private::parameter(self.g),
+                ::lagrangian::__private::parameter(self.l),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = theta_dot * sin_psi;
+                let x1 = phi_dot * sin_theta;
+                let w2 = cos_psi.mul_add(x1, -x0);
+                let x2 = theta_dot * cos_psi;
+                let x3 = psi_dot * sin_theta;
+                let w1 = sin_psi.mul_add(x1, x2);
+                let x4 = phi_dot * cos_theta;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, w2, x2, x3, w1, x4,
+                theta_dot, psi_dot, i1, i2, i3]: [__S; 16usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 15, 13, 14, 16, 17, 18, 19, 20, 21, 3, 4, 5, 6, 7],
+                );
+                let x5 = (-psi_dot).mul_add(w1, x2 * x4);
+                let x6 = i2 * cos_psi;
+                let x7 = psi_dot.mul_add(w2, x0 * x4);
+                let x8 = i1 * sin_psi;
+                let w3 = psi_dot + x4;
+                let x9 = sin_theta
+                    * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
+                let x10 = (-(i1 * w1))
                     .mul_add(
-                        w1.mul_add(x8, w2 * x6) - x10,
-                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                    ),
-            );
-        ::lagrangian::__private::SVector::from([
-            (-(i1 * w1))
-                .mul_add(
-                    cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                ),
-            x11,
-            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
-        ])
+                        cos_psi.mul_add(x3, x0 * cos_theta),
+                        (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
+                    );
+                let x11 = i3 * x1;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [2, 1, 0, 22, 23, 24, 25],
+                    [x5, x6, x7, x8, w3, x10, x11],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+                let [sin_psi, cos_psi, sin_theta, w2, w1, x5, x6, x7, x8, w3, x11,
+                theta_dot, i1, i2, m, g, l]: [__S; 17usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 13, 17, 20, 2, 1, 0, 22, 23, 25, 3, 5, 6, 8, 9, 10],
+                );
+                let x12 = (-(i1 * cos_psi))
+                    .mul_add(
+                        x7,
+                        w3
+                            .mul_add(
+                                w1.mul_add(x8, w2 * x6) - x11,
+                                (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
+                            ),
+                    );
+                let x13 = w1.mul_add(w2 * (i1 - i2), theta_dot * x11);
+                ::lagrangian::__private::scatter(&mut values[..], [21, 19], [x12, x13]);
+            }
+            piece(&mut values);
+        }
+        let [x10, x12, x13]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [24, 21, 19],
+        );
+        ::lagrangian::__private::SVector::from([x10, x12, x13])
     }
     fn generalized_forces(
         &self,
@@ -350,46 +443,96 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
-        sin_theta, cos_psi, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
-        ]: [__S; 24usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        c0 = prepared[0];
-        c1 = prepared[1];
-        c2 = prepared[2];
-        c3 = prepared[3];
-        c4 = prepared[4];
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = phi_dot * cos_theta;
-        x1 = theta_dot * cos_psi;
-        x2 = phi_dot * sin_theta;
-        w1 = sin_psi.mul_add(x2, x1);
-        w3 = psi_dot + x0;
-        x3 = (-x1)
-            .mul_add(
-                x0,
-                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
-            );
-        x4 = theta_dot * sin_psi;
-        w2 = cos_psi.mul_add(x2, -x4);
-        x5 = (-psi_dot)
-            .mul_add(
-                w2,
-                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
-            );
-        x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
-        ::lagrangian::__private::SVector::from([
-            -x6,
-            (-sin_psi).mul_add(x3, cos_psi * x5),
-            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
-        ])
+        let mut values: [__S; 20usize] = [__S::from_f64(0.0); 20usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                prepared[0],
+                prepared[1],
+                prepared[2],
+                prepared[3],
+                prepared[4],
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 20usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1]: [__S; 7usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4, 5, 6],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = phi_dot * cos_theta;
+                let x1 = theta_dot * cos_psi;
+                let x2 = phi_dot * sin_theta;
+                let w1 = sin_psi.mul_add(x2, x1);
+                let w3 = psi_dot + x0;
+                let x3 = (-x1)
+                    .mul_add(
+                        x0,
+                        psi_dot
+                            .mul_add(
+                                w1,
+                                -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0),
+                            ),
+                    );
+                let x4 = theta_dot * sin_psi;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [10, 11, 12, 13, 14, 15, 16, 17, 18, 19],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x2, w1, w3, x3, x4],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 20usize]) {
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x0, x2, w1, w3, x3, x4,
+                theta_dot, psi_dot, c2, c3, c4]: [__S; 15usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 3, 4, 7, 8, 9],
+                );
+                let w2 = cos_psi.mul_add(x2, -x4);
+                let x5 = (-psi_dot)
+                    .mul_add(
+                        w2,
+                        (-x4)
+                            .mul_add(
+                                x0,
+                                (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3),
+                            ),
+                    );
+                let x6 = -sin_psi.mul_add(x5, cos_psi * x3)
+                    * (__S::from_f64(1.0) / sin_theta);
+                let x7 = -x6;
+                let x8 = (-sin_psi).mul_add(x3, cos_psi * x5);
+                let x9 = cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2));
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [6, 5, 2],
+                    [x7, x8, x9],
+                );
+            }
+            piece(&mut values);
+        }
+        let [x7, x8, x9]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [6, 5, 2],
+        );
+        ::lagrangian::__private::SVector::from([x7, x8, x9])
     }
     fn inverse_dynamics(
         &self,
@@ -408,185 +551,479 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1,
-        i2, i3, c5, c6, sin_psi, sin_theta, cos_psi, cos_theta, x0, x1, w2, x2, x3, x4,
-        w1, x5, x6, w3, x7, x8, x9, x10, x11, x12]: [__S; 33usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        phi_ddot = accelerations[0];
-        theta_ddot = accelerations[1];
-        psi_ddot = accelerations[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        c5 = prepared[5];
-        c6 = prepared[6];
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = theta_dot * sin_psi;
-        x1 = phi_dot * sin_theta;
-        w2 = cos_psi.mul_add(x1, -x0);
-        x2 = theta_dot * cos_psi;
-        x3 = psi_dot * sin_theta;
-        x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
-        w1 = sin_psi.mul_add(x1, x2);
-        x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-        x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-        x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-        x9 = i2 * cos_psi;
-        x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        x11 = i1 * sin_psi;
-        x12 = (-sin_theta)
-            .mul_add(
-                c5,
-                w3
+        let mut values: [__S; 28usize] = [__S::from_f64(0.0); 28usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize, 10usize, 11usize, 12usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                accelerations[0],
+                accelerations[1],
+                accelerations[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+                prepared[5],
+                prepared[6],
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 28usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = theta_dot * sin_psi;
+                let x1 = phi_dot * sin_theta;
+                let w2 = cos_psi.mul_add(x1, -x0);
+                let x2 = theta_dot * cos_psi;
+                let x3 = psi_dot * sin_theta;
+                let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
+                let w1 = sin_psi.mul_add(x1, x2);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [13, 14, 15, 16, 17, 18, 19, 20, 21, 22],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x3, x4, w1],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 28usize]) {
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
+                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1, i2, i3,
+                ]: [__S; 17usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [13, 14, 17, 15, 16, 18, 20, 21, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                );
+                let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
+                let x6 = i3
+                    * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
+                let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+                let x8 = (-theta_ddot)
+                    .mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+                let x9 = i2 * cos_psi;
+                let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+                let x11 = i1 * sin_psi;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [1, 0, 23, 24, 25, 26, 27],
+                    [x5, x6, w3, x8, x9, x10, x11],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 28usize]) {
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
+                x8, x9, x10, x11, theta_dot, i1, i2, i3, c5, c6]: [__S; 21usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [
+                        13, 14, 15, 16, 18, 19, 21, 22, 1, 0, 23, 24, 25, 26, 27, 3, 8,
+                        9, 10, 11, 12,
+                    ],
+                );
+                let x12 = sin_theta
                     .mul_add(
-                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                        i1 * cos_psi * x10,
-                    ),
-            );
-        ::lagrangian::__private::SVector::from([
-            sin_theta
-                .mul_add(
-                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                ),
-            (-(i2 * sin_psi)).mul_add(x8, x12),
-            w1.mul_add(w2 * c6, x6),
-        ])
+                        (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
+                        cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
+                    );
+                let x13 = (-sin_theta)
+                    .mul_add(
+                        c5,
+                        w3
+                            .mul_add(
+                                (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
+                                i1 * cos_psi * x10,
+                            ),
+                    );
+                let x14 = (-(i2 * sin_psi)).mul_add(x8, x13);
+                let x15 = w1.mul_add(w2 * c6, x6);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [20, 17, 7],
+                    [x12, x14, x15],
+                );
+            }
+            piece(&mut values);
+        }
+        let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [20, 17, 7],
+        );
+        ::lagrangian::__private::SVector::from([x12, x14, x15])
     }
     fn linearize(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::Linearization<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        sin_theta, cos_psi, cos_theta, x0, x1, x2, x3, w1, x4, w3, x5, x6, x7, x8, x9,
-        x10, x11, x12, x13, x14, x15, x16, w2, x17, x18, x19, x20, x21, x22, x23, x24,
-        x25, x26, x27]: [__S; 46usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = i1 - i3;
-        x1 = theta_dot * cos_psi;
-        x2 = sin_theta * sin_psi;
-        x3 = phi_dot * x2;
-        w1 = x1 + x3;
-        x4 = phi_dot * cos_theta;
-        w3 = psi_dot + x4;
-        x5 = w1 * w3;
-        x6 = l * (m * g);
-        x7 = x2 * x6;
-        x8 = __S::from_f64(1.0) / i2;
-        x9 = cos_psi * cos_theta;
-        x10 = phi_dot * theta_dot;
-        x11 = psi_dot.mul_add(x3, (-x9).mul_add(x10, psi_dot * x1));
-        x12 = (-x0.mul_add(x5, x7)).mul_add(x8, x11);
-        x13 = i3 - i2;
-        x14 = theta_dot * sin_psi;
-        x15 = sin_theta * cos_psi;
-        x16 = phi_dot * x15;
-        w2 = x16 - x14;
-        x17 = w2 * w3;
-        x18 = x15 * x6;
-        x19 = __S::from_f64(1.0) / i1;
-        x20 = sin_psi * cos_theta;
-        x21 = psi_dot.mul_add(x16, -(-x20).mul_add(x10, psi_dot * x14));
-        x22 = (-x13).mul_add(x17, x18).mul_add(x19, -x21);
-        x23 = -sin_psi.mul_add(x22, cos_psi * x12);
-        x24 = __S::from_f64(1.0) / sin_theta;
-        x25 = i1 - i2;
-        x26 = __S::from_f64(1.0) / i3;
-        x27 = cos_theta * x24;
-        let accelerations = ::lagrangian::__private::SVector::from([
-            -(x23 * x24),
-            (-sin_psi).mul_add(x12, cos_psi * x22),
-            x23.mul_add(x27, (w1 * w2 * x25).mul_add(x26, sin_theta * x10)),
-        ]);
-        let [phi_ddot, theta_ddot, x28, x29, x30, x31, x32, x33, x34, x35, x36, x37, x38,
-        x39, x40, x41, x42, x43, x44, x45, x46, x47]: [__S; 22usize];
-        phi_ddot = accelerations[0];
-        theta_ddot = accelerations[1];
-        x28 = x8
-            * (-x20).mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
-        x29 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
-            - x28;
-        x30 = x19 * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
-        x31 = (-phi_ddot)
-            .mul_add(x20, phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x30));
-        x32 = x24 * (-sin_psi).mul_add(x31, cos_psi * x29);
-        x33 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
-        x34 = x8
-            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2))
-            + x21;
-        x35 = -x34;
-        x36 = (-phi_ddot)
-            .mul_add(x15, x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11);
-        x37 = (-sin_psi).mul_add(x36, cos_psi * x35);
-        x38 = x0 * x8;
-        x39 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-            .mul_add(x38, (-psi_dot).mul_add(x2, theta_dot * x9));
-        x40 = x13 * x19;
-        x41 = (-psi_dot)
-            .mul_add(
-                x15,
-                (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x40),
-            );
-        x42 = (-sin_psi).mul_add(x41, cos_psi * x39);
-        x43 = psi_dot - x4;
-        x44 = (-(sin_psi * sin_psi))
-            .mul_add(w3.mul_add(x40, x43), cos_psi * cos_psi * w3.mul_add(x38, -x43));
-        x45 = w1.mul_add(x38, -w1);
-        x46 = -w2.mul_add(x40, w2);
-        x47 = (-sin_psi).mul_add(x46, cos_psi * x45);
+        let mut values: [__S; 36usize] = [__S::from_f64(0.0); 36usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize, 10usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+                ::lagrangian::__private::parameter(self.m),
+                ::lagrangian::__private::parameter(self.g),
+                ::lagrangian::__private::parameter(self.l),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 36usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i3]: [__S; 7usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4, 5, 7],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = i1 - i3;
+                let x1 = theta_dot * cos_psi;
+                let x2 = sin_theta * sin_psi;
+                let x3 = phi_dot * x2;
+                let w1 = x1 + x3;
+                let x4 = phi_dot * cos_theta;
+                let w3 = psi_dot + x4;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, x2, x3, w1, x4, w3],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 36usize]) {
+                let [cos_psi, x0, x1, cos_theta, x2, x3, w1, w3, phi_dot, theta_dot,
+                psi_dot, i2, m, g, l]: [__S; 15usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [12, 15, 16, 14, 17, 18, 19, 21, 2, 3, 4, 6, 8, 9, 10],
+                );
+                let x5 = w1 * w3;
+                let x6 = l * (m * g);
+                let x7 = x2 * x6;
+                let x8 = __S::from_f64(1.0) / i2;
+                let x9 = cos_psi * cos_theta;
+                let x10 = phi_dot * theta_dot;
+                let x11 = psi_dot.mul_add(x3, (-x9).mul_add(x10, psi_dot * x1));
+                let x12 = (-x0.mul_add(x5, x7)).mul_add(x8, x11);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [1, 0, 22, 23, 24, 25, 26, 27],
+                    [x5, x6, x7, x8, x9, x10, x11, x12],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 36usize]) {
+                let [sin_psi, cos_psi, sin_theta, w3, x6, phi_dot, theta_dot, i1, i2, i3,
+                ]: [__S; 10usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 13, 21, 0, 2, 3, 5, 6, 7],
+                );
+                let x13 = i3 - i2;
+                let x14 = theta_dot * sin_psi;
+                let x15 = sin_theta * cos_psi;
+                let x16 = phi_dot * x15;
+                let w2 = x16 - x14;
+                let x17 = w2 * w3;
+                let x18 = x15 * x6;
+                let x19 = __S::from_f64(1.0) / i1;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [18, 16, 10, 9, 8, 28, 29, 30],
+                    [x13, x14, x15, x16, w2, x17, x18, x19],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 36usize]) {
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x10, x12, x13, x14, x16,
+                x17, x18, x19, psi_dot, i1, i2]: [__S; 15usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 13, 14, 25, 27, 18, 16, 9, 28, 29, 30, 4, 5, 6],
+                );
+                let x20 = sin_psi * cos_theta;
+                let x21 = psi_dot.mul_add(x16, -(-x20).mul_add(x10, psi_dot * x14));
+                let x22 = (-x13).mul_add(x17, x18).mul_add(x19, -x21);
+                let x23 = -sin_psi.mul_add(x22, cos_psi * x12);
+                let x24 = __S::from_f64(1.0) / sin_theta;
+                let x25 = -(x23 * x24);
+                let x26 = (-sin_psi).mul_add(x12, cos_psi * x22);
+                let x27 = i1 - i2;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [3, 2, 31, 32, 33, 34, 35],
+                    [x20, x21, x23, x24, x25, x26, x27],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 36usize]) {
+                let [sin_theta, cos_theta, w1, x10, w2, x23, x24, x27, i3,
+                ]: [__S; 9usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [13, 14, 19, 25, 8, 31, 32, 35, 7],
+                );
+                let x28 = __S::from_f64(1.0) / i3;
+                let x29 = cos_theta * x24;
+                let x30 = x23
+                    .mul_add(x29, (w1 * w2 * x27).mul_add(x28, sin_theta * x10));
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [9, 16, 27],
+                    [x28, x29, x30],
+                );
+            }
+            piece(&mut values);
+        }
+        let [x25, x26, x30]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [33, 34, 27],
+        );
+        let accelerations = ::lagrangian::__private::SVector::from([x25, x26, x30]);
+        let mut values_: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
+        ::lagrangian::__private::scatter(
+            &mut values_[..],
+            [0usize, 1usize, 2usize, 3usize, 4usize],
+            [state.v[0], state.v[1], state.v[2], accelerations[0], accelerations[1]],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 19usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, x0, sin_theta, x2, w1, w3, x6, x8, x9, x13, x15,
+                w2, x19, x20, x24, x27, x28]: [__S; 18usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 15, 13, 17, 19, 21, 0, 23, 24, 18, 10, 8, 30, 3, 32, 35, 9],
+                );
+                let [phi_dot, theta_dot, psi_dot, phi_ddot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [0, 1, 2, 3],
+                );
+                let x31 = x8
+                    * (-x20)
+                        .mul_add(
+                            x6,
+                            phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)),
+                        );
+                let x32 = phi_dot
+                    .mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
+                    - x31;
+                let x33 = x19
+                    * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+                let x34 = (-phi_ddot)
+                    .mul_add(
+                        x20,
+                        phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x33),
+                    );
+                let x35 = x24 * (-sin_psi).mul_add(x34, cos_psi * x32);
+                let x36 = -x35;
+                let x37 = cos_psi.mul_add(x34, sin_psi * x32);
+                let x38 = x27
+                    .mul_add(x28 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [5, 6, 7, 8],
+                    [x35, x36, x37, x38],
+                );
+            }
+            piece(&mut values_, &values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 19usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, x5, x7, x8, x11,
+                x13, x15, w2, x17, x18, x19, x21, x24, x27, x28, x29]: [__S; 22usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [
+                        11, 12, 15, 13, 14, 17, 19, 1, 22, 23, 26, 18, 10, 8, 28, 29, 30,
+                        2, 32, 35, 9, 16,
+                    ],
+                );
+                let [x35, x38, phi_dot, phi_ddot, theta_ddot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [5, 8, 0, 3, 4],
+                );
+                let x39 = cos_theta
+                    .mul_add(phi_dot.mul_add(x38, x35), phi_ddot * sin_theta);
+                let x40 = x8
+                    .mul_add(
+                        -x0.mul_add(x17, x18),
+                        theta_ddot.mul_add(cos_psi, phi_ddot * x2),
+                    ) + x21;
+                let x41 = -x40;
+                let x42 = (-phi_ddot)
+                    .mul_add(
+                        x15,
+                        x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11,
+                    );
+                let x43 = (-sin_psi).mul_add(x42, cos_psi * x41);
+                let x44 = -(x24 * x43);
+                let x45 = cos_psi.mul_add(x42, sin_psi * x41);
+                let x46 = x27.mul_add(x28 * (-w1).mul_add(w1, w2 * w2), x43 * x29);
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [9, 10, 11, 12],
+                    [x39, x44, x45, x46],
+                );
+            }
+            piece(&mut values_, &values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 19usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, w3, x8, x9, x13,
+                x15, w2, x19, x20, x24, x29]: [__S; 17usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 15, 13, 14, 17, 19, 21, 23, 24, 18, 10, 8, 30, 3, 32, 16],
+                );
+                let [x38, theta_dot, psi_dot]: [__S; 3usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [8, 1, 2],
+                );
+                let x47 = x0 * x8;
+                let x48 = (-(-w1.mul_add(cos_theta, w3 * x2)))
+                    .mul_add(x47, (-psi_dot).mul_add(x2, theta_dot * x9));
+                let x49 = x13 * x19;
+                let x50 = (-psi_dot)
+                    .mul_add(
+                        x15,
+                        (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x49),
+                    );
+                let x51 = (-sin_psi).mul_add(x50, cos_psi * x48);
+                let x52 = -(x24 * x51);
+                let x53 = cos_psi.mul_add(x50, sin_psi * x48);
+                let x54 = sin_theta.mul_add(x38, x51 * x29);
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [5, 4, 3, 13, 14],
+                    [x47, x49, x52, x53, x54],
+                );
+            }
+            piece(&mut values_, &values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 19usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, sin_theta, w1, x4, w3, w2, x24, x27, x28, x29,
+                ]: [__S; 11usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 13, 19, 20, 21, 8, 32, 35, 9, 16],
+                );
+                let [x47, x49, phi_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [5, 4, 0, 2],
+                );
+                let x55 = psi_dot - x4;
+                let x56 = (-(sin_psi * sin_psi))
+                    .mul_add(
+                        w3.mul_add(x49, x55),
+                        cos_psi * cos_psi * w3.mul_add(x47, -x55),
+                    );
+                let x57 = -(x24 * x56);
+                let x58 = -(sin_psi * cos_psi * w3 * -(x47 + x49));
+                let x59 = x27
+                    .mul_add(
+                        x28 * (-sin_psi).mul_add(w1, cos_psi * w2),
+                        x56.mul_add(x29, phi_dot * sin_theta),
+                    );
+                let x60 = w1.mul_add(x47, -w1);
+                let x61 = -w2.mul_add(x49, w2);
+                let x62 = (-sin_psi).mul_add(x61, cos_psi * x60);
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [8, 1, 15, 16, 17, 18],
+                    [x57, x58, x59, x60, x61, x62],
+                );
+            }
+            piece(&mut values_, &values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 19usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, x24, x29]: [__S; 4usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 32, 16],
+                );
+                let [x60, x61, x62]: [__S; 3usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [16, 17, 18],
+                );
+                let x63 = -(x24 * x62);
+                let x64 = cos_psi.mul_add(x61, sin_psi * x60);
+                let x65 = x62 * x29;
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [4, 5, 2],
+                    [x63, x64, x65],
+                );
+            }
+            piece(&mut values_, &values);
+        }
+        let [x36, x37, x39, x44, x45, x46, x52, x53, x54, x57, x58, x59, x63, x64, x65,
+        ]: [__S; 15usize] = ::lagrangian::__private::gather(
+            &values_[..],
+            [6, 7, 9, 10, 11, 12, 3, 13, 14, 8, 1, 15, 4, 5, 2],
+        );
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::SMatrix::from([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
-                [
-                    -x32,
-                    cos_psi.mul_add(x31, sin_psi * x29),
-                    cos_theta.mul_add(phi_dot.mul_add(x33, x32), phi_ddot * sin_theta),
-                ],
-                [
-                    -(x24 * x37),
-                    cos_psi.mul_add(x36, sin_psi * x35),
-                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x37 * x27),
-                ],
+                [x36, x37, x39],
+                [x44, x45, x46],
             ]),
             velocity: ::lagrangian::__private::SMatrix::from([
-                [
-                    -(x24 * x42),
-                    cos_psi.mul_add(x41, sin_psi * x39),
-                    sin_theta.mul_add(x33, x42 * x27),
-                ],
-                [
-                    -(x24 * x44),
-                    -(sin_psi * cos_psi * w3 * -(x38 + x40)),
-                    x25
-                        .mul_add(
-                            x26 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                            x44.mul_add(x27, phi_dot * sin_theta),
-                        ),
-                ],
-                [-(x24 * x47), cos_psi.mul_add(x46, sin_psi * x45), x47 * x27],
+                [x52, x53, x54],
+                [x57, x58, x59],
+                [x63, x64, x65],
             ]),
             time: ::lagrangian::__private::SVector::from([
                 __S::from_f64(0.0),
@@ -599,59 +1036,119 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, sin_psi,
-        cos_theta, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
-            psi,
-        ]);
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x0 = i3 * w3;
-        x1 = phi_dot * sin_theta;
-        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
-        x2 = i2 * w2;
-        w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
-        x3 = i1 * w1;
-        ::lagrangian::__private::SVector::from([
-            sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
-            (-sin_psi).mul_add(x2, cos_psi * x3),
-            x0,
-        ])
+        let mut values: [__S; 15usize] = [__S::from_f64(0.0); 15usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 15usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3,
+                ]: [__S; 8usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4, 5, 6, 7],
+                );
+                let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+                    theta,
+                    psi,
+                ]);
+                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
+                let x0 = i3 * w3;
+                let x1 = phi_dot * sin_theta;
+                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
+                let x2 = i2 * w2;
+                let w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
+                let x3 = i1 * w1;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [8, 9, 10, 11, 12, 13, 14],
+                    [sin_theta, cos_theta, sin_psi, cos_psi, x0, x2, x3],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 15usize]) {
+                let [sin_theta, cos_theta, x0, sin_psi, cos_psi, x2, x3,
+                ]: [__S; 7usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [8, 9, 12, 10, 11, 13, 14],
+                );
+                let x4 = sin_theta
+                    .mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0);
+                let x5 = (-sin_psi).mul_add(x2, cos_psi * x3);
+                ::lagrangian::__private::scatter(&mut values[..], [7, 6], [x4, x5]);
+            }
+            piece(&mut values);
+        }
+        let [x0, x4, x5]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [12, 7, 6],
+        );
+        ::lagrangian::__private::SVector::from([x4, x5, x0])
     }
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
-        let [theta, psi, i1, i2, i3, sin_theta, sin_psi, cos_theta, cos_psi, x0, x1, x2,
-        x3]: [__S; 13usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
-            psi,
-        ]);
-        x0 = i3 * cos_theta;
-        x1 = cos_psi * cos_psi;
-        x2 = sin_psi * sin_psi;
-        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
-        ::lagrangian::__private::SMatrix::from([
+        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let mut values: [__S; 9usize] = [__S::from_f64(0.0); 9usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [0usize, 1usize, 2usize, 3usize, 4usize],
             [
-                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
-                x3,
-                x0,
+                state.q[1],
+                state.q[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
             ],
-            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 9usize]) {
+                let [theta, psi, i1, i2, i3]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4],
+                );
+                let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+                    theta,
+                    psi,
+                ]);
+                let x0 = i3 * cos_theta;
+                let x1 = cos_psi * cos_psi;
+                let x2 = sin_psi * sin_psi;
+                let x3 = sin_theta
+                    .mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0);
+                let x4 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+                let x5 = i1.mul_add(x1, i2 * x2);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [5, 6, 7, 8],
+                    [x0, x3, x4, x5],
+                );
+            }
+            piece(&mut values);
+        }
+        let [x0, x3, x4, x5]: [__S; 4usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [5, 6, 7, 8],
+        );
+        ::lagrangian::__private::SMatrix::from([
+            [x3, x4, x0],
+            [x4, x5, __S::from_f64(0.0)],
             [x0, __S::from_f64(0.0), i3],
         ])
     }
@@ -659,12 +1156,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, i1, i2, i3, sin_theta, cos_theta]: [__S; 6usize];
-        theta = state.q[1];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        (sin_theta, cos_theta) = theta.sin_cos();
+        let theta: __S = state.q[1];
+        let i1: __S = ::lagrangian::__private::parameter(self.i1);
+        let i2: __S = ::lagrangian::__private::parameter(self.i2);
+        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let (sin_theta, cos_theta) = theta.sin_cos();
         ::lagrangian::__private::by_coordinate(
             [
                 ::lagrangian::__private::relative_pivot(
@@ -684,32 +1180,51 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop {
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, sin_theta,
-        cos_psi, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = phi_dot * sin_theta;
-        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
-        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+        let mut values: [__S; 9usize] = [__S::from_f64(0.0); 9usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 9usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3,
+                ]: [__S; 8usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4, 5, 6, 7],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = phi_dot * sin_theta;
+                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+                let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
+                let x1 = __S::from_f64(0.5)
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)));
+                ::lagrangian::__private::scatter(&mut values[..], [8], [x1]);
+            }
+            piece(&mut values);
+        }
+        let [x1]: [__S; 1usize] = ::lagrangian::__private::gather(&values[..], [8]);
+        x1
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let [theta, m, g, l]: [__S; 4usize];
-        theta = state.q[1];
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
+        let theta: __S = state.q[1];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
         m * g * l * theta.cos()
     }
 }

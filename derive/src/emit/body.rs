@@ -4,12 +4,13 @@
 //! where they are used, up to a depth of nesting.
 
 mod variables;
+mod pieces;
 mod block;
 mod angles;
 mod fragment;
 mod constant;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use lagrangian_symbolic::{
     ExternalFunction, Instruction, Operand, Operation, OutputGroup, Pass, Passes, Program, Symbol,
@@ -18,11 +19,13 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
+use crate::limits::{DECLARED_AT_ONCE, STATEMENTS_PER_PIECE};
 use crate::syntax::scalar::Scalar;
 use angles::Angles;
 use block::Block;
 use constant::constant;
 use fragment::{Fragment, Precedence, infix};
+use pieces::{Piece, Pieces, Read, Statement, Transfer};
 use variables::Variables;
 
 /// Where the emitted code finds a symbol's value.
@@ -40,7 +43,17 @@ pub(crate) struct Body<'a> {
     /// The methods that compute external functions, in the order of declaration.
     functions: Vec<Ident>,
     symbols: BTreeMap<Symbol, Ident>,
-    fragments: BTreeMap<usize, Fragment>,
+    fragments: HashMap<usize, Fragment>,
+    /// In a long method: what the fragment of a value reads.
+    reads: HashMap<usize, Vec<Read>>,
+    /// In a long method: the symbols that have been read before the pieces.
+    read_before: BTreeSet<Symbol>,
+    /// In a long method: the arrays of the values of groups that are written, and their lengths.
+    arrays: Vec<(Ident, usize)>,
+    /// The arrays, elements and names of what pieces read.
+    homes: HashMap<Read, (Ident, usize, Ident)>,
+    /// How many statements a piece of a long method has.
+    piece_length: usize,
     variables: Variables,
     block: Block,
 }
@@ -55,8 +68,11 @@ impl<'a> Body<'a> {
         functions: Vec<Ident>,
         most_scopes: usize,
     ) -> Self {
-        let variables = Variables::of(program, |value| locals.is_defined(value));
-        let scopes = program.symbols().len() + variables.count();
+        let mut variables = Variables::of(program, |value| locals.is_defined(value));
+        let is_long = program.symbols().len() + variables.count() > most_scopes;
+        if is_long {
+            variables.add_ends_of_pieces(program);
+        }
         Self {
             passes,
             locals,
@@ -64,9 +80,14 @@ impl<'a> Body<'a> {
             source,
             functions,
             symbols: BTreeMap::new(),
-            fragments: BTreeMap::new(),
+            fragments: HashMap::new(),
+            reads: HashMap::new(),
+            read_before: BTreeSet::new(),
+            arrays: Vec::new(),
+            homes: HashMap::new(),
+            piece_length: STATEMENTS_PER_PIECE.min(most_scopes).max(1),
             variables,
-            block: Block::new(scopes > most_scopes),
+            block: Block::new(is_long),
         }
     }
 
@@ -79,12 +100,95 @@ impl<'a> Body<'a> {
                 self.instruction(instruction);
             }
         }
-        let outputs = group
-            .outputs
+        let statements = self.block.take_statements();
+        let mut written = self.block.take();
+        if !statements.is_empty() {
+            written.extend(self.pieces(&statements));
+        }
+        let outputs = group.outputs.iter();
+        let outputs = outputs.map(|operand| self.operand(operand).tokens);
+        (written, outputs.collect())
+    }
+
+    /// The statements of a group of a long method, in pieces. Of its values the outputs are variables afterwards, and what
+    /// later groups read is in an array.
+    fn pieces(&mut self, statements: &[Statement]) -> TokenStream {
+        let variables = &self.variables;
+        let is_kept = |value| variables.is_output(value) || variables.is_read_later(value);
+        let pieces = Pieces::of(statements, self.piece_length, is_kept);
+        let (array, length) = (self.locals.array(), pieces.length);
+        let (root, functions) = (self.scalar.root(), self.scalar.functions());
+        let scalar = self.scalar.to_token_stream();
+        let (places, values): (Vec<_>, Vec<_>) = pieces
+            .symbols()
+            .map(|symbol| {
+                let place = pieces.element(Read::Symbol(symbol));
+                (place, self.source.read(symbol))
+            })
+            .unzip();
+        let mut written = quote! {
+            let mut #array: [#scalar; #length] = [#functions::from_f64(0.0); #length];
+            #root::__private::scatter(&mut #array[..], [#(#places),*], [#(#values),*]);
+        };
+        let defined = statements.iter().flat_map(|statement| &statement.defines);
+        for (value, name) in defined.clone() {
+            if let Some(element) = pieces.element(Read::Value(*value)) {
+                let home = (array.clone(), element, name.clone());
+                self.homes.insert(Read::Value(*value), home);
+            }
+        }
+        for symbol in pieces.symbols() {
+            if let Some(element) = pieces.element(Read::Symbol(symbol)) {
+                let home = (array.clone(), element, self.symbols[&symbol].clone());
+                self.homes.insert(Read::Symbol(symbol), home);
+            }
+        }
+        for piece in pieces.parts(&array) {
+            written.extend(self.piece(&piece, &array, length));
+        }
+        let outputs = pieces
+            .kept
             .iter()
-            .map(|operand| self.operand(operand).tokens)
-            .collect();
-        (self.block.take(self.scalar), outputs)
+            .filter(|value| variables.is_output(**value));
+        let outputs: Vec<_> = outputs.map(|value| Read::Value(*value)).collect();
+        for outputs in outputs.chunks(DECLARED_AT_ONCE) {
+            written.extend(self.homes(outputs.iter()).gathered(root, &scalar));
+        }
+        self.arrays.push((array, length));
+        written
+    }
+
+    /// Where values are that are read.
+    fn homes<'b>(&self, reads: impl Iterator<Item = &'b Read>) -> Transfer {
+        let mut homes = Transfer::default();
+        for (array, element, name) in reads.filter_map(|read| self.homes.get(read)) {
+            homes.add(array, *element, name);
+        }
+        homes
+    }
+
+    /// One piece of a group whose values are in an array of this length: a function, or a block where it calls the model.
+    fn piece(&self, piece: &Piece<'_>, array: &Ident, length: usize) -> TokenStream {
+        let (root, scalar) = (self.scalar.root(), self.scalar.to_token_stream());
+        let gathered = self.homes(piece.reads.iter()).gathered(root, &scalar);
+        let statements = piece.statements.iter().map(|statement| &statement.tokens);
+        let scattered = piece.writes.scattered(root);
+        let body = quote!(#gathered #(#statements)* #scattered);
+        if piece.calls_model {
+            return quote!({ #body });
+        }
+        let generics = self.scalar.generics_of_functions();
+        let (earlier, lengths): (Vec<_>, Vec<_>) = self.arrays.iter().cloned().unzip();
+        quote! {{
+            #[inline(never)]
+            fn piece #generics(
+                #array: &mut [#scalar; #length],
+                #(#earlier: &[#scalar; #lengths],)*
+            ) {
+                #body
+            }
+            piece(&mut #array, #(&#earlier,)*);
+        }}
     }
 
     /// Reads the symbols that no group before has read.
@@ -93,19 +197,23 @@ impl<'a> Body<'a> {
             .instructions
             .iter()
             .flat_map(|instruction| instruction.operation.operands());
-        let wanted: BTreeSet<Symbol> = operands
-            .chain(&group.outputs)
-            .filter_map(|operand| match operand {
-                Operand::Symbol(symbol) => Some(*symbol),
-                _ => None,
-            })
-            .collect();
+        let symbols = |operand: &Operand| match operand {
+            Operand::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        };
+        let wanted: BTreeSet<Symbol> = operands.chain(&group.outputs).filter_map(symbols).collect();
         for symbol in wanted {
             if !self.symbols.contains_key(&symbol) {
                 let name = self.locals.symbol(symbol);
-                let read = self.source.read(symbol);
-                self.block.read(&name, &read, self.scalar);
                 self.symbols.insert(symbol, name);
+            } else if !self.block.is_long {
+                continue;
+            }
+            // Each piece of a long method reads what it needs.
+            let is_output = || group.outputs.contains(&Operand::Symbol(symbol));
+            if !self.block.is_long || (is_output() && self.read_before.insert(symbol)) {
+                let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
+                self.block.read(name, &read, self.scalar);
             }
         }
     }
@@ -122,19 +230,22 @@ impl<'a> Body<'a> {
             self.instruction(&group.instructions[*index]);
         }
         let (mut arguments, mut sines, mut cosines) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut defines, mut reads) = (Vec::new(), Vec::new());
         for index in &angles.pairs {
             let instruction = &group.instructions[*index];
             let operands = instruction.operation.operands();
             arguments.extend(operands.map(|operand| self.operand(operand).tokens));
+            reads.extend(self.reads_of(&instruction.operation));
             let (sine, cosine) = self.pair(instruction);
+            defines.push((instruction.value, sine.clone()));
+            defines.push((instruction.value + 1, cosine.clone()));
             sines.push(sine);
             cosines.push(cosine);
         }
         let functions = self.scalar.functions();
         let pattern = quote!(([#(#sines),*], [#(#cosines),*]));
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
-        let names: Vec<Ident> = sines.into_iter().chain(cosines).collect();
-        self.block.define(&names, &pattern, &value, self.scalar);
+        self.block.define(defines, &pattern, &value, reads, false);
         angles
             .operands_of_angles
             .into_iter()
@@ -149,29 +260,58 @@ impl<'a> Body<'a> {
             .insert(instruction.value, Fragment::atom(&sine));
         self.fragments
             .insert(instruction.value + 1, Fragment::atom(&cosine));
+        if self.block.is_long {
+            for value in [instruction.value, instruction.value + 1] {
+                self.reads.insert(value, vec![Read::Value(value)]);
+            }
+        }
         (sine, cosine)
     }
 
     fn instruction(&mut self, instruction: &Instruction) {
         let value = instruction.value;
+        let reads = self.reads_of(&instruction.operation);
+        let calls_model = matches!(instruction.operation, Operation::Application(..));
         if let Operation::SineAndCosine(x) = &instruction.operation {
-            let value = self.call(self.operand(x), "sin_cos", &[]);
+            let call = self.call(self.operand(x), "sin_cos", &[]);
             let (sine, cosine) = self.pair(instruction);
             let pattern = quote!((#sine, #cosine));
-            let names = [sine, cosine];
-            self.block.define(&names, &pattern, &value, self.scalar);
+            let defines = vec![(value, sine), (value + 1, cosine)];
+            self.block
+                .define(defines, &pattern, &call, reads, calls_model);
             return;
         }
         let fragment = self.operation(&instruction.operation);
         if !self.variables.contain(value) {
             self.fragments.insert(value, fragment);
+            self.reads.insert(value, reads);
             return;
         }
         let name = self.locals.value(instruction.expression);
         let pattern = name.to_token_stream();
         self.fragments.insert(value, Fragment::atom(&name));
+        self.reads.insert(value, vec![Read::Value(value)]);
+        let defines = vec![(value, name)];
         self.block
-            .define(&[name], &pattern, &fragment.tokens, self.scalar);
+            .define(defines, &pattern, &fragment.tokens, reads, calls_model);
+    }
+
+    /// In a long method: the variables and symbols that an operation reads, through what is inlined in it.
+    fn reads_of(&self, operation: &Operation) -> Vec<Read> {
+        if !self.block.is_long {
+            return Vec::new();
+        }
+        let mut reads = Vec::new();
+        for operand in operation.operands() {
+            match operand {
+                Operand::Value(value) => {
+                    reads.extend(self.reads.get(value).into_iter().flatten().copied());
+                }
+                Operand::Symbol(symbol) => reads.push(Read::Symbol(*symbol)),
+                _ => {}
+            }
+        }
+        reads
     }
 
     fn operation(&self, operation: &Operation) -> Fragment {

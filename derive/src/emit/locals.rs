@@ -95,6 +95,11 @@ impl<'a> Locals<'a> {
         }
     }
 
+    /// An array of values.
+    pub(crate) fn array(&mut self) -> Ident {
+        self.free("values".to_owned())
+    }
+
     /// Whether the declaration has a name for an expression.
     pub(crate) fn is_defined(&self, expression: Option<Expression>) -> bool {
         expression.is_some_and(|expression| self.definitions.contains_key(&expression))

@@ -103,6 +103,17 @@ impl<'a> Scalar<'a> {
         }
     }
 
+    /// The type parameters of functions beside the impls, on the same scalar.
+    pub(crate) fn generics_of_functions(&self) -> Option<TokenStream> {
+        let Self { name, root, owner } = self;
+        (*owner != Owner::NamedType).then(|| quote!(<#name: #root::Scalar>))
+    }
+
+    /// Where emitted paths begin.
+    pub(crate) const fn root(&self) -> &'a Root {
+        self.root
+    }
+
     /// Whether methods of the scalar must be called as functions of the trait.
     pub(crate) fn is_ambiguous(&self) -> bool {
         matches!(self.owner, Owner::StructAmongBounds | Owner::NamedType)

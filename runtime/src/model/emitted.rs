@@ -37,6 +37,22 @@ pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
     field.on()
 }
 
+/// The values of some elements, all of which there are.
+#[inline]
+pub fn gather<S: Scalar, const K: usize>(values: &[S], elements: [usize; K]) -> [S; K] {
+    elements.map(|element| values.get(element).copied().unwrap_or_else(S::zero))
+}
+
+/// Gives some elements new values.
+#[inline]
+pub fn scatter<S: Scalar, const K: usize>(values: &mut [S], elements: [usize; K], new: [S; K]) {
+    for (element, new) in elements.into_iter().zip(new) {
+        if let Some(value) = values.get_mut(element) {
+            *value = new;
+        }
+    }
+}
+
 /// `computed`, in each lane in which all pivots are positive; the value of `otherwise` in
 /// the others, where M is indefinite or singular.
 #[inline]

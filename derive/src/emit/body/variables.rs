@@ -6,12 +6,18 @@ use crate::limits::DEEPEST_NESTING;
 
 /// The values that are variables: those that are used more than once, that have a name, or that would be
 /// nested too deeply. The others are inlined.
-pub(super) struct Variables(Vec<bool>);
+pub(super) struct Variables {
+    variables: Vec<bool>,
+    /// Which values a group behind their own reads.
+    read_later: Vec<bool>,
+    /// Which values are outputs.
+    outputs: Vec<bool>,
+}
 
 impl Variables {
     /// Those of a program; `is_defined` tells what the declaration has a name for.
     pub(super) fn of(program: &Program, is_defined: impl Fn(Option<Expression>) -> bool) -> Self {
-        let uses = count_uses(program);
+        let (uses, read_later) = count_uses(program);
         let mut variables = vec![true; uses.len()];
         let mut depths = vec![0; uses.len()];
         for instruction in program.instructions() {
@@ -27,29 +33,59 @@ impl Variables {
                 depths[value] = depth;
             }
         }
-        Self(variables)
+        Self {
+            variables,
+            read_later,
+            outputs: Vec::new(),
+        }
+    }
+
+    /// Makes variables of the outputs and of what calls a function of the model, too.
+    pub(super) fn add_ends_of_pieces(&mut self, program: &Program) {
+        self.outputs = vec![false; self.variables.len()];
+        let outputs = program.groups.iter().flat_map(|group| &group.outputs);
+        for value in outputs.filter_map(value_of) {
+            self.variables[value] = true;
+            self.outputs[value] = true;
+        }
+        for instruction in program.instructions() {
+            if matches!(instruction.operation, Operation::Application(..)) {
+                self.variables[instruction.value] = true;
+            }
+        }
+    }
+
+    /// Whether a value is an output.
+    pub(super) fn is_output(&self, value: usize) -> bool {
+        self.outputs.get(value).is_some_and(|output| *output)
+    }
+
+    /// Whether a group behind that of a value reads it.
+    pub(super) fn is_read_later(&self, value: usize) -> bool {
+        self.read_later.get(value).is_some_and(|later| *later)
     }
 
     /// Whether a value is a variable.
     pub(super) fn contain(&self, value: usize) -> bool {
-        self.0.get(value).is_none_or(|variable| *variable)
+        self.variables.get(value).is_none_or(|variable| *variable)
     }
 
     pub(super) fn count(&self) -> usize {
-        self.0.iter().filter(|variable| **variable).count()
+        self.variables.iter().filter(|variable| **variable).count()
     }
 }
 
-/// How often each value is used; where a group uses a value of another one, that counts twice, so that it is
-/// not inlined.
-fn count_uses(program: &Program) -> Vec<usize> {
+/// How often each value is used, and whether by a group behind its own; that counts twice, so that it is not inlined.
+fn count_uses(program: &Program) -> (Vec<usize>, Vec<bool>) {
     let end = |last: &Instruction| last.value + last.operation.results();
     let mut uses = vec![0; program.instructions().last().map_or(0, end)];
+    let mut read_later = vec![false; uses.len()];
     let mut start = 0;
     for group in &program.groups {
         let mut note = |operand: &Operand| {
             if let Some(value) = value_of(operand) {
                 uses[value] += if value < start { 2 } else { 1 };
+                read_later[value] |= value < start;
             }
         };
         for instruction in &group.instructions {
@@ -58,7 +94,7 @@ fn count_uses(program: &Program) -> Vec<usize> {
         group.outputs.iter().for_each(&mut note);
         start = group.instructions.last().map_or(start, end);
     }
-    uses
+    (uses, read_later)
 }
 
 fn value_of(operand: &Operand) -> Option<usize> {
