@@ -319,7 +319,7 @@ fn homogeneous_matrices_are_multiplied_by_blocks() {
     });
     // By elements, and an inverse that is one.
     for mut graph in [Graph::new(), Graph::with_unresolved_vectors(COORDINATES)] {
-        let [first, second, product, _] = make(&mut graph);
+        let [first, second, product, point] = make(&mut graph);
         let inverse = graph.inverse(&product).unwrap();
         let one = graph.matrix_product(&product, &inverse).unwrap();
         let identity = graph.identity_matrix(4);
@@ -331,6 +331,13 @@ fn homogeneous_matrices_are_multiplied_by_blocks() {
                 let element = graph.sum_of_products(pairs);
                 residuals.push(graph.subtract(product.at(i, j), element));
             }
+        }
+        let mut coordinates = vector(&mut graph, 6).elements().to_vec();
+        coordinates.push(graph.one());
+        for i in 0..4 {
+            let pairs = (0..4).map(|k| (product.at(i, k), coordinates[k]));
+            let element = graph.sum_of_products(pairs);
+            residuals.push(graph.subtract(point.at(i, 0), element));
         }
         let residuals = graph.resolved(&residuals);
         for x in graph.evaluate(&residuals, value) {
