@@ -33,7 +33,7 @@ pub(super) enum Read {
 
 /// The pieces of one group, and where the values are that they read of each other.
 pub(super) struct Pieces<'a> {
-    pieces: Vec<&'a [Statement]>,
+    statements: Vec<&'a [Statement]>,
     /// For each value that is read behind its piece: its element of the array.
     elements: BTreeMap<Read, usize>,
     /// The values that are still there behind the last piece.
@@ -51,7 +51,7 @@ impl<'a> Pieces<'a> {
     ) -> Self {
         let runs = statements.chunk_by(|a, b| !a.calls_model && !b.calls_model);
         let mut pieces = Self {
-            pieces: runs.flat_map(|run| run.chunks(length)).collect(),
+            statements: runs.flat_map(|run| run.chunks(length)).collect(),
             elements: BTreeMap::new(),
             kept: Vec::new(),
             length: 0,
@@ -62,20 +62,20 @@ impl<'a> Pieces<'a> {
 
     fn allocate(&mut self, is_kept: impl Fn(usize) -> bool) {
         let mut last_pieces = BTreeMap::new();
-        for (piece, statements) in self.pieces.iter().enumerate() {
+        for (piece, statements) in self.statements.iter().enumerate() {
             for read in statements.iter().flat_map(|statement| &statement.reads) {
                 last_pieces.insert(*read, piece);
             }
         }
         let mut free = Vec::new();
-        let mut ending = vec![Vec::new(); self.pieces.len()];
+        let mut ending = vec![Vec::new(); self.statements.len()];
         let symbols = last_pieces.iter();
         for (symbol, last_piece) in symbols.filter(|(read, _)| matches!(read, Read::Symbol(_))) {
             ending[*last_piece].push(self.length);
             self.elements.insert(*symbol, self.length);
             self.length += 1;
         }
-        for (piece, statements) in self.pieces.iter().enumerate() {
+        for (piece, statements) in self.statements.iter().enumerate() {
             for (value, _) in statements.iter().flat_map(|statement| &statement.defines) {
                 let read = Read::Value(*value);
                 let is_kept = is_kept(*value);
@@ -113,7 +113,7 @@ impl<'a> Pieces<'a> {
 
     /// What the pieces are written from: what each reads and writes of `array`, and whether it calls the model.
     pub(super) fn parts(&self, array: &Ident) -> impl Iterator<Item = Piece<'a>> {
-        self.pieces.iter().map(|statements| {
+        self.statements.iter().map(|statements| {
             let defines = statements.iter().flat_map(|statement| &statement.defines);
             let reads = statements.iter().flat_map(|statement| &statement.reads);
             let mut reads: BTreeSet<Read> = reads.copied().collect();

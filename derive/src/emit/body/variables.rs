@@ -7,7 +7,7 @@ use crate::limits::DEEPEST_NESTING;
 /// The values that are variables: those that are used more than once, that have a name, or that would be
 /// nested too deeply. The others are inlined.
 pub(super) struct Variables {
-    variables: Vec<bool>,
+    named: Vec<bool>,
     /// Which values a group behind their own reads.
     read_later: Vec<bool>,
     /// Which values are outputs.
@@ -34,7 +34,7 @@ impl Variables {
             }
         }
         Self {
-            variables,
+            named: variables,
             read_later,
             outputs: Vec::new(),
         }
@@ -42,15 +42,15 @@ impl Variables {
 
     /// Makes variables of the outputs and of what calls a function of the model, too.
     pub(super) fn add_ends_of_pieces(&mut self, program: &Program) {
-        self.outputs = vec![false; self.variables.len()];
+        self.outputs = vec![false; self.named.len()];
         let outputs = program.groups.iter().flat_map(|group| &group.outputs);
         for value in outputs.filter_map(value_of) {
-            self.variables[value] = true;
+            self.named[value] = true;
             self.outputs[value] = true;
         }
         for instruction in program.instructions() {
             if matches!(instruction.operation, Operation::Application(..)) {
-                self.variables[instruction.value] = true;
+                self.named[instruction.value] = true;
             }
         }
     }
@@ -67,11 +67,11 @@ impl Variables {
 
     /// Whether a value is a variable.
     pub(super) fn contain(&self, value: usize) -> bool {
-        self.variables.get(value).is_none_or(|variable| *variable)
+        self.named.get(value).is_none_or(|variable| *variable)
     }
 
     pub(super) fn count(&self) -> usize {
-        self.variables.iter().filter(|variable| **variable).count()
+        self.named.iter().filter(|variable| **variable).count()
     }
 }
 

@@ -1,0 +1,91 @@
+//! The body of a long method, written in pieces.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+
+use super::Body;
+use super::pieces::{Piece, Pieces, Read, Statement, Transfer};
+use crate::limits::DECLARED_AT_ONCE;
+
+impl Body<'_> {
+    /// The statements of a group of a long method, in pieces. Of its values the outputs are variables afterwards, and what
+    /// later groups read is in an array.
+    pub(super) fn pieces(&mut self, statements: &[Statement]) -> TokenStream {
+        let variables = &self.variables;
+        let is_kept = |value| variables.is_output(value) || variables.is_read_later(value);
+        let pieces = Pieces::of(statements, self.piece_length, is_kept);
+        let (array, length) = (self.locals.array(), pieces.length);
+        let (root, functions) = (self.scalar.root(), self.scalar.functions());
+        let scalar = self.scalar.to_token_stream();
+        let (places, values): (Vec<_>, Vec<_>) = pieces
+            .symbols()
+            .map(|symbol| {
+                let place = pieces.element(Read::Symbol(symbol));
+                (place, self.source.read(symbol))
+            })
+            .unzip();
+        let mut written = quote! {
+            let mut #array: [#scalar; #length] = [#functions::from_f64(0.0); #length];
+            #root::__private::scatter(&mut #array[..], [#(#places),*], [#(#values),*]);
+        };
+        let defined = statements.iter().flat_map(|statement| &statement.defines);
+        for (value, name) in defined.clone() {
+            if let Some(element) = pieces.element(Read::Value(*value)) {
+                let home = (array.clone(), element, name.clone());
+                self.homes.insert(Read::Value(*value), home);
+            }
+        }
+        for symbol in pieces.symbols() {
+            if let Some(element) = pieces.element(Read::Symbol(symbol)) {
+                let home = (array.clone(), element, self.symbols[&symbol].clone());
+                self.homes.insert(Read::Symbol(symbol), home);
+            }
+        }
+        for piece in pieces.parts(&array) {
+            written.extend(self.piece(&piece, &array, length));
+        }
+        let outputs = pieces
+            .kept
+            .iter()
+            .filter(|value| variables.is_output(**value));
+        let outputs: Vec<_> = outputs.map(|value| Read::Value(*value)).collect();
+        for outputs in outputs.chunks(DECLARED_AT_ONCE) {
+            written.extend(self.homes(outputs.iter()).gathered(root, &scalar));
+        }
+        self.arrays.push((array, length));
+        written
+    }
+
+    /// Where values are that are read.
+    fn homes<'b>(&self, reads: impl Iterator<Item = &'b Read>) -> Transfer {
+        let mut homes = Transfer::default();
+        for (array, element, name) in reads.filter_map(|read| self.homes.get(read)) {
+            homes.add(array, *element, name);
+        }
+        homes
+    }
+
+    /// One piece of a group whose values are in an array of this length: a function, or a block where it calls the model.
+    fn piece(&self, piece: &Piece<'_>, array: &Ident, length: usize) -> TokenStream {
+        let (root, scalar) = (self.scalar.root(), self.scalar.to_token_stream());
+        let gathered = self.homes(piece.reads.iter()).gathered(root, &scalar);
+        let statements = piece.statements.iter().map(|statement| &statement.tokens);
+        let scattered = piece.writes.scattered(root);
+        let body = quote!(#gathered #(#statements)* #scattered);
+        if piece.calls_model {
+            return quote!({ #body });
+        }
+        let generics = self.scalar.generics_of_functions();
+        let (earlier, lengths): (Vec<_>, Vec<_>) = self.arrays.iter().cloned().unzip();
+        quote! {{
+            #[inline(never)]
+            fn piece #generics(
+                #array: &mut [#scalar; #length],
+                #(#earlier: &[#scalar; #lengths],)*
+            ) {
+                #body
+            }
+            piece(&mut #array, #(&#earlier,)*);
+        }}
+    }
+}
