@@ -12,7 +12,8 @@ use crate::number_format::Readable;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
     relative_pivot: f64,
-    coordinate: usize,
+    /// In 32 bits, so that errors stay short.
+    coordinate: u32,
     names: &'static [&'static str],
     dependencies: &'static [usize],
     values: [f64; REPORTED_COORDINATES],
@@ -38,7 +39,7 @@ impl Singularity {
         }
         Self {
             relative_pivot,
-            coordinate,
+            coordinate: u32::try_from(coordinate).unwrap_or(u32::MAX),
             names,
             dependencies,
             values,
@@ -53,12 +54,12 @@ impl Singularity {
         self
     }
 
-    /// The indices of the coordinates that make it so.
-    fn dependencies(&self) -> &[usize] {
+    /// How many coordinates make it so.
+    fn count(&self) -> usize {
         if self.is_at_pole {
-            core::slice::from_ref(&self.coordinate)
+            1
         } else {
-            self.dependencies
+            self.dependencies.len()
         }
     }
 
@@ -71,14 +72,17 @@ impl Singularity {
     /// The coordinate to which the pivot belongs.
     #[must_use]
     pub fn coordinate(&self) -> &'static str {
-        self.name(self.coordinate)
+        usize::try_from(self.coordinate).map_or("?", |index| self.name(index))
     }
 
     /// Names and values of the coordinates on which the singularity depends, at most six of them.
     /// None if parameters or the time alone make the mass matrix singular.
     pub fn coordinates(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
-        let names = self.dependencies().iter().map(|index| self.name(*index));
-        names.zip(self.values)
+        let dependency = |i: usize| match self.dependencies.get(i) {
+            Some(index) if !self.is_at_pole => self.name(*index),
+            _ => self.coordinate(),
+        };
+        (0..self.count()).map(dependency).zip(self.values)
     }
 
     /// The configuration, as the end of a clause.
@@ -87,10 +91,7 @@ impl Singularity {
             let separator = if i == 0 { " where" } else { "," };
             write!(f, "{separator} {name} = {}", Readable(value))?;
         }
-        let left_out = self
-            .dependencies()
-            .len()
-            .saturating_sub(REPORTED_COORDINATES);
+        let left_out = self.count().saturating_sub(REPORTED_COORDINATES);
         if left_out > 0 {
             write!(f, " and {left_out} more")?;
         }

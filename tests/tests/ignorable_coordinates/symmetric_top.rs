@@ -225,7 +225,7 @@ fn the_pole_of_the_shorter_form_is_reported() {
     assert!(!error.unwrap_err().to_string().contains("pole"));
 }
 
-/// Every method keeps its digits near the pole where C_φ and C_ψ nearly agree, and at the pole where they do.
+/// Every method keeps its digits near the pole where the constant momenta nearly agree.
 #[test]
 fn all_methods_keep_their_digits_near_the_pole() {
     let Top { i, i_s, m, g, l } = top();
