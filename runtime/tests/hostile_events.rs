@@ -127,7 +127,7 @@ fn corners_have_neither_false_zeros_nor_missed_ones() {
             .collect();
         for (i, (a, b)) in lines.iter().enumerate() {
             for (other, slope) in &lines[..i] {
-                if slope != b {
+                if (slope - b).abs() > 0.0 {
                     corners.push((a - other) / (slope - b));
                 }
             }
@@ -139,7 +139,7 @@ fn corners_have_neither_false_zeros_nor_missed_ones() {
             (Particle::ZIGZAG, zigzag, "zigzag"),
             (Particle::TREE, tree, "tree"),
         ] {
-            let at_edge = |t: f64| t < 1e-9 || t > 1.0 - 1e-9;
+            let at_edge = |t: f64| !(1e-9..=1.0 - 1e-9).contains(&t);
             let value = if index == Particle::TREE {
                 model.tree(0.0)
             } else {
@@ -310,14 +310,14 @@ fn clusters_of_zeros_are_counted_with_their_multiplicities() {
         while roots.len() < 4 {
             let root: f64 = (8.0 + 48.0 * random.uniform()).round() / 64.0;
             let copies = 1 + random.below(3);
-            let apart = [0.0, 1e-4, 1e-2][random.below(3) as usize];
+            let apart = [0.0, 1e-4, 1e-2][usize::from(random.below(3))];
             for i in 0..copies {
-                roots.push(root + apart * i as f64);
+                roots.push(root + apart * f64::from(i));
             }
         }
         roots.truncate(4);
         // The order of factors does not matter.
-        let swap = random.below(4) as usize;
+        let swap = usize::from(random.below(4));
         roots.swap(0, swap);
         let c = [roots[0], roots[1], roots[2], roots[3]];
         let model = Particle {

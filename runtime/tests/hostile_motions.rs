@@ -31,8 +31,8 @@ where
     let mut random = Random(12345);
     for case in 0..30 {
         // Commensurable: the corners of the lattice are met exactly.
-        let place = [0.0; 3].map(|_| (1.0 + random.below(7) as f64) / 8.0);
-        let speed = [0.0; 3].map(|_| (random.below(17) as f64 - 8.0) / 4.0);
+        let place = [0.0; 3].map(|_| (1.0 + f64::from(random.below(7))) / 8.0);
+        let speed = [0.0; 3].map(|_| (f64::from(random.below(17)) - 8.0) / 4.0);
         let events: [(usize, Event); 6] = core::array::from_fn(|i| (i, Event::falling()));
         let start = State::new(0.0, place, speed);
         let driver = method.driver().declared_events(events);
@@ -232,9 +232,11 @@ fn zeros_at_the_ends_of_steps_are_counted_once() {
                         seen += usize::from(matches!(progress.kind, ObservationKind::Event(_)));
                         core::ops::ControlFlow::Continue(())
                     };
-                    let mut running = driver().observe(observer).start(&dynamics, start).unwrap();
-                    while running.step_towards(end).unwrap().is_some() {}
-                    drop(running);
+                    {
+                        let driver = driver().observe(observer);
+                        let mut running = driver.start(&dynamics, start).unwrap();
+                        while running.step_towards(end).unwrap().is_some() {}
+                    }
                     assert_eq!(seen, 2, "step by step: {event:?} {parts} {n} {place}");
                 }
             }

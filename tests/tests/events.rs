@@ -25,19 +25,21 @@ fn close(found: f64, expected: f64, error: f64) {
         cubic = (x - place).powi(3),
         late = t - 0.75,
         wave = sin(20.0 * x),
-        nothing = 0.0 * x,
+        nothing = none * x,
         walls = [x - 0.25, 0.875 - x],
         kink = abs(x - 0.625) - 0.125,
     ),
 )]
 struct Particle {
     m: f64,
+    none: f64,
     place: f64,
     apart: f64,
 }
 
 const PARTICLE: Particle = Particle {
     m: 2.0,
+    none: 0.0,
     place: 0.3,
     apart: 1e-7,
 };

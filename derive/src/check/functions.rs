@@ -17,7 +17,7 @@ pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         let name = &function.name;
         if RESERVED.iter().any(|reserved| name == reserved) {
             refuse_reserved(name, diagnostics);
-        } else if builtins::is_function(&unraw(name)) {
+        } else if builtins::is_reserved(&unraw(name)) {
             let message = format!(
                 "`{name}` is a function of the declaration language: give this one another name"
             );

@@ -69,6 +69,12 @@ pub(crate) fn is_function(name: &str) -> bool {
     functions().any(|function| function == name)
 }
 
+/// Whether an external function may not have this name. The short words for blocks are free: a function that is declared
+/// comes before them.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    is_function(name) && (name == "homogeneous" || example_of_blocks(name).is_none())
+}
+
 /// All functions that are built in.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
     of_scalars()

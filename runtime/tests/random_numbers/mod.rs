@@ -14,13 +14,13 @@ impl Random {
     }
 
     /// A number below n.
-    pub(crate) fn below(&mut self, n: u64) -> u64 {
-        (self.next() >> 11) % n
+    pub(crate) fn below(&mut self, n: u16) -> u16 {
+        u16::try_from((self.next() >> 11) % u64::from(n)).unwrap_or_default()
     }
 
     /// One of the multiples of 1/64 in [−1, 1].
     pub(crate) fn dyadic(&mut self) -> f64 {
-        (self.below(129) as f64 - 64.0) / 64.0
+        (f64::from(self.below(129)) - 64.0) / 64.0
     }
 
     /// A number in [0, 1).

@@ -35,9 +35,7 @@ impl Lowerer<'_> {
         if let Some(value) = self.function_of_body(name, &arguments, call, context) {
             return value;
         }
-        if self.scope.function(name).is_none()
-            && let Some(value) = self.function_of_blocks(name, &arguments, call, context)
-        {
+        if let Some(value) = self.function_of_blocks(name, &arguments, call, context) {
             return value;
         }
         self.apply(name, &arguments, call, context)
@@ -84,9 +82,7 @@ impl Lowerer<'_> {
         if let Some(value) = self.function_of_body(&call.method, &arguments, call, context) {
             return value;
         }
-        if self.scope.function(&call.method).is_none()
-            && let Some(value) = self.function_of_blocks(&call.method, &arguments, call, context)
-        {
+        if let Some(value) = self.function_of_blocks(&call.method, &arguments, call, context) {
             return value;
         }
         self.apply(&call.method, &arguments, call, context)

@@ -297,9 +297,9 @@ mod tests {
         for fraction in [0.499_999, 0.5, 0.500_001, -0.5] {
             assert!((exp2(3.0 + fraction) / libm::exp2(3.0 + fraction) - 1.0).abs() < 1e-5);
         }
-        assert_eq!(log2(f64::INFINITY), f64::INFINITY);
+        assert!(log2(f64::INFINITY) >= f64::INFINITY && exp2(f64::INFINITY) >= f64::INFINITY);
         assert!(log2(f64::NAN).is_nan() && exp2(f64::NAN).is_nan());
-        assert_eq!([exp2(f64::INFINITY), exp2(-2000.0)], [f64::INFINITY, 0.0]);
+        assert!(exp2(-2000.0).abs() <= 0.0);
     }
 
     #[test]
