@@ -42,3 +42,25 @@ fn events_with_external_functions_are_sampled() {
     assert!((times(motion.events(), 0)[0] - 0.5).abs() <= 1e-15);
     assert!((times(motion.events(), 1)[0] - 0.75).abs() <= 1e-15);
 }
+
+/// An index that no event has is an error before the first step.
+#[test]
+fn events_of_another_model_are_refused() {
+    let model = External {
+        m: 1.0,
+        limit: 0.75,
+    };
+    let start = State::new(0.0, [0.0], [1.0]);
+    for index in [2, 7] {
+        let driver = Taylor::new()
+            .driver()
+            .declared_events([(0, Event::either()), (index, Event::falling())]);
+        let error = driver.run_until(&model.dynamics(), start, 1.0);
+        let error = error.unwrap_err();
+        let expected = format!(
+            "the model has no event {index}: its events are [\"outside\", \"beyond\"], with the constants of the model \
+             as their indices"
+        );
+        assert_eq!(error.to_string(), expected);
+    }
+}

@@ -108,6 +108,13 @@ pub enum IntegrationError {
         /// That tolerance.
         tolerance: f64,
     },
+    /// An event is watched for that the model does not declare.
+    NoSuchEvent {
+        /// The index that was given.
+        index: usize,
+        /// The names of the events of the model.
+        events: &'static [&'static str],
+    },
     /// The sample times are not ordered in the direction of integration.
     UnorderedTimes {
         /// The index of the first time that is out of order.
@@ -182,6 +189,7 @@ impl fmt::Display for IntegrationError {
             Self::InvalidStep { .. }
             | Self::InvalidTolerance { .. }
             | Self::InvalidSingularityTolerance { .. }
+            | Self::NoSuchEvent { .. }
             | Self::UnorderedTimes { .. } => self.write_invalid_setting(f),
         }
     }
@@ -211,6 +219,11 @@ impl IntegrationError {
                     "the singularity tolerance must be positive, not {tolerance}"
                 )
             }
+            Self::NoSuchEvent { index, events } => write!(
+                f,
+                "the model has no event {index}: its events are {events:?}, with the constants of the model as their \
+                 indices"
+            ),
             Self::UnorderedTimes {
                 index,
                 time,

@@ -222,6 +222,7 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<I::Stepper, IntegrationError>
     where
         I: Integrator<S, D>,
+        C: StopCondition<S, D>,
     {
         self.check_state(dynamics, initial)?;
         self.integrator
@@ -236,7 +237,9 @@ impl<I, C, O> Driver<I, C, O> {
     ) -> Result<(), IntegrationError>
     where
         I: Integrator<S, D>,
+        C: StopCondition<S, D>,
     {
+        self.condition.check(dynamics)?;
         if let Some(tolerance) = self
             .singularity_tolerance
             .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)

@@ -10,6 +10,7 @@ use super::window::{Search, Window};
 use super::{
     Crossing, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling,
 };
+use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::{LEAST_WINDOW, MOST_COEFFICIENTS};
 
@@ -46,6 +47,15 @@ where
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
         let (index, _) = self.events.get(event)?;
         dynamics.event_functions(t, x).as_ref().get(*index).copied()
+    }
+
+    fn check(&self, dynamics: &D) -> Result<(), IntegrationError> {
+        let events = dynamics.names();
+        let mut watched = self.events.iter().map(|(index, _)| *index);
+        match watched.find(|index| *index >= events.len()) {
+            Some(index) => Err(IntegrationError::NoSuchEvent { index, events }),
+            None => Ok(()),
+        }
     }
 
     fn event(&self, index: usize) -> Event {

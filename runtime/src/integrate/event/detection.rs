@@ -5,6 +5,7 @@ use super::met_conditions::MetConditions;
 use super::values::Values;
 use super::{Event, LastStep, sampling};
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
@@ -30,6 +31,12 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
         let _ = (dynamics, t, x, event);
         None
+    }
+
+    /// An error if an event is watched for that the dynamics do not have.
+    fn check(&self, dynamics: &D) -> Result<(), IntegrationError> {
+        let _ = dynamics;
+        Ok(())
     }
 
     /// What is watched for.
