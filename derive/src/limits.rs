@@ -20,6 +20,10 @@ pub(crate) const DECLARED_AT_ONCE: usize = 200;
 /// few lines. More would make longer statements of the same operations.
 pub(crate) const DEEPEST_NESTING: usize = 6;
 
+/// How deep an expression of the declaration is printed as it stands. Each level takes a frame of the stack; a sum of more terms
+/// is too long to read. A printer with a stack of its own would lift it.
+pub(crate) const DEEPEST_PRINTED: usize = 100;
+
 /// The most numbers that a field may hold. Each is a symbol of the equations and has a name, used or not, which
 /// takes 45 microseconds and two kilobytes: at most half a second for a table of data. Symbols that are made on
 /// demand would lift it.

@@ -100,20 +100,20 @@ fn kinetic_energy_of_a_top() {
     let energy = kinetic(&mut book, w, [0, 1, 2]);
     assert_eq!(
         book.unicode(energy),
-        "½ i₁ (φ\u{307} sin θ sin ψ + θ\u{307} cos ψ)² \
-         + ½ i₂ (φ\u{307} sin θ cos ψ − θ\u{307} sin ψ)² \
-         + ½ i₃ (φ\u{307} cos θ + ψ\u{307})²"
+        "½ I₁ (φ\u{307} sin θ sin ψ + θ\u{307} cos ψ)² \
+         + ½ I₂ (φ\u{307} sin θ cos ψ − θ\u{307} sin ψ)² \
+         + ½ I₃ (φ\u{307} cos θ + ψ\u{307})²"
     );
     assert_eq!(
         book.latex(energy),
-        "\\frac{1}{2} i_{1} \\left(\\dot{\\phi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi\\right)^{2} \
-         + \\frac{1}{2} i_{2} \\left(\\dot{\\phi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi\\right)^{2} \
-         + \\frac{1}{2} i_{3} \\left(\\dot{\\phi} \\cos \\theta + \\dot{\\psi}\\right)^{2}"
+        "\\frac{1}{2} I_{1} \\left(\\dot{\\phi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi\\right)^{2} \
+         + \\frac{1}{2} I_{2} \\left(\\dot{\\phi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi\\right)^{2} \
+         + \\frac{1}{2} I_{3} \\left(\\dot{\\phi} \\cos \\theta + \\dot{\\psi}\\right)^{2}"
     );
     for (k, name) in ["w1", "w2", "w3"].into_iter().enumerate() {
         book.define(name, w[k]);
     }
-    assert_eq!(book.unicode(energy), "½ i₁ w₁² + ½ i₂ w₂² + ½ i₃ w₃²");
+    assert_eq!(book.unicode(energy), "½ I₁ w₁² + ½ I₂ w₂² + ½ I₃ w₃²");
     assert_eq!(book.unicode(w[2]), "φ\u{307} cos θ + ψ\u{307}");
 }
 
@@ -135,12 +135,12 @@ fn kinetic_energy_of_a_symmetric_top() {
         .sum([(first, Rational::HALF), (second, Rational::HALF)]);
     assert_eq!(
         book.unicode(energy),
-        "½ i₁ (φ\u{307}² sin²θ + θ\u{307}²) + ½ i₃ (φ\u{307} cos θ + ψ\u{307})²"
+        "½ I₁ (φ\u{307}² sin²θ + θ\u{307}²) + ½ I₃ (φ\u{307} cos θ + ψ\u{307})²"
     );
     let momentum = book.graph.derivative(energy, Symbol::Velocity(0));
     assert_eq!(
         book.unicode(momentum),
-        "i₁ φ\u{307} sin²θ + i₃ (φ\u{307} cos θ + ψ\u{307}) cos θ"
+        "I₁ φ\u{307} sin²θ + I₃ (φ\u{307} cos θ + ψ\u{307}) cos θ"
     );
 }
 
@@ -213,11 +213,11 @@ fn effective_potential_of_a_heavy_top() {
         .sum([(turning, Rational::HALF), (weight, Rational::ONE)]);
     assert_eq!(
         book.unicode(potential),
-        "(c_φ − c_ψ cos θ)²/(2 i₁ sin²θ) + m g l cos θ"
+        "(c_φ − c_ψ cos θ)²/(2 I₁ sin²θ) + m g l cos θ"
     );
     assert_eq!(
         book.latex(potential),
-        "\\frac{\\left(c_{\\phi} - c_{\\psi} \\cos \\theta\\right)^{2}}{2 i_{1} \\sin^{2} \\theta} + m g l \\cos \\theta"
+        "\\frac{\\left(c_{\\phi} - c_{\\psi} \\cos \\theta\\right)^{2}}{2 I_{1} \\sin^{2} \\theta} + m g l \\cos \\theta"
     );
 }
 

@@ -273,7 +273,7 @@ const NO_CONSTRAINTS: &str = "there are no constraints yet: choose coordinates t
 /// The clause that has another name elsewhere, or here a longer one.
 fn called_otherwise(written: &str) -> Option<&'static str> {
     let elsewhere = match written {
-        "damping" | "damper" | "friction" | "rayleigh" => Some("dissipation"),
+        "damping" | "damper" | "rayleigh" => Some("dissipation"),
         "state" | "states" | "dofs" | "q" => Some("coordinates"),
         "let" | "definitions" => Some("define"),
         _ => None,

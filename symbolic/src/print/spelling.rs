@@ -295,7 +295,7 @@ fn latex_letter(word: &str) -> String {
         .find(|(_, letter)| word.chars().eq([*letter]))
         .map(|(name, _)| format!("\\{name}"));
     let index = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-');
-    let plain = word.chars().filter(|c| !index(*c)).count() <= 1;
+    let plain = !word.contains('_') && word.chars().filter(|c| !index(*c)).count() <= 1;
     greek.unwrap_or_else(|| {
         if plain {
             word.into()

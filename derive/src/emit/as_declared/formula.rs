@@ -8,6 +8,7 @@ use syn::{BinOp, Expr, ExprLit, Lit, Member, RangeLimits, Stmt, UnOp};
 
 use crate::emit::as_declared::notation::{Notation, Precedence, join};
 use crate::emit::printed_names::BodyNames;
+use crate::limits::DEEPEST_PRINTED;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::label::Index;
@@ -21,6 +22,8 @@ pub(super) struct FormulaPrinter<'a> {
     definitions: BTreeSet<String>,
     mentioned: BTreeSet<String>,
     parameters: BTreeSet<String>,
+    /// How many expressions the one that is printed is within.
+    depth: usize,
 }
 
 impl<'a> FormulaPrinter<'a> {
@@ -33,6 +36,7 @@ impl<'a> FormulaPrinter<'a> {
             parameters: parameters.map(|field| unraw(&field.name)).collect(),
             declaration,
             bodies,
+            depth: 0,
         }
     }
 
@@ -41,8 +45,18 @@ impl<'a> FormulaPrinter<'a> {
         core::mem::take(&mut self.mentioned)
     }
 
-    /// An expression; none where a part of it has no customary notation.
+    /// An expression; none where a part of it has no customary notation, or lies too deep.
     pub(super) fn print(&mut self, expression: &Expr) -> Option<Notation> {
+        if self.depth >= DEEPEST_PRINTED {
+            return None;
+        }
+        self.depth += 1;
+        let printed = self.print_next(expression);
+        self.depth -= 1;
+        printed
+    }
+
+    fn print_next(&mut self, expression: &Expr) -> Option<Notation> {
         match expression {
             Expr::Paren(inner) => self.print(&inner.expr),
             Expr::Group(inner) => self.print(&inner.expr),
