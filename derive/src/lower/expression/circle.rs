@@ -66,8 +66,8 @@ impl Lowerer<'_> {
 
 fn by_itself(name: &str) -> String {
     format!(
-        "`{name}` is made of itself: a frame is turned against the one before it, and a place is told from there, so write the \
-         name of what comes before"
+        "`{name}` is made of itself: a definition uses only those before it, so write the name of what comes before, such as the \
+         frame from which this one is turned"
     )
 }
 
