@@ -9,11 +9,16 @@ use lagrangian_symbolic::Rational;
 /// information. A compiler that does not recurse over scopes would lift it.
 pub(crate) const MOST_SCOPES: usize = 1000;
 
-/// How many statements a piece has of a method with more scopes than [`MOST_SCOPES`]. Compiled with optimization, a function
+/// How many times [`MOST_SCOPES`] the variables of a method are declared at once and assigned; one with more is divided into
+/// pieces. The accelerations of thirty joints in space have some five thousand: in pieces, whose values go through memory, they
+/// take twice the time at run time. A compiler that takes time in proportion to the length of a function would lift it.
+pub(crate) const MOST_ASSIGNED: usize = 6;
+
+/// How many statements a piece has of a method in pieces. Compiled with optimization, a function
 /// of 6000 random statements takes 27 s and its pieces of 300 take 4 s. Loops over links of one kind would move it.
 pub(crate) const STATEMENTS_PER_PIECE: usize = 300;
 
-/// How many results of pieces are declared at once.
+/// How many variables are declared at once, those that are assigned and the results of pieces.
 pub(crate) const DECLARED_AT_ONCE: usize = 200;
 
 /// How deep expressions are nested in one statement. The golden expansions set it: their statements stay within a

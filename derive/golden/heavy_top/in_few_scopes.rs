@@ -208,214 +208,120 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let mut values: [__S; 12usize] = [__S::from_f64(0.0); 12usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize, 10usize,
-            ],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-                ::lagrangian::__private::parameter(self.m),
-                ::lagrangian::__private::parameter(self.g),
-                ::lagrangian::__private::parameter(self.l),
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 12usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l,
-                ]: [__S; 11usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
-                );
-                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-                    psi,
-                    theta,
-                ]);
-                let x0 = phi_dot * sin_theta;
-                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
-                let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
-                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x1 = (-(m * g * l))
-                    .mul_add(
-                        cos_theta,
-                        __S::from_f64(0.5)
-                            * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-                    );
-                ::lagrangian::__private::scatter(&mut values[..], [11], [x1]);
-            }
-            piece(&mut values);
-        }
-        let [x1]: [__S; 1usize] = ::lagrangian::__private::gather(&values[..], [11]);
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x1 = (-(m * g * l))
+            .mul_add(
+                cos_theta,
+                __S::from_f64(0.5)
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
+            );
         x1
     }
     fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let mut values: [__S; 12usize] = [__S::from_f64(0.0); 12usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize, 10usize,
-            ],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-                ::lagrangian::__private::parameter(self.m),
-                ::lagrangian::__private::parameter(self.g),
-                ::lagrangian::__private::parameter(self.l),
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 12usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l,
-                ]: [__S; 11usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
-                );
-                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-                    psi,
-                    theta,
-                ]);
-                let x0 = phi_dot * sin_theta;
-                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
-                let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
-                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x1 = (m * g * l)
-                    .mul_add(
-                        cos_theta,
-                        __S::from_f64(0.5)
-                            * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-                    );
-                ::lagrangian::__private::scatter(&mut values[..], [11], [x1]);
-            }
-            piece(&mut values);
-        }
-        let [x1]: [__S; 1usize] = ::lagrangian::__private::gather(&values[..], [11]);
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x1 = (m * g * l)
+            .mul_add(
+                cos_theta,
+                __S::from_f64(0.5)
+                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
+            );
         x1
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 26usize] = [__S::from_f64(0.0); 26usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize, 10usize,
-            ],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-                ::lagrangian::__private::parameter(self.m),
-                ::lagrangian::__private::parameter(self.g),
-                ::lagrangian::__private::parameter(self.l),
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4],
-                );
-                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-                    psi,
-                    theta,
-                ]);
-                let x0 = theta_dot * sin_psi;
-                let x1 = phi_dot * sin_theta;
-                let w2 = cos_psi.mul_add(x1, -x0);
-                let x2 = theta_dot * cos_psi;
-                let x3 = psi_dot * sin_theta;
-                let w1 = sin_psi.mul_add(x1, x2);
-                let x4 = phi_dot * cos_theta;
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21],
-                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4],
-                );
-            }
-            piece(&mut values);
-        }
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
-                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, w2, x2, x3, w1, x4,
-                theta_dot, psi_dot, i1, i2, i3]: [__S; 16usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [11, 12, 15, 13, 14, 16, 17, 18, 19, 20, 21, 3, 4, 5, 6, 7],
-                );
-                let x5 = (-psi_dot).mul_add(w1, x2 * x4);
-                let x6 = i2 * cos_psi;
-                let x7 = psi_dot.mul_add(w2, x0 * x4);
-                let x8 = i1 * sin_psi;
-                let w3 = psi_dot + x4;
-                let x9 = sin_theta
-                    * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-                let x10 = (-(i1 * w1))
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
+        cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
+        x9, x10, x11]: [__S; 30usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        m = ::lagrangian::__private::parameter(self.m);
+        g = ::lagrangian::__private::parameter(self.g);
+        l = ::lagrangian::__private::parameter(self.l);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = theta_dot * sin_psi;
+        x1 = phi_dot * sin_theta;
+        w2 = cos_psi.mul_add(x1, -x0);
+        x2 = theta_dot * cos_psi;
+        x3 = psi_dot * sin_theta;
+        w1 = sin_psi.mul_add(x1, x2);
+        x4 = phi_dot * cos_theta;
+        x5 = (-psi_dot).mul_add(w1, x2 * x4);
+        x6 = i2 * cos_psi;
+        x7 = psi_dot.mul_add(w2, x0 * x4);
+        x8 = i1 * sin_psi;
+        w3 = psi_dot + x4;
+        x9 = sin_theta
+            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
+        x10 = i3 * x1;
+        x11 = (-(i1 * cos_psi))
+            .mul_add(
+                x7,
+                w3
                     .mul_add(
-                        cos_psi.mul_add(x3, x0 * cos_theta),
-                        (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                    );
-                let x11 = i3 * x1;
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [2, 1, 0, 22, 23, 24, 25],
-                    [x5, x6, x7, x8, w3, x10, x11],
-                );
-            }
-            piece(&mut values);
-        }
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
-                let [sin_psi, cos_psi, sin_theta, w2, w1, x5, x6, x7, x8, w3, x11,
-                theta_dot, i1, i2, m, g, l]: [__S; 17usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [11, 12, 13, 17, 20, 2, 1, 0, 22, 23, 25, 3, 5, 6, 8, 9, 10],
-                );
-                let x12 = (-(i1 * cos_psi))
-                    .mul_add(
-                        x7,
-                        w3
-                            .mul_add(
-                                w1.mul_add(x8, w2 * x6) - x11,
-                                (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                            ),
-                    );
-                let x13 = w1.mul_add(w2 * (i1 - i2), theta_dot * x11);
-                ::lagrangian::__private::scatter(&mut values[..], [21, 19], [x12, x13]);
-            }
-            piece(&mut values);
-        }
-        let [x10, x12, x13]: [__S; 3usize] = ::lagrangian::__private::gather(
-            &values[..],
-            [24, 21, 19],
-        );
-        ::lagrangian::__private::SVector::from([x10, x12, x13])
+                        w1.mul_add(x8, w2 * x6) - x10,
+                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
+                    ),
+            );
+        ::lagrangian::__private::SVector::from([
+            (-(i1 * w1))
+                .mul_add(
+                    cos_psi.mul_add(x3, x0 * cos_theta),
+                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
+                ),
+            x11,
+            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
+        ])
     }
     fn generalized_forces(
         &self,
@@ -443,96 +349,46 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 20usize] = [__S::from_f64(0.0); 20usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize,
-            ],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                prepared[0],
-                prepared[1],
-                prepared[2],
-                prepared[3],
-                prepared[4],
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 20usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1]: [__S; 7usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4, 5, 6],
-                );
-                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-                    psi,
-                    theta,
-                ]);
-                let x0 = phi_dot * cos_theta;
-                let x1 = theta_dot * cos_psi;
-                let x2 = phi_dot * sin_theta;
-                let w1 = sin_psi.mul_add(x2, x1);
-                let w3 = psi_dot + x0;
-                let x3 = (-x1)
-                    .mul_add(
-                        x0,
-                        psi_dot
-                            .mul_add(
-                                w1,
-                                -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0),
-                            ),
-                    );
-                let x4 = theta_dot * sin_psi;
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [10, 11, 12, 13, 14, 15, 16, 17, 18, 19],
-                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x2, w1, w3, x3, x4],
-                );
-            }
-            piece(&mut values);
-        }
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 20usize]) {
-                let [sin_psi, cos_psi, sin_theta, cos_theta, x0, x2, w1, w3, x3, x4,
-                theta_dot, psi_dot, c2, c3, c4]: [__S; 15usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 3, 4, 7, 8, 9],
-                );
-                let w2 = cos_psi.mul_add(x2, -x4);
-                let x5 = (-psi_dot)
-                    .mul_add(
-                        w2,
-                        (-x4)
-                            .mul_add(
-                                x0,
-                                (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3),
-                            ),
-                    );
-                let x6 = -sin_psi.mul_add(x5, cos_psi * x3)
-                    * (__S::from_f64(1.0) / sin_theta);
-                let x7 = -x6;
-                let x8 = (-sin_psi).mul_add(x3, cos_psi * x5);
-                let x9 = cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2));
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [6, 5, 2],
-                    [x7, x8, x9],
-                );
-            }
-            piece(&mut values);
-        }
-        let [x7, x8, x9]: [__S; 3usize] = ::lagrangian::__private::gather(
-            &values[..],
-            [6, 5, 2],
-        );
-        ::lagrangian::__private::SVector::from([x7, x8, x9])
+        let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
+        cos_psi, sin_theta, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
+        ]: [__S; 24usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        c0 = prepared[0];
+        c1 = prepared[1];
+        c2 = prepared[2];
+        c3 = prepared[3];
+        c4 = prepared[4];
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * cos_theta;
+        x1 = theta_dot * cos_psi;
+        x2 = phi_dot * sin_theta;
+        w1 = sin_psi.mul_add(x2, x1);
+        w3 = psi_dot + x0;
+        x3 = (-x1)
+            .mul_add(
+                x0,
+                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
+            );
+        x4 = theta_dot * sin_psi;
+        w2 = cos_psi.mul_add(x2, -x4);
+        x5 = (-psi_dot)
+            .mul_add(
+                w2,
+                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
+            );
+        x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        ::lagrangian::__private::SVector::from([
+            -x6,
+            (-sin_psi).mul_add(x3, cos_psi * x5),
+            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+        ])
     }
     fn inverse_dynamics(
         &self,
@@ -551,122 +407,59 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 28usize] = [__S::from_f64(0.0); 28usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize, 10usize, 11usize, 12usize,
-            ],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                accelerations[0],
-                accelerations[1],
-                accelerations[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-                prepared[5],
-                prepared[6],
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 28usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4],
-                );
-                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-                    psi,
-                    theta,
-                ]);
-                let x0 = theta_dot * sin_psi;
-                let x1 = phi_dot * sin_theta;
-                let w2 = cos_psi.mul_add(x1, -x0);
-                let x2 = theta_dot * cos_psi;
-                let x3 = psi_dot * sin_theta;
-                let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
-                let w1 = sin_psi.mul_add(x1, x2);
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [13, 14, 15, 16, 17, 18, 19, 20, 21, 22],
-                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x3, x4, w1],
-                );
-            }
-            piece(&mut values);
-        }
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 28usize]) {
-                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
-                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1, i2, i3,
-                ]: [__S; 17usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [13, 14, 17, 15, 16, 18, 20, 21, 2, 3, 4, 5, 6, 7, 8, 9, 10],
-                );
-                let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-                let x6 = i3
-                    * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
-                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-                let x8 = (-theta_ddot)
-                    .mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-                let x9 = i2 * cos_psi;
-                let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-                let x11 = i1 * sin_psi;
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [1, 0, 23, 24, 25, 26, 27],
-                    [x5, x6, w3, x8, x9, x10, x11],
-                );
-            }
-            piece(&mut values);
-        }
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 28usize]) {
-                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
-                x8, x9, x10, x11, theta_dot, i1, i2, i3, c5, c6]: [__S; 21usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [
-                        13, 14, 15, 16, 18, 19, 21, 22, 1, 0, 23, 24, 25, 26, 27, 3, 8,
-                        9, 10, 11, 12,
-                    ],
-                );
-                let x12 = sin_theta
+        let [theta, psi, phi_dot, theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1,
+        i2, i3, c5, c6, sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, x4,
+        w1, x5, x6, w3, x7, x8, x9, x10, x11, x12]: [__S; 33usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        phi_ddot = accelerations[0];
+        theta_ddot = accelerations[1];
+        psi_ddot = accelerations[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        c5 = prepared[5];
+        c6 = prepared[6];
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = theta_dot * sin_psi;
+        x1 = phi_dot * sin_theta;
+        w2 = cos_psi.mul_add(x1, -x0);
+        x2 = theta_dot * cos_psi;
+        x3 = psi_dot * sin_theta;
+        x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
+        w1 = sin_psi.mul_add(x1, x2);
+        x5 = cos_psi.mul_add(x3, x0 * cos_theta);
+        x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+        x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+        x9 = i2 * cos_psi;
+        x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+        x11 = i1 * sin_psi;
+        x12 = (-sin_theta)
+            .mul_add(
+                c5,
+                w3
                     .mul_add(
-                        (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                        cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                    );
-                let x13 = (-sin_theta)
-                    .mul_add(
-                        c5,
-                        w3
-                            .mul_add(
-                                (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                                i1 * cos_psi * x10,
-                            ),
-                    );
-                let x14 = (-(i2 * sin_psi)).mul_add(x8, x13);
-                let x15 = w1.mul_add(w2 * c6, x6);
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [20, 17, 7],
-                    [x12, x14, x15],
-                );
-            }
-            piece(&mut values);
-        }
-        let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
-            &values[..],
-            [20, 17, 7],
-        );
-        ::lagrangian::__private::SVector::from([x12, x14, x15])
+                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
+                        i1 * cos_psi * x10,
+                    ),
+            );
+        ::lagrangian::__private::SVector::from([
+            sin_theta
+                .mul_add(
+                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
+                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
+                ),
+            (-(i2 * sin_psi)).mul_add(x8, x12),
+            w1.mul_add(w2 * c6, x6),
+        ])
     }
     fn linearize(
         &self,
@@ -1036,119 +829,59 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 15usize] = [__S::from_f64(0.0); 15usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 15usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3,
-                ]: [__S; 8usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4, 5, 6, 7],
-                );
-                let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-                    theta,
-                    psi,
-                ]);
-                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x0 = i3 * w3;
-                let x1 = phi_dot * sin_theta;
-                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
-                let x2 = i2 * w2;
-                let w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
-                let x3 = i1 * w1;
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [8, 9, 10, 11, 12, 13, 14],
-                    [sin_theta, cos_theta, sin_psi, cos_psi, x0, x2, x3],
-                );
-            }
-            piece(&mut values);
-        }
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 15usize]) {
-                let [sin_theta, cos_theta, x0, sin_psi, cos_psi, x2, x3,
-                ]: [__S; 7usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [8, 9, 12, 10, 11, 13, 14],
-                );
-                let x4 = sin_theta
-                    .mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0);
-                let x5 = (-sin_psi).mul_add(x2, cos_psi * x3);
-                ::lagrangian::__private::scatter(&mut values[..], [7, 6], [x4, x5]);
-            }
-            piece(&mut values);
-        }
-        let [x0, x4, x5]: [__S; 3usize] = ::lagrangian::__private::gather(
-            &values[..],
-            [12, 7, 6],
-        );
-        ::lagrangian::__private::SVector::from([x4, x5, x0])
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
+        sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x0 = i3 * w3;
+        x1 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
+        x2 = i2 * w2;
+        w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
+        x3 = i1 * w1;
+        ::lagrangian::__private::SVector::from([
+            sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
+            (-sin_psi).mul_add(x2, cos_psi * x3),
+            x0,
+        ])
     }
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let mut values: [__S; 9usize] = [__S::from_f64(0.0); 9usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [0usize, 1usize, 2usize, 3usize, 4usize],
-            [
-                state.q[1],
-                state.q[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 9usize]) {
-                let [theta, psi, i1, i2, i3]: [__S; 5usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4],
-                );
-                let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-                    theta,
-                    psi,
-                ]);
-                let x0 = i3 * cos_theta;
-                let x1 = cos_psi * cos_psi;
-                let x2 = sin_psi * sin_psi;
-                let x3 = sin_theta
-                    .mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0);
-                let x4 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
-                let x5 = i1.mul_add(x1, i2 * x2);
-                ::lagrangian::__private::scatter(
-                    &mut values[..],
-                    [5, 6, 7, 8],
-                    [x0, x3, x4, x5],
-                );
-            }
-            piece(&mut values);
-        }
-        let [x0, x3, x4, x5]: [__S; 4usize] = ::lagrangian::__private::gather(
-            &values[..],
-            [5, 6, 7, 8],
-        );
+        let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
+        x3]: [__S; 13usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
+        x0 = i3 * cos_theta;
+        x1 = cos_psi * cos_psi;
+        x2 = sin_psi * sin_psi;
+        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
         ::lagrangian::__private::SMatrix::from([
-            [x3, x4, x0],
-            [x4, x5, __S::from_f64(0.0)],
+            [
+                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
+                x3,
+                x0,
+            ],
+            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
             [x0, __S::from_f64(0.0), i3],
         ])
     }
@@ -1180,45 +913,25 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop {
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let mut values: [__S; 9usize] = [__S::from_f64(0.0); 9usize];
-        ::lagrangian::__private::scatter(
-            &mut values[..],
-            [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
-            [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
-            ],
-        );
-        {
-            #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 9usize]) {
-                let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3,
-                ]: [__S; 8usize] = ::lagrangian::__private::gather(
-                    &values[..],
-                    [0, 1, 2, 3, 4, 5, 6, 7],
-                );
-                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-                    psi,
-                    theta,
-                ]);
-                let x0 = phi_dot * sin_theta;
-                let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
-                let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
-                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x1 = __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)));
-                ::lagrangian::__private::scatter(&mut values[..], [8], [x1]);
-            }
-            piece(&mut values);
-        }
-        let [x1]: [__S; 1usize] = ::lagrangian::__private::gather(&values[..], [8]);
-        x1
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, cos_psi,
+        sin_theta, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
+        theta = state.q[1];
+        psi = state.q[2];
+        phi_dot = state.v[0];
+        theta_dot = state.v[1];
+        psi_dot = state.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
+        x0 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
+        w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let theta: __S = state.q[1];

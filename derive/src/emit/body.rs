@@ -20,10 +20,10 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
-use crate::limits::STATEMENTS_PER_PIECE;
+use crate::limits::{MOST_ASSIGNED, STATEMENTS_PER_PIECE};
 use crate::syntax::scalar::Scalar;
 use angles::Angles;
-use block::Block;
+use block::{Block, Form};
 use constant::constant;
 use fragment::{Fragment, Precedence, infix};
 use pieces::Read;
@@ -70,8 +70,13 @@ impl<'a> Body<'a> {
         most_scopes: usize,
     ) -> Self {
         let mut variables = Variables::of(program, |value| locals.is_defined(value));
-        let is_long = program.symbols().len() + variables.count() > most_scopes;
-        if is_long {
+        let scopes = program.symbols().len() + variables.count();
+        let form = match scopes {
+            _ if scopes <= most_scopes => Form::Nested,
+            _ if scopes <= most_scopes.saturating_mul(MOST_ASSIGNED) => Form::Assigned,
+            _ => Form::Pieces,
+        };
+        if form == Form::Pieces {
             variables.add_ends_of_pieces(program);
         }
         Self {
@@ -88,7 +93,7 @@ impl<'a> Body<'a> {
             homes: HashMap::new(),
             piece_length: STATEMENTS_PER_PIECE.min(most_scopes).max(1),
             variables,
-            block: Block::new(is_long),
+            block: Block::new(form),
         }
     }
 
@@ -102,7 +107,7 @@ impl<'a> Body<'a> {
             }
         }
         let statements = self.block.take_statements();
-        let mut written = self.block.take();
+        let mut written = self.block.take(self.scalar);
         if !statements.is_empty() {
             written.extend(self.pieces(&statements));
         }
@@ -126,12 +131,12 @@ impl<'a> Body<'a> {
             if !self.symbols.contains_key(&symbol) {
                 let name = self.locals.symbol(symbol);
                 self.symbols.insert(symbol, name);
-            } else if !self.block.is_long {
+            } else if !self.block.is_in_pieces() {
                 continue;
             }
             // Each piece of a long method reads what it needs.
             let is_output = || group.outputs.contains(&Operand::Symbol(symbol));
-            if !self.block.is_long || (is_output() && self.read_before.insert(symbol)) {
+            if !self.block.is_in_pieces() || (is_output() && self.read_before.insert(symbol)) {
                 let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
                 self.block.read(name, &read, self.scalar);
             }
@@ -165,7 +170,8 @@ impl<'a> Body<'a> {
         let functions = self.scalar.functions();
         let pattern = quote!(([#(#sines),*], [#(#cosines),*]));
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
-        self.block.define(defines, &pattern, &value, reads, false);
+        self.block
+            .define(defines, &pattern, &value, reads, false, self.scalar);
         angles
             .operands_of_angles
             .into_iter()
@@ -180,7 +186,7 @@ impl<'a> Body<'a> {
             .insert(instruction.value, Fragment::atom(&sine));
         self.fragments
             .insert(instruction.value + 1, Fragment::atom(&cosine));
-        if self.block.is_long {
+        if self.block.is_in_pieces() {
             for value in [instruction.value, instruction.value + 1] {
                 self.reads.insert(value, vec![Read::Value(value)]);
             }
@@ -198,7 +204,7 @@ impl<'a> Body<'a> {
             let pattern = quote!((#sine, #cosine));
             let defines = vec![(value, sine), (value + 1, cosine)];
             self.block
-                .define(defines, &pattern, &call, reads, calls_model);
+                .define(defines, &pattern, &call, reads, calls_model, self.scalar);
             return;
         }
         let fragment = self.operation(&instruction.operation);
@@ -212,13 +218,19 @@ impl<'a> Body<'a> {
         self.fragments.insert(value, Fragment::atom(&name));
         self.reads.insert(value, vec![Read::Value(value)]);
         let defines = vec![(value, name)];
-        self.block
-            .define(defines, &pattern, &fragment.tokens, reads, calls_model);
+        self.block.define(
+            defines,
+            &pattern,
+            &fragment.tokens,
+            reads,
+            calls_model,
+            self.scalar,
+        );
     }
 
     /// In a long method: the variables and symbols that an operation reads, through what is inlined in it.
     fn reads_of(&self, operation: &Operation) -> Vec<Read> {
-        if !self.block.is_long {
+        if !self.block.is_in_pieces() {
             return Vec::new();
         }
         let mut reads = Vec::new();

@@ -17,7 +17,7 @@ use crate::limits::MOST_SCOPES;
 /// The models, the files with their expansions, and how many scopes these may nest.
 const EXPANSIONS: [(&str, &str, usize); 4] = [
     ("heavy_top", "expansion.rs", MOST_SCOPES),
-    // As if every method were long, in pieces of eight statements.
+    // As if every method were long: with variables that are assigned, or in pieces of eight statements.
     ("heavy_top", "in_few_scopes.rs", 8),
     ("driven_pendulum", "expansion.rs", MOST_SCOPES),
     ("slider", "expansion.rs", MOST_SCOPES),

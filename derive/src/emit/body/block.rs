@@ -1,32 +1,63 @@
 //! The statements of a method, while they are written.
+//!
+//! In a short method each variable is a `let`. Each `let` opens a scope in the one before, and rustc recurses scope by scope
+//! where it writes debug information: its stack overflows. So the variables of a longer method are declared many at once, by
+//! one pattern, and then assigned. Compilers keep them in registers as those of a short one, but the time that they take grows
+//! faster than the length; so a method that is longer still is divided into pieces.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::pieces::{Read, Statement};
+use crate::limits::DECLARED_AT_ONCE;
 use crate::syntax::scalar::Scalar;
+
+/// The form of a method by its length.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Each variable is a `let`.
+    Nested,
+    /// Variables are declared many at once, and assigned.
+    Assigned,
+    /// Functions with an array between them.
+    Pieces,
+}
 
 /// The statements of one group.
 pub(super) struct Block {
-    /// Whether the method is long, so that its statements are divided into pieces.
-    pub(super) is_long: bool,
+    form: Form,
     written: TokenStream,
-    /// Those of a long method.
+    /// Where variables are assigned: what is still to be declared, and the statements that assign it.
+    declared: Vec<Ident>,
+    assignments: TokenStream,
+    /// Those of a method in pieces.
     statements: Vec<Statement>,
 }
 
 impl Block {
-    pub(super) fn new(is_long: bool) -> Self {
+    pub(super) fn new(form: Form) -> Self {
         Self {
-            is_long,
+            form,
             written: TokenStream::new(),
+            declared: Vec::new(),
+            assignments: TokenStream::new(),
             statements: Vec::new(),
         }
     }
 
+    /// Whether the statements are divided into pieces.
+    pub(super) fn is_in_pieces(&self) -> bool {
+        self.form == Form::Pieces
+    }
+
     /// Gives a variable the value that is read from elsewhere.
     pub(super) fn read(&mut self, name: &Ident, value: &TokenStream, scalar: &Scalar<'_>) {
-        self.written.extend(quote!(let #name: #scalar = #value;));
+        match self.form {
+            Form::Assigned => self.assign([name.clone()], &quote!(#name), value, scalar),
+            Form::Nested | Form::Pieces => {
+                self.written.extend(quote!(let #name: #scalar = #value;));
+            }
+        }
     }
 
     /// Gives the variables of a pattern, which hold these values, what is computed from `reads`.
@@ -37,27 +68,57 @@ impl Block {
         value: &TokenStream,
         reads: Vec<Read>,
         calls_model: bool,
+        scalar: &Scalar<'_>,
     ) {
         let tokens = quote!(let #pattern = #value;);
-        if self.is_long {
-            self.statements.push(Statement {
+        match self.form {
+            Form::Nested => self.written.extend(tokens),
+            Form::Assigned => {
+                let names = defines.into_iter().map(|(_, name)| name);
+                self.assign(names, pattern, value, scalar);
+            }
+            Form::Pieces => self.statements.push(Statement {
                 tokens,
                 defines,
                 reads,
                 calls_model,
-            });
-        } else {
-            self.written.extend(tokens);
+            }),
         }
     }
 
-    /// The statements of a long method since the last time.
+    fn assign(
+        &mut self,
+        names: impl IntoIterator<Item = Ident>,
+        pattern: &TokenStream,
+        value: &TokenStream,
+        scalar: &Scalar<'_>,
+    ) {
+        if self.declared.len() >= DECLARED_AT_ONCE {
+            self.declare(scalar);
+        }
+        self.declared.extend(names);
+        self.assignments.extend(quote!(#pattern = #value;));
+    }
+
+    /// Writes the declarations and assignments that are due.
+    fn declare(&mut self, scalar: &Scalar<'_>) {
+        let declared = core::mem::take(&mut self.declared);
+        if !declared.is_empty() {
+            let count = declared.len();
+            self.written
+                .extend(quote!(let [#(#declared),*]: [#scalar; #count];));
+            self.written.extend(core::mem::take(&mut self.assignments));
+        }
+    }
+
+    /// The statements of a method in pieces since the last time.
     pub(super) fn take_statements(&mut self) -> Vec<Statement> {
         core::mem::take(&mut self.statements)
     }
 
     /// What is written since the last time.
-    pub(super) fn take(&mut self) -> TokenStream {
+    pub(super) fn take(&mut self, scalar: &Scalar<'_>) -> TokenStream {
+        self.declare(scalar);
         core::mem::take(&mut self.written)
     }
 }
