@@ -262,6 +262,10 @@ pub(crate) const FEWEST_FOLDED_TERMS: usize = 4;
 /// Fewer members of a family are not folded to one equation.
 pub(crate) const FEWEST_FOLDED_LINES: usize = 4;
 
+/// How many patterns of a family are compared with its equations. Each sum in a sample has up to four, so that the chain of
+/// links, with one, has four; three sums are within it. A pattern that is found sum by sum would lift it.
+pub(crate) const MOST_PATTERNS: usize = 64;
+
 /// With less room under a heading, no further equation is tried.
 pub(crate) const SHORTEST_LINE: usize = 20;
 

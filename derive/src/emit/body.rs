@@ -45,11 +45,11 @@ pub(crate) struct Body<'a> {
     functions: Vec<Ident>,
     symbols: BTreeMap<Symbol, Ident>,
     fragments: HashMap<usize, Fragment>,
-    /// In a long method: what the fragment of a value reads.
+    /// In a method in pieces: what the fragment of a value reads.
     reads: HashMap<usize, Vec<Read>>,
-    /// In a long method: the symbols that have been read before the pieces.
+    /// In a method in pieces: the symbols that have been read before the pieces.
     read_before: BTreeSet<Symbol>,
-    /// In a long method: the arrays of the values of groups that are written, and their lengths.
+    /// In a method in pieces: the arrays of the values of groups that are written, and their lengths.
     arrays: Vec<(Ident, usize)>,
     /// The arrays, elements and names of what pieces read.
     homes: HashMap<Read, (Ident, usize, Ident)>,
@@ -134,7 +134,7 @@ impl<'a> Body<'a> {
             } else if !self.block.is_in_pieces() {
                 continue;
             }
-            // Each piece of a long method reads what it needs.
+            // Each piece reads what it needs.
             let is_output = || group.outputs.contains(&Operand::Symbol(symbol));
             if !self.block.is_in_pieces() || (is_output() && self.read_before.insert(symbol)) {
                 let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
@@ -186,10 +186,8 @@ impl<'a> Body<'a> {
             .insert(instruction.value, Fragment::atom(&sine));
         self.fragments
             .insert(instruction.value + 1, Fragment::atom(&cosine));
-        if self.block.is_in_pieces() {
-            for value in [instruction.value, instruction.value + 1] {
-                self.reads.insert(value, vec![Read::Value(value)]);
-            }
+        for value in [instruction.value, instruction.value + 1] {
+            self.is_read(value, vec![Read::Value(value)]);
         }
         (sine, cosine)
     }
@@ -210,13 +208,13 @@ impl<'a> Body<'a> {
         let fragment = self.operation(&instruction.operation);
         if !self.variables.contain(value) {
             self.fragments.insert(value, fragment);
-            self.reads.insert(value, reads);
+            self.is_read(value, reads);
             return;
         }
         let name = self.locals.value(instruction.expression);
         let pattern = name.to_token_stream();
         self.fragments.insert(value, Fragment::atom(&name));
-        self.reads.insert(value, vec![Read::Value(value)]);
+        self.is_read(value, vec![Read::Value(value)]);
         let defines = vec![(value, name)];
         self.block.define(
             defines,
@@ -228,7 +226,14 @@ impl<'a> Body<'a> {
         );
     }
 
-    /// In a long method: the variables and symbols that an operation reads, through what is inlined in it.
+    /// In a method in pieces: what an expression reads that contains a value.
+    fn is_read(&mut self, value: usize, reads: Vec<Read>) {
+        if self.block.is_in_pieces() {
+            self.reads.insert(value, reads);
+        }
+    }
+
+    /// In a method in pieces: the variables and symbols that an operation reads, through what is inlined in it.
     fn reads_of(&self, operation: &Operation) -> Vec<Read> {
         if !self.block.is_in_pieces() {
             return Vec::new();

@@ -1,9 +1,6 @@
-//! The statements of a long method, in pieces that are functions of their own.
+//! The statements of a method in pieces ([`Form::Pieces`](super::block::Form)), which are functions of their own.
 //!
-//! In a short method each variable is a `let`. Each `let` opens a scope in the one before, and rustc recurses scope by
-//! scope where it writes debug information: its stack overflows. And many passes of LLVM take time that grows faster
-//! than the length of a function. So the statements of a long method are divided into functions that are not inlined.
-//! What one computes and another reads is in an array, whose elements are given to others where nothing reads them any
+//! They are not inlined. What one computes and another reads is in an array, whose elements are given to others where nothing reads them any
 //! more (linear scan: Poletto and Sarkar, Linear scan register allocation, 1999).
 
 use std::collections::{BTreeMap, BTreeSet};

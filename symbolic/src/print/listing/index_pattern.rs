@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use crate::identity::real_point::RealPoint;
+use crate::limits::MOST_PATTERNS;
 use crate::print::names::Names;
 use crate::{Expression, Graph, Node, Symbol};
 
@@ -160,7 +161,7 @@ pub(crate) struct IndexPattern {
 }
 
 impl IndexPattern {
-    /// The patterns of which `expression` may be a sample, and the expression with arguments in place of sums.
+    /// The patterns of which `expression` may be a sample, none where they are too many, and the expression with arguments in place of sums.
     pub(crate) fn candidates(
         graph: &mut Graph,
         families: &Families,
@@ -205,6 +206,9 @@ impl IndexPattern {
                 }
             }
             patterns = longer;
+            if patterns.len() > MOST_PATTERNS {
+                return (replaced, Vec::new());
+            }
         }
         (replaced, patterns)
     }
