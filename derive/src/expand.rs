@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use lagrangian_symbolic::{Equations, Listing, Method, Model, Reduction, Validator};
+use lagrangian_symbolic::{Equations, Kinetics, Listing, Method, Model, Reduction, Validator};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
@@ -19,7 +19,7 @@ use crate::lower::{Lowered, lower};
 use crate::plan::{
     EventSeries, Methods, ReducedMethods, Requested, TaylorMethod, branches_of_events,
 };
-use crate::reduce::{ReducedDeclaration, Split, reduce};
+use crate::reduce::{ReducedDeclaration, Split, reduce, without_half_angles};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::routhian::RouthianClause;
 use crate::syntax::size;
@@ -112,7 +112,12 @@ fn reduced_items(
     let mut of_reduced = Diagnostics::default();
     let derived = derive_reduced(&reduction, declaration, lowered, &mut of_reduced);
     diagnostics.add_with(of_reduced, &concerns(clause));
-    let (derived, methods) = derived?;
+    let (mut derived, methods) = derived?;
+    if clause.half_angles
+        && let Some(listing) = listing_without_half_angles(full, clause, reduced, &derived)
+    {
+        derived.listing = listing;
+    }
     let mut emitter = derived.emitter(declaration, lowered, full.most_scopes);
     emitter.poles.clone_from(&reduction.poles);
     let definition = reduced_struct(full.declaration, declaration);
@@ -121,6 +126,28 @@ fn reduced_items(
     let back = emitter.routhian(reduced, &methods, full);
     let warning = warning(&derived.disagreements, declaration);
     Some(quote!(#definition #items #there #back #warning))
+}
+
+/// The equations of a reduced model as they come, which are those of books; half angles are for numbers near the poles.
+fn listing_without_half_angles(
+    full: &Emitter<'_>,
+    clause: &RouthianClause,
+    reduced: &ReducedDeclaration,
+    derived: &Derived,
+) -> Option<Listing> {
+    let declared = (full.declaration, full.lowered);
+    let mut model = without_half_angles(declared, (full.model, full.equations), clause)?;
+    let equations = Equations::derive(&mut model).ok()?;
+    let kinetics = Kinetics::cheapest(&mut model, &equations);
+    let solved = kinetics.solved_form(&mut model, &equations);
+    let operations = derived.methods.accelerations.count.total();
+    let declared = (&reduced.declaration, &reduced.lowered);
+    Some(listing(
+        &mut model,
+        &equations,
+        declared,
+        (&solved, operations),
+    ))
 }
 
 /// What errors of a reduced model say besides.
@@ -218,7 +245,10 @@ impl Derived {
                 }
             }
         }
-        let listing = listing(&mut model, &equations, declaration, lowered, &methods);
+        let solved = methods.solved_form(&mut model, &equations);
+        let operations = methods.accelerations.count.total();
+        let solved = (&solved, operations);
+        let listing = listing(&mut model, &equations, (declaration, lowered), solved);
         Some(Self {
             model,
             equations,

@@ -116,6 +116,20 @@ pub(crate) fn reduce(
     Some(reduction).filter(|_| diagnostics.count() == errors)
 }
 
+/// The reduced model as it comes, whatever the clause says, unless there is none.
+pub(crate) fn without_half_angles(
+    (declaration, lowered): (&Declaration, &Lowered),
+    (model, equations): (&Model, &Equations),
+    clause: &RouthianClause,
+) -> Option<Model> {
+    let parameters = count(lowered.quantities.parameters.len());
+    let mut reduction = Reduction::of(model, equations, parameters, PoleForm::Direct).ok()?;
+    let mut reported = Diagnostics::default();
+    let retained = retained_outputs((declaration, lowered), clause, &reduction, &mut reported);
+    reduction.retain_outputs(&retained);
+    Some(reduction.model)
+}
+
 /// The constant momenta have names of their own, and what is left out is there.
 fn check_names(
     declaration: &Declaration,

@@ -14,6 +14,7 @@ pub(crate) mod angle_differences;
 pub(crate) mod hyperbolic;
 pub(crate) mod call;
 pub(crate) mod circular;
+pub(crate) mod guard;
 pub(crate) mod function;
 pub(crate) mod external_function;
 pub(crate) mod dependence;

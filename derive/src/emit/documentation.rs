@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use lagrangian_symbolic::{
-    Declared, Equations, Expression, Graph, Listing, Model, Node, OperationCount, Symbol,
+    Declared, Equations, Expression, Graph, Listing, Model, Node, OperationCount, SolvedForm,
+    Symbol,
 };
 
 use super::as_declared::as_declared;
@@ -12,7 +13,6 @@ use super::emitter::Emitter;
 use super::events::names;
 use super::printed_names::{BodyNames, printed_names};
 use crate::lower::Lowered;
-use crate::plan::Methods;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::unraw;
 
@@ -45,13 +45,12 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
     text
 }
 
-/// The equations of motion in print.
+/// The equations of motion in print, which are solved in this form, in so many operations.
 pub(crate) fn listing(
     model: &mut Model,
     equations: &Equations,
-    declaration: &Declaration,
-    lowered: &Lowered,
-    methods: &Methods,
+    (declaration, lowered): (&Declaration, &Lowered),
+    (solved, operations): (&SolvedForm, usize),
 ) -> Listing {
     let scope = &lowered.scope;
     let mut definitions = Vec::new();
@@ -70,11 +69,10 @@ pub(crate) fn listing(
         names: printed_names(lowered),
         definitions,
         as_declared: as_declared(declaration, lowered),
-        operations: methods.accelerations.count.total(),
+        operations,
         events: names(declaration, &lowered.events).zip(functions).collect(),
     };
-    let solved = methods.solved_form(model, equations);
-    Listing::of(model, equations, &solved, &declared)
+    Listing::of(model, equations, solved, &declared)
 }
 
 /// The components of the angular velocities of bodies, where they are not defined by other names.

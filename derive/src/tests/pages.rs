@@ -24,24 +24,36 @@ const MODELS: [&str; 9] = [
     "chain",
 ];
 
-/// The value of a constant of the model.
+/// The value of a constant of the model, which is the first one.
 fn constant(expansion: &TokenStream, name: &str) -> String {
+    let mut all = constants(expansion, name).into_iter();
+    all.next().expect("there is such a constant")
+}
+
+/// The value of a constant of the reduced model.
+fn last_constant(expansion: &TokenStream, name: &str) -> String {
+    let mut all = constants(expansion, name);
+    all.pop().expect("there is such a constant")
+}
+
+fn constants(expansion: &TokenStream, name: &str) -> Vec<String> {
     let file: syn::File = syn::parse2(expansion.clone()).expect("the expansion is of items");
     let items = file.items.iter().filter_map(|item| match item {
         syn::Item::Impl(item) => Some(&item.items),
         _ => None,
     });
-    let mut found = items.flatten().filter_map(|item| match item {
+    let found = items.flatten().filter_map(|item| match item {
         syn::ImplItem::Const(item) if item.ident == name => Some(&item.expr),
         _ => None,
     });
-    match found.next() {
-        Some(syn::Expr::Lit(syn::ExprLit {
+    let text = |value: &syn::Expr| match value {
+        syn::Expr::Lit(syn::ExprLit {
             lit: syn::Lit::Str(text),
             ..
-        })) => text.value(),
+        }) => text.value(),
         _ => panic!("no text {name}"),
-    }
+    };
+    found.map(text).collect()
 }
 
 /// The equations of a model with bodies.
@@ -76,6 +88,55 @@ fn definitions_are_not_their_own_names() {
             "{line}: {equations}"
         );
     }
+}
+
+/// ln x beside x^y has a guard at x = 0, and half angles have guards at poles: what is printed is what a book has.
+#[test]
+fn guards_of_removable_singularities_are_not_printed() {
+    let expansion = expand(quote! {
+        #[lagrangian(
+            coordinates(x),
+            kinetic = 0.5 * m * dot(x).powi(2),
+            potential = e.powf(x) + exp(e * x),
+        )]
+        struct Power { m: f64, e: f64 }
+    });
+    for (name, exponential) in [
+        ("EQUATIONS", "exp(e x)"),
+        ("LATEX", "\\exp\\left(e x\\right)"),
+    ] {
+        let equations = constant(&expansion, name);
+        assert!(!equations.contains("sgn"), "{equations}");
+        assert!(equations.contains("ln e"), "{equations}");
+        assert!(equations.contains(exponential), "{equations}");
+        let sentence = "is a parameter; the exponential function is";
+        assert!(equations.contains(sentence), "{equations}");
+    }
+    let top = |options: TokenStream| {
+        expand(quote! {
+            #[lagrangian(
+                coordinates(phi, theta, psi),
+                routhian(Reduced #options),
+                kinetic = 0.5 * i * (dot(theta).powi(2) + (dot(phi) * sin(theta)).powi(2))
+                    + 0.5 * i_s * (dot(psi) + dot(phi) * cos(theta)).powi(2),
+                potential = e * g * cos(theta),
+            )]
+            struct Top { i: f64, i_s: f64, e: f64, g: f64 }
+        })
+    };
+    let [direct, half_angles] = [quote!(), quote!(, half_angles)].map(|options| {
+        let equations = last_constant(&top(options), "EQUATIONS");
+        let lines = equations.lines();
+        let lines = lines.filter(|line| !line.starts_with("q̈ is found"));
+        lines.collect::<Vec<_>>().join("\n")
+    });
+    assert!(
+        direct.contains("(p_φ − p_ψ cos θ)²/(2 I sin²θ)"),
+        "{direct}"
+    );
+    // A parameter e that is raised to no power.
+    assert!(!direct.contains("exponential"), "{direct}");
+    assert_eq!(direct, half_angles);
 }
 
 #[test]

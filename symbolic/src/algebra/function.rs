@@ -310,13 +310,8 @@ fn plus_square(graph: &mut Graph, x: Expression) -> Expression {
 
 /// ln x, and 0 for x = 0, where x^y ln x is 0: ln(x + (1 − signum² x)).
 fn logarithm_or_zero(graph: &mut Graph, x: Expression) -> Expression {
-    let one = graph.one();
-    let sign = graph.unary(Unary::Signum, x);
-    let sign = graph.square(sign);
-    let zero_or_one = graph.subtract(one, sign);
-    // Opaque, so that x + 1 is not rounded.
-    let zero_or_one = graph.opaque(zero_or_one);
-    let guarded = graph.add(x, zero_or_one);
+    let guard = graph.guard(x);
+    let guarded = graph.add(x, guard);
     graph.unary(Unary::Ln, guarded)
 }
 

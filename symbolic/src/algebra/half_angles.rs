@@ -178,10 +178,6 @@ fn divisor(graph: &mut Graph, numerator: Expression, function: Expression) -> Ex
     if graph.contents(numerator).varies() {
         return square;
     }
-    let sign = graph.unary(Unary::Signum, numerator);
-    let sign = graph.square(sign);
-    let is_zero = graph.sum([(graph.one(), Rational::ONE), (sign, Rational::MINUS_ONE)]);
-    // Opaque, so that the square is not rounded beside 1.
-    let is_zero = graph.opaque(is_zero);
-    graph.add(square, is_zero)
+    let guard = graph.guard(numerator);
+    graph.add(square, guard)
 }

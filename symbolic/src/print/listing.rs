@@ -9,12 +9,14 @@ pub(crate) mod as_declared;
 pub(crate) mod composer;
 pub(crate) mod energy;
 pub(crate) mod families;
+pub(crate) mod printed_model;
 pub(crate) mod index_pattern;
 pub(crate) mod solved;
 
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::as_declared::AsDeclared;
 use crate::print::listing::composer::Composer;
+use crate::print::listing::printed_model::PrintedModel;
 use crate::print::listing::section::Section;
 use crate::print::names::{Letters, Names};
 use crate::{Equations, Expression, Graph, Model};
@@ -59,15 +61,27 @@ impl Listing {
             }
             other => other.clone(),
         };
-        let mut composer = Composer::new(model, declared, &solved);
+        let printed = PrintedModel {
+            energies: model.energies,
+            equations: equations.clone(),
+            solved,
+            declared: declared.clone(),
+        };
+        let PrintedModel {
+            energies,
+            ref equations,
+            ref solved,
+            ref declared,
+        } = printed.without_guards(&mut model.graph);
+        let mut composer = Composer::new(model, energies, declared, solved);
         let energies = composer.energies();
         let events = composer.events();
         let momenta = composer.momenta(equations);
         let energy = composer.energy_function(equations);
         let lagrange = composer.lagrange(equations);
-        let solved = composer.solved(&solved);
-        let definitions = composer.definitions();
+        let solved = composer.solved(solved);
         let coordinates = composer.coordinates();
+        let definitions = composer.definitions();
         let mut sections = vec![
             coordinates,
             definitions,

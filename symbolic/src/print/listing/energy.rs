@@ -28,7 +28,7 @@ impl Composer<'_> {
     }
 
     fn is_sum_of_energies(&mut self, energy: Expression) -> bool {
-        let Energies::Natural { kinetic, potential } = self.model.energies else {
+        let Energies::Natural { kinetic, potential } = self.energies else {
             return false;
         };
         let graph = &mut self.model.graph;
