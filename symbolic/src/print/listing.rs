@@ -7,6 +7,7 @@
 pub(crate) mod section;
 pub(crate) mod as_declared;
 pub(crate) mod composer;
+pub(crate) mod coordinates;
 pub(crate) mod energy;
 pub(crate) mod families;
 pub(crate) mod printed_model;

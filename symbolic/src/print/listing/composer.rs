@@ -7,7 +7,7 @@ use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::{Letters, Names};
-use crate::{Binary, Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
+use crate::{Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
 
 /// What the sections are made from.
 pub(crate) struct Composer<'a> {
@@ -16,7 +16,7 @@ pub(crate) struct Composer<'a> {
     pub(crate) declared: &'a Declared,
     pub(crate) letters: Letters,
     /// The expressions of the sections composed so far.
-    mentioned: Vec<Expression>,
+    pub(crate) mentioned: Vec<Expression>,
     /// The definitions that are listed as they were declared.
     mentioned_as_declared: BTreeSet<String>,
 }
@@ -88,59 +88,6 @@ impl<'a> Composer<'a> {
     /// Expressions whose definitions are to be listed.
     pub(crate) fn mention_all(&mut self, expressions: &[Expression]) {
         self.mentioned.extend(expressions);
-    }
-
-    pub(crate) fn coordinates(&mut self) -> Section {
-        let symbols = self.model.coordinate_symbols();
-        let (unicode, latex): (Vec<_>, Vec<_>) = symbols
-            .into_iter()
-            .map(|symbol| self.letters.print_both(symbol).into())
-            .unzip();
-        let list = |names: Vec<String>| match names.as_slice() {
-            [only] => only.clone(),
-            _ => format!("({})", names.join(", ")),
-        };
-        let list = Side::Text(list(unicode), list(latex));
-        let mut section = Section::new(None, "`COORDINATES`");
-        self.push_arranged(&mut section, Side::letter("q"), list);
-        if let Some(kind) = self.what_is_raised_as_e() {
-            section.sentence = [
-                format!("e is {kind}; the exponential function is exp."),
-                format!("$e$ is {kind}; the exponential function is $\\exp$."),
-            ];
-        }
-        section
-    }
-
-    /// What is called e, if the equations contain a power of it, which would be read as the exponential function.
-    fn what_is_raised_as_e(&mut self) -> Option<&'static str> {
-        let names = &self.declared.names;
-        let kinds: [(&[String], fn(u32) -> Symbol, _); 3] = [
-            (&names.parameters, Symbol::Parameter, "a parameter"),
-            (&names.coordinates, Symbol::Coordinate, "a coordinate"),
-            (&names.inputs, Symbol::Input, "an input"),
-        ];
-        let called = kinds.into_iter().find_map(|(names, symbol, kind)| {
-            let place = names.iter().position(|name| name == "e")?;
-            Some((symbol(u32::try_from(place).ok()?), kind))
-        });
-        let mut definitions = self.declared.definitions.iter();
-        let defined = definitions.find(|(name, _)| name == "e");
-        let graph = &mut self.model.graph;
-        let called = called.map(|(symbol, kind)| (graph.symbol(symbol), kind));
-        let (base, kind) = called.or(defined.map(|(_, x)| (*x, "a definition")))?;
-        let is_power = |part: &Expression| match graph.node(*part) {
-            Node::Binary(Binary::Power, x, _) => *x == base,
-            Node::Product(factors) => factors.iter().any(|(x, k)| *x == base && !k.is_one()),
-            _ => false,
-        };
-        let mut roots = self.mentioned.clone();
-        match self.energies {
-            Energies::Natural { kinetic, potential } => roots.extend([kinetic, potential]),
-            Energies::General(lagrangian) => roots.push(lagrangian),
-        }
-        let parts = graph.descendants(&roots);
-        parts.iter().any(is_power).then_some(kind)
     }
 
     /// T and V, or L: written out, or as they were declared where that is much shorter.

@@ -1,0 +1,63 @@
+//! The coordinates of a model.
+
+use crate::print::listing::composer::Composer;
+use crate::print::listing::section::{Section, Side};
+use crate::{Binary, Energies, Expression, Node, Symbol};
+
+impl Composer<'_> {
+    /// The coordinates by name.
+    pub(crate) fn coordinates(&mut self) -> Section {
+        let symbols = self.model.coordinate_symbols();
+        let (unicode, latex): (Vec<_>, Vec<_>) = symbols
+            .into_iter()
+            .map(|symbol| self.letters.print_both(symbol).into())
+            .unzip();
+        let list = |names: Vec<String>| match names.as_slice() {
+            [only] => only.clone(),
+            _ => format!("({})", names.join(", ")),
+        };
+        let list = Side::Text(list(unicode), list(latex));
+        let mut section = Section::new(None, "`COORDINATES`");
+        self.push_arranged(&mut section, Side::letter("q"), list);
+        if let Some(kind) = self.what_is_raised_as_e() {
+            section.sentence = [
+                format!("e is {kind}; the exponential function is exp."),
+                format!("$e$ is {kind}; the exponential function is $\\exp$."),
+            ];
+        }
+        section
+    }
+
+    /// What is called e, if the equations contain a power of it, which would be read as the exponential function.
+    fn what_is_raised_as_e(&mut self) -> Option<&'static str> {
+        let names = &self.declared.names;
+        let place = |names: &[String]| {
+            let place = names.iter().position(|name| name == "e")?;
+            u32::try_from(place).ok()
+        };
+        let parameter = place(&names.parameters).map(Symbol::Parameter);
+        let coordinate = place(&names.coordinates).map(Symbol::Coordinate);
+        let input = place(&names.inputs).map(Symbol::Input);
+        let kinds = ["a parameter", "a coordinate", "an input"];
+        let called = [parameter, coordinate, input].into_iter().zip(kinds);
+        let called = called.filter_map(|(symbol, kind)| Some((symbol?, kind)));
+        let mut definitions = self.declared.definitions.iter();
+        let defined = definitions.find(|(name, _)| name == "e");
+        let graph = &mut self.model.graph;
+        let called = called.map(|(symbol, kind)| (graph.symbol(symbol), kind));
+        let defined = defined.map(|(_, x)| (*x, "a definition"));
+        let (base, kind) = called.chain(defined).next()?;
+        let is_power = |part: &Expression| match graph.node(*part) {
+            Node::Binary(Binary::Power, x, _) => *x == base,
+            Node::Product(factors) => factors.iter().any(|(x, k)| *x == base && !k.is_one()),
+            _ => false,
+        };
+        let mut roots = self.mentioned.clone();
+        match self.energies {
+            Energies::Natural { kinetic, potential } => roots.extend([kinetic, potential]),
+            Energies::General(lagrangian) => roots.push(lagrangian),
+        }
+        let parts = graph.descendants(&roots);
+        parts.iter().any(is_power).then_some(kind)
+    }
+}
