@@ -20,7 +20,7 @@ use crate::algebra::external_function::ExternalDeclaration;
 use crate::algebra::hashing::{Table, mix};
 use crate::algebra::interner::Interner;
 use crate::algebra::sum::Split;
-use crate::matrix::unresolved_vector::UnresolvedVectors;
+use crate::matrix::vector_in_frames::KnownFrames;
 use crate::{Binary, ExternalFunction, Pass, Passes, Rational, Symbol, Unary};
 
 /// A handle to an expression of one [`Graph`].
@@ -125,8 +125,8 @@ pub struct Graph {
     pub(crate) splits: Table<Expression, Option<Split>>,
     /// Whether there is a hyperbolic function.
     pub(crate) has_hyperbolic: bool,
-    /// The vectors that are resolved last, where they are.
-    pub(crate) unresolved: Option<Box<UnresolvedVectors>>,
+    /// The frames, and what is known of vectors and matrices beside their elements.
+    pub(crate) frames: KnownFrames,
 }
 
 impl Default for Graph {
@@ -146,7 +146,7 @@ impl Graph {
             functions: Vec::new(),
             splits: Table::default(),
             has_hyperbolic: false,
-            unresolved: None,
+            frames: KnownFrames::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));

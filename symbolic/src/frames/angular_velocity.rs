@@ -60,10 +60,10 @@ impl Graph {
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
         let velocity = opposite.elements().iter().map(|x| self.negate(*x));
         let velocity = Matrix::vector(velocity.collect());
-        // Remembered as the one in the body frame, rotated.
+        // Known as the one in the body frame, rotated.
         let body = self.angular_velocity(rotation, coordinates)?;
         let parts = self.rotated_parts(&factors, &body);
-        Ok(velocity.remembering_parts(parts))
+        Ok(self.with_parts(velocity, parts))
     }
 
     /// The angular velocity of a product of factors.

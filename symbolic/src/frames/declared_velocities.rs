@@ -14,12 +14,13 @@ use crate::limits::MOST_TURNS_OF_A_BASE;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
-use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVector};
+use crate::matrix::frame_tree::Frame;
+use crate::matrix::vector_in_frames::{Term, VectorInFrames};
 use crate::{Expression, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
 
-impl UnresolvedVector {
+impl VectorInFrames {
     /// Whether its components are known only along axes that may be those of any frame: it is a sum of turned vectors
     /// with velocities.
     pub(crate) fn is_relative(&self, graph: &Graph) -> bool {
@@ -36,7 +37,7 @@ impl Graph {
     /// ω × r, or r × ω, of an angular velocity and a vector of the frame that turns with it: the rate of r, less that along
     /// the axes of the frame.
     pub(crate) fn unresolved_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         if x.shape() != (3, 1) {
             return None;
         }
@@ -70,7 +71,7 @@ impl Graph {
             if !self.turn_with(&rate.terms, frame) {
                 return None;
             }
-            let coordinates = self.unresolved.as_ref()?.coordinates;
+            let coordinates = self.frames.unresolved.as_ref()?.coordinates;
             let own = self.time_derivatives(&vector, coordinates);
             let own = <[_; 3]>::try_from(own).ok()?.map(|x| self.negate(x));
             for term in [Term::Rate(frame, vector), Term::Fixed(frame, own)] {
@@ -79,24 +80,24 @@ impl Graph {
             }
         }
         let axes = rate.axes;
-        self.column_of(UnresolvedVector { axes, terms })
+        self.column_of(VectorInFrames { axes, terms })
     }
 
     /// A vector resolved along the axes of a frame: itself, or one that may be seen from any frame.
     pub(crate) fn seen_from(
         &mut self,
-        vector: UnresolvedVector,
+        vector: VectorInFrames,
         axes: Frame,
-    ) -> Option<UnresolvedVector> {
+    ) -> Option<VectorInFrames> {
         if vector.axes == axes {
             return Some(vector);
         }
         if !vector.is_relative(self) {
             return None;
         }
-        let base = self.unresolved.as_ref()?.factors(axes);
+        let base = self.frames.tree.factors(axes);
         let terms = self.behind(&base, &vector.terms)?;
-        Some(UnresolvedVector { axes, terms })
+        Some(VectorInFrames { axes, terms })
     }
 
     /// The frame behind this one that turns with a sum of terms, or else this one.
@@ -104,15 +105,14 @@ impl Graph {
         if terms.iter().any(|term| matches!(term, Term::Rate(..))) || self.turn_with(terms, frame) {
             return frame;
         }
-        let vectors = self.unresolved.as_ref();
-        let next = vectors.map_or_else(Vec::new, |vectors| vectors.behind(frame));
+        let next = self.frames.tree.behind(frame);
         let mut next = next.into_iter().map(|(next, _)| next);
         next.find(|next| self.turn_with(terms, *next))
             .unwrap_or(frame)
     }
 
     /// The same vector, with turned velocities put together: to the angular velocity of a frame, and to rates.
-    pub(crate) fn with_known_velocities(&mut self, vector: UnresolvedVector) -> UnresolvedVector {
+    pub(crate) fn with_known_velocities(&mut self, vector: VectorInFrames) -> VectorInFrames {
         let is_turned =
             |graph: &Self, term: &Term| matches!(term, Term::Fixed(..)) && term.moves(graph);
         if !vector.terms.iter().any(|term| is_turned(self, term)) {
@@ -125,9 +125,9 @@ impl Graph {
         {
             let axes = vector.axes;
             let terms = self.with_rates_of_places(vector.terms);
-            return UnresolvedVector { axes, terms };
+            return VectorInFrames { axes, terms };
         }
-        let of_frame = |frame: Frame, one: Expression| UnresolvedVector {
+        let of_frame = |frame: Frame, one: Expression| VectorInFrames {
             axes: frame,
             terms: vec![Term::AngularVelocity(frame, one)],
         };
@@ -151,12 +151,12 @@ impl Graph {
         if !self.has_velocity(column) {
             return None;
         }
-        let UnresolvedVector { terms, .. } = along(Frame::INERTIAL, column)?;
+        let VectorInFrames { terms, .. } = along(Frame::INERTIAL, column)?;
         let back = rotations.iter().rev().map(MatrixFactor::transpose);
         let path = self.merged(back);
-        let axes = self.unresolved.as_mut()?.frame(&path);
+        let axes = self.frames.tree.frame(&path);
         let turns = self.turn_with(&terms, axes);
-        turns.then(|| self.column_of(UnresolvedVector { axes, terms }))?
+        turns.then(|| self.column_of(VectorInFrames { axes, terms }))?
     }
 
     pub(crate) fn has_velocity(&self, column: &Matrix) -> bool {
@@ -220,15 +220,14 @@ impl Graph {
     /// A sum of turned vectors and of angular velocities by frame, each as near to the inertial frame as its components stay
     /// the same.
     fn turns(&mut self, terms: &[Term]) -> Option<BTreeMap<Frame, Vector>> {
-        let vectors = self.unresolved.as_ref()?;
-        let coordinates = vectors.coordinates;
+        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
         let mut own = Vec::new();
         for term in terms {
             match *term {
                 Term::Rate(..) => return None,
                 Term::Fixed(frame, vector) => own.push((frame, vector)),
                 Term::AngularVelocity(frame, multiple) => {
-                    for (frame, factor) in self.unresolved.as_ref()?.path(frame) {
+                    for (frame, factor) in self.frames.tree.path(frame) {
                         let rate = self.angular_velocity_of_product(&[factor], coordinates);
                         let rate = rate.ok()?.map(|x| self.multiply(multiple, x));
                         own.push((frame, rate));
@@ -253,7 +252,7 @@ impl Graph {
     fn raised(&mut self, mut frame: Frame, mut vector: Vector) -> Vec<(Frame, Vector)> {
         let mut parts = Vec::new();
         let zero = self.zero();
-        while let Some((before, factor)) = self.unresolved.as_ref().and_then(|x| x.before(frame)) {
+        while let Some((before, factor)) = self.frames.tree.before(frame) {
             if factor.is_constant(self) {
                 vector = factor.apply(self, vector);
             } else {
@@ -276,19 +275,19 @@ impl Graph {
 
     /// The frame with whose angular velocity a sum of turned vectors agrees, if it is seen from there.
     fn frame_seen_from(&mut self, terms: &[Term]) -> Option<Frame> {
-        let vectors = self.unresolved.as_ref()?;
+        let frames = &self.frames.tree;
         let paths = terms
             .iter()
-            .map(|term| (vectors.factors(term.frame()), term));
+            .map(|term| (frames.factors(term.frame()), term));
         let (path, first) = paths.max_by_key(|(path, _)| path.len())?;
         let Term::Fixed(_, rate) = *first else {
             return None;
         };
         let first = self.frame_that_turns(rate)?;
-        let base = self.unresolved.as_ref()?.factors(first);
+        let base = self.frames.tree.factors(first);
         let back = path.iter().rev().map(MatrixFactor::transpose);
         let path = self.merged(base.into_iter().chain(back));
-        let frame = self.unresolved.as_mut()?.frame(&path);
+        let frame = self.frames.tree.frame(&path);
         let terms = self.behind(&path, terms)?;
         self.turn_with(&terms, frame).then_some(frame)
     }
@@ -300,9 +299,9 @@ impl Graph {
             let Term::Fixed(frame, vector) = *term else {
                 return None;
             };
-            let factors = self.unresolved.as_ref()?.factors(frame);
+            let factors = self.frames.tree.factors(frame);
             let factors = self.merged(base.iter().copied().chain(factors));
-            let frame = self.unresolved.as_mut()?.frame(&factors);
+            let frame = self.frames.tree.frame(&factors);
             self.add_term(&mut behind, Term::Fixed(frame, vector));
         }
         Some(behind)
@@ -315,9 +314,8 @@ impl Graph {
         if rate == [zero; 3] {
             return None;
         }
-        let vectors = self.unresolved.as_ref()?;
-        let coordinates = vectors.coordinates;
-        for (frame, factors) in vectors.nearest(MOST_TURNS_OF_A_BASE) {
+        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+        for (frame, factors) in self.frames.tree.nearest(MOST_TURNS_OF_A_BASE) {
             let known = self.angular_velocity_of_product(&factors, coordinates);
             if known == Ok(rate) {
                 return Some(frame);
@@ -334,7 +332,7 @@ impl Graph {
             angle,
             reversed: false,
         });
-        Some(self.unresolved.as_mut()?.frame(&[rotation]))
+        Some(self.frames.tree.frame(&[rotation]))
     }
 
     /// The functions of the coordinates with these rates, which are linear in the velocities with constant coefficients.
@@ -354,7 +352,7 @@ impl Graph {
             }
             *integral = self.sum(found);
         }
-        let coordinates = self.unresolved.as_ref()?.coordinates;
+        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
         let again = self.time_derivatives(&integrals, coordinates);
         (again == rates).then_some(integrals)
     }

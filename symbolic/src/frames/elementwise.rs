@@ -47,7 +47,7 @@ impl Graph {
             self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
         });
         let parts = self.parts_of_sum(terms);
-        Some(sum.remembering_parts(parts))
+        Some(self.with_parts(sum, parts))
     }
 
     /// A matrix with each of its elements multiplied by the same factor.
@@ -69,7 +69,7 @@ impl Graph {
             self.multiply(factor, matrix.at(i, j))
         });
         let parts = self.parts_scaled(matrix, factor);
-        scaled.remembering_parts(parts)
+        self.with_parts(scaled, parts)
     }
 
     /// The matrix of the products of elements in the same place, unless the shapes differ.
@@ -91,6 +91,6 @@ impl Graph {
         let derivatives = self.time_derivatives(matrix.elements(), coordinates);
         let derivative = Matrix::with_elements(matrix.rows(), matrix.columns(), derivatives);
         let parts = self.parts_of_derivative(matrix, coordinates);
-        derivative.remembering_parts(parts)
+        self.with_parts(derivative, parts)
     }
 }

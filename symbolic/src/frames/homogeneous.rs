@@ -1,7 +1,7 @@
 //! Homogeneous matrices [R p; 0 1] and coordinates (x, w) of points, w = 1, and of free vectors, w = 0 (Denavit and
 //! Hartenberg, A kinematic notation for lower-pair mechanisms based on matrices, 1955; Paul, Robot Manipulators, 1981).
 //!
-//! A product is made block by block, so that rotations remember their factors and places are vectors: R R′, R p′ + p.
+//! A product is made block by block, so that rotations have their factors and places are vectors: R R′, R p′ + p.
 
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
@@ -21,14 +21,13 @@ impl Graph {
         if rotation.shape() != (3, 3) || place.shape() != (3, 1) {
             return None;
         }
-        let factors = self.matrix_factors(rotation)?;
         let elements = Matrix::from_function(4, 4, |i, j| match (i, j) {
             (3, 3) => self.one(),
             (3, _) => self.zero(),
             (_, 3) => place.at(i, 0),
             _ => rotation.at(i, j),
         });
-        Some(elements.remembering_block(factors))
+        Some(elements)
     }
 
     /// The block of so many rows and columns that begins with the element in a row and a column, unless it is empty or
@@ -48,14 +47,9 @@ impl Graph {
         if (row, column, rows, columns) == (0, 0, matrix.rows(), matrix.columns()) {
             return Some(matrix.clone());
         }
-        let block = Matrix::from_function(rows, columns, |i, j| matrix.at(row + i, column + j));
-        let factors = matrix.known_factors_of_block();
-        Some(match factors {
-            Some(factors) if (row, column, rows, columns) == (0, 0, 3, 3) => {
-                block.remembering(factors.to_vec())
-            }
-            _ => block,
-        })
+        Some(Matrix::from_function(rows, columns, |i, j| {
+            matrix.at(row + i, column + j)
+        }))
     }
 
     /// A homogeneous matrix times another one, or times homogeneous coordinates.
@@ -83,7 +77,7 @@ impl Graph {
         if !factors.iter().all(MatrixFactor::is_rotation) {
             return None;
         }
-        let back = rotation.remembering(factors).transpose();
+        let back = rotation.transpose();
         let place = self.matrix_product(&back, &place)?;
         let opposite = self.constant(&Rational::MINUS_ONE);
         let place = self.matrix_scaled(&place, opposite);
@@ -140,7 +134,7 @@ impl Graph {
 
     /// The vector and the last of four coordinates, where vectors are resolved last.
     fn unresolved_coordinates(&self, column: &Matrix) -> Option<(Matrix, Expression)> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         split(column)
     }
 
@@ -154,12 +148,8 @@ impl Graph {
         if (0..4).any(|j| matrix.at(3, j) != last[j]) {
             return None;
         }
-        let rotation = Matrix::from_function(3, 3, |i, j| matrix.at(i, j));
         Some(Blocks {
-            rotation: match matrix.known_factors_of_block() {
-                Some(factors) => rotation.remembering(factors.to_vec()),
-                None => rotation,
-            },
+            rotation: Matrix::from_function(3, 3, |i, j| matrix.at(i, j)),
             place: Matrix::from_function(3, 1, |i, _| matrix.at(i, 3)),
         })
     }

@@ -30,7 +30,7 @@ impl Graph {
         if !is_small_square(matrix) {
             return None;
         }
-        if is_product_of_rotations(matrix) {
+        if self.is_product_of_rotations(matrix) {
             return Some(self.one());
         }
         let all: Vec<usize> = (0..matrix.rows()).collect();
@@ -44,7 +44,7 @@ impl Graph {
     ///
     /// If the matrix has another shape, or if its determinant vanishes identically.
     pub fn inverse(&mut self, matrix: &Matrix) -> Result<Matrix, NoInverse> {
-        if is_product_of_rotations(matrix) {
+        if self.is_product_of_rotations(matrix) {
             return Ok(matrix.transpose());
         }
         if let Some(inverse) = self.homogeneous_inverse(matrix) {
@@ -68,17 +68,17 @@ impl Graph {
             }
         }))
     }
+
+    /// Whether a matrix was computed as a product of rotations, whose inverse is its transpose.
+    fn is_product_of_rotations(&self, matrix: &Matrix) -> bool {
+        let factors = self.known_factors(matrix);
+        factors.is_some_and(|factors| factors.iter().all(MatrixFactor::is_rotation))
+    }
 }
 
 /// Whether a matrix is square and small enough for a determinant in minors.
 const fn is_small_square(matrix: &Matrix) -> bool {
     matrix.is_square() && matrix.rows() <= LARGEST_DETERMINANT
-}
-
-/// Whether a matrix is a product of rotations, whose inverse is its transpose.
-fn is_product_of_rotations(matrix: &Matrix) -> bool {
-    let factors = matrix.known_factors();
-    factors.is_some_and(|factors| factors.iter().all(MatrixFactor::is_rotation))
 }
 
 /// A minor of a matrix, expanded along the first of these columns.

@@ -1,6 +1,6 @@
 //! Products of matrices.
 //!
-//! A product of rotations remembers its factors. A vector is multiplied by one factor after the other where that
+//! The factors of a product of rotations are known by its elements. A vector is multiplied by one factor after the other where that
 //! costs no more than the product with the elements.
 
 use crate::limits::MOST_SUCCESSIVE_FACTORS;
@@ -49,8 +49,8 @@ impl Graph {
             return product;
         }
         let mut product = self.product_of_elements(matrix, columns);
-        if let Some(factors) = matrix.known_factors()
-            && let Some(successive) = self.rotated(factors, columns)
+        if let Some(factors) = self.known_factors(matrix)
+            && let Some(successive) = self.rotated(&factors, columns)
             && self.cost(successive.elements()) <= self.cost(product.elements())
         {
             product = successive;
@@ -58,17 +58,18 @@ impl Graph {
         if columns.columns() != 1 {
             return product;
         }
+        let is_known = self.is_known_in_frames(columns);
         let parts = self.rotated_parts(factors, columns);
-        if !columns.known_parts().is_empty() {
+        if is_known {
             let sum = self.sum_of_parts(&parts);
             if self.cost(&sum) < self.cost(product.elements()) {
                 product = Matrix::vector(sum.to_vec());
             }
         }
-        product.remembering_parts(parts)
+        self.with_parts(product, parts)
     }
 
-    /// A product of square matrices that remembers the factors of both.
+    /// A product of square matrices, with the factors of both.
     fn product_of_factors(
         &mut self,
         left: &Matrix,
@@ -81,7 +82,8 @@ impl Graph {
         if factors.len() < count {
             return self.product_of(factors);
         }
-        self.product_of_elements(left, right).remembering(factors)
+        let product = self.product_of_elements(left, right);
+        self.with_factors(product, factors)
     }
 
     /// The matrix that is the product of these factors, from the left to the right.
@@ -92,7 +94,15 @@ impl Graph {
             let factor = Matrix::with_elements(3, 3, elements);
             product = self.product_of_elements(&product, &factor);
         }
-        product.remembering(factors)
+        self.with_factors(product, factors)
+    }
+
+    /// The same matrix, whose factors are known from now on.
+    fn with_factors(&mut self, product: Matrix, factors: Vec<MatrixFactor>) -> Matrix {
+        if let Ok(elements) = product.elements().try_into() {
+            self.frames.factors.insert(elements, factors);
+        }
+        product
     }
 
     /// The matrix with the elements Σⱼ Aᵢⱼ Bⱼₖ.

@@ -1,4 +1,4 @@
-//! Vectors that remember the frames in which they are known.
+//! Vectors that are known in frames.
 //!
 //! A vector may be known as a sum Σ Rᵢ vᵢ, where each Rᵢ is a product of rotations. What is invariant under
 //! rotations can then be resolved in any of these frames, of which the cheapest is taken: |R v|² is |v|². Only
@@ -9,164 +9,217 @@ use crate::limits::{MOST_FACTORS, MOST_FACTORS_IN_SUM, MOST_FRAMES_IN_SUM};
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::vector_in_frame::VectorInFrame;
+use crate::matrix::frame_tree::Frame;
+use crate::matrix::vector_in_frames::{Term, VectorInFrames};
 use crate::{Expression, Graph, Rational};
 
+type Vector = [Expression; 3];
+
+/// A vector R v, by the frame of R and its components v there.
+type Part = (Frame, Vector);
+
 impl Graph {
-    /// Σ A Rᵢ vᵢ, where A is the product of `factors`, of a vector that may remember its parts.
-    pub(crate) fn rotated_parts(
-        &mut self,
-        factors: &[MatrixFactor],
-        vector: &Matrix,
-    ) -> Vec<VectorInFrame> {
+    /// Whether a vector is known as a sum of vectors in frames.
+    pub(crate) fn is_known_in_frames(&self, vector: &Matrix) -> bool {
+        self.frames.vectors.contains_key(vector.elements())
+    }
+
+    /// The same vector, known as the sum of these parts from now on, unless they are many, none is rotated, or the vector is
+    /// constant.
+    pub(crate) fn with_parts(&mut self, vector: Matrix, parts: Vec<Part>) -> Matrix {
+        let most_factors = if parts.len() > 1 {
+            MOST_FACTORS_IN_SUM
+        } else {
+            MOST_FACTORS
+        };
+        let tree = &self.frames.tree;
+        let is_short = parts.len() <= MOST_FRAMES_IN_SUM
+            && parts
+                .iter()
+                .all(|(frame, _)| tree.depth(*frame) <= most_factors);
+        let is_rotated = parts.iter().any(|(frame, _)| *frame != Frame::INERTIAL);
+        let varies = |x: &Expression| self.contents(*x).varies();
+        if let Some(components) = vector.components()
+            && is_short
+            && is_rotated
+            && components.iter().any(varies)
+        {
+            let terms = parts.into_iter();
+            let known = VectorInFrames {
+                axes: Frame::INERTIAL,
+                terms: terms.map(|(frame, v)| Term::Fixed(frame, v)).collect(),
+            };
+            self.frames.vectors.insert(components, known);
+        }
+        vector
+    }
+
+    /// The parts of a vector of three components that is known in frames; otherwise none.
+    fn known_parts(&self, vector: &Matrix) -> Vec<Part> {
+        let known = self.frames.vectors.get(vector.elements());
+        let terms = known.map_or(&[][..], |known| &known.terms);
+        let parts = terms.iter().filter_map(|term| match term {
+            Term::Fixed(frame, v) => Some((*frame, *v)),
+            Term::Rate(..) | Term::AngularVelocity(..) => None,
+        });
+        parts.collect()
+    }
+
+    /// The parts of a vector of three components: the known ones, or itself.
+    fn parts_of(&self, vector: &Matrix) -> Vec<Part> {
+        let mut parts = self.known_parts(vector);
+        if parts.is_empty() {
+            let components = vector.components().into_iter();
+            parts.extend(components.map(|components| (Frame::INERTIAL, components)));
+        }
+        parts
+    }
+
+    /// Σ A Rᵢ vᵢ, where A is the product of `factors`, of a vector that may be known in frames.
+    pub(crate) fn rotated_parts(&mut self, factors: &[MatrixFactor], vector: &Matrix) -> Vec<Part> {
+        // Where vectors are resolved last, only they make frames.
+        if self.frames.unresolved.is_some() {
+            return Vec::new();
+        }
         let mut parts = Vec::new();
-        for part in parts_of(vector) {
-            let all = factors.iter().chain(&part.rotation).copied();
-            let mut rotation = self.merged(all);
+        for (frame, vector) in self.parts_of(vector) {
+            let own = self.frames.tree.factors(frame);
+            let mut rotation = self.merged(factors.iter().copied().chain(own));
             let count = rotation.iter().take_while(|factor| factor.is_rotation());
             let others = rotation.split_off(count.count());
             let vector = others
                 .into_iter()
                 .rev()
-                .fold(part.vector, |vector, factor| factor.apply(self, vector));
-            parts.push(VectorInFrame { rotation, vector });
+                .fold(vector, |vector, factor| factor.apply(self, vector));
+            parts.push((self.frames.tree.frame(&rotation), vector));
         }
         self.added_by_frame(parts)
     }
 
     /// The parts of Σ cᵢ xᵢ of pairs (xᵢ, cᵢ).
-    pub(crate) fn parts_of_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Vec<VectorInFrame> {
-        if terms.iter().all(|(x, _)| x.known_parts().is_empty()) {
+    pub(crate) fn parts_of_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Vec<Part> {
+        if !terms.iter().any(|(x, _)| self.is_known_in_frames(x)) {
             return Vec::new();
         }
         let mut parts = Vec::new();
         for (x, c) in terms {
-            for mut part in parts_of(x) {
-                part.vector = part.vector.map(|x| self.scale(x, c));
-                parts.push(part);
+            for (frame, vector) in self.parts_of(x) {
+                parts.push((frame, vector.map(|x| self.scale(x, c))));
             }
         }
         self.added_by_frame(parts)
     }
 
     /// The parts of a multiple of a vector.
-    pub(crate) fn parts_scaled(
-        &mut self,
-        vector: &Matrix,
-        factor: Expression,
-    ) -> Vec<VectorInFrame> {
-        let mut parts = vector.known_parts().to_vec();
-        for part in &mut parts {
-            part.vector = part.vector.map(|x| self.multiply(factor, x));
+    pub(crate) fn parts_scaled(&mut self, vector: &Matrix, factor: Expression) -> Vec<Part> {
+        let mut parts = self.known_parts(vector);
+        for (_, vector) in &mut parts {
+            *vector = vector.map(|x| self.multiply(factor, x));
         }
         parts
     }
 
     /// The parts of the time derivative: of R v it is R (ω × v + v̇), with the angular velocity ω of R
     /// in the frame of R.
-    pub(crate) fn parts_of_derivative(
-        &mut self,
-        vector: &Matrix,
-        coordinates: u32,
-    ) -> Vec<VectorInFrame> {
-        let mut parts = vector.known_parts().to_vec();
-        for part in &mut parts {
-            let Ok(velocity) = self.angular_velocity_of_product(&part.rotation, coordinates) else {
+    pub(crate) fn parts_of_derivative(&mut self, vector: &Matrix, coordinates: u32) -> Vec<Part> {
+        let mut parts = self.known_parts(vector);
+        for (frame, vector) in &mut parts {
+            let factors = self.frames.tree.factors(*frame);
+            let Ok(velocity) = self.angular_velocity_of_product(&factors, coordinates) else {
                 return Vec::new();
             };
-            let transport = self.cross(velocity, part.vector);
-            let rates = self.time_derivatives(&part.vector, coordinates);
-            part.vector = [0, 1, 2].map(|i| self.add(transport[i], rates[i]));
+            let transport = self.cross(velocity, *vector);
+            let rates = self.time_derivatives(vector, coordinates);
+            *vector = [0, 1, 2].map(|i| self.add(transport[i], rates[i]));
         }
         self.added_by_frame(parts)
     }
 
     /// The parts of x × y: R a × R b is R (a × b), for the rotation R that both begin with.
-    pub(crate) fn parts_of_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Vec<VectorInFrame> {
-        let [first, second] = [x, y].map(parts_of);
-        let rotation = common_rotation(first.iter().chain(&second));
-        if rotation.is_empty() {
+    pub(crate) fn parts_of_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Vec<Part> {
+        let [first, second] = [x, y].map(|x| self.parts_of(x));
+        let frame = self.common_frame(&first, &second);
+        if frame == Frame::INERTIAL {
             return Vec::new();
         }
-        let [a, b] = [first, second].map(|parts| self.resolve_in(&rotation, &parts));
-        let vector = self.cross(a, b);
-        vec![VectorInFrame { rotation, vector }]
+        let [a, b] = [first, second].map(|parts| self.resolve_in(frame, &parts));
+        vec![(frame, self.cross(a, b))]
     }
 
     /// The cheapest x · y in the frame that all parts of both have in common, or in that of one of the parts;
     /// none where the frames are independent, for which the elements are cheaper.
     pub(crate) fn dot_product_of_parts(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        let [first, second] = [x, y].map(parts_of);
-        let common = common_rotation(first.iter().chain(&second));
-        if common.is_empty() {
+        let [first, second] = [x, y].map(|x| self.parts_of(x));
+        let common = self.common_frame(&first, &second);
+        if common == Frame::INERTIAL {
             return None;
         }
         let mut frames = vec![common];
-        for part in first.iter().chain(&second) {
-            if !frames.contains(&part.rotation) {
-                frames.push(part.rotation.clone());
+        for (frame, _) in first.iter().chain(&second) {
+            if !frames.contains(frame) {
+                frames.push(*frame);
             }
         }
         let mut candidates = Vec::new();
-        for rotation in &frames {
-            let a = self.resolve_in(rotation, &first);
-            let b = self.resolve_in(rotation, &second);
+        for frame in frames {
+            let a = self.resolve_in(frame, &first);
+            let b = self.resolve_in(frame, &second);
             candidates.push(self.sum_of_products(a.into_iter().zip(b)));
         }
         candidates.into_iter().min_by_key(|x| self.cost(&[*x]))
     }
 
     /// The vector that parts add up to.
-    pub(crate) fn sum_of_parts(&mut self, parts: &[VectorInFrame]) -> [Expression; 3] {
-        self.resolve_in(&[], parts)
+    pub(crate) fn sum_of_parts(&mut self, parts: &[Part]) -> Vector {
+        self.resolve_in(Frame::INERTIAL, parts)
     }
 
     /// Rᵀ Σ Rᵢ vᵢ: the components in the frame of R.
     ///
     /// The vector with most factors is rotated first, so that vectors are added before they are rotated further
     /// together.
-    fn resolve_in(
-        &mut self,
-        rotation: &[MatrixFactor],
-        parts: &[VectorInFrame],
-    ) -> [Expression; 3] {
+    fn resolve_in(&mut self, frame: Frame, parts: &[Part]) -> Vector {
+        let rotation = self.frames.tree.factors(frame);
         let back: Vec<MatrixFactor> = rotation.iter().rev().map(MatrixFactor::transpose).collect();
         let mut waiting = Vec::with_capacity(parts.len());
-        for part in parts {
-            let all = back.iter().chain(&part.rotation).copied();
-            waiting.push(VectorInFrame {
-                rotation: self.merged(all),
-                vector: part.vector,
-            });
+        for (frame, vector) in parts {
+            let own = self.frames.tree.factors(*frame);
+            let relative = self.merged(back.iter().copied().chain(own));
+            waiting.push((relative, *vector));
         }
         loop {
             waiting = self.added_by_frame(waiting);
-            let longest = waiting.iter_mut().max_by_key(|part| part.rotation.len());
-            let Some(part) = longest else {
+            let longest = waiting
+                .iter_mut()
+                .max_by_key(|(rotation, _)| rotation.len());
+            let Some((rotation, vector)) = longest else {
                 return [self.zero(); 3];
             };
-            match part.rotation.pop() {
-                Some(factor) => part.vector = factor.apply(self, part.vector),
+            match rotation.pop() {
+                Some(factor) => *vector = factor.apply(self, *vector),
                 // All are in the frame asked for, and so added up.
-                None => return part.vector,
+                None => return *vector,
             }
         }
     }
 
-    /// The same parts, those of one frame added up, without zeros.
-    fn added_by_frame(&mut self, parts: Vec<VectorInFrame>) -> Vec<VectorInFrame> {
-        let mut added: Vec<VectorInFrame> = Vec::new();
-        for part in parts {
-            let known = added.iter_mut().find(|x| x.rotation == part.rotation);
-            match known {
-                Some(known) => {
-                    known.vector = [0, 1, 2].map(|i| self.add(known.vector[i], part.vector[i]));
-                }
-                None => added.push(part),
+    /// The same vectors, those of one frame added up, without zeros.
+    fn added_by_frame<F: PartialEq>(&mut self, parts: Vec<(F, Vector)>) -> Vec<(F, Vector)> {
+        let mut added: Vec<(F, Vector)> = Vec::new();
+        for (frame, vector) in parts {
+            match added.iter_mut().find(|(known, _)| *known == frame) {
+                Some((_, sum)) => *sum = [0, 1, 2].map(|i| self.add(sum[i], vector[i])),
+                None => added.push((frame, vector)),
             }
         }
-        added.retain(|part| part.vector != [self.zero(); 3]);
+        added.retain(|(_, vector)| *vector != [self.zero(); 3]);
         added
+    }
+
+    /// The last frame that all parts have in common.
+    fn common_frame(&self, first: &[Part], second: &[Part]) -> Frame {
+        let frames = first.iter().chain(second).map(|(frame, _)| *frame);
+        self.frames.tree.last_in_common(frames)
     }
 
     /// x × y.
@@ -178,46 +231,4 @@ impl Graph {
             self.subtract(ahead, behind)
         })
     }
-}
-
-impl Matrix {
-    /// The same vector, which remembers its parts unless they are many or none is rotated.
-    pub(crate) fn remembering_parts(self, parts: Vec<VectorInFrame>) -> Self {
-        let most_factors = if parts.len() > 1 {
-            MOST_FACTORS_IN_SUM
-        } else {
-            MOST_FACTORS
-        };
-        let is_short = parts.len() <= MOST_FRAMES_IN_SUM
-            && parts.iter().all(|part| part.rotation.len() <= most_factors);
-        let is_rotated = parts.iter().any(|part| !part.rotation.is_empty());
-        if is_short && is_rotated {
-            self.with_parts(parts)
-        } else {
-            self
-        }
-    }
-}
-
-/// The parts of a vector of three components: the remembered ones, or itself.
-fn parts_of(vector: &Matrix) -> Vec<VectorInFrame> {
-    if !vector.known_parts().is_empty() {
-        return vector.known_parts().to_vec();
-    }
-    let itself = vector.components().map(|vector| VectorInFrame {
-        rotation: Vec::new(),
-        vector,
-    });
-    itself.into_iter().collect()
-}
-
-/// The factors with which the rotations of all parts begin.
-fn common_rotation<'a>(parts: impl Iterator<Item = &'a VectorInFrame>) -> Vec<MatrixFactor> {
-    let mut rotations = parts.map(|part| part.rotation.as_slice());
-    let first = rotations.next().unwrap_or_default();
-    let length = rotations.fold(first.len(), |length, other| {
-        let pairs = first[..length].iter().zip(other);
-        pairs.take_while(|(x, y)| x == y).count()
-    });
-    first[..length].to_vec()
 }

@@ -37,13 +37,23 @@ impl Graph {
         self.product_of(factors)
     }
 
-    /// The factors of a 3 × 3 matrix: the remembered ones, or itself.
-    pub(crate) fn matrix_factors(&self, matrix: &Matrix) -> Option<Vec<MatrixFactor>> {
-        if let Some(factors) = matrix.known_factors() {
-            return Some(factors.to_vec());
+    /// The factors of a 3 × 3 matrix that was computed as a product, or whose transpose was.
+    pub(crate) fn known_factors(&self, matrix: &Matrix) -> Option<Vec<MatrixFactor>> {
+        let known = &self.frames.factors;
+        if let Some(factors) = known.get(matrix.elements()) {
+            return Some(factors.clone());
         }
+        let factors = known.get(matrix.transpose().elements())?;
+        Some(factors.iter().rev().map(MatrixFactor::transpose).collect())
+    }
+
+    /// The factors of a 3 × 3 matrix: the known ones, or itself.
+    pub(crate) fn matrix_factors(&self, matrix: &Matrix) -> Option<Vec<MatrixFactor>> {
         if matrix.shape() != (3, 3) {
             return None;
+        }
+        if let Some(factors) = self.known_factors(matrix) {
+            return Some(factors);
         }
         let elements = matrix.elements().try_into().ok()?;
         Some(vec![if self.is_rotation(&elements) {

@@ -9,9 +9,8 @@ use std::collections::BTreeMap;
 
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::unresolved_vector::{
-    Frame, Term, UnresolvedVector, UnresolvedVectors, VectorId,
-};
+use crate::matrix::frame_tree::Frame;
+use crate::matrix::vector_in_frames::{Term, UnresolvedVectors, VectorId, VectorInFrames};
 use crate::{Expression, Graph, Node, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -21,7 +20,7 @@ impl Graph {
     #[must_use]
     pub fn with_unresolved_vectors(coordinates: u32) -> Self {
         let mut graph = Self::new();
-        graph.unresolved = Some(Box::new(UnresolvedVectors::new(coordinates)));
+        graph.frames.unresolved = Some(UnresolvedVectors::new(coordinates));
         graph
     }
 
@@ -31,7 +30,7 @@ impl Graph {
         factors: &[MatrixFactor],
         column: &Matrix,
     ) -> Option<Matrix> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         let mut product = column.clone();
         let mut rest = factors;
         while let Some(last) = rest.last() {
@@ -52,7 +51,7 @@ impl Graph {
     fn turned(&mut self, rotations: &[MatrixFactor], column: &Matrix) -> Option<Matrix> {
         let rotations = self.resolved_factors(rotations);
         let (axes, terms) = if let Some(vector) = self.unresolved_of(column) {
-            let before = self.unresolved.as_ref()?.factors(vector.axes);
+            let before = self.frames.tree.factors(vector.axes);
             let back = rotations.iter().rev().map(MatrixFactor::transpose);
             (self.merged(before.into_iter().chain(back)), vector.terms)
         } else if let Some(turned) = self.turned_rate(&rotations, column) {
@@ -60,17 +59,17 @@ impl Graph {
         } else {
             let components = column.components()?;
             let rotation = self.merged(rotations);
-            let frame = self.unresolved.as_mut()?.frame(&rotation);
+            let frame = self.frames.tree.frame(&rotation);
             (Vec::new(), vec![Term::Fixed(frame, components)])
         };
-        let axes = self.unresolved.as_mut()?.frame(&axes);
-        self.column_of(UnresolvedVector { axes, terms })
+        let axes = self.frames.tree.frame(&axes);
+        self.column_of(VectorInFrames { axes, terms })
     }
 
     /// Σ cᵢ xᵢ of columns of three rows, if one of them is a vector that is resolved last and all others are resolved
     /// along the same axes, or free of velocities.
     pub(crate) fn unresolved_sum(&mut self, columns: &[(&Matrix, Rational)]) -> Option<Matrix> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         let known = columns.iter().filter_map(|(x, _)| self.unresolved_of(x));
         let known: Vec<_> = known.collect();
         let whole = known.iter().find(|vector| !vector.is_relative(self));
@@ -87,7 +86,7 @@ impl Graph {
                 self.add_term(&mut terms, term);
             }
         }
-        self.column_of(UnresolvedVector { axes, terms })
+        self.column_of(VectorInFrames { axes, terms })
     }
 
     /// c x of a vector that is resolved last; of one with velocities, for constant c.
@@ -96,12 +95,12 @@ impl Graph {
         column: &Matrix,
         factor: Expression,
     ) -> Option<Matrix> {
-        let UnresolvedVector { axes, terms } = self.unresolved_of(column)?;
+        let VectorInFrames { axes, terms } = self.unresolved_of(column)?;
         let mut scaled = Vec::with_capacity(terms.len());
         for term in terms {
             scaled.push(self.scaled_term(&term, factor)?);
         }
-        self.column_of(UnresolvedVector {
+        self.column_of(VectorInFrames {
             axes,
             terms: scaled,
         })
@@ -109,7 +108,7 @@ impl Graph {
 
     /// The time derivative of a position that is resolved along inertial axes.
     pub(crate) fn unresolved_rate(&mut self, column: &Matrix) -> Option<Matrix> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         let position = match self.unresolved_of(column) {
             Some(vector) => vector,
             None if column.shape() == (3, 1) => along(Frame::INERTIAL, column)?,
@@ -130,7 +129,7 @@ impl Graph {
             }
             terms.push(Term::Rate(frame, components));
         }
-        self.column_of(UnresolvedVector {
+        self.column_of(VectorInFrames {
             axes: Frame::INERTIAL,
             terms,
         })
@@ -142,21 +141,21 @@ impl Graph {
         factors: &[MatrixFactor],
         is_inertial: bool,
     ) -> Option<Matrix> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         if !factors.iter().all(MatrixFactor::is_rotation) {
             return None;
         }
         let factors = self.resolved_factors(factors);
         let factors = self.merged(factors);
-        let frame = self.unresolved.as_mut()?.frame(&factors);
+        let frame = self.frames.tree.frame(&factors);
         let axes = if is_inertial { Frame::INERTIAL } else { frame };
         let terms = vec![Term::AngularVelocity(frame, self.one())];
-        self.column_of(UnresolvedVector { axes, terms })
+        self.column_of(VectorInFrames { axes, terms })
     }
 
     /// x · y of two vectors along the same axes, one of which moves, in the frame that is turned most.
     pub(crate) fn unresolved_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        self.unresolved.as_ref()?;
+        self.frames.unresolved.as_ref()?;
         let (first, second) = match (self.unresolved_of(x), self.unresolved_of(y)) {
             (Some(first), Some(second)) => (first, second),
             (Some(first), None) if self.has_velocity(y) => {
@@ -171,11 +170,11 @@ impl Graph {
             return None;
         }
         let frames = terms().map(Term::frame);
-        let vectors = self.unresolved.as_ref()?;
-        let axes = frames.max_by_key(|frame| (vectors.path(*frame).len(), *frame))?;
+        let tree = &self.frames.tree;
+        let axes = frames.max_by_key(|frame| (tree.depth(*frame), *frame))?;
         let axes = self.turned_with(&first.terms, axes);
-        let mut resolve = |vector: UnresolvedVector| {
-            let column = self.column_of(UnresolvedVector { axes, ..vector })?;
+        let mut resolve = |vector: VectorInFrames| {
+            let column = self.column_of(VectorInFrames { axes, ..vector })?;
             column.components()
         };
         let (a, b) = (resolve(first)?, resolve(second)?);
@@ -205,10 +204,10 @@ impl Graph {
 
     /// The value of a component.
     fn component_value(&mut self, index: u32) -> Option<Expression> {
-        let vectors = self.unresolved.as_ref()?;
+        let vectors = self.frames.unresolved.as_ref()?;
         let (number, axis) = VectorId::of_component(index);
         let vector = vectors.vector(number).clone();
-        let axes = vectors.factors(vector.axes);
+        let axes = self.frames.tree.factors(vector.axes);
         let mut sum = [self.zero(); 3];
         for term in vector.terms {
             let value = self.term_value(&term)?;
@@ -222,8 +221,8 @@ impl Graph {
 
     /// A term along inertial axes.
     fn term_value(&mut self, term: &Term) -> Option<Vector> {
-        let vectors = self.unresolved.as_ref()?;
-        let (coordinates, factors) = (vectors.coordinates, vectors.factors(term.frame()));
+        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+        let factors = self.frames.tree.factors(term.frame());
         let vector = match term {
             Term::Fixed(_, vector) | Term::Rate(_, vector) => *vector,
             Term::AngularVelocity(_, factor) => {
@@ -245,8 +244,8 @@ impl Graph {
     }
 
     /// The vector of which a column or row has the components.
-    pub(crate) fn unresolved_of(&self, column: &Matrix) -> Option<UnresolvedVector> {
-        let vectors = self.unresolved.as_ref()?;
+    pub(crate) fn unresolved_of(&self, column: &Matrix) -> Option<VectorInFrames> {
+        let vectors = self.frames.unresolved.as_ref()?;
         let component = |x: &Expression| match self.node(*x) {
             Node::Symbol(Symbol::PositionComponent(i) | Symbol::VelocityComponent(i)) => Some(*i),
             _ => None,
@@ -258,7 +257,7 @@ impl Graph {
     }
 
     /// The column of the components of a vector.
-    pub(crate) fn column_of(&mut self, vector: UnresolvedVector) -> Option<Matrix> {
+    pub(crate) fn column_of(&mut self, vector: VectorInFrames) -> Option<Matrix> {
         let mut vector = self.with_known_velocities(vector);
         let zero = self.zero();
         vector.terms.retain(|term| match term {
@@ -278,7 +277,7 @@ impl Graph {
             _ => {}
         }
         let moves = vector.terms.iter().any(|term| term.moves(self));
-        let number = self.unresolved.as_mut()?.number(vector);
+        let number = self.frames.unresolved.as_mut()?.number(vector);
         let symbol = if moves {
             Symbol::VelocityComponent
         } else {
@@ -351,9 +350,9 @@ impl Graph {
 }
 
 /// A column of three rows that was written out, as a vector along these axes.
-pub(crate) fn along(axes: Frame, column: &Matrix) -> Option<UnresolvedVector> {
+pub(crate) fn along(axes: Frame, column: &Matrix) -> Option<VectorInFrames> {
     let terms = vec![Term::Fixed(axes, column.components()?)];
-    Some(UnresolvedVector { axes, terms })
+    Some(VectorInFrames { axes, terms })
 }
 
 #[cfg(test)]

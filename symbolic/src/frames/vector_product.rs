@@ -30,7 +30,8 @@ impl Graph {
         }
         let cross = self.cross(x.components()?, y.components()?);
         let parts = self.parts_of_cross_product(x, y);
-        Some(Matrix::with_elements(x.rows(), x.columns(), cross.to_vec()).remembering_parts(parts))
+        let product = Matrix::with_elements(x.rows(), x.columns(), cross.to_vec());
+        Some(self.with_parts(product, parts))
     }
 
     /// The matrix of all products xᵢ yⱼ of the components of two vectors.

@@ -1,27 +1,17 @@
 //! Matrices of expressions.
 //!
-//! A 3 × 3 matrix that was computed as a product remembers its factors: operations that are cheap for each of them,
-//! such as the rotation of a vector or the angular velocity, need not use the elements of the product. A vector
-//! remembers the frames in which it is known: what no rotation changes, such as its length, is then computed in the
-//! cheapest of them. What is remembered does not count for equality: two matrices are equal if their elements are.
+//! What is known of them besides, as the factors of a product of rotations or the frames of a vector, the graph finds by their
+//! [elements](crate::matrix::vector_in_frames::KnownFrames).
 
 use crate::Expression;
-use crate::matrix::factor::MatrixFactor;
-use crate::matrix::vector_in_frame::VectorInFrame;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Matrix {
     rows: usize,
     columns: usize,
     /// Column by column.
     elements: Vec<Expression>,
-    /// The factors of which this is the product, if they are known.
-    factors: Option<Vec<MatrixFactor>>,
-    /// The same of the upper left block of a homogeneous matrix of four rows.
-    factors_of_block: Option<Vec<MatrixFactor>>,
-    /// The vectors in frames of which this vector of three components is the sum; empty if unknown.
-    parts: Vec<VectorInFrame>,
 }
 
 impl Matrix {
@@ -48,9 +38,6 @@ impl Matrix {
             rows,
             columns,
             elements,
-            factors: None,
-            factors_of_block: None,
-            parts: Vec::new(),
         }
     }
 
@@ -67,27 +54,6 @@ impl Matrix {
             }
         }
         Self::with_elements(rows, columns, elements)
-    }
-
-    /// The same matrix, which remembers that it is the product of these factors.
-    pub(crate) fn remembering(self, factors: Vec<MatrixFactor>) -> Self {
-        Self {
-            factors: Some(factors),
-            ..self
-        }
-    }
-
-    /// The same matrix, which remembers that its block of three rows and columns is the product of these factors.
-    pub(crate) fn remembering_block(self, factors: Vec<MatrixFactor>) -> Self {
-        Self {
-            factors_of_block: Some(factors),
-            ..self
-        }
-    }
-
-    /// The same vector, which remembers that it is the sum of these vectors in frames.
-    pub(crate) fn with_parts(self, parts: Vec<VectorInFrame>) -> Self {
-        Self { parts, ..self }
     }
 
     /// How many rows there are.
@@ -153,13 +119,7 @@ impl Matrix {
     /// The matrix with rows and columns exchanged.
     #[must_use]
     pub fn transpose(&self) -> Self {
-        let factors = self.factors.as_ref();
-        Self {
-            factors: factors
-                .map(|factors| factors.iter().rev().map(MatrixFactor::transpose).collect()),
-            parts: self.parts.clone(),
-            ..Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
-        }
+        Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
     }
 
     /// The elements on the diagonal of a square matrix, as a column vector.
@@ -169,31 +129,8 @@ impl Matrix {
         self.is_square().then(|| Self::vector(diagonal()))
     }
 
-    /// The remembered factors.
-    pub(crate) fn known_factors(&self) -> Option<&[MatrixFactor]> {
-        self.factors.as_deref()
-    }
-
-    /// The remembered factors of the block of three rows and columns.
-    pub(crate) fn known_factors_of_block(&self) -> Option<&[MatrixFactor]> {
-        self.factors_of_block.as_deref()
-    }
-
-    /// The remembered vectors in frames of which this is the sum.
-    pub(crate) fn known_parts(&self) -> &[VectorInFrame] {
-        &self.parts
-    }
-
     /// The three elements of a matrix that has three, and so only one row or column.
     pub(crate) fn components(&self) -> Option<[Expression; 3]> {
         self.elements().try_into().ok()
     }
 }
-
-impl PartialEq for Matrix {
-    fn eq(&self, other: &Self) -> bool {
-        self.shape() == other.shape() && self.elements == other.elements
-    }
-}
-
-impl Eq for Matrix {}

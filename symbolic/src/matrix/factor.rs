@@ -148,7 +148,7 @@ impl Graph {
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
     ) -> Vec<MatrixFactor> {
-        let keeps_joints = self.unresolved.is_some();
+        let keeps_joints = self.frames.unresolved.is_some();
         self.combined_where(factors, |graph, both| {
             !keeps_joints || both.is_constant(graph)
         })
@@ -171,7 +171,7 @@ impl Graph {
         let mut merged: Vec<MatrixFactor> = Vec::new();
         for mut factor in factors {
             // Where vectors are resolved last, a turn back is one by the opposite angle: each frame has one path.
-            if self.unresolved.is_some()
+            if self.frames.unresolved.is_some()
                 && let MatrixFactor::Elementary(rotation) = &mut factor
                 && core::mem::take(&mut rotation.reversed)
             {

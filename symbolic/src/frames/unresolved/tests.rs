@@ -4,7 +4,7 @@ use crate::frames::rotation::NoRotation;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
-use crate::matrix::unresolved_vector::Term;
+use crate::matrix::vector_in_frames::Term;
 use crate::{Expression, Graph, Rational, Symbol, Unary};
 
 const COORDINATES: u32 = 4;

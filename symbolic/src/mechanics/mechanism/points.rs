@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::unresolved_vector::Frame;
+use crate::matrix::frame_tree::Frame;
 use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
 use crate::{Expression, Graph, Node};
@@ -11,7 +11,7 @@ use crate::{Expression, Graph, Node};
 impl Reader {
     /// A link with the axes of a frame.
     pub(super) fn link_of(&mut self, frame: Frame) -> Option<usize> {
-        let path = self.vectors.path(frame);
+        let path = self.graph.frames.tree.path(frame);
         let known = path.iter().rev().find_map(|(frame, _)| {
             let link = self.frames.iter().position(|known| known == frame)?;
             Some((link, *frame))
@@ -84,7 +84,10 @@ impl Reader {
     /// The frames on the way from one to another, each with its turn against the one before: back to the last that both
     /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
     fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
-        let (from, to) = (self.vectors.path(here), self.vectors.path(there));
+        let (from, to) = (
+            self.graph.frames.tree.path(here),
+            self.graph.frames.tree.path(there),
+        );
         let pairs = from.iter().zip(&to);
         let common = pairs.take_while(|(x, y)| x == y).count();
         if common == from.len() {
@@ -94,11 +97,11 @@ impl Reader {
         let back = back.map(|(_, factor)| factor.transpose());
         let forth = to[common..].iter().map(|(_, factor)| *factor);
         let factors = self.graph.combined(back.chain(forth));
-        let mut path = self.vectors.factors(here);
+        let mut path = self.graph.frames.tree.factors(here);
         let mut steps = Vec::with_capacity(factors.len());
         for factor in factors {
             path.push(factor);
-            steps.push((self.vectors.frame(&path), factor));
+            steps.push((self.graph.frames.tree.frame(&path), factor));
         }
         if let Some((frame, _)) = steps.last_mut() {
             *frame = there;
@@ -112,7 +115,7 @@ impl Reader {
         if !self.varies(place) {
             return (frame, place);
         }
-        for (next, factor) in self.vectors.behind(frame) {
+        for (next, factor) in self.graph.frames.tree.behind(frame) {
             let turned = factor.transpose().apply(&mut self.graph, place);
             let turned = turned.map(|x| self.graph.reduced(x));
             if !self.varies(turned) {

@@ -11,7 +11,8 @@
 use std::collections::BTreeMap;
 
 use crate::limits::MOST_TURNS_OF_A_BASE;
-use crate::matrix::unresolved_vector::{Frame, Term, UnresolvedVectors, VectorId};
+use crate::matrix::frame_tree::Frame;
+use crate::matrix::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
 use crate::{EnergiesInFrames, Expression, Graph, Model, Node, Rational, Symbol};
@@ -29,7 +30,7 @@ impl Mechanism {
             potential,
         } = energies;
         let velocities = QuasiVelocities::declared(&mut graph, kinetic)?;
-        let vectors = graph.unresolved.as_deref()?.clone();
+        let vectors = graph.frames.unresolved.clone()?;
         let mut reader = Reader {
             graph,
             vectors,
@@ -186,7 +187,7 @@ impl Reader {
     fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
         let zero = self.graph.zero();
         for (link, frame) in self.frames.clone().into_iter().enumerate() {
-            let factors = self.vectors.factors(frame);
+            let factors = self.graph.frames.tree.factors(frame);
             if factors.len() > MOST_TURNS_OF_A_BASE {
                 continue;
             }
@@ -241,7 +242,7 @@ impl Reader {
                 let [Term::Rate(frame, place)] = *self.vectors.vector(other).terms else {
                     return None;
                 };
-                let path = self.vectors.path(frame);
+                let path = self.graph.frames.tree.path(frame);
                 let is_before = |known: Frame| {
                     known == Frame::INERTIAL || path.iter().any(|(frame, _)| *frame == known)
                 };
