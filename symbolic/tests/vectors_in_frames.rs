@@ -1,9 +1,10 @@
-//! Vectors that remember their frames: what is computed before they are rotated, where that would
+//! Vectors that are known in frames: what is computed before they are rotated, where that would
 //! be wrong, and all values against plain loops over numbers.
 
 use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Program, Rational, Symbol};
 use lagrangian_symbolic_testing::frames::{
-    Rows, angular_velocity, assert_near, axis, by_coordinates, moving, rotation, times, transposed,
+    Rows, angular_velocity, assert_near, by_coordinates, by_hand, moving, rotation, times,
+    transposed,
 };
 use lagrangian_symbolic_testing::value;
 
@@ -24,9 +25,17 @@ fn numbers(first: u32) -> Numbers {
     [0, 1, 2].map(|i| value(Symbol::Parameter(first + i)))
 }
 
-/// The same elements, without what they remember.
-fn forgetful(matrix: &Matrix) -> Matrix {
-    Matrix::new(matrix.rows(), matrix.columns(), matrix.elements().to_vec()).unwrap()
+/// x · y by the components.
+fn by_elements(graph: &mut Graph, x: &Matrix, y: &Matrix) -> Expression {
+    let pairs = x.elements().iter().zip(y.elements());
+    let products: Vec<_> = pairs
+        .map(|(x, y)| (graph.multiply(*x, *y), Rational::ONE))
+        .collect();
+    graph.sum(products)
+}
+
+fn coordinate(graph: &mut Graph, i: u32) -> Expression {
+    graph.symbol(Symbol::Coordinate(i))
 }
 
 fn product(graph: &mut Graph, factors: &[&Matrix]) -> Matrix {
@@ -122,20 +131,6 @@ fn factors_cancel_from_the_left() {
 }
 
 #[test]
-fn elements_are_what_they_are_without_memory() {
-    let mut graph = Graph::new();
-    let r = by_coordinates(&mut graph, "zyx", 0);
-    let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
-    let [x, y] = [&a, &b].map(|v| product(&mut graph, &[&r, v]));
-    let [p, q] = [&x, &y].map(forgetful);
-    assert_eq!([&x, &y], [&p, &q]);
-    assert_eq!(sum(&mut graph, &[&x, &y]), sum(&mut graph, &[&p, &q]));
-    assert_eq!(graph.cross_product(&x, &y), graph.cross_product(&p, &q));
-    let remembered = graph.matrix_time_derivative(&x, 3);
-    assert_eq!(remembered, graph.matrix_time_derivative(&p, 3));
-}
-
-#[test]
 fn lengths_and_angles_are_those_before_the_turn() {
     let mut graph = Graph::new();
     let [r, s] = [("zyx", 0), ("yx", 3)].map(|(axes, i)| by_coordinates(&mut graph, axes, i));
@@ -227,7 +222,7 @@ fn velocities_are_rotated_with_the_body() {
     assert_near(&found, &[dot(expected, expected)], DIFFERENCE);
     // Nothing changes with the angle about the inertial axis.
     assert!(!contains(&graph, square, Symbol::Coordinate(0)));
-    let plain = graph.norm_squared(&forgetful(&velocity));
+    let plain = by_elements(&mut graph, &velocity, &velocity);
     assert!(cost(&graph, &[square]) < cost(&graph, &[plain]));
     // Also where the rotation is constant: its parts are their rates.
     let angle = graph.symbol(Symbol::Parameter(8));
@@ -285,9 +280,10 @@ fn rotations_by_hand_count_if_they_are_rotations() {
     let mut graph = Graph::new();
     let v = vector(&mut graph, 0);
     let angle = graph.symbol(Symbol::Coordinate(0));
-    let r = forgetful(&by_coordinates(&mut graph, "zyx", 0));
+    let [q1, q2] = [1, 2].map(|i| coordinate(&mut graph, i));
+    let r = by_hand(&mut graph, &[('z', angle), ('y', q1), ('x', q2)]);
     let constant = graph.symbol(Symbol::Parameter(9));
-    let tilt = forgetful(&graph.rotation(&[(Axis::Y, constant), (axis('x'), angle)]));
+    let tilt = by_hand(&mut graph, &[('y', constant), ('x', angle)]);
     for rotation in [r, tilt] {
         let rotated = product(&mut graph, &[&rotation, &v]);
         assert_eq!(graph.norm_squared(&rotated), graph.norm_squared(&v));
@@ -343,7 +339,10 @@ fn what_may_be_no_rotation_changes_lengths() {
 #[test]
 fn a_projection_and_a_reflection_are_no_rotations() {
     let mut graph = Graph::new();
-    let r = by_coordinates(&mut graph, "zyx", 0);
+    let angles = [0, 1, 2].map(|i| coordinate(&mut graph, i));
+    let [about_z, about_y, about_x] = angles;
+    let turns = [('z', about_z), ('y', about_y), ('x', about_x)];
+    let r = by_hand(&mut graph, &turns);
     let (zero, one) = (graph.zero(), graph.one());
     let minus = graph.negate(one);
     for last in [zero, minus] {
@@ -351,7 +350,7 @@ fn a_projection_and_a_reflection_are_no_rotations() {
         let deformed = Matrix::new(3, 3, elements).unwrap();
         let mirrored = product(&mut graph, &[&r, &deformed]);
         let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
-        let [x, y] = [&a, &b].map(|v| product(&mut graph, &[&forgetful(&mirrored), v]));
+        let [x, y] = [&a, &b].map(|v| product(&mut graph, &[&mirrored, v]));
         let numbers_of = |first: u32| {
             let [x, y, z] = numbers(first);
             let z = if last == zero { 0.0 } else { -z };
@@ -391,13 +390,10 @@ fn vectors_in_independent_frames_are_added_by_elements() {
     );
     let found = graph.dot_product(&x, &y).unwrap();
     assert_is(&graph, found, dot(p, q));
-    assert_eq!(
-        Some(found),
-        graph.dot_product(&forgetful(&x), &forgetful(&y))
-    );
+    assert_eq!(found, by_elements(&mut graph, &x, &y));
     let both = sum(&mut graph, &[&x, &y]);
     let square = graph.norm_squared(&both);
-    assert_eq!(square, graph.norm_squared(&forgetful(&both)));
+    assert_eq!(square, by_elements(&mut graph, &both, &both));
     assert_relative(&graph, square, dot(add(p, q), add(p, q)));
     // Turned together by a third they are added before it.
     let t = by_coordinates(&mut graph, "y", 4);

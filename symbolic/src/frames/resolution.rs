@@ -11,7 +11,7 @@ use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
 use crate::matrix::frame_tree::Frame;
 use crate::matrix::vector_in_frames::{Term, VectorInFrames};
-use crate::{Expression, Graph, Rational};
+use crate::{Expression, Graph, Node, Rational};
 
 type Vector = [Expression; 3];
 
@@ -24,8 +24,8 @@ impl Graph {
         self.frames.vectors.contains_key(vector.elements())
     }
 
-    /// The same vector, known as the sum of these parts from now on, unless they are many, none is rotated, or the vector is
-    /// constant.
+    /// The same vector, known as the sum of these parts from now on, unless they are many, none is rotated, or its components
+    /// are numbers and parameters.
     pub(crate) fn with_parts(&mut self, vector: Matrix, parts: Vec<Part>) -> Matrix {
         let most_factors = if parts.len() > 1 {
             MOST_FACTORS_IN_SUM
@@ -38,11 +38,15 @@ impl Graph {
                 .iter()
                 .all(|(frame, _)| tree.depth(*frame) <= most_factors);
         let is_rotated = parts.iter().any(|(frame, _)| *frame != Frame::INERTIAL);
-        let varies = |x: &Expression| self.contents(*x).varies();
+        // Such as (0, 0, 1), which may mean another vector elsewhere.
+        let is_written = |x: &Expression| {
+            let is_leaf = matches!(self.node(*x), Node::Constant(_) | Node::Symbol(_));
+            is_leaf && !self.contents(*x).varies()
+        };
         if let Some(components) = vector.components()
             && is_short
             && is_rotated
-            && components.iter().any(varies)
+            && !components.iter().all(is_written)
         {
             let terms = parts.into_iter();
             let known = VectorInFrames {

@@ -1,6 +1,6 @@
 //! Rotation matrices of numbers, by plain loops that know nothing of the library's.
 
-use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol};
+use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol, Unary};
 
 use crate::value;
 
@@ -109,4 +109,28 @@ pub fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
     for (x, y) in found.iter().zip(expected) {
         assert!((x - y).abs() < tolerance, "{found:?} is not {expected:?}");
     }
+}
+
+/// A product of rotations about these axes by these angles, written out element by element.
+#[must_use]
+pub fn by_hand(graph: &mut Graph, turns: &[(char, Expression)]) -> Matrix {
+    let (zero, one) = (graph.zero(), graph.one());
+    let mut product: Vec<Expression> = vec![one, zero, zero, zero, one, zero, zero, zero, one];
+    for (about, angle) in turns {
+        let k = "xyz".find(*about).expect("an axis");
+        let [i, j] = [(k + 1) % 3, (k + 2) % 3];
+        let (cosine, sine) = (
+            graph.unary(Unary::Cos, *angle),
+            graph.unary(Unary::Sin, *angle),
+        );
+        let columns = product.clone();
+        for row in 0..3 {
+            let [a, b] = [columns[3 * i + row], columns[3 * j + row]];
+            let [ac, bs, as_, bc] =
+                [(a, cosine), (b, sine), (a, sine), (b, cosine)].map(|(x, y)| graph.multiply(x, y));
+            product[3 * i + row] = graph.add(ac, bs);
+            product[3 * j + row] = graph.subtract(bc, as_);
+        }
+    }
+    Matrix::new(3, 3, product).expect("nine elements")
 }
