@@ -3,8 +3,8 @@
 
 use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Program, Rational, Symbol};
 use lagrangian_symbolic_testing::frames::{
-    Rows, angular_velocity, assert_near, by_coordinates, by_hand, moving, rotation, times,
-    transposed,
+    Rows, angular_velocity, assert_near, by_coordinates, moving, rotation, times, transposed,
+    written_out,
 };
 use lagrangian_symbolic_testing::value;
 
@@ -32,10 +32,6 @@ fn by_elements(graph: &mut Graph, x: &Matrix, y: &Matrix) -> Expression {
         .map(|(x, y)| (graph.multiply(*x, *y), Rational::ONE))
         .collect();
     graph.sum(products)
-}
-
-fn coordinate(graph: &mut Graph, i: u32) -> Expression {
-    graph.symbol(Symbol::Coordinate(i))
 }
 
 fn product(graph: &mut Graph, factors: &[&Matrix]) -> Matrix {
@@ -279,11 +275,12 @@ fn a_tensor_in_space_is_one_in_the_body() {
 fn rotations_by_hand_count_if_they_are_rotations() {
     let mut graph = Graph::new();
     let v = vector(&mut graph, 0);
-    let angle = graph.symbol(Symbol::Coordinate(0));
-    let [q1, q2] = [1, 2].map(|i| coordinate(&mut graph, i));
-    let r = by_hand(&mut graph, &[('z', angle), ('y', q1), ('x', q2)]);
-    let constant = graph.symbol(Symbol::Parameter(9));
-    let tilt = by_hand(&mut graph, &[('y', constant), ('x', angle)]);
+    let r = written_out(&mut graph, |graph| by_coordinates(graph, "zyx", 0));
+    let tilt = written_out(&mut graph, |graph| {
+        let angle = graph.symbol(Symbol::Coordinate(0));
+        let constant = graph.symbol(Symbol::Parameter(9));
+        graph.rotation(&[(Axis::Y, constant), (Axis::X, angle)])
+    });
     for rotation in [r, tilt] {
         let rotated = product(&mut graph, &[&rotation, &v]);
         assert_eq!(graph.norm_squared(&rotated), graph.norm_squared(&v));
@@ -339,21 +336,20 @@ fn what_may_be_no_rotation_changes_lengths() {
 #[test]
 fn a_projection_and_a_reflection_are_no_rotations() {
     let mut graph = Graph::new();
-    let angles = [0, 1, 2].map(|i| coordinate(&mut graph, i));
-    let [about_z, about_y, about_x] = angles;
-    let turns = [('z', about_z), ('y', about_y), ('x', about_x)];
-    let r = by_hand(&mut graph, &turns);
-    let (zero, one) = (graph.zero(), graph.one());
-    let minus = graph.negate(one);
-    for last in [zero, minus] {
-        let elements = vec![one, zero, zero, zero, one, zero, zero, zero, last];
-        let deformed = Matrix::new(3, 3, elements).unwrap();
-        let mirrored = product(&mut graph, &[&r, &deformed]);
+    for is_flat in [true, false] {
+        let mirrored = written_out(&mut graph, |graph| {
+            let r = by_coordinates(graph, "zyx", 0);
+            let (zero, one) = (graph.zero(), graph.one());
+            let last = if is_flat { zero } else { graph.negate(one) };
+            let elements = vec![one, zero, zero, zero, one, zero, zero, zero, last];
+            let deformed = Matrix::new(3, 3, elements).unwrap();
+            product(graph, &[&r, &deformed])
+        });
         let [a, b] = [0, 3].map(|i| vector(&mut graph, i));
         let [x, y] = [&a, &b].map(|v| product(&mut graph, &[&mirrored, v]));
         let numbers_of = |first: u32| {
             let [x, y, z] = numbers(first);
-            let z = if last == zero { 0.0 } else { -z };
+            let z = if is_flat { 0.0 } else { -z };
             apply(&now("zyx", 0), [x, y, z])
         };
         let (p, q) = (numbers_of(0), numbers_of(3));
@@ -368,7 +364,7 @@ fn a_projection_and_a_reflection_are_no_rotations() {
         let mirror = [
             [1.0, 0.0, 0.0],
             [0.0, 1.0, 0.0],
-            [0.0, 0.0, if last == zero { 0.0 } else { -1.0 }],
+            [0.0, 0.0, if is_flat { 0.0 } else { -1.0 }],
         ];
         let expected = apply(&transposed(&times(&now("zyx", 0), &mirror)), cross(p, q));
         assert_vector(&graph, &back, expected, ROUNDING);

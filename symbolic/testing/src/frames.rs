@@ -1,6 +1,6 @@
 //! Rotation matrices of numbers, by plain loops that know nothing of the library's.
 
-use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol, Unary};
+use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol};
 
 use crate::value;
 
@@ -111,26 +111,10 @@ pub fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
     }
 }
 
-/// A product of rotations about these axes by these angles, written out element by element.
-#[must_use]
-pub fn by_hand(graph: &mut Graph, turns: &[(char, Expression)]) -> Matrix {
-    let (zero, one) = (graph.zero(), graph.one());
-    let mut product: Vec<Expression> = vec![one, zero, zero, zero, one, zero, zero, zero, one];
-    for (about, angle) in turns {
-        let k = "xyz".find(*about).expect("an axis");
-        let [i, j] = [(k + 1) % 3, (k + 2) % 3];
-        let (cosine, sine) = (
-            graph.unary(Unary::Cos, *angle),
-            graph.unary(Unary::Sin, *angle),
-        );
-        let columns = product.clone();
-        for row in 0..3 {
-            let [a, b] = [columns[3 * i + row], columns[3 * j + row]];
-            let [ac, bs, as_, bc] =
-                [(a, cosine), (b, sine), (a, sine), (b, cosine)].map(|(x, y)| graph.multiply(x, y));
-            product[3 * i + row] = graph.add(ac, bs);
-            product[3 * j + row] = graph.subtract(bc, as_);
-        }
-    }
-    Matrix::new(3, 3, product).expect("nine elements")
+/// The elements of a matrix that another graph computed: of its factors this one knows nothing.
+pub fn written_out(graph: &mut Graph, compute: impl FnOnce(&mut Graph) -> Matrix) -> Matrix {
+    let mut other = Graph::new();
+    let matrix = compute(&mut other);
+    let elements = graph.imported(&other, matrix.elements());
+    Matrix::new(matrix.rows(), matrix.columns(), elements).expect("as many elements")
 }
