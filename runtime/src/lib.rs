@@ -96,5 +96,7 @@ pub use model::{
 };
 pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use nalgebra;
+#[cfg(feature = "num-dual")]
+pub use num_dual;
 pub use num_traits;
 pub use scalar::{DoubleDouble, Lanes, Scalar};

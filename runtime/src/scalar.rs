@@ -70,7 +70,7 @@ pub use lanes::Lanes;
 #[cfg_attr(feature = "num-dual", doc = "```")]
 #[cfg_attr(not(feature = "num-dual"), doc = "```ignore")]
 /// use lagrangian::prelude::*;
-/// use num_dual::DualSVec64;
+/// use lagrangian::num_dual::DualSVec64;
 ///
 /// #[derive(Lagrangian)]
 /// #[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = 0.5 * k * x.powi(2))]

@@ -317,3 +317,85 @@ fn what_has_no_small_oscillations() {
     let error = NormalModes::of(&Matrix2::identity(), &stiffness).unwrap_err();
     assert_eq!(error, OscillationError::NotConservative { asymmetry: 1.0 });
 }
+
+/// Critical damping beside two oscillators: λ = −1 is double and has one shape.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x[3]),
+    kinetic = 0.5 * (dot(x[0]).powi(2) + dot(x[1]).powi(2) + dot(x[2]).powi(2)),
+    potential = 0.5 * (x[0].powi(2) + x[1].powi(2) + x[2].powi(2)),
+    dissipation = c * dot(x[0]).powi(2),
+)]
+struct CriticallyDamped {
+    c: f64,
+}
+
+#[test]
+fn a_double_eigenvalue_may_have_one_shape() {
+    let model = CriticallyDamped { c: 1.0 };
+    let oscillations = SmallOscillations::about(&model, &rest([0.0; 3])).unwrap();
+    let modes = oscillations.damped_modes().unwrap();
+    assert_eq!(modes.len(), 4);
+    let mut turning = Vec::new();
+    for mode in modes.iter() {
+        // λ² φ + 2 c λ φ₀ e₀ + φ = 0.
+        let left = mode
+            .shape
+            .map(|x| x * (mode.eigenvalue * mode.eigenvalue + 1.0));
+        let damping = mode.eigenvalue * mode.shape[0] * 2.0;
+        for (i, left) in left.iter().enumerate() {
+            let left = if i == 0 { left + damping } else { *left };
+            assert!(left.norm() < 1e-7, "{mode:?}");
+        }
+        if mode.eigenvalue.im > 0.5 {
+            turning.push(mode.shape);
+        }
+    }
+    // Those of ±i are two that differ.
+    let [first, second] = [turning[0], turning[1]];
+    assert_close(first.dotc(&second).norm(), 0.0, 1e-12);
+}
+
+/// Masses that nothing holds, between springs and dampers.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x[4]),
+    kinetic = (0..4).map(|i| 0.5 * m[i] * dot(x[i]).powi(2)).sum(),
+    potential = (0..3).map(|i| 0.5 * k[i] * (x[i + 1] - x[i]).powi(2)).sum(),
+    dissipation = (0..3).map(|i| 0.5 * c * (dot(x[i + 1]) - dot(x[i])).powi(2)).sum(),
+)]
+struct FreeChain {
+    m: [f64; 4],
+    k: [f64; 3],
+    c: f64,
+}
+
+#[test]
+fn rigid_motions_have_the_frequency_zero() {
+    for (m, k) in [
+        ([1.0; 4], [1.0; 3]),
+        ([0.3, 1.7, 2.9, 0.7], [1.3e3, 0.7e3, 2.1e3]),
+    ] {
+        let model = FreeChain { m, k, c: 0.0 };
+        let oscillations = SmallOscillations::about(&model, &rest([0.0; 4])).unwrap();
+        let modes = oscillations.normal_modes().unwrap();
+        assert_eq!(modes.squared_frequency(0), 0.0);
+        assert!(modes.squared_frequency(1) > 0.1);
+        for c in [0.0, 0.5] {
+            let model = FreeChain { m, k, c };
+            let oscillations = SmallOscillations::about(&model, &rest([0.0; 4])).unwrap();
+            let modes = oscillations.damped_modes().unwrap();
+            for mode in &modes[..2] {
+                assert_eq!(mode.natural_frequency(), 0.0);
+                for x in mode.shape.iter() {
+                    assert!((x - 1.0).norm() < 1e-9, "{mode:?}");
+                }
+            }
+            assert!(modes[2].natural_frequency() > 0.1);
+        }
+    }
+    // A soft spring beside a hard one is none.
+    let stiffness = nalgebra::Matrix2::new(1e15, 0.0, 0.0, 1.0);
+    let modes = NormalModes::of(&nalgebra::Matrix2::identity(), &stiffness).unwrap();
+    assert_eq!(modes.squared_frequency(0), 1.0);
+}

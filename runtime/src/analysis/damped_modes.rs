@@ -10,7 +10,7 @@ use super::oscillation_error::OscillationError;
 use super::small_oscillations::{Part, SmallOscillations, negligible};
 use super::spectrum::modulus;
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::INVERSE_ITERATIONS;
+use crate::limits::analysis::{INVERSE_ITERATIONS, ROOM_FOR_SHAPES as ROOM};
 
 type C = Complex<f64>;
 
@@ -20,7 +20,8 @@ pub struct DampedMode<const N: usize> {
     /// λ, in rad over time: the real part is the rate of growth, the imaginary part the damped frequency.
     pub eigenvalue: Complex<f64>,
     /// The shape φ, complex since coordinates are out of phase. The largest component is 1. Eliminated coordinates
-    /// have theirs, by their constant momenta; they drift if λ is 0, and have 0 then. A double eigenvalue may have only one.
+    /// have theirs, by their constant momenta; they drift if λ is 0, and have 0 then. A double eigenvalue may have only one shape,
+    /// as at critical damping: all its modes have that one then.
     pub shape: SVector<Complex<f64>, N>,
 }
 
@@ -55,7 +56,7 @@ impl<const N: usize> core::ops::Deref for DampedModes<N> {
 }
 
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
-    /// The modes, whatever the forces: one for each real eigenvalue and for each conjugate pair.
+    /// The modes, whatever the forces: one for each real eigenvalue and for each conjugate pair. Eigenvalues of rigid motions are 0.
     ///
     /// # Errors
     ///
@@ -72,19 +73,90 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         };
         let mut vectors = [[zero; N]; 2];
         let near = negligible::<S>().max(negligible::<f64>()) * spectrum.radius();
-        for eigenvalue in spectrum.iter().filter(|value| value.im >= 0.0) {
+        let has_rigid_motion = self.has_rigid_motion();
+        for eigenvalue in spectrum.iter() {
+            let is_rigid = has_rigid_motion && modulus(*eigenvalue) <= near;
+            let eigenvalue = if is_rigid {
+                C::new(0.0, 0.0)
+            } else {
+                *eigenvalue
+            };
+            if eigenvalue.im < 0.0 {
+                continue;
+            }
             let vectors = vectors.as_flattened_mut();
             let pairs = found.iter().zip(vectors.iter());
             let equal = pairs.filter(|(mode, _)| modulus(mode.eigenvalue - eigenvalue) <= near);
-            let vector = null_vector(&self.quadratic(*eigenvalue), equal.map(|(_, x)| *x));
+            let vector = self.amplitudes(eigenvalue, equal.map(|(_, x)| *x));
             if let Some(mode) = found.modes.as_flattened_mut().get_mut(found.count) {
-                mode.eigenvalue = *eigenvalue;
-                mode.shape = normalized(self.of_coordinates(&vector, *eigenvalue));
+                mode.eigenvalue = eigenvalue;
+                mode.shape = normalized(self.of_coordinates(&vector, eigenvalue));
                 vectors[found.count] = vector;
                 found.count += 1;
             }
         }
         Ok(found)
+    }
+
+    /// A vector that the matrix of an eigenvalue takes to zero, orthogonal to those that are known if there is one.
+    fn amplitudes(
+        &self,
+        eigenvalue: C,
+        known: impl Iterator<Item = SVector<C, N>> + Clone,
+    ) -> SVector<C, N> {
+        let matrix = self.quadratic(eigenvalue);
+        let alone = null_vector(&matrix, core::iter::empty());
+        if known.clone().next().is_none() {
+            return alone;
+        }
+        let other = null_vector(&matrix, known);
+        let least = self.backward_error(eigenvalue, &alone);
+        if self.backward_error(eigenvalue, &other) <= ROOM * least.max(negligible::<f64>()) {
+            other
+        } else {
+            alone
+        }
+    }
+
+    /// Whether there are amplitudes that no force opposes, to rounding: 0 is an eigenvalue then, which is found as ±√ε or so
+    /// where it is double.
+    fn has_rigid_motion(&self) -> bool {
+        let zero = C::new(0.0, 0.0);
+        let still = null_vector(&self.quadratic(zero), core::iter::empty());
+        let epsilon = S::machine_epsilon().max(f64::EPSILON);
+        #[allow(clippy::cast_precision_loss)] // A number of coordinates.
+        let room = 4.0 * N as f64;
+        self.backward_error(zero, &still) <= room * epsilon
+    }
+
+    /// What a matrix leaves of a vector, in each row in relation to the terms of the entries: the largest. F. Tisseur, *Backward error
+    /// and condition of polynomial eigenvalue problems*, Linear Algebra Appl. **309** (2000) 339–361, by rows.
+    fn backward_error(&self, eigenvalue: C, vector: &SVector<C, N>) -> f64 {
+        let most = vector.iter().fold(0.0, |most, x| modulus(*x).max(most));
+        let left = self.quadratic(eigenvalue) * vector;
+        let size = modulus(eigenvalue);
+        let errors = (0..N).map(|i| {
+            let terms = (0..N).map(|j| match (self.parts[i], self.parts[j]) {
+                (Part::Eliminated, _) | (_, Part::Eliminated) => 0.0,
+                (_, Part::Moving) => self.velocity[(i, j)].abs().largest(),
+                (_, Part::Oscillating) => {
+                    size * self.velocity[(i, j)].abs().largest()
+                        + self.position[(i, j)].abs().largest()
+                }
+            });
+            let own = match self.parts[i] {
+                Part::Eliminated => 1.0,
+                Part::Moving => size,
+                Part::Oscillating => size * size,
+            };
+            let scale = most * (terms.sum::<f64>() + own);
+            if scale > 0.0 {
+                modulus(left[i]) / scale
+            } else {
+                0.0
+            }
+        });
+        errors.fold(0.0, f64::max)
     }
 
     /// The matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the coordinates that oscillate; the columns of velocities that are left are

@@ -45,7 +45,8 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
     },
-    /// The unknowns do not act on what is left: accelerations are least here, and not zero.
+    /// The sum of the squares of the accelerations is stationary here, and not zero: to first order the unknowns do not act on
+    /// what is left. There may be an equilibrium elsewhere.
     Unbalanced {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
@@ -116,8 +117,8 @@ impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumErro
                 residual,
             } => write!(
                 f,
-                "the unknowns cannot balance `{name}`: its acceleration, or the difference of its momentum, is {} at {:?}, \
-                 where the sum of squares is least",
+                "to first order the unknowns do not act on `{name}`: its acceleration, or the difference of its momentum, is {} at \
+                 {:?}, where the sum of squares is stationary; search from another guess, or name other unknowns",
                 Readable(*residual),
                 last.state
             ),

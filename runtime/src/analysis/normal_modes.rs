@@ -1,7 +1,8 @@
 //! Normal modes: K φ = ω² M φ.
 //!
 //! Through the Cholesky factors of M and Jacobi's method: G. H. Golub and C. F. Van Loan, *Matrix Computations*, 4th edition
-//! (2013), 8.7.1. Frequencies of rigid motions are zero to rounding.
+//! (2013), 8.7.1. Frequencies of rigid motions are zero: what rounding of the entries of K makes of ω² is at most
+//! ε Σ |φᵢ| |Kᵢⱼ| |φⱼ|, to first order (8.1).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -91,6 +92,11 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
                 }
             }
         }
+        let squared_frequencies = SVector::from_fn(|mode, _| {
+            let square: S = squared_frequencies[mode];
+            let is_rounding = square.abs().largest() <= rounding(&symmetric, &shapes, mode);
+            if is_rounding { S::zero() } else { square }
+        });
         Ok(Self {
             squared_frequencies,
             shapes,
@@ -105,7 +111,7 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
         self.count
     }
 
-    /// ω² of a mode, negative if it is unstable; NaN if there is no such mode.
+    /// ω² of a mode, negative if it is unstable, 0 of a rigid motion; NaN if there is no such mode.
     #[must_use]
     pub fn squared_frequency(&self, mode: usize) -> S {
         if mode < self.count {
@@ -157,6 +163,22 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let (coordinates, [count, _]) = self.variables();
         NormalModes::of_variables(&self.mass, &stiffness, &coordinates, count)
     }
+}
+
+/// What rounding makes of ω² of a mode with φᵀ M φ = 1.
+fn rounding<S: SingleNumber, const N: usize>(
+    stiffness: &SMatrix<S, N, N>,
+    shapes: &SMatrix<S, N, N>,
+    mode: usize,
+) -> f64 {
+    let size = |x: S| x.abs().largest();
+    let forces = (0..N).map(|i| {
+        let terms = (0..N).map(|j| size(stiffness[(i, j)]) * size(shapes[(j, mode)]));
+        size(shapes[(i, mode)]) * terms.sum::<f64>()
+    });
+    #[allow(clippy::cast_precision_loss)] // A number of coordinates.
+    let room = 4.0 * N as f64;
+    room * S::machine_epsilon() * forces.sum::<f64>()
 }
 
 /// L of M = L Lᵀ in the leading block of some order; or the index and the value of the pivot that is not positive.

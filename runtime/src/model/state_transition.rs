@@ -15,7 +15,7 @@ use crate::integrate::{Dynamics, IntegrationError, Integrator, Sample};
 /// ```
 /// use lagrangian::StateTransition;
 /// use lagrangian::prelude::*;
-/// use num_dual::DualSVec64;
+/// use lagrangian::num_dual::DualSVec64;
 ///
 /// #[derive(Lagrangian)]
 /// #[lagrangian(

@@ -1,0 +1,72 @@
+//! Limits of the analysis of models.
+
+/// Newton steps after which a search for an equilibrium gives up by default. Where it converges it takes some ten.
+pub(crate) const NEWTON_STEPS: usize = 100;
+
+/// The default tolerance of an equilibrium, in machine epsilons of the size of each variable.
+pub(crate) const EQUILIBRIUM_TOLERANCE: f64 = 64.0;
+
+/// The longest Newton step, in sizes of the variables: a radian for an angle at zero.
+pub(crate) const LONGEST_NEWTON_STEP: f64 = 1.0;
+
+/// The smallest damping factor of a Newton step, in relation to the longest one that is allowed: Deuflhard's value.
+pub(crate) const LEAST_DAMPING: f64 = 1e-8;
+
+/// The first damping of a descent, in squares of the largest singular value: the middle of the values that Nielsen proposes.
+pub(crate) const DESCENT_DAMPING: f64 = 1e-3;
+
+/// A descent ends where its steps are this short, in sizes of the variables: Newton's method goes on.
+pub(crate) const DESCENT_END: f64 = 1e-6;
+
+/// Singular values of a Jacobian below this many machine epsilons of the largest one are zero.
+pub(crate) const SINGULAR: f64 = 4096.0;
+
+/// Accelerations that a search leaves count as zero up to this power of the machine epsilon, in relation to what the
+/// variables change by their own sizes.
+pub(crate) const UNBALANCED: f64 = 0.5;
+
+/// Sweeps of Jacobi's methods: they converge quadratically after a few, some ten even for large matrices.
+pub(crate) const JACOBI_SWEEPS: usize = 40;
+
+/// Double steps of the QR algorithm for one eigenvalue, and after how many of them shifts are exceptional: values of EISPACK,
+/// more steps for safety.
+pub(crate) const QR_STEPS: usize = 60;
+/// See [`QR_STEPS`].
+pub(crate) const EXCEPTIONAL_SHIFT: usize = 10;
+
+/// Steps of inverse iteration: with an eigenvalue to rounding two are enough, unless the start is unlucky.
+pub(crate) const INVERSE_ITERATIONS: usize = 4;
+
+/// How much worse an eigenvector of a multiple eigenvalue may be than the best, to be one.
+pub(crate) const ROOM_FOR_SHAPES: f64 = 100.0;
+
+/// Rows and columns are scaled where their sum becomes less by this factor: the value of Parlett and Reinsch.
+pub(crate) const BALANCED: f64 = 0.95;
+
+/// Real parts of eigenvalues, in relation to the largest eigenvalue, are zero up to this power of the machine epsilon: that
+/// of the perturbation of a double eigenvalue. So are squares of frequencies, and what is not symmetric in a Hessian.
+pub(crate) const NEGLIGIBLE: f64 = 0.5;
+
+/// The coefficient of the leading term of the relative error of the Padé approximant of degree 13, of the power 26 of the norm:
+/// (13!)²/(26! 27!).
+pub(crate) const PADE_ERROR: f64 = 8.83e-36;
+
+/// Halvings of the argument of the exponential: beyond, it overflows or underflows in any case.
+pub(crate) const PADE_SQUARINGS: i32 = 60;
+
+/// In the staircase form, entries below this many machine epsilons of the largest one, for each dimension, are zero.
+pub(crate) const UNREACHED: f64 = 64.0;
+
+/// The distance of eigenvalues from the border of stability, in relation to the largest one, below which they may be on it.
+pub(crate) const BORDER: f64 = 1e-9;
+
+/// What a solution of a Riccati equation may leave of it, in relation to its terms.
+pub(crate) const RICCATI_RESIDUAL: f64 = 1e-8;
+
+/// The parameters of the Cayley transform that are compared, in units of the geometric mean of the least and the largest
+/// eigenvalue: several, so that one is far from all eigenvalues.
+pub(crate) const CAYLEY_SHIFTS: [f64; 6] = [1.0, 1.3, 0.8, 1.7, 0.6, 2.2];
+
+/// Doublings after which a Riccati equation has no solution: they converge quadratically, unless eigenvalues of the closed
+/// loop are at the border of stability.
+pub(crate) const DOUBLINGS: usize = 60;
