@@ -99,6 +99,61 @@ fn zero_and_nan_tolerances_are_errors() {
     }
 }
 
+#[test]
+fn sizes_are_positive_numbers() {
+    let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
+    let dynamics = FALLING.dynamics();
+    for size in [-1.0, f64::NAN, f64::NEG_INFINITY] {
+        let sized = dynamics.with_sizes([1.0, size]);
+        for error in [
+            Dop853::new().integrate_to(&sized, start, 1.0).unwrap_err(),
+            RungeKutta::classical(0.1)
+                .integrate_to(&sized, start, 1.0)
+                .unwrap_err(),
+        ] {
+            assert!(
+                matches!(error, IntegrationError::InvalidSize { .. }),
+                "{error}"
+            );
+            assert!(
+                error.to_string().contains("the size of the coordinate x"),
+                "{error}"
+            );
+        }
+    }
+    let left_out = dynamics.with_sizes([f64::INFINITY, 1.0]);
+    assert!(Dop853::new().integrate_to(&left_out, start, 1.0).is_ok());
+}
+
+/// Steps that are limited to nothing are the setting's fault.
+#[test]
+fn a_longest_step_that_is_too_short_is_named() {
+    let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
+    let method = Dop853::new().max_step(1e-300);
+    let error = method
+        .integrate_to(&FALLING.dynamics(), start, 0.01)
+        .unwrap_err();
+    assert!(
+        matches!(
+            error,
+            IntegrationError::StepTooSmall {
+                step: 1e-300,
+                component: None,
+                ..
+            }
+        ),
+        "{error}"
+    );
+}
+
+/// Times have a spacing of 0.125 here; what rounding leaves of them is part of the motion.
+#[test]
+fn the_end_is_reached_where_times_are_rounded() {
+    let start = State::new(1e15, [0.0, 1.0], [0.0, 0.0]);
+    let end = Dop853::new().integrate_to(&FALLING.dynamics(), start, 1e15 + 64.0);
+    assert_close(end.unwrap().x.q[1], 64.0_f64.cos(), 1e-8);
+}
+
 /// The second component is rounding noise about zero, which meets no relative tolerance.
 #[test]
 fn noise_about_zero_needs_an_absolute_tolerance() {

@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 /// reported once.
 ///
 /// With the feature `serde` it is stored in any format that keeps the digits of numbers, where the components of the state
-/// can be. A format without infinite numbers, such as JSON, cannot hold one whose motion is a polynomial under the Taylor
+/// can be; `serde_json` keeps them with its feature `float_roundtrip`. A format without infinite numbers, such as JSON, cannot hold one whose motion is a polynomial under the Taylor
 /// method, of which the next step is infinite.
 ///
 /// ```

@@ -131,8 +131,8 @@ impl Dop853 {
         self
     }
 
-    /// Sets the smallest step size, as a multiple of the spacing ε |t| of numbers at
-    /// the time t. The default is 10.
+    /// Sets the smallest step size to which a rejected step is shortened, as a multiple of the spacing ε |t| of numbers at
+    /// the time t: a step that would have to be smaller is an error. The default is 10.
     #[must_use]
     pub fn min_step(mut self, spacings: f64) -> Self {
         self.min_step = spacings;

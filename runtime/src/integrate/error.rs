@@ -103,6 +103,14 @@ pub enum IntegrationError {
         /// The absolute tolerance.
         absolute: f64,
     },
+    /// The error that is allowed in a component is negative or not a number, since its
+    /// [size](crate::SetTypicalSizes::with_sizes) is.
+    InvalidSize {
+        /// The component.
+        component: ComponentName,
+        /// What is allowed at an absolute tolerance of 1.
+        size: f64,
+    },
     /// The singularity tolerance is not a positive number.
     InvalidSingularityTolerance {
         /// That tolerance.
@@ -188,6 +196,7 @@ impl fmt::Display for IntegrationError {
             ),
             Self::InvalidStep { .. }
             | Self::InvalidTolerance { .. }
+            | Self::InvalidSize { .. }
             | Self::InvalidSingularityTolerance { .. }
             | Self::NoSuchEvent { .. }
             | Self::UnorderedTimes { .. } => self.write_invalid_setting(f),
@@ -212,6 +221,12 @@ impl IntegrationError {
                  (absolute)",
                 Readable(relative),
                 Readable(absolute)
+            ),
+            Self::InvalidSize { component, size } => write!(
+                f,
+                "the size of {component} must be a positive number, not {}: its absolute tolerance is that many times the \
+                 method's",
+                Readable(size)
             ),
             Self::InvalidSingularityTolerance { tolerance } => {
                 write!(

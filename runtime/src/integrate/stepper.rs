@@ -4,7 +4,7 @@ use super::compensated::Clock;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::step_polynomial::StepPolynomial;
-use crate::linalg::VectorSpace;
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// An integration in progress, step by step.
@@ -135,13 +135,14 @@ pub(crate) fn remaining(clock: &Clock, target: f64) -> Result<Option<f64>, Integ
     }
 }
 
-/// The derivative; an error unless it, the time and the state are finite.
+/// The derivative; an error unless it, the time and the state are finite, and errors that are allowed are numbers.
 pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,
     x: &D::State,
 ) -> Result<D::State, IntegrationError> {
     checked_state(dynamics, t, x)?;
+    checked_sizes(dynamics, x)?;
     let reduced = dynamics.reduced(x, &x.zeroed());
     let derivative = derivative_apart(dynamics, S::from_f64(t), &reduced);
     match derivative.first_non_finite() {
@@ -150,6 +151,28 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
             time: t,
             component: dynamics.component_name(index),
             value: non_finite_lane(value),
+        }),
+    }
+}
+
+/// An error if what is allowed in a component is negative or not a number.
+#[inline(never)]
+fn checked_sizes<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    x: &D::State,
+) -> Result<(), IntegrationError> {
+    let one = ErrorTolerance {
+        relative: 0.0,
+        absolute: 1.0,
+        rate: S::one(),
+    };
+    let allowed = dynamics.allowed_error(x, &one);
+    let sizes = allowed.components().map(|size| size.smallest());
+    match sizes.enumerate().find(|(_, size)| !(*size >= 0.0)) {
+        None => Ok(()),
+        Some((index, size)) => Err(IntegrationError::InvalidSize {
+            component: dynamics.component_name(index),
+            size,
         }),
     }
 }

@@ -19,7 +19,7 @@ pub trait SetTypicalSizes<S: Scalar = f64>: Dynamics<S> {
     /// method times its size, 1 unless it is set, and so is that of its velocity.
     ///
     /// Tolerances are numbers then, and sizes have the units of the coordinates. An infinite size leaves a coordinate
-    /// and its velocity out.
+    /// and its velocity out. A size that is negative or not a number is an error where the integration begins.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -87,7 +87,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
             .dynamics
             .allowed_error(x, &only(0.0, tolerance.absolute));
         let mut allowed =
-            absolute.map(|allowed| sizes.next().map_or(allowed, |size| allowed * size.abs()));
+            absolute.map(|allowed| sizes.next().map_or(allowed, |size| allowed * size));
         let relative = self
             .dynamics
             .allowed_error(x, &only(tolerance.relative, 0.0));

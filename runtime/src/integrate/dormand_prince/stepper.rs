@@ -197,7 +197,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
         self.last = None;
         loop {
             let proposed = self.limited(control.step());
-            let lands = limits::LANDING * proposed >= remaining.abs();
+            // A step from which the time is rounded to the target has not arrived there.
+            let is_near = self.clock.after(proposed.copysign(remaining)) == target;
+            let lands = is_near || limits::LANDING * proposed >= remaining.abs();
             let h = if lands {
                 remaining
             } else {
@@ -218,6 +220,14 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
                 attempt.finite?;
                 let here = (self.clock.time(), self.state.value());
                 let step = control.step();
+                if let Some(longest) = self.method.max_step.filter(|longest| *longest < step) {
+                    return Err(IntegrationError::StepTooSmall {
+                        time: here.0,
+                        step: longest,
+                        component: None,
+                        relative_only: false,
+                    });
+                }
                 let time_scale = S::from_f64(control.time_scale(step));
                 let tolerance = self.method.tolerance.over(time_scale);
                 return Err(too_small(dynamics, here, step, &self.stages, tolerance));
