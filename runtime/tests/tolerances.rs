@@ -146,12 +146,25 @@ fn a_longest_step_that_is_too_short_is_named() {
     );
 }
 
-/// Times have a spacing of 0.125 here; what rounding leaves of them is part of the motion.
+/// What rounding leaves of times that are 2⁻¹³ to 2 apart is part of the motion: the end is reached, or steps are too small.
 #[test]
 fn the_end_is_reached_where_times_are_rounded() {
-    let start = State::new(1e15, [0.0, 1.0], [0.0, 0.0]);
-    let end = Dop853::new().integrate_to(&FALLING.dynamics(), start, 1e15 + 64.0);
-    assert_close(end.unwrap().x.q[1], 64.0_f64.cos(), 1e-8);
+    let spring = equation::<2, _>(|_, x| SVector::from([x[1], -x[0]]));
+    let method = Dop853::new().relative_tolerance(1e-10);
+    for (from, duration) in [
+        (1e12, 64.0),
+        (1e15, 64.0),
+        (1e15, 8.0),
+        (1e16, 8.0),
+        (-1e16, 6.0),
+    ] {
+        let start = (from, SVector::from([1.0, 0.0]));
+        match method.integrate_to(&spring, start, from + duration) {
+            Ok(end) => assert_close(end.x[0], f64::cos(duration), 1e-8),
+            Err(IntegrationError::StepTooSmall { .. }) => assert!(f64::abs(from) > 1e14),
+            Err(error) => panic!("{error}"),
+        }
+    }
 }
 
 /// The second component is rounding noise about zero, which meets no relative tolerance.
