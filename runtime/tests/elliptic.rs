@@ -240,3 +240,36 @@ fn derivatives_have_all_digits() {
         1e-15,
     );
 }
+
+/// The difference of two integrals of the third kind, in double-doubles, by the addition theorem.
+#[test]
+fn integrals_between_two_arguments() {
+    // m and 1 − m are exact.
+    for m in [0.0, 0.3125, 1.0 - f64::from(2.0_f32.powi(-20))] {
+        let (precise, rough) = (modulus::<D>(m), modulus::<f64>(m));
+        let quarter = precise.complete_first();
+        for n in [-0.3, -40.0, -1e8] {
+            let third = |u: D| {
+                let (turns, rest) = precise.reduced(u);
+                let (sn, cn, _) = precise.jacobi(rest);
+                d(2.0 * turns) * precise.complete_third(d(n)) + precise.third(d(n), sn, cn)
+            };
+            for i in [-7, -3, 0, 2, 5] {
+                for k in [-13, -6, -1, 0, 1, 3, 4, 11] {
+                    let u = d(0.137 * f64::from(i)) * quarter;
+                    let v = d(0.271 * f64::from(k)) * quarter;
+                    let expected = third(u + v) - third(u);
+                    let size = 1e-3 + third(v).to_f64().abs();
+                    let found = precise.third_between(d(n), u, v);
+                    let error = (found - expected).to_f64().abs();
+                    assert!(error < 1e-26 * size, "{m} {n} {i} {k}: {error:e}");
+                    let found = rough.third_between(n, u.to_f64(), v.to_f64());
+                    let error = (found - expected.to_f64()).abs();
+                    // Of the symmetric integrals, which are of the size of K, the sum may be small.
+                    let size = size + quarter.to_f64();
+                    assert!(error < 1e-14 * size, "{m} {n} {i} {k}: {error:e}");
+                }
+            }
+        }
+    }
+}

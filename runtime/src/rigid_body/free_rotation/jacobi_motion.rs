@@ -23,8 +23,7 @@ pub(super) struct JacobiMotion<S> {
     frequency: S,
     /// L.
     momentum: S,
-    /// Π(n; τ₀), and the quaternion of the orientation at time 0 in axes with **L** along the third, inverted.
-    initial_third: S,
+    /// The quaternion of the orientation at time 0 in axes with **L** along the third, inverted.
     initial_inverse: [S; 4],
 }
 
@@ -89,19 +88,9 @@ impl<S: SingleNumber> JacobiMotion<S> {
             phase: modulus.first(sine, cosine),
             frequency: to_first * (d23 / (i1 * i2 * i3)).sqrt(),
             momentum,
-            initial_third: S::zero(),
             initial_inverse: [S::one(), S::zero(), S::zero(), S::zero()],
         };
-        motion.starting_at(sine, cosine)
-    }
-
-    /// With the orientation at time 0 as the origin.
-    fn starting_at(self, sine: S, cosine: S) -> Self {
-        let initial_third = self.modulus.third(self.characteristic(), sine, cosine);
-        let motion = Self {
-            initial_third,
-            ..self
-        };
+        // The orientation at time 0 is the origin.
         let [w, x, y, z] = motion.about_momentum(S::zero());
         Self {
             initial_inverse: [w, -x, -y, -z],
@@ -143,8 +132,7 @@ impl<S: SingleNumber> JacobiMotion<S> {
     /// L/I₃ is constant and the rest L (I₃ − I₁)/(I₁I₃ (1 − n sn²τ)).
     fn about_momentum(&self, time: S) -> [S; 4] {
         let [i1, i2, i3] = self.moments;
-        let argument = self.argument(time);
-        let (sn, cn, dn) = self.modulus.jacobi(argument);
+        let (sn, cn, dn) = self.modulus.jacobi(self.argument(time));
         let [a, b, c] = self.amplitudes;
         let [l1, l2, l3] = [i1 * a * cn, i2 * b * sn, i3 * c * dn];
         let theta = (l1 * l1 + l2 * l2).sqrt().atan2(l3);
@@ -159,23 +147,13 @@ impl<S: SingleNumber> JacobiMotion<S> {
         let across = sign(a) * (i1 / (i3 - i1).abs()).sqrt() * cn;
         let along = sign(b) * (i2 / (i3 - i2).abs()).sqrt() * sn;
         let psi = across.atan2(along);
-        let anomaly = (i3 - i1) / (i1 * self.frequency) * self.third_since_start(argument);
+        // Both are small where the motion of the angular velocity is slow.
+        let third =
+            self.modulus
+                .third_between(self.characteristic(), self.phase, self.frequency * time);
+        let anomaly = (i3 - i1) / (i1 * self.frequency) * third;
         let phi = self.momentum / i3 * (time + anomaly);
         let angles = EulerAngles::new(EulerSequence::Zxz, [phi, theta, psi]);
         components(&angles.quaternion())
-    }
-
-    /// Π(n; am τ) − Π(n; am τ₀).
-    fn third_since_start(&self, argument: S) -> S {
-        let n = self.characteristic();
-        let (half_periods, reduced) = self.modulus.reduced(argument);
-        let (sn, cn, _) = self.modulus.jacobi(reduced);
-        let part = self.modulus.third(n, sn, cn) - self.initial_third;
-        if half_periods.abs() > 0.0 {
-            let complete = self.modulus.complete_third(n);
-            part + S::from_f64(2.0 * half_periods) * complete
-        } else {
-            part
-        }
     }
 }
