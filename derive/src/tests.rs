@@ -3,6 +3,7 @@
 mod arms;
 mod derived;
 mod editor;
+mod families;
 mod golden;
 mod half_typed;
 mod pages;

@@ -47,7 +47,7 @@ pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
 pub use print::listing::as_declared::{
-    AsDeclared, DeclaredLine, print_sum_sign, print_with_indices,
+    AsDeclared, DeclaredLine, print_range, print_sum_sign, print_with_indices,
 };
 pub use print::listing::{Declared, Listing};
 pub use print::names::{Letters, Names};

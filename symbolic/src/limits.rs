@@ -242,8 +242,12 @@ pub(crate) const LONGEST_FORMULA: usize = 1 << 16;
 pub(crate) const LONGEST_LINE: usize = 500;
 
 /// An energy that is longer when it is written out, in characters, is printed as it was declared if that is a quarter as
-/// long: three lines of a page. Made by five bodies under gravitation.
-pub(crate) const LONGEST_SKIMMED: usize = 300;
+/// long: two lines of a page. Made by a chain of rods.
+pub(crate) const LONGEST_SKIMMED: usize = 200;
+
+/// The same of an energy that mentions no definitions, if it is half as long as it was declared: a line of a page. Made by a
+/// chain of equal springs.
+pub(crate) const SHORTEST_SKIMMED: usize = 90;
 
 /// Accelerations of more symbols are not listed: they follow from the equations before them.
 pub(crate) const LONGEST_ACCELERATION: u64 = 40;
@@ -259,12 +263,15 @@ pub(crate) const LONGEST_UNFOLDED_SECTION: usize = 16_000;
 /// Fewer terms are not folded to a sum over an index: three are as easily read.
 pub(crate) const FEWEST_FOLDED_TERMS: usize = 4;
 
-/// Fewer members of a family are not folded to one equation.
-pub(crate) const FEWEST_FOLDED_LINES: usize = 4;
+/// Fewer members of a family are not folded to one equation: of two, both are as easily read.
+pub(crate) const FEWEST_FOLDED_LINES: usize = 3;
 
-/// How many patterns of a family are compared with its equations. Each sum in a sample has up to four, so that the chain of
-/// links, with one, has four; three sums are within it. A pattern that is found sum by sum would lift it.
-pub(crate) const MOST_PATTERNS: usize = 64;
+/// Equations of a family that are shorter together, in characters, are not folded to one with a sum: two lines of a page.
+pub(crate) const SHORTEST_FOLDED_SECTION: usize = 200;
+
+/// How many patterns of a family are compared with its equations. Each sum in a sample has up to nine and each parameter two, so
+/// that the chain of links, with a sum and two lengths, has 36.
+pub(crate) const MOST_PATTERNS: usize = 128;
 
 /// With less room under a heading, no further equation is tried.
 pub(crate) const SHORTEST_LINE: usize = 20;

@@ -8,10 +8,10 @@ mod notation;
 
 use std::collections::BTreeSet;
 
-use lagrangian_symbolic::{AsDeclared, DeclaredLine};
+use lagrangian_symbolic::{AsDeclared, DeclaredLine, print_range};
 
 use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
-use crate::emit::as_declared::notation::{Notation, join};
+use crate::emit::as_declared::notation::Notation;
 use crate::emit::printed_names::BodyNames;
 use crate::lower::Lowered;
 use crate::syntax::clauses::Clause;
@@ -95,14 +95,8 @@ impl FormulaPrinter<'_> {
     }
 }
 
-/// `i = 0, …, 19`.
+/// The values of an index.
 fn range(iteration: &ForClause) -> Option<[String; 2]> {
     let (first, last) = bounds(&iteration.range)?;
-    let variable = unraw(&iteration.index);
-    let first = [first.clone(), first];
-    let [unicode, latex] = join(&[&[variable.clone(), variable], &first], " = ");
-    Some([
-        format!("{unicode}, …, {}", last.replace('-', "−")),
-        format!("{latex}, \\ldots, {last}"),
-    ])
+    Some(print_range(&unraw(&iteration.index), &first, &last))
 }

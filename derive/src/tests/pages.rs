@@ -12,7 +12,7 @@ use quote::quote;
 use crate::expand::expand;
 use crate::tests::arms::arm;
 
-const MODELS: [&str; 9] = [
+const MODELS: [&str; 11] = [
     "symmetric_top",
     "general_top",
     "body",
@@ -22,10 +22,12 @@ const MODELS: [&str; 9] = [
     "bodies",
     "robot_arm",
     "chain",
+    "rods",
+    "lattice",
 ];
 
 /// The value of a constant of the model, which is the first one.
-fn constant(expansion: &TokenStream, name: &str) -> String {
+pub(super) fn constant(expansion: &TokenStream, name: &str) -> String {
     let mut all = constants(expansion, name).into_iter();
     all.next().expect("there is such a constant")
 }

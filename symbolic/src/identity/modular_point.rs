@@ -179,6 +179,18 @@ impl ModularPoint {
         HomomorphicImage { value, logarithm }
     }
 
+    /// The image of a sum.
+    pub(crate) fn total(
+        self,
+        images: impl IntoIterator<Item = HomomorphicImage>,
+    ) -> HomomorphicImage {
+        let images = images.into_iter();
+        images.fold(HomomorphicImage::ZERO, |sum, image| HomomorphicImage {
+            value: residue::add(sum.value, image.value, self.p()),
+            logarithm: residue::add(sum.logarithm, image.logarithm, self.q()),
+        })
+    }
+
     /// An expression that may have any value.
     pub(crate) fn indeterminate(self, expression: Expression) -> HomomorphicImage {
         self.atom(self.draw(69, expression.index() as u64) % self.p())

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use crate::limits::{FEWEST_FOLDED_LINES, FEWEST_FOLDED_TERMS};
 use crate::print::folding::token::{Line, Token, written};
+use crate::print::listing::as_declared::print_range;
 use crate::print::notation::Notation;
 
 /// The line with runs of terms that differ by one in some of their indices as sums.
@@ -246,12 +247,13 @@ impl Folded {
     /// The line as it is read, with the range of its index.
     pub(crate) fn written(&self, notation: Notation) -> String {
         let text = written(&self.line, notation);
-        match (self.range, notation) {
-            (None, _) => text,
-            (Some((first, last)), Notation::Unicode) => format!("{text}  (i = {first}, …, {last})"),
-            (Some((first, last)), Notation::Latex) => {
-                format!("{text} \\quad (i = {first}, \\dots, {last})")
-            }
+        let Some((first, last)) = self.range else {
+            return text;
+        };
+        let [unicode, latex] = print_range("i", &first.to_string(), &last.to_string());
+        match notation {
+            Notation::Unicode => format!("{text}  ({unicode})"),
+            Notation::Latex => format!("{text} \\quad ({latex})"),
         }
     }
 }

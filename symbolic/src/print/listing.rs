@@ -11,7 +11,9 @@ pub(crate) mod coordinates;
 pub(crate) mod energy;
 pub(crate) mod families;
 pub(crate) mod printed_model;
+pub(crate) mod index_families;
 pub(crate) mod index_pattern;
+pub(crate) mod pattern_text;
 pub(crate) mod solved;
 
 use crate::mechanics::solvers::form::SolvedForm;
@@ -80,7 +82,7 @@ impl Listing {
         let momenta = composer.momenta(equations);
         let energy = composer.energy_function(equations);
         let lagrange = composer.lagrange(equations);
-        let solved = composer.solved(solved);
+        let solved = composer.solved(solved, &equations.mass);
         let coordinates = composer.coordinates();
         let definitions = composer.definitions();
         let mut sections = vec![

@@ -92,6 +92,15 @@ impl Letters {
         Some(notations.map(|notation| self.print(spelling, 0, notation)))
     }
 
+    /// The same letters without definitions.
+    pub(crate) fn of_symbols(&self) -> Self {
+        Self {
+            definitions: BTreeMap::new(),
+            sizes: WrittenSizes::default(),
+            ..self.clone()
+        }
+    }
+
     /// The same letters, and a sign for one more expression.
     pub(crate) fn with_sign(mut self, expression: Expression, sign: char) -> Self {
         let spelling = Spelling::verbatim(&sign.to_string());

@@ -61,6 +61,23 @@ pub fn print_with_indices(
         .map(|notation| spelling.print_with_indices(indices, dots, notation))
 }
 
+/// The values of an index: `i = 0, …, 19`, or one by one where they are three.
+#[must_use]
+pub fn print_range(variable: &str, first: &str, last: &str) -> [String; 2] {
+    let between = match (first.parse::<i64>(), last.parse::<i64>()) {
+        (Ok(first), Ok(last)) if last - first == 2 => {
+            [(first + 1).to_string(), (first + 1).to_string()]
+        }
+        _ => ["…".to_owned(), "\\ldots".to_owned()],
+    };
+    let [unicode, latex] = between;
+    let minus = |text: &str| text.replace('-', "−");
+    [
+        format!("{variable} = {}, {unicode}, {}", minus(first), minus(last)),
+        format!("{variable} = {first}, {latex}, {last}"),
+    ]
+}
+
 /// The sign of a sum, with its bounds.
 #[must_use]
 pub fn print_sum_sign(variable: &str, first: &str, last: &str) -> [String; 2] {

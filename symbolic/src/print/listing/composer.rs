@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::limits::{LONGEST_LINE, LONGEST_SKIMMED, LONGEST_UNARRANGED};
+use crate::limits::{
+    LONGEST_LINE, LONGEST_SKIMMED, LONGEST_UNARRANGED, SHORTEST_FOLDED_SECTION, SHORTEST_SKIMMED,
+};
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
+use crate::print::listing::as_declared::DeclaredLine;
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::{Letters, Names};
 use crate::{Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
@@ -97,28 +100,49 @@ impl<'a> Composer<'a> {
             Energies::General(lagrangian) => vec![("L", lagrangian)],
         };
         let mut section = Section::new(None, "the methods `lagrangian` and `energy`");
-        for (letter, energy) in energies {
-            self.push(&mut section, Side::letter(letter), energy);
+        for (letter, energy) in &energies {
+            self.push(&mut section, Side::letter(letter), *energy);
         }
         let lengths = section.lengths(&self.model.graph, &self.letters);
         let declared = &self.declared.as_declared;
-        let is_shorter = lengths.iter().zip(&declared.energies);
-        let is_shorter = is_shorter.map(|(written, line)| {
+        let mut names = self.declared.names.coordinates.iter();
+        let has_vectors = names.any(|name| name.contains('.'));
+        let prefers = |(written, line): (&Option<usize>, &DeclaredLine)| {
             let length = line.right[0].chars().count();
-            length <= LONGEST_LINE
-                && written.is_none_or(|written| written > LONGEST_SKIMMED.max(4 * length))
-        });
-        if declared.energies.len() != lengths.len() || !is_shorter.fold(false, |any, one| any | one)
-        {
+            // Definitions have to be read, too; vectors need no components.
+            let (least, times) = match line.mentions.len() {
+                0 if has_vectors => (0, 1),
+                0 => (SHORTEST_SKIMMED, 2),
+                _ => (LONGEST_SKIMMED, 4),
+            };
+            let is_shorter = written.is_none_or(|written| written > least.max(times * length));
+            length <= LONGEST_LINE && is_shorter
+        };
+        let preferred: Vec<_> = lengths
+            .iter()
+            .zip(&declared.energies)
+            .map(prefers)
+            .collect();
+        if declared.energies.len() != lengths.len() || !preferred.contains(&true) {
             return self.mention(section);
         }
+        // Definitions are listed in one way.
+        let mut lines = preferred.iter().zip(&declared.energies);
+        let all = lines.any(|(preferred, line)| *preferred && !line.mentions.is_empty());
         let mut section = Section::new(None, section.method);
-        for line in &declared.energies {
-            self.mentioned_as_declared.extend(line.mentions.clone());
-            let [left, right] = [&line.left, &line.right].map(Side::texts);
-            self.push_arranged(&mut section, left, right);
+        for ((letter, energy), (preferred, line)) in energies
+            .iter()
+            .zip(preferred.iter().zip(&declared.energies))
+        {
+            if all || *preferred {
+                self.mentioned_as_declared.extend(line.mentions.clone());
+                let [left, right] = [&line.left, &line.right].map(Side::texts);
+                self.push_arranged(&mut section, left, right);
+            } else {
+                self.push(&mut section, Side::letter(letter), *energy);
+            }
         }
-        section
+        self.mention(section)
     }
 
     pub(crate) fn events(&mut self) -> Section {
@@ -138,27 +162,56 @@ impl<'a> Composer<'a> {
             "Momenta p = ∂L/∂q̇:",
             "Momenta $p = \\partial L/\\partial \\dot q$:",
         ];
-        let mut section = Section::new(Some(heading), "the method `momenta`");
-        let mut constant = Vec::new();
-        if self.is_long(&equations.momenta)
-            && let Some((left, right)) = self.momentum_of_family(equations)
-        {
-            self.push_arranged(&mut section, left, right);
-            return section;
-        }
-        for (i, momentum) in (0..).zip(equations.momenta.clone()) {
-            let [unicode, latex] = self.letters.print_both(Symbol::Coordinate(i));
-            if equations.conservation.momenta[i as usize] {
-                constant.push([format!("p_{unicode}"), format!("$p_{{{latex}}}$")]);
-            }
-            let left = Side::Text(format!("p_{unicode}"), format!("p_{{{latex}}}"));
-            self.push(&mut section, left, momentum);
-        }
+        let section = Section::new(Some(heading), "the method `momenta`");
+        let names: Vec<_> = (0..self.model.coordinates)
+            .map(|i| self.letters.print_both(Symbol::Coordinate(i)))
+            .collect();
+        let is_long = self.is_long(&equations.momenta);
+        let mut section = self.in_families(
+            (section, is_long),
+            |composer| composer.momentum_of_family(equations),
+            |composer, section| {
+                for ([unicode, latex], momentum) in names.iter().zip(&equations.momenta) {
+                    let left = Side::Text(format!("p_{unicode}"), format!("p_{{{latex}}}"));
+                    composer.push(section, left, *momentum);
+                }
+            },
+        );
+        let constant = names.iter().zip(&equations.conservation.momenta);
+        let constant: Vec<_> = constant.filter(|(_, is_constant)| **is_constant).collect();
         section.sentence = [0, 1].map(|notation| {
-            let names: Vec<_> = constant.iter().map(|names| &*names[notation]).collect();
-            are_constant(&names)
+            let names = constant.iter().map(|([unicode, latex], _)| {
+                [format!("p_{unicode}"), format!("$p_{{{latex}}}$")][notation].clone()
+            });
+            are_constant(&names.collect::<Vec<_>>())
         });
         self.mention(section)
+    }
+
+    /// A section of lines, or of one equation for a family of coordinates where lines are too long or twice as long.
+    fn in_families(
+        &mut self,
+        (mut section, is_long): (Section, bool),
+        family: impl Fn(&mut Self) -> Option<(Side, Side)>,
+        lines: impl FnOnce(&mut Self, &mut Section),
+    ) -> Section {
+        let mut folded = section.clone();
+        if is_long && let Some((left, right)) = family(self) {
+            self.push_arranged(&mut folded, left, right);
+            return folded;
+        }
+        lines(self, &mut section);
+        let length = section.written_length(&self.model.graph, &self.letters);
+        if !is_long
+            && length >= SHORTEST_FOLDED_SECTION
+            && let Some((left, right)) = family(self)
+        {
+            self.push_arranged(&mut folded, left, right);
+            if 2 * folded.written_length(&self.model.graph, &self.letters) <= length {
+                return folded;
+            }
+        }
+        section
     }
 
     /// Whether one of these is too long to be written out.
@@ -174,37 +227,44 @@ impl<'a> Composer<'a> {
             "Lagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):",
         ];
         let method = "the methods `mass_matrix`, `forcing` and `inverse_dynamics`";
-        let mut section = Section::new(Some(heading), method);
-        if self.is_long(&equations.inverse_dynamics)
-            && let Some((left, right)) = self.lagrange_of_family(equations)
-        {
-            self.push_arranged(&mut section, left, right);
-            return section;
-        }
-        for (i, row) in equations.mass.iter().enumerate() {
-            let force = equations.generalized_forces[i];
-            let roots = [&**row, &[equations.forcing[i]]].concat();
-            let symbols = self.model.graph.written_symbols(&roots, &self.letters);
-            if symbols > LONGEST_UNARRANGED || !section.has_room() {
-                section.leave_out(symbols);
-                continue;
-            }
-            let mut terms = Vec::new();
-            for (j, entry) in (0..).zip(row) {
-                let entry = self.arranged(*entry);
-                let graph = &mut self.model.graph;
-                let acceleration = graph.symbol(Symbol::Acceleration(j));
-                terms.push((graph.multiply(entry, acceleration), Rational::ONE));
-            }
-            let graph = &mut self.model.graph;
-            let rest = graph.subtract(force, equations.forcing[i]);
-            let rest = graph.arranged_by_velocities(rest, &self.letters);
-            terms.push((rest, Rational::ONE));
-            let left = Side::Expression(graph.sum(terms));
-            let right = Side::Expression(self.arranged(force));
-            self.push_arranged(&mut section, left, right);
-        }
+        let section = Section::new(Some(heading), method);
+        let is_long = self.is_long(&equations.inverse_dynamics);
+        let section = self.in_families(
+            (section, is_long),
+            |composer| composer.lagrange_of_family(equations),
+            |composer, section| {
+                for i in 0..equations.mass.len() {
+                    composer.push_lagrange(section, equations, i);
+                }
+            },
+        );
         self.mention(section)
+    }
+
+    /// Adds Lagrange's equation of a coordinate if there is room.
+    fn push_lagrange(&mut self, section: &mut Section, equations: &Equations, i: usize) {
+        let force = equations.generalized_forces[i];
+        let row = &equations.mass[i];
+        let roots = [row, &[equations.forcing[i]][..]].concat();
+        let symbols = self.model.graph.written_symbols(&roots, &self.letters);
+        if symbols > LONGEST_UNARRANGED || !section.has_room() {
+            section.leave_out(symbols);
+            return;
+        }
+        let mut terms = Vec::new();
+        for (j, entry) in (0..).zip(row) {
+            let entry = self.arranged(*entry);
+            let graph = &mut self.model.graph;
+            let acceleration = graph.symbol(Symbol::Acceleration(j));
+            terms.push((graph.multiply(entry, acceleration), Rational::ONE));
+        }
+        let graph = &mut self.model.graph;
+        let rest = graph.subtract(force, equations.forcing[i]);
+        let rest = graph.arranged_by_velocities(rest, &self.letters);
+        terms.push((rest, Rational::ONE));
+        let left = Side::Expression(graph.sum(terms));
+        let right = Side::Expression(self.arranged(force));
+        self.push_arranged(section, left, right);
     }
 
     /// The definitions that other sections mention, and those that these mention.
@@ -237,7 +297,7 @@ impl<'a> Composer<'a> {
 }
 
 /// The sentence that these quantities are constant.
-fn are_constant(names: &[&str]) -> String {
+fn are_constant(names: &[String]) -> String {
     match names {
         [] => String::new(),
         [one] => format!("{one} is constant."),

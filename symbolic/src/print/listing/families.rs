@@ -1,73 +1,87 @@
 //! Momenta and Lagrange's equations of a family of coordinates, as one equation with a sum over the family.
 //!
 //! For L of second degree in the velocities, equation i is Σⱼ (Mᵢⱼ q̈ⱼ + cᵢⱼ q̇ⱼ²) + gᵢ = Qᵢ, unless there are products of
-//! different velocities. One pair of coordinates and one coordinate are the samples, and a pattern is taken only if it
-//! has the values of all equations (`index_pattern.rs`).
+//! different velocities. One pair of coordinates and one coordinate are the samples (`index_pattern.rs`). Where the diagonal
+//! of M is another one, what it has besides stands beside the sum. All equations are compared with what is printed by an
+//! identity test (`identity/identity_testing.rs`): where it does not say yes, nothing is folded.
 
-use crate::identity::real_point::RealPoint;
+use crate::identity::identity_testing::IdentityTest;
+use crate::identity::modular_point::ModularPoint;
+use crate::identity::residue;
 use crate::limits::FEWEST_FOLDED_LINES;
-use crate::print::folding::token::{MARKS, lowered};
-use crate::print::listing::as_declared::print_sum_sign;
+use crate::print::listing::as_declared::print_range;
 use crate::print::listing::composer::Composer;
-use crate::print::listing::index_pattern::{Bound, Families, IndexPattern};
+use crate::print::listing::index_families::Families;
+use crate::print::listing::index_pattern::{IndexPattern, Known};
+use crate::print::listing::pattern_text::{PatternText, sum_over};
 use crate::print::listing::section::Side;
-use crate::print::names::Letters;
-use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
+use crate::{Equations, Expression, Graph, Rational, Symbol};
 
-/// The names of the indices.
-const INDICES: [&str; 2] = ["i", "j"];
-/// What a sum is called until it is printed.
-const FIRST_SIGN: u32 = 0xE010;
-/// The points at which patterns are compared with the equations, whose numbers are near one.
-const POINTS: [u64; 2] = [0, 4];
-/// The largest relative difference, from rounding.
-const TOLERANCE: f64 = 1e-9;
-
-/// A family of coordinates, the first and the last index, and a pair of members that is not special.
-struct Sampling {
-    families: Families,
-    first: i64,
-    last: i64,
-    pair: [i64; 2],
+/// A family of coordinates, the first and the last index, and a pair of members that is not special if there are many.
+pub(crate) struct Sampling {
+    pub(crate) families: Families,
+    pub(crate) first: i64,
+    pub(crate) last: i64,
+    pub(crate) pair: [i64; 2],
 }
 
-/// A pattern with its text in Unicode and in LaTeX.
-struct Printed {
-    pattern: IndexPattern,
-    texts: [String; 2],
-    is_sum: bool,
+/// What is folded: equations, and the samples of their terms.
+struct Folding<'a> {
+    equations: &'a [Expression],
+    mass: &'a [Vec<Expression>],
+    /// The terms of a pair, which contain Mᵢⱼ times a rate.
+    pair: Expression,
+    /// What is added for one coordinate.
+    single: Expression,
+    /// The symbol of the rate by which entries of M are multiplied.
+    rate: fn(u32) -> Symbol,
+    /// The values of symbols for which the terms of a pair are Mᵢⱼ.
+    unit: fn(Symbol) -> Option<Rational>,
+}
+
+/// The terms of an equation of a family.
+#[derive(Default)]
+struct Terms {
+    pair: Option<IndexPattern>,
+    diagonal: Option<IndexPattern>,
+    single: Option<IndexPattern>,
 }
 
 impl Composer<'_> {
     /// All momenta as one equation.
     pub(crate) fn momentum_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
-        let sampling = self.sampling()?;
-        let [i, j] = sampling
-            .pair
-            .map(|index| usize::try_from(index - sampling.first).unwrap_or(0));
-        let velocities = self.model.velocity_symbols();
-        let velocity = self.model.graph.symbol(velocities[j]);
-        let pair = self.model.graph.multiply(equations.mass[i][j], velocity);
-        let pairs = self.printed(&sampling, pair, &sampling.pair);
-        let right = sampling.fitting(&pairs, &[], &self.values(&equations.momenta))?;
-        let name = self
-            .letters
-            .print_both(Symbol::Coordinate(u32::try_from(i).ok()?));
+        let sampling = Sampling::of(self)?;
+        let [i, j] = sampling.positions();
+        let velocity = self.model.velocity_symbols()[j];
+        let graph = &mut self.model.graph;
+        let velocity = graph.symbol(velocity);
+        let folding = Folding {
+            equations: &equations.momenta,
+            mass: &equations.mass,
+            pair: graph.multiply(equations.mass[i][j], velocity),
+            single: graph.zero(),
+            rate: Symbol::Velocity,
+            unit: |symbol| match symbol {
+                Symbol::Velocity(_) => Some(Rational::ONE),
+                _ => None,
+            },
+        };
+        let right = self.folded(&sampling, &folding)?;
+        let symbol = Symbol::Coordinate(u32::try_from(i).ok()?);
+        let name = self.letters.print_both(symbol);
         let name = [format!("p_{}", name[0]), format!("p_{{{}}}", name[1])];
-        let left = with_indices(name, &sampling.pair[..1]);
+        let left = PatternText::of_name(name, sampling.pair[0]);
         Some((Side::texts(&left), Side::texts(&sampling.with_range(right))))
     }
 
     /// All of Lagrange's equations as one.
     pub(crate) fn lagrange_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
-        let sampling = self.sampling()?;
-        let [i, j] = sampling
-            .pair
-            .map(|index| usize::try_from(index - sampling.first).unwrap_or(0));
+        let sampling = Sampling::of(self)?;
+        let [i, j] = sampling.positions();
         let velocities = self.model.velocity_symbols();
-        let force = equations.generalized_forces[i];
+        let forces = &equations.generalized_forces;
         let graph = &mut self.model.graph;
-        let rest = graph.subtract(force, equations.forcing[i]);
+        let rest = graph.subtract(forces[i], equations.forcing[i]);
         let squared = graph.derivatives(&[rest], velocities[j])[0];
         let squared = graph.derivatives(&[squared], velocities[j])[0];
         let velocity = graph.symbol(velocities[j]);
@@ -75,36 +89,248 @@ impl Composer<'_> {
         let centrifugal =
             graph.product([(squared, Rational::ONE), (velocity, Rational::integer(2))]);
         let inertial = graph.multiply(equations.mass[i][j], acceleration);
-        let pair = graph.sum([(inertial, Rational::ONE), (centrifugal, Rational::HALF)]);
         let zero = graph.zero();
-        let at_rest = velocities
-            .iter()
-            .map(|velocity| (*velocity, zero))
-            .collect();
-        let single = graph.substitute(&[rest], &at_rest)[0];
-        let pairs = self.printed(&sampling, pair, &sampling.pair);
-        let singles = self.printed(&sampling, single, &sampling.pair[..1]);
-        let forces = equations.generalized_forces.clone();
-        let graph = &mut self.model.graph;
-        let sides = equations.inverse_dynamics.iter().zip(&forces);
+        let at_rest = velocities.iter().map(|velocity| (*velocity, zero));
+        let at_rest = at_rest.collect();
+        let sides = equations.inverse_dynamics.iter().zip(forces);
         let sides: Vec<_> = sides.map(|(x, y)| graph.add(*x, *y)).collect();
-        let left = sampling.fitting(&pairs, &singles, &self.values(&sides))?;
-        let right = self.printed(&sampling, force, &sampling.pair[..1]);
-        let right = sampling.fitting(&[], &right, &self.values(&forces))?;
+        let folding = Folding {
+            equations: &sides,
+            mass: &equations.mass,
+            pair: graph.sum([(inertial, Rational::ONE), (centrifugal, Rational::HALF)]),
+            single: graph.substitute(&[rest], &at_rest)[0],
+            rate: Symbol::Acceleration,
+            unit: |symbol| match symbol {
+                Symbol::Velocity(_) => Some(Rational::ZERO),
+                Symbol::Acceleration(_) => Some(Rational::ONE),
+                _ => None,
+            },
+        };
+        let left = self.folded(&sampling, &folding)?;
+        let right = self.folded_forces(&sampling, forces)?;
         let right = sampling.with_range(right);
         Some((Side::texts(&left), Side::texts(&right)))
     }
 
-    /// A family of all coordinates, of as many members that two of them are neither neighbours nor at an end.
-    fn sampling(&self) -> Option<Sampling> {
-        let families = Families::of(&self.declared.names);
-        let (first, last) = families.of_all_coordinates(self.model.coordinates)?;
-        let count = last - first + 1;
-        if count <= FEWEST_FOLDED_LINES.try_into().ok()? {
+    /// Q of all coordinates as one.
+    fn folded_forces(&mut self, sampling: &Sampling, forces: &[Expression]) -> Option<[String; 2]> {
+        let graph = &self.model.graph;
+        if forces.iter().all(|force| graph.is_zero(*force)) {
+            return Some(["0", "0"].map(String::from));
+        }
+        let force = forces[sampling.positions()[0]];
+        let point = self.first_point(forces)?;
+        let values = point.evaluate(&self.model.graph, forces)?;
+        let single = self.fitted(
+            sampling,
+            force,
+            &sampling.pair[..1],
+            |_| None,
+            (point, &values),
+        )?;
+        let terms = Terms {
+            single: Some(single),
+            ..Terms::default()
+        };
+        self.printed_if_equal(sampling, &terms, forces)
+    }
+
+    /// The terms of all equations in print.
+    fn folded(&mut self, sampling: &Sampling, folding: &Folding<'_>) -> Option<[String; 2]> {
+        if self.model.graph.is_zero(folding.pair) {
             return None;
         }
-        let pair = [first + count / 4, first + count / 4 + (count + 1) / 3];
-        (pair[1] < last).then_some(Sampling {
+        let mass: Vec<_> = folding.mass.concat();
+        let point = self.first_point(&[&mass, folding.equations].concat())?;
+        let mass = point.evaluate(&self.model.graph, &mass)?;
+        let values = point.evaluate(&self.model.graph, folding.equations)?;
+        let arranged = self.plainly_arranged(folding.pair);
+        let graph = &mut self.model.graph;
+        let pairs = IndexPattern::candidates(graph, &sampling.families, arranged, &sampling.pair);
+        let off_diagonal: Vec<_> = sampling
+            .pairs()
+            .zip(&mass)
+            .filter(|([i, j], _)| i != j)
+            .map(|(pair, value)| (pair.to_vec(), *value))
+            .collect();
+        let known = Known {
+            families: &sampling.families,
+            point,
+            values: &off_diagonal,
+            symbols: folding.unit,
+        };
+        for pair in pairs {
+            let Some(pair) = pair.fitted(&known) else {
+                continue;
+            };
+            let mut terms = Terms {
+                pair: Some(pair),
+                ..Terms::default()
+            };
+            if self.fit_diagonal(sampling, folding, &mut terms, (point, &mass)) != Some(())
+                || self.fit_single(sampling, folding, &mut terms, (point, &values)) != Some(())
+            {
+                continue;
+            }
+            let printed = self.printed_if_equal(sampling, &terms, folding.equations);
+            if printed.is_some() {
+                return printed;
+            }
+        }
+        None
+    }
+
+    /// Finds what the diagonal of M has besides.
+    fn fit_diagonal(
+        &mut self,
+        sampling: &Sampling,
+        folding: &Folding<'_>,
+        terms: &mut Terms,
+        (point, mass): (ModularPoint, &[u64]),
+    ) -> Option<()> {
+        let p = point.p();
+        let pair = terms.pair.as_ref()?;
+        let families = &sampling.families;
+        let mut others = Vec::new();
+        for ([i, j], entry) in sampling.pairs().zip(mass) {
+            if i == j {
+                let own = pair.value(families, &[i, i], point, folding.unit)?;
+                others.push(residue::add(*entry, residue::negate(own, p), p));
+            }
+        }
+        if others.iter().all(|other| *other == 0) {
+            return Some(());
+        }
+        let index = sampling.pair[0];
+        let position = sampling.positions()[0];
+        let graph = &mut self.model.graph;
+        let own = pair.instantiated(graph, families, &[index, index])?;
+        let rate = graph.symbol((folding.rate)(u32::try_from(position).ok()?));
+        let entry = graph.multiply(folding.mass[position][position], rate);
+        let besides = graph.subtract(entry, own);
+        let known = (point, &*others);
+        let diagonal = self.fitted(sampling, besides, &[index], folding.unit, known)?;
+        terms.diagonal = Some(diagonal);
+        Some(())
+    }
+
+    /// Finds what is added for each coordinate.
+    fn fit_single(
+        &mut self,
+        sampling: &Sampling,
+        folding: &Folding<'_>,
+        terms: &mut Terms,
+        (point, values): (ModularPoint, &[u64]),
+    ) -> Option<()> {
+        let p = point.p();
+        let mut rest = Vec::new();
+        for (i, value) in (sampling.first..=sampling.last).zip(values) {
+            let found = terms.value(sampling, i, point)?;
+            rest.push(residue::add(*value, residue::negate(found, p), p));
+        }
+        if rest.iter().any(|other| *other != 0) {
+            let known = (point, &*rest);
+            let index = &sampling.pair[..1];
+            terms.single = Some(self.fitted(sampling, folding.single, index, |_| None, known)?);
+        }
+        Some(())
+    }
+
+    /// The first pattern of one index with these values.
+    fn fitted(
+        &mut self,
+        sampling: &Sampling,
+        sample: Expression,
+        index: &[i64],
+        symbols: fn(Symbol) -> Option<Rational>,
+        (point, values): (ModularPoint, &[u64]),
+    ) -> Option<IndexPattern> {
+        let values = (sampling.first..=sampling.last).zip(values);
+        let values: Vec<_> = values.map(|(i, value)| (vec![i], *value)).collect();
+        let known = Known {
+            families: &sampling.families,
+            point,
+            values: &values,
+            symbols,
+        };
+        let sample = self.plainly_arranged(sample);
+        let graph = &mut self.model.graph;
+        let candidates = IndexPattern::candidates(graph, &sampling.families, sample, index);
+        candidates
+            .into_iter()
+            .find_map(|pattern| pattern.fitted(&known))
+    }
+
+    /// An expression as it is short to read without definitions.
+    fn plainly_arranged(&mut self, x: Expression) -> Expression {
+        self.model.graph.arranged(x, &self.letters.of_symbols())
+    }
+
+    /// A point at which all expressions have values.
+    fn first_point(&self, expressions: &[Expression]) -> Option<ModularPoint> {
+        let mut points = ModularPoint::attempts().map(ModularPoint::uninterpreted);
+        points.find(|point| point.evaluate(&self.model.graph, expressions).is_some())
+    }
+
+    /// The terms in print, if they are identically the equations.
+    fn printed_if_equal(
+        &mut self,
+        sampling: &Sampling,
+        terms: &Terms,
+        equations: &[Expression],
+    ) -> Option<[String; 2]> {
+        let graph: &Graph = &self.model.graph;
+        let equal = IdentityTest::of(graph, equations).holds(|point| {
+            let values = point.evaluate(graph, equations)?;
+            let mut all = (sampling.first..=sampling.last).zip(values);
+            Some(all.all(|(i, value)| terms.value(sampling, i, point) == Some(value)))
+        });
+        if !equal {
+            return None;
+        }
+        let letters = self.letters.of_symbols();
+        let graph = &mut self.model.graph;
+        let mut print = |pattern: &Option<IndexPattern>| {
+            let pattern = pattern.as_ref()?;
+            Some(PatternText::of(pattern, graph, &letters))
+        };
+        let range = [sampling.first, sampling.last];
+        let sum = print(&terms.pair).map(|pair| sum_over(range, &pair));
+        let others = [print(&terms.diagonal), print(&terms.single)];
+        let all = sum.into_iter().chain(others.into_iter().flatten());
+        Some(PatternText::total(all).texts)
+    }
+}
+
+impl Terms {
+    /// The value of equation i modulo p.
+    fn value(&self, sampling: &Sampling, i: i64, point: ModularPoint) -> Option<u64> {
+        let value = |pattern: &Option<IndexPattern>, indices: &[i64]| match pattern {
+            Some(pattern) => pattern.value(&sampling.families, indices, point, |_| None),
+            None => Some(0),
+        };
+        let p = point.p();
+        let diagonal = value(&self.diagonal, &[i])?;
+        let mut total = residue::add(diagonal, value(&self.single, &[i])?, p);
+        if self.pair.is_some() {
+            for j in sampling.first..=sampling.last {
+                total = residue::add(total, value(&self.pair, &[i, j])?, p);
+            }
+        }
+        Some(total)
+    }
+}
+
+impl Sampling {
+    /// That of a model whose coordinates are all of one family.
+    fn of(composer: &Composer<'_>) -> Option<Self> {
+        let families = Families::of(&composer.declared.names);
+        let (first, last) = families.of_all_coordinates(composer.model.coordinates)?;
+        let count = last - first + 1;
+        let fewest: i64 = FEWEST_FOLDED_LINES.try_into().ok()?;
+        let start = first + count / 4;
+        let pair = [start, start + (count + 1) / 3];
+        (count >= fewest && pair[1] < last).then_some(Self {
             families,
             first,
             last,
@@ -112,171 +338,25 @@ impl Composer<'_> {
         })
     }
 
-    /// The values of equations at the points.
-    fn values(&self, equations: &[Expression]) -> Vec<Vec<f64>> {
-        let points = POINTS.iter().map(|point| {
-            let point = RealPoint::new(*point);
-            let graph = &self.model.graph;
-            graph.evaluate(equations, |symbol| point.value(symbol))
-        });
-        points.collect()
+    /// The positions of the pair among the coordinates.
+    fn positions(&self) -> [usize; 2] {
+        self.pair
+            .map(|index| usize::try_from(index - self.first).unwrap_or(0))
     }
 
-    /// The patterns of which an expression may be a sample.
-    fn printed(&mut self, sampling: &Sampling, x: Expression, sample: &[i64]) -> Vec<Printed> {
-        let arranged = self.arranged(x);
-        let graph = &mut self.model.graph;
-        let (replaced, patterns) =
-            IndexPattern::candidates(graph, &sampling.families, arranged, sample);
-        let mut letters = self.letters.clone();
-        let sums = patterns.first().map_or(0, |pattern| pattern.sums.len());
-        for (k, sign) in (0..).zip(FIRST_SIGN..).take(sums) {
-            let argument = graph.symbol(Symbol::Argument(k));
-            letters = letters.with_sign(argument, char::from_u32(sign).unwrap_or('Σ'));
-        }
-        let texts = texts(graph, &letters, replaced);
-        let is_sum = matches!(graph.node(replaced), Node::Sum(terms) if terms.len() > 1);
-        let patterns = patterns.into_iter().map(|pattern| {
-            let mut texts = texts.clone();
-            for (sum, sign) in pattern.sums.iter().zip(FIRST_SIGN..) {
-                let [first, last] = sum.bounds.map(bound);
-                let member = self.letters.print_both(sum.member);
-                let index = format!("{}{}{}", MARKS[0], sum.index, MARKS[1]);
-                let [unicode, latex] = print_sum_sign("k", &first, &last);
-                let signs = [
-                    unicode,
-                    latex.replace("max", "\\max").replace("min", "\\min"),
-                ];
-                let brackets = [["(", ")"], ["\\left(", "\\right)"]];
-                let sign = char::from_u32(sign).unwrap_or('Σ');
-                for (notation, below) in [lowered("k"), "k".into()].iter().enumerate() {
-                    let member = member[notation].replace(&index, below);
-                    let [open, close] = brackets[notation];
-                    let sum = format!("{open}{}{member}{close}", signs[notation]);
-                    texts[notation] = texts[notation].replace(sign, &sum);
-                }
-            }
-            let texts = with_indices(texts, &pattern.sample);
-            Printed {
-                pattern,
-                texts,
-                is_sum,
-            }
-        });
-        patterns.collect()
-    }
-}
-
-impl Sampling {
-    /// The first patterns whose sums over the family have these values; where there are none to choose from, nothing is
-    /// added.
-    fn fitting(
-        &self,
-        pairs: &[Printed],
-        singles: &[Printed],
-        values: &[Vec<f64>],
-    ) -> Option<[String; 2]> {
-        let pairs = or_none(pairs);
-        let singles = or_none(singles);
-        for pair in &pairs {
-            for single in &singles {
-                if self.holds(*pair, *single, values) {
-                    return Some(self.sum_of(*pair, *single));
-                }
-            }
-        }
-        None
-    }
-
-    /// Whether Σⱼ pair(i, j) + single(i) has these values for all i.
-    fn holds(&self, pair: Option<&Printed>, single: Option<&Printed>, values: &[Vec<f64>]) -> bool {
-        let value = |printed: Option<&Printed>, indices: &[i64], point| {
-            printed.map_or(0.0, |x| x.pattern.value(&self.families, indices, point))
-        };
-        POINTS.iter().zip(values).all(|(point, values)| {
-            let point = RealPoint::new(*point);
-            (self.first..=self.last).zip(values).all(|(i, expected)| {
-                let alone = value(single, &[i], point);
-                let mut total = alone;
-                let mut size = alone.abs() + expected.abs();
-                for j in self.first..=self.last {
-                    let term = value(pair, &[i, j], point);
-                    total += term;
-                    size += term.abs();
-                }
-                (total - expected).abs() <= TOLERANCE * size
-            })
-        })
-    }
-
-    /// Σⱼ pair + single in print.
-    fn sum_of(&self, pair: Option<&Printed>, single: Option<&Printed>) -> [String; 2] {
-        let mut texts = single.map_or_else(Default::default, |single| single.texts.clone());
-        let Some(pair) = pair else {
-            return texts;
-        };
-        let [first, last] = [self.first, self.last].map(|index| index.to_string());
-        let signs = print_sum_sign(INDICES[1], &first, &last);
-        let brackets = [["(", ")"], ["\\left(", "\\right)"]];
-        for (notation, text) in texts.iter_mut().enumerate() {
-            let single = core::mem::take(text);
-            let [open, close] = if pair.is_sum {
-                brackets[notation]
-            } else {
-                [""; 2]
-            };
-            let sum = format!("{}{open}{}{close}", signs[notation], pair.texts[notation]);
-            *text = match single.strip_prefix(['−', '-']) {
-                _ if single.is_empty() || single == "0" => sum,
-                Some(rest) if notation == 0 => format!("{sum} − {rest}"),
-                Some(rest) => format!("{sum} - {rest}"),
-                None => format!("{sum} + {single}"),
-            };
-        }
-        texts
+    /// All pairs, row by row.
+    fn pairs(&self) -> impl Iterator<Item = [i64; 2]> {
+        let [first, last] = [self.first, self.last];
+        (first..=last).flat_map(move |i| (first..=last).map(move |j| [i, j]))
     }
 
     /// With the range of the index behind.
     fn with_range(&self, [unicode, latex]: [String; 2]) -> [String; 2] {
-        let (i, first, last) = (INDICES[0], self.first, self.last);
+        let [first, last] = [self.first, self.last].map(|index| index.to_string());
+        let range = print_range("i", &first, &last);
         [
-            format!("{unicode}  ({i} = {first}, …, {last})"),
-            format!("{latex} \\quad ({i} = {first}, \\ldots, {last})"),
+            format!("{unicode}  ({})", range[0]),
+            format!("{latex} \\quad ({})", range[1]),
         ]
-    }
-}
-
-/// All of them, or none once.
-fn or_none(printed: &[Printed]) -> Vec<Option<&Printed>> {
-    match printed {
-        [] => vec![None],
-        some => some.iter().map(Some).collect(),
-    }
-}
-
-/// An expression in Unicode and in LaTeX.
-fn texts(graph: &Graph, letters: &Letters, x: Expression) -> [String; 2] {
-    let formula = graph.display_in(x, letters);
-    [formula.to_string(), formula.in_latex().to_string()]
-}
-
-/// The numbers of a sample as indices.
-fn with_indices(mut texts: [String; 2], sample: &[i64]) -> [String; 2] {
-    for (number, name) in sample.iter().zip(INDICES) {
-        let marked = format!("{}{number}{}", MARKS[0], MARKS[1]);
-        texts[0] = texts[0].replace(&marked, &lowered(name));
-        texts[1] = texts[1].replace(&marked, name);
-    }
-    texts
-}
-
-/// A bound as it is printed.
-fn bound(bound: Bound) -> String {
-    let [i, j] = INDICES;
-    match bound {
-        Bound::Fixed(number) => number.to_string(),
-        Bound::Index(k) => INDICES[k].to_owned(),
-        Bound::Greater => format!("max({i},{j})"),
-        Bound::Lesser => format!("min({i},{j})"),
     }
 }

@@ -1,113 +1,21 @@
 //! One expression for all pairs of members of families, and one for all members: anti-unification (Plotkin, A note on
-//! inductive generalization, 1970) of a sample with what the equations are at random real points.
+//! inductive generalization, 1970) of a sample with what the equations are at random points modulo primes.
 //!
 //! Of a sample such as that of the members 5 and 13, each symbol of the member 5 becomes one of a member i, each of the member
-//! 13 one of j, and sums over a family of parameters, as m₁₃ + … + m₁₉, begin or end at i, at j or at the greater of both. A
-//! pattern is taken if the sums over it have the values of all equations.
+//! 13 one of j; parameters may be those of the greater or of the lesser index, and sums over a family of parameters, as
+//! m₁₃ + … + m₁₉, may begin or end at any of these. A number by which samples differ is linear in an index. Which of these
+//! it is, is decided by values; that a pattern holds, by an identity test (`families.rs`).
 
 use std::collections::BTreeMap;
 
-use crate::identity::real_point::RealPoint;
+use crate::identity::modular_point::{Images, ModularPoint};
+use crate::identity::rational_reconstruction::rational;
+use crate::identity::residue;
 use crate::limits::MOST_PATTERNS;
-use crate::print::names::Names;
-use crate::{Expression, Graph, Node, Symbol};
+use crate::print::listing::index_families::Families;
+use crate::{Expression, Graph, Node, Rational, Symbol};
 
-/// The members of families among coordinates and parameters.
-pub(crate) struct Families {
-    /// Of each family the member at an index.
-    members: Vec<BTreeMap<i64, Symbol>>,
-    /// The family and the index of a member.
-    places: BTreeMap<Symbol, (usize, i64)>,
-}
-
-impl Families {
-    pub(crate) fn of(names: &Names) -> Self {
-        let mut families = Self {
-            members: Vec::new(),
-            places: BTreeMap::new(),
-        };
-        let mut numbers = BTreeMap::new();
-        for (kind, names) in [&names.coordinates, &names.parameters]
-            .into_iter()
-            .enumerate()
-        {
-            let symbol = [Symbol::Coordinate, Symbol::Parameter][kind];
-            for (i, name) in (0..).zip(names) {
-                let Some((stem, index, rest)) = taken_apart(name) else {
-                    continue;
-                };
-                let count = numbers.len();
-                let family = *numbers.entry((kind, stem, rest)).or_insert(count);
-                families.members.resize(numbers.len(), BTreeMap::new());
-                families.members[family].insert(index, symbol(i));
-                families.places.insert(symbol(i), (family, index));
-            }
-        }
-        families
-    }
-
-    /// The indices of the coordinates if all are members of one family and counted without gaps.
-    pub(crate) fn of_all_coordinates(&self, coordinates: u32) -> Option<(i64, i64)> {
-        let (family, first) = *self.places.get(&Symbol::Coordinate(0))?;
-        let last = first + i64::from(coordinates) - 1;
-        let in_order = (first..=last).zip(0..coordinates);
-        let mut in_order = in_order
-            .map(|(index, i)| self.members[family].get(&index) == Some(&Symbol::Coordinate(i)));
-        in_order.all(|one| one).then_some((first, last))
-    }
-
-    /// The symbol of another member, or the same one if it is of none that moves.
-    fn moved(&self, symbol: Symbol, moves: &[(i64, i64)]) -> Option<Symbol> {
-        let (base, back): (Symbol, fn(u32) -> Symbol) = match symbol {
-            Symbol::Velocity(i) => (Symbol::Coordinate(i), Symbol::Velocity),
-            Symbol::Acceleration(i) => (Symbol::Coordinate(i), Symbol::Acceleration),
-            Symbol::Parameter(_) => (symbol, Symbol::Parameter),
-            _ => (symbol, Symbol::Coordinate),
-        };
-        let Some((family, index)) = self.places.get(&base) else {
-            return Some(symbol);
-        };
-        let Some((_, to)) = moves.iter().find(|(from, _)| from == index) else {
-            return Some(symbol);
-        };
-        match self.members[*family].get(to)? {
-            Symbol::Coordinate(i) | Symbol::Parameter(i) => Some(back(*i)),
-            _ => None,
-        }
-    }
-
-    /// The family, first and last index of a sum of consecutive parameters.
-    fn range(&self, graph: &Graph, x: Expression) -> Option<(usize, i64, i64)> {
-        let Node::Sum(terms) = graph.node(x) else {
-            return None;
-        };
-        let mut indices = Vec::new();
-        let mut family = None;
-        for (term, coefficient) in terms {
-            let Node::Symbol(symbol @ Symbol::Parameter(_)) = graph.node(*term) else {
-                return None;
-            };
-            let (of, index) = *self.places.get(symbol)?;
-            if !coefficient.is_one() || *family.get_or_insert(of) != of {
-                return None;
-            }
-            indices.push(index);
-        }
-        indices.sort_unstable();
-        let consecutive = indices.windows(2).all(|pair| pair[1] == pair[0] + 1);
-        let (first, last) = (*indices.first()?, *indices.last()?);
-        (consecutive && first < last).then_some((family?, first, last))
-    }
-}
-
-/// `m[3]` as m, 3 and what follows.
-fn taken_apart(name: &str) -> Option<(&str, i64, &str)> {
-    let (stem, rest) = name.split_once('[')?;
-    let (index, rest) = rest.split_once(']')?;
-    Some((stem, index.parse().ok()?, rest))
-}
-
-/// Where a sum over a family begins or ends.
+/// An index: where a sum over a family begins or ends, or which member it is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Bound {
     Fixed(i64),
@@ -118,7 +26,7 @@ pub(crate) enum Bound {
 }
 
 impl Bound {
-    fn at(self, indices: &[i64]) -> i64 {
+    pub(crate) fn at(self, indices: &[i64]) -> i64 {
         match self {
             Self::Fixed(value) => value,
             Self::Index(k) => indices[k],
@@ -127,112 +35,299 @@ impl Bound {
         }
     }
 
-    /// What a number in a sample may be.
-    fn candidates(number: i64, sample: &[i64]) -> Vec<Self> {
+    /// What the end of a sum may be, the likely ones first.
+    fn of_end(number: i64, sample: &[i64]) -> Vec<Self> {
         let position = sample.iter().position(|index| *index == number);
         match (position, sample.len()) {
             (None, _) => vec![Self::Fixed(number)],
-            (Some(0), 2) => vec![Self::Lesser, Self::Index(0)],
-            (Some(_), 2) => vec![Self::Greater, Self::Index(1)],
-            (Some(k), _) => vec![Self::Index(k)],
+            (Some(0), 2) => vec![Self::Lesser, Self::Index(0), Self::Fixed(number)],
+            (Some(_), 2) => vec![Self::Greater, Self::Index(1), Self::Fixed(number)],
+            (Some(k), _) => vec![Self::Index(k), Self::Fixed(number)],
+        }
+    }
+
+    /// Of what a number may be a linear function.
+    const fn all(indices: usize) -> &'static [Self] {
+        match indices {
+            1 => &[Self::Index(0)],
+            _ => &[Self::Greater, Self::Lesser, Self::Index(0), Self::Index(1)],
         }
     }
 }
 
-/// A sum over a family of parameters.
-#[derive(Clone, Debug)]
-pub(crate) struct RangeSum {
+/// What `Symbol::Argument(k)` stands for in a pattern: a sum over a family of parameters, or one of its members.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Argument {
     family: usize,
+    /// The first and the last one; of a member, twice the same.
     pub(crate) bounds: [Bound; 2],
-    /// A member, as it is printed in the sample.
+    /// A member, as it is printed in the sample, and its index.
     pub(crate) member: Symbol,
     pub(crate) index: i64,
+    pub(crate) is_sum: bool,
+}
+
+/// α + β n, where n is an index.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct LinearFactor {
+    pub(crate) constant: Rational,
+    pub(crate) slope: Rational,
+    pub(crate) of: Bound,
+}
+
+impl LinearFactor {
+    const ONE: Self = Self {
+        constant: Rational::ONE,
+        slope: Rational::ZERO,
+        of: Bound::Fixed(0),
+    };
+
+    fn at(&self, indices: &[i64]) -> Rational {
+        let index = Rational::integer(self.of.at(indices));
+        &self.constant + &(&self.slope * &index)
+    }
 }
 
 /// An expression of one or of two indices.
 #[derive(Clone, Debug)]
 pub(crate) struct IndexPattern {
+    /// The sample with arguments, in a graph of its own, and in the graph of the model.
     graph: Graph,
     root: Expression,
+    pub(crate) sample_with_arguments: Expression,
     /// The members of which the expression is.
     pub(crate) sample: Vec<i64>,
-    /// What `Symbol::Argument(k)` stands for.
-    pub(crate) sums: Vec<RangeSum>,
+    pub(crate) arguments: Vec<Argument>,
+    /// By what it is multiplied; 1 for the sample.
+    pub(crate) factor: LinearFactor,
+}
+
+/// What is known of a pattern at one point: its values for some indices, and the values of some symbols.
+pub(crate) struct Known<'a> {
+    pub(crate) families: &'a Families,
+    pub(crate) point: ModularPoint,
+    pub(crate) values: &'a [(Vec<i64>, u64)],
+    pub(crate) symbols: fn(Symbol) -> Option<Rational>,
 }
 
 impl IndexPattern {
-    /// The patterns of which `expression` may be a sample, none where they are too many, and the expression with arguments in place of sums.
+    /// The patterns of which `expression` may be a sample, none where they are too many.
     pub(crate) fn candidates(
         graph: &mut Graph,
         families: &Families,
         expression: Expression,
         sample: &[i64],
-    ) -> (Expression, Vec<Self>) {
-        let mut arguments = BTreeMap::new();
-        let mut found = Vec::new();
-        for part in graph.descendants(&[expression]) {
-            if let Some(range) = families.range(graph, part) {
-                let argument = u32::try_from(found.len()).unwrap_or(u32::MAX);
-                arguments.insert(part, graph.symbol(Symbol::Argument(argument)));
-                found.push(range);
-            }
+    ) -> Vec<Self> {
+        if !families.have_single_indices(graph, expression) {
+            return Vec::new();
         }
-        let replaced = graph.replace(&[expression], &arguments)[0];
-        let mut small = Graph::new();
-        let root = small.imported(graph, &[replaced])[0];
-        let mut patterns = vec![Self {
-            graph: small,
-            root,
-            sample: sample.to_vec(),
-            sums: Vec::new(),
-        }];
-        for (family, first, last) in found {
-            let [first, last] = [first, last].map(|end| (end, Bound::candidates(end, sample)));
-            let mut longer = Vec::new();
-            for pattern in &patterns {
-                for (begin, end) in first
-                    .1
-                    .iter()
-                    .flat_map(|x| last.1.iter().map(move |y| (x, y)))
-                {
-                    let mut pattern = pattern.clone();
-                    pattern.sums.push(RangeSum {
-                        family,
-                        bounds: [*begin, *end],
-                        member: families.members[family][&first.0],
-                        index: first.0,
-                    });
-                    longer.push(pattern);
-                }
-            }
-            patterns = longer;
-            if patterns.len() > MOST_PATTERNS {
-                return (replaced, Vec::new());
-            }
+        let choices = choices(graph, families, expression, sample);
+        let count = choices.iter().map(|(_, choices)| choices.len());
+        if count.fold(1, usize::saturating_mul) > MOST_PATTERNS {
+            return Vec::new();
         }
-        (replaced, patterns)
+        let mut chosen = vec![Vec::new()];
+        for (part, choices) in choices {
+            let longer = choices.iter().flat_map(|choice| {
+                chosen.iter().map(|before: &Vec<(Expression, Argument)>| {
+                    let added = choice.map(|argument| (part, argument));
+                    before.iter().copied().chain(added).collect()
+                })
+            });
+            chosen = longer.collect();
+        }
+        let patterns = chosen.into_iter().map(|chosen| {
+            let symbols = (0..).map(Symbol::Argument);
+            let replaced: BTreeMap<_, _> = chosen
+                .iter()
+                .zip(symbols)
+                .map(|((part, _), symbol)| (*part, graph.symbol(symbol)))
+                .collect();
+            let sample_with_arguments = graph.replace(&[expression], &replaced)[0];
+            let mut small = Graph::new();
+            Self {
+                root: small.imported(graph, &[sample_with_arguments])[0],
+                graph: small,
+                sample_with_arguments,
+                sample: sample.to_vec(),
+                arguments: chosen.into_iter().map(|(_, argument)| argument).collect(),
+                factor: LinearFactor::ONE,
+            }
+        });
+        patterns.collect()
     }
 
-    /// The value for other members; NaN where there are none.
-    pub(crate) fn value(&self, families: &Families, indices: &[i64], point: RealPoint) -> f64 {
-        let moves: Vec<_> = self
-            .sample
-            .iter()
-            .copied()
-            .zip(indices.iter().copied())
-            .collect();
-        let value = |symbol| match symbol {
-            Symbol::Argument(k) => {
-                let sum = &self.sums[k as usize];
-                let [first, last] = sum.bounds.map(|bound| bound.at(indices));
-                let members = families.members[sum.family].iter();
-                let members = members.filter(|(index, _)| (first..=last).contains(index));
-                members.map(|(_, member)| point.value(*member)).sum()
-            }
-            symbol => families
-                .moved(symbol, &moves)
-                .map_or(f64::NAN, |symbol| point.value(symbol)),
+    /// The value modulo p for other members; none where there are none, or outside of the domain.
+    pub(crate) fn value(
+        &self,
+        families: &Families,
+        indices: &[i64],
+        point: ModularPoint,
+        symbols: fn(Symbol) -> Option<Rational>,
+    ) -> Option<u64> {
+        let moves: Vec<_> = self.moves(indices).collect();
+        let parts = self.graph.descendants(&[self.root]);
+        let mut images = Images::zeros(self.root.index() + 1);
+        let of_symbol = |symbol, images: &Images| match symbols(symbol) {
+            Some(number) => point.image(&Node::Constant(number), images),
+            None => point.image(&Node::Symbol(symbol), images),
         };
-        self.graph.evaluate(&[self.root], value)[0]
+        for part in parts {
+            let image = match self.graph.node(part) {
+                Node::Symbol(Symbol::Argument(k)) => {
+                    let members = self.arguments[*k as usize].members(families, indices);
+                    let members = members.map(|member| of_symbol(member, &images));
+                    point.total(members.collect::<Option<Vec<_>>>()?)
+                }
+                Node::Symbol(symbol) => of_symbol(families.moved(*symbol, &moves)?, &images)?,
+                node => point.image(node, &images)?,
+            };
+            images.set(part, image);
+        }
+        let factor = point.constant(&self.factor.at(indices))?;
+        let value = images.get(self.root).value;
+        Some(residue::multiply(factor, value, point.p()))
     }
+
+    /// The same pattern with the factor with which it has the known values, if there is one.
+    pub(crate) fn fitted(mut self, known: &Known<'_>) -> Option<Self> {
+        let p = known.point.p();
+        let value = |pattern: &Self, indices: &[i64]| {
+            pattern.value(known.families, indices, known.point, known.symbols)
+        };
+        let has_values = |pattern: &Self| {
+            let mut all = known.values.iter();
+            all.all(|(indices, expected)| value(pattern, indices) == Some(*expected))
+        };
+        // The first one that does not have the value of the sample says how the factor grows.
+        let mut ratios = known.values.iter().filter_map(|(indices, expected)| {
+            let own = value(&self, indices)?;
+            let ratio = residue::multiply(*expected, residue::reciprocal(own, p)?, p);
+            (ratio != 1).then_some((indices, ratio))
+        });
+        let Some((indices, ratio)) = ratios.next() else {
+            return has_values(&self).then_some(self);
+        };
+        let growth = &rational(ratio, p)? - &Rational::ONE;
+        for of in Bound::all(self.sample.len()) {
+            let [start, end] = [&self.sample, indices].map(|indices| of.at(indices));
+            let Some(slope) = Rational::integer(end - start).reciprocal() else {
+                continue;
+            };
+            let slope = &growth * &slope;
+            self.factor = LinearFactor {
+                constant: &Rational::ONE - &(&slope * &Rational::integer(start)),
+                slope,
+                of: *of,
+            };
+            if has_values(&self) {
+                return Some(self);
+            }
+        }
+        None
+    }
+
+    /// The expression for other members.
+    pub(crate) fn instantiated(
+        &self,
+        graph: &mut Graph,
+        families: &Families,
+        indices: &[i64],
+    ) -> Option<Expression> {
+        let moves: Vec<_> = self.moves(indices).collect();
+        let mut values = BTreeMap::new();
+        for symbol in graph.symbols(&[self.sample_with_arguments]) {
+            let value = match symbol {
+                Symbol::Argument(k) => {
+                    let members = self.arguments[k as usize].members(families, indices);
+                    let members: Vec<_> = members.collect();
+                    let members = members
+                        .into_iter()
+                        .map(|x| (graph.symbol(x), Rational::ONE));
+                    let members: Vec<_> = members.collect();
+                    graph.sum(members)
+                }
+                symbol => graph.symbol(families.moved(symbol, &moves)?),
+            };
+            values.insert(symbol, value);
+        }
+        let value = graph.substitute(&[self.sample_with_arguments], &values)[0];
+        Some(graph.scale(value, &self.factor.at(indices)))
+    }
+
+    fn moves(&self, indices: &[i64]) -> impl Iterator<Item = (i64, i64)> {
+        self.sample.iter().copied().zip(indices.iter().copied())
+    }
+}
+
+impl Argument {
+    fn members(&self, families: &Families, indices: &[i64]) -> impl Iterator<Item = Symbol> {
+        families.members(self.family, self.bounds.map(|bound| bound.at(indices)))
+    }
+}
+
+/// The parts of a sample that may stand for different things, each with what these are; none: itself, at the same index.
+fn choices(
+    graph: &Graph,
+    families: &Families,
+    expression: Expression,
+    sample: &[i64],
+) -> Vec<(Expression, Vec<Option<Argument>>)> {
+    let mut found = Vec::new();
+    for part in graph.descendants(&[expression]) {
+        if let Some((family, first, last)) = families.range(graph, part)
+            && let Some(member) = families.member(family, first)
+        {
+            let [begins, ends] = [first, last].map(|end| Bound::of_end(end, sample));
+            let bounds = begins
+                .iter()
+                .flat_map(|x| ends.iter().map(move |y| [*x, *y]));
+            let arguments = bounds.map(|bounds| {
+                Some(Argument {
+                    family,
+                    bounds,
+                    member,
+                    index: first,
+                    is_sum: true,
+                })
+            });
+            found.push((part, arguments.collect()));
+        } else if let Node::Symbol(member @ Symbol::Parameter(_)) = graph.node(part)
+            && let Some((family, index)) = families.place(*member)
+            && let ([_, _], Some(position)) = (sample, sample.iter().position(|x| *x == index))
+        {
+            let argument = Argument {
+                family,
+                bounds: [[Bound::Lesser, Bound::Greater][position]; 2],
+                member: *member,
+                index,
+                is_sum: false,
+            };
+            found.push((part, vec![None, Some(argument)]));
+        }
+    }
+    // Parameters that are only summed over do not stand for themselves.
+    found.retain(|(part, _)| {
+        let is_symbol = matches!(graph.node(*part), Node::Symbol(_));
+        !is_symbol || stands_alone(graph, families, expression, *part)
+    });
+    found
+}
+
+/// Whether a parameter stands elsewhere than in sums over its family.
+fn stands_alone(
+    graph: &Graph,
+    families: &Families,
+    expression: Expression,
+    symbol: Expression,
+) -> bool {
+    let parts = graph.descendants(&[expression]);
+    symbol == expression
+        || parts.into_iter().any(|part| {
+            let mut is_operand = false;
+            graph
+                .node(part)
+                .for_each_operand(|x| is_operand |= x == symbol);
+            is_operand && families.range(graph, part).is_none()
+        })
 }

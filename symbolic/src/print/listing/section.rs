@@ -152,6 +152,13 @@ impl Section {
         lengths.collect()
     }
 
+    /// How long its lines are, as they are written, in characters; of lines that are left out, as long as there would be room.
+    pub(crate) fn written_length(&self, graph: &Graph, letters: &Letters) -> usize {
+        let ([lines, _], left_out) = self.fitting(graph, letters);
+        let lines = lines.iter().map(|line| line.chars().count());
+        lines.sum::<usize>() + left_out.len() * LONGEST_LINE
+    }
+
     pub(crate) fn write(&self, graph: &Graph, letters: &Letters, listing: &mut Listing) {
         let ([lines, displays], sizes) = self.fitting(graph, letters);
         let left_out = self.what_is_left_out(&sizes);

@@ -10,7 +10,7 @@ use crate::{Expression, Node, QuasiVelocityEquations, Rational, Symbol};
 
 impl Composer<'_> {
     /// Euler's equations and the kinematics of a rigid body, and the like; else the name of the method.
-    pub(crate) fn solved(&mut self, form: &SolvedForm) -> Vec<Section> {
+    pub(crate) fn solved(&mut self, form: &SolvedForm, mass: &[Vec<Expression>]) -> Vec<Section> {
         let operations = self.declared.operations;
         let by = match form {
             SolvedForm::QuasiVelocities(equations) => {
@@ -35,6 +35,14 @@ impl Composer<'_> {
         };
         let heading = ["Solution for the accelerations:"; 2];
         let mut section = Section::new(Some(heading), "");
+        if self.is_diagonal(mass) {
+            section.sentence = [
+                "M is diagonal: each equation has one acceleration.",
+                "$M$ is diagonal: each equation has one acceleration.",
+            ]
+            .map(String::from);
+            return vec![section];
+        }
         let sentence = match form {
             SolvedForm::Numerical => format!("q̈ is found {by}."),
             _ => format!("q̈ is found {by}, in {operations} operations."),
@@ -44,6 +52,14 @@ impl Composer<'_> {
             .replace("M = L D Lᵀ", "$M = L D L^T$");
         section.sentence = [sentence, latex];
         vec![section]
+    }
+
+    fn is_diagonal(&self, mass: &[Vec<Expression>]) -> bool {
+        let mut rows = mass.iter().enumerate();
+        rows.all(|(i, row)| {
+            let mut entries = row.iter().enumerate();
+            entries.all(|(j, entry)| i == j || self.model.graph.is_zero(*entry))
+        })
     }
 
     /// q̈ where the quasi-velocities are the velocities and q̈ is short.

@@ -1,0 +1,139 @@
+//! The families among coordinates and parameters: their members have an index.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::print::names::Names;
+use crate::{Expression, Graph, Node, Symbol};
+
+/// The members of families among coordinates and parameters.
+pub(crate) struct Families {
+    /// Of each family the member at an index.
+    members: Vec<BTreeMap<i64, Symbol>>,
+    /// The family and the index of a member.
+    places: BTreeMap<Symbol, (usize, i64)>,
+    /// Symbols with several indices.
+    with_several_indices: BTreeSet<Symbol>,
+}
+
+impl Families {
+    pub(crate) fn of(names: &Names) -> Self {
+        let mut families = Self {
+            members: Vec::new(),
+            places: BTreeMap::new(),
+            with_several_indices: BTreeSet::new(),
+        };
+        let mut numbers = BTreeMap::new();
+        for (kind, names) in [&names.coordinates, &names.parameters]
+            .into_iter()
+            .enumerate()
+        {
+            let symbol = [Symbol::Coordinate, Symbol::Parameter][kind];
+            for (i, name) in (0..).zip(names) {
+                let Some((stem, index, rest)) = taken_apart(name) else {
+                    if name.contains('[') {
+                        families.with_several_indices.insert(symbol(i));
+                    }
+                    continue;
+                };
+                let count = numbers.len();
+                let family = *numbers.entry((kind, stem, rest)).or_insert(count);
+                families.members.resize(numbers.len(), BTreeMap::new());
+                families.members[family].insert(index, symbol(i));
+                families.places.insert(symbol(i), (family, index));
+            }
+        }
+        families
+    }
+
+    /// The indices of the coordinates if all are members of one family and counted without gaps.
+    pub(crate) fn of_all_coordinates(&self, coordinates: u32) -> Option<(i64, i64)> {
+        let (family, first) = *self.places.get(&Symbol::Coordinate(0))?;
+        let last = first + i64::from(coordinates) - 1;
+        let in_order = (first..=last).zip(0..coordinates);
+        let mut in_order = in_order
+            .map(|(index, i)| self.members[family].get(&index) == Some(&Symbol::Coordinate(i)));
+        in_order.all(|one| one).then_some((first, last))
+    }
+
+    /// The symbol of another member, or the same one if it is of none that moves.
+    pub(crate) fn moved(&self, symbol: Symbol, moves: &[(i64, i64)]) -> Option<Symbol> {
+        let Some((family, index)) = self.place(symbol) else {
+            return Some(symbol);
+        };
+        let back: fn(u32) -> Symbol = match symbol {
+            Symbol::Velocity(_) => Symbol::Velocity,
+            Symbol::Acceleration(_) => Symbol::Acceleration,
+            Symbol::Parameter(_) => Symbol::Parameter,
+            _ => Symbol::Coordinate,
+        };
+        let Some((_, to)) = moves.iter().find(|(from, _)| *from == index) else {
+            return Some(symbol);
+        };
+        match self.members[family].get(to)? {
+            Symbol::Coordinate(i) | Symbol::Parameter(i) => Some(back(*i)),
+            _ => None,
+        }
+    }
+
+    /// The family and the index of a symbol, of a velocity or an acceleration those of the coordinate.
+    pub(crate) fn place(&self, symbol: Symbol) -> Option<(usize, i64)> {
+        let base = match symbol {
+            Symbol::Velocity(i) | Symbol::Acceleration(i) => Symbol::Coordinate(i),
+            other => other,
+        };
+        self.places.get(&base).copied()
+    }
+
+    /// The member of a family at an index.
+    pub(crate) fn member(&self, family: usize, index: i64) -> Option<Symbol> {
+        self.members[family].get(&index).copied()
+    }
+
+    /// The members of a family from one index to another.
+    pub(crate) fn members(
+        &self,
+        family: usize,
+        [first, last]: [i64; 2],
+    ) -> impl Iterator<Item = Symbol> {
+        let members = self.members[family].iter();
+        let within = members.filter(move |(index, _)| (first..=last).contains(*index));
+        within.map(|(_, member)| *member)
+    }
+
+    /// Whether each symbol of an expression has one index or none.
+    pub(crate) fn have_single_indices(&self, graph: &Graph, x: Expression) -> bool {
+        self.with_several_indices.is_empty()
+            || graph.symbols(&[x]).is_disjoint(&self.with_several_indices)
+    }
+
+    /// The family, first and last index of a sum of consecutive parameters.
+    pub(crate) fn range(&self, graph: &Graph, x: Expression) -> Option<(usize, i64, i64)> {
+        let Node::Sum(terms) = graph.node(x) else {
+            return None;
+        };
+        let mut indices = Vec::new();
+        let mut family = None;
+        for (term, coefficient) in terms {
+            let Node::Symbol(symbol @ Symbol::Parameter(_)) = graph.node(*term) else {
+                return None;
+            };
+            let (of, index) = *self.places.get(symbol)?;
+            if !coefficient.is_one() || *family.get_or_insert(of) != of {
+                return None;
+            }
+            indices.push(index);
+        }
+        indices.sort_unstable();
+        let consecutive = indices.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        let (first, last) = (*indices.first()?, *indices.last()?);
+        (consecutive && first < last).then_some((family?, first, last))
+    }
+}
+
+/// `m[3]` as m, 3 and what follows, unless that is another index.
+fn taken_apart(name: &str) -> Option<(&str, i64, &str)> {
+    let (stem, rest) = name.split_once('[')?;
+    let (index, rest) = rest.split_once(']')?;
+    let single = !rest.contains('[');
+    Some((stem, index.parse().ok()?, rest)).filter(|_| single)
+}
