@@ -6,6 +6,7 @@ mod declarations;
 mod derivatives;
 mod kane;
 mod ordering;
+mod printed;
 mod recursions;
 mod series;
 mod solvers;

@@ -14,6 +14,9 @@ pub(crate) mod printed_model;
 pub(crate) mod index_families;
 pub(crate) mod index_pattern;
 pub(crate) mod pattern_text;
+pub(crate) mod vector_text;
+pub(crate) mod recursion_text;
+pub(crate) mod recursion;
 pub(crate) mod solved;
 
 use crate::mechanics::solvers::form::SolvedForm;
@@ -82,6 +85,7 @@ impl Listing {
         let momenta = composer.momenta(equations);
         let energy = composer.energy_function(equations);
         let lagrange = composer.lagrange(equations);
+        let recursion = composer.recursion(equations, &lagrange);
         let solved = composer.solved(solved, &equations.mass);
         let coordinates = composer.coordinates();
         let definitions = composer.definitions();
@@ -94,6 +98,7 @@ impl Listing {
             energy,
             lagrange,
         ];
+        sections.extend(recursion);
         sections.extend(solved);
         Self::written(&composer.model.graph, &composer.letters, &sections)
     }

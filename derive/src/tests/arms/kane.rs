@@ -3,9 +3,9 @@
 //! recursion in body axes, no elimination along the arm.
 
 /// Three components.
-type V = [f64; 3];
+pub(super) type V = [f64; 3];
 /// Rows.
-type M = [V; 3];
+pub(super) type M = [V; 3];
 
 /// Numbers that look random, the same on every run (Marsaglia, Xorshift RNGs, 2003).
 pub(super) struct Numbers(u64);
@@ -129,7 +129,7 @@ fn swing(rate: V, rate_change: V, place: V) -> V {
 }
 
 /// The rotation by an angle about a coordinate axis.
-fn elementary(axis: usize, angle: f64) -> M {
+pub(super) fn elementary(axis: usize, angle: f64) -> M {
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut matrix = [[0.0; 3]; 3];
     matrix[axis][axis] = 1.0;
@@ -140,23 +140,23 @@ fn elementary(axis: usize, angle: f64) -> M {
     matrix
 }
 
-fn dot(x: V, y: V) -> f64 {
+pub(super) fn dot(x: V, y: V) -> f64 {
     x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 }
 
-fn add(x: V, y: V) -> V {
+pub(super) fn add(x: V, y: V) -> V {
     [0, 1, 2].map(|i| x[i] + y[i])
 }
 
-fn subtract(x: V, y: V) -> V {
+pub(super) fn subtract(x: V, y: V) -> V {
     [0, 1, 2].map(|i| x[i] - y[i])
 }
 
-fn scaled(factor: f64, x: V) -> V {
+pub(super) fn scaled(factor: f64, x: V) -> V {
     x.map(|x| factor * x)
 }
 
-fn cross(x: V, y: V) -> V {
+pub(super) fn cross(x: V, y: V) -> V {
     [
         x[1] * y[2] - x[2] * y[1],
         x[2] * y[0] - x[0] * y[2],
@@ -164,11 +164,11 @@ fn cross(x: V, y: V) -> V {
     ]
 }
 
-fn apply(matrix: &M, x: V) -> V {
+pub(super) fn apply(matrix: &M, x: V) -> V {
     matrix.map(|row| dot(row, x))
 }
 
-fn transposed(matrix: &M) -> M {
+pub(super) fn transposed(matrix: &M) -> M {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| matrix[j][i]))
 }
 

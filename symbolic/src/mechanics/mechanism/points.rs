@@ -142,7 +142,8 @@ impl Reader {
         let zero = self.graph.zero();
         let mut origin = *place;
         *place = [zero; 3];
-        if let Some(axis) = turn.axis()
+        if !self.keeps_origins
+            && let Some(axis) = turn.axis()
             && !self.graph.contents(origin[axis]).varies()
         {
             place[axis] = core::mem::replace(&mut origin[axis], zero);

@@ -23,6 +23,16 @@ pub(super) type Point = (Option<usize>, Vector);
 impl Mechanism {
     /// The mechanism of a model, if it is one.
     pub(crate) fn read(model: &mut Model) -> Option<Self> {
+        let mechanism = Self::with_origins(model, false)?;
+        Some(mechanism.regrouped(&mut model.graph))
+    }
+
+    /// The same with the origins of the links and with what each carries as they were declared.
+    pub(crate) fn declared(model: &mut Model) -> Option<Self> {
+        Self::with_origins(model, true)
+    }
+
+    fn with_origins(model: &mut Model, keeps_origins: bool) -> Option<Self> {
         let energies = model.in_frames.clone()?;
         let EnergiesInFrames {
             mut graph,
@@ -37,6 +47,7 @@ impl Mechanism {
             links: Vec::new(),
             frames: Vec::new(),
             masses: Vec::new(),
+            keeps_origins,
         };
         let kinetic = reader.read_inertia(&velocities)?;
         let (base_acceleration, potential) = reader.uniform_gravity(potential);
@@ -56,8 +67,7 @@ impl Mechanism {
         if bodies.count() < 2 {
             return None;
         }
-        let mechanism = mechanism.imported(&mut model.graph, &reader.graph);
-        Some(mechanism.regrouped(&mut model.graph))
+        Some(mechanism.imported(&mut model.graph, &reader.graph))
     }
 
     /// The same mechanism in another graph.
@@ -97,6 +107,8 @@ pub(super) struct Reader {
     pub(super) frames: Vec<Frame>,
     /// The masses of points.
     pub(super) masses: Vec<(Point, Expression)>,
+    /// Whether origins are not moved along the axes about which their links turn.
+    pub(super) keeps_origins: bool,
 }
 
 impl Reader {

@@ -25,6 +25,15 @@ impl LinkEquations {
     /// The equations of a model that is a mechanism, under the generalized forces Q.
     pub(crate) fn new(model: &mut Model, forces: &[Expression]) -> Option<Self> {
         let mechanism = Mechanism::read(model)?;
+        Some(Self::of_mechanism(model, mechanism, forces))
+    }
+
+    /// The equations of a mechanism in the graph of a model.
+    pub(crate) fn of_mechanism(
+        model: &mut Model,
+        mechanism: Mechanism,
+        forces: &[Expression],
+    ) -> Self {
         let coordinates = model.coordinates;
         let graph = &mut model.graph;
         let rest = graph.subtract(mechanism.other_kinetic, mechanism.other_potential);
@@ -35,13 +44,13 @@ impl LinkEquations {
         let momenta = graph.jacobian(&[rest], &velocities).concat();
         let other_mass = graph.jacobian(&momenta, &velocities);
         let joints = joints(graph, &mechanism, coordinates);
-        Some(Self {
+        Self {
             mechanism,
             joints,
             coordinates,
             other_mass,
             forces,
-        })
+        }
     }
 
     /// M, f and M q̈ − f, each by a recursion along the links.

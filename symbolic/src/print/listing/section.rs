@@ -152,6 +152,11 @@ impl Section {
         lengths.collect()
     }
 
+    /// Whether no line is left out.
+    pub(crate) fn has_room_for_all(&self, graph: &Graph, letters: &Letters) -> bool {
+        self.fitting(graph, letters).1.is_empty()
+    }
+
     /// How long its lines are, as they are written, in characters; of lines that are left out, as long as there would be room.
     pub(crate) fn written_length(&self, graph: &Graph, letters: &Letters) -> usize {
         let ([lines, _], left_out) = self.fitting(graph, letters);
