@@ -279,3 +279,28 @@ fn what_disagrees_is_replaced() {
         assert!(methods.accelerations.outputs.pivots().is_none());
     }
 }
+
+/// Values far beyond one, whose fourth power is no number, are no defect.
+#[test]
+fn steep_switches_have_series() {
+    for force in [
+        quote!(c / (1 + exp(-20 * x))),
+        quote!(c / (1 + exp(-100 * dot(x)))),
+        quote!(x / (1 + exp(-20 * x))),
+        quote!(c * (1 - exp(-20 * (x - 1))) * exp(-20 * (x - 1))),
+        quote!(c * (1 + exp(30 * x)).powi(-3)),
+    ] {
+        let declaration = quote! {
+            #[lagrangian(
+                taylor,
+                coordinates(x),
+                kinetic = 0.5 * dot(x).powi(2),
+                force(x = #force),
+                event(near = 1 / (1 + exp(-20 * x)) - 0.3),
+            )]
+            struct Switch { c: f64 }
+        };
+        let tokens = crate::expand::expand(declaration).to_string();
+        assert!(!tokens.contains("compile_error"), "{force}: {tokens}");
+    }
+}

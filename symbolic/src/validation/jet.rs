@@ -68,7 +68,14 @@ impl Number for Jet {
     }
 
     fn power(self, k: f64) -> Self {
-        self.lifted(power_derivatives(self.value(), k))
+        let size = self.value().abs();
+        if !size.is_normal() || !(1.0 / size).is_normal() {
+            return self.lifted(power_derivatives(self.value(), k));
+        }
+        // |x|ᵏ (x/|x|)ᵏ: the fourth power of a large value in the third derivative of 1/x overflows.
+        let unit = self.scaled(1.0 / size);
+        let power = unit.lifted(power_derivatives(unit.value(), k));
+        power.scaled(size.powf(k))
     }
 
     fn unary(self, function: Unary) -> Self {
