@@ -129,6 +129,38 @@ impl Built {
     }
 }
 
+/// How a crate is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Profile {
+    Release,
+    Debug,
+}
+
+impl Profile {
+    /// As cargo has it.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Release => "release",
+            Self::Debug => "dev",
+        }
+    }
+}
+
+/// Seconds of a build as users have it, with the dependencies there already.
+pub(crate) fn build_seconds(
+    folders: &Folders,
+    name: &str,
+    main: &str,
+    profile: Profile,
+) -> Result<f64, String> {
+    let empty = package(folders, "empty", "fn main() {}\n", &[], true)?;
+    build_in_profile(folders, &empty, Flags::Default, profile, None)?;
+    let package = package(folders, name, main, &[], true)?;
+    let start = Instant::now();
+    build_in_profile(folders, &package, Flags::Default, profile, None)?;
+    Ok(start.elapsed().as_secs_f64())
+}
+
 /// The fewest milliseconds of a derivation, by model, as the derive's own timing prints them.
 pub(crate) fn derive_times(folders: &Folders) -> Result<HashMap<String, f64>, String> {
     let text = output(
@@ -227,9 +259,19 @@ fn cargo_build(
     flags: Flags,
     without: Option<&str>,
 ) -> Result<(), String> {
+    build_in_profile(folders, package, flags, Profile::Release, without)
+}
+
+fn build_in_profile(
+    folders: &Folders,
+    package: &Path,
+    flags: Flags,
+    profile: Profile,
+    without: Option<&str>,
+) -> Result<(), String> {
     let mut command = cargo(package);
     command
-        .args(["build", "--release"])
+        .args(["build", "--profile", profile.name()])
         // Set even if empty: what the caller has set must not come through.
         .env("RUSTFLAGS", flags.rust())
         .env_remove("CARGO_ENCODED_RUSTFLAGS")

@@ -1,4 +1,4 @@
-//! What the clause `taylor` costs when a model is compiled.
+//! What the clause `taylor` costs when a model is compiled, and what long models do.
 //!
 //! The time of the derivation with and without the clause, in a debug build of the macro, as users have it; and the time
 //! of `cargo build --release` of a crate that declares the model and integrates it once, by `Taylor` with the clause
@@ -10,6 +10,7 @@ use crate::cargo::{build, build_dependencies, derive_times};
 use crate::declaration::Calls;
 use crate::flags::Flags;
 use crate::folders::Folders;
+use crate::long_models;
 use crate::model::Model;
 use crate::verdict::{Verdict, judge};
 
@@ -57,6 +58,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             limit: BUILD_LIMIT,
         });
     }
+    verdicts.extend(long_models::verdicts(&folders)?);
     judge(&verdicts)
 }
 

@@ -49,8 +49,9 @@ mod verdict;
 mod taylor;
 mod work_precision;
 mod brouwer;
-mod compile_costs;
 mod spatial;
+mod long_models;
+mod compile_costs;
 mod reduced;
 
 use std::process::ExitCode;

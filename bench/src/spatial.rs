@@ -306,8 +306,25 @@ fn library(
     Ok(Library { name, path })
 }
 
-/// The crate of the arm, as a user declares it.
+/// The crate of the arm that is measured.
 fn declaration(links: usize) -> String {
+    let vector = |x: [f64; 3]| format!("Vector3::new({:?}, {:?}, {:?})", x[0], x[1], x[2]);
+    let [link, center] = [LINK, CENTER].map(vector);
+    let inertia = INERTIA.concat();
+    let masses: Vec<_> = (0..links).map(mass).collect();
+    let model = model(links, "");
+    format!(
+        "{model}\n\
+         fn main() -> std::process::ExitCode {{\n    let inertia = Matrix3::from_row_slice(&{inertia:?});\n    \
+         let model = Model {{ m: {masses:?}, link: [{link}; {links}], center: [{center}; {links}], \
+         inertia: [inertia; {links}], g: {GRAVITY:?} }};\n    \
+         let operations = [Model::OPERATIONS.accelerations, Model::OPERATIONS.inverse_dynamics];\n    \
+         lagrangian_bench::measure_dynamics::<{links}, Model>(&model, operations)\n}}\n"
+    )
+}
+
+/// The arm as a user declares it, with these clauses besides.
+pub(crate) fn model(links: usize, clauses: &str) -> String {
     let letters = ["x", "y", "z"];
     let mut definitions = "r[0] = rotation_z(q[0]),\n        p[0] = [0.0, 0.0, 0.0],\n".to_owned();
     for i in 1..links {
@@ -318,25 +335,16 @@ fn declaration(links: usize) -> String {
              p[{i}] = p[{before}] + r[{before}] * link[{before}],\n"
         );
     }
-    let vector = |x: [f64; 3]| format!("Vector3::new({:?}, {:?}, {:?})", x[0], x[1], x[2]);
-    let [link, center] = [LINK, CENTER].map(vector);
-    let inertia = INERTIA.concat();
-    let masses: Vec<_> = (0..links).map(mass).collect();
     format!(
         "//! Written by lagrangian-bench.\n\
          use lagrangian::nalgebra::{{Matrix3, Vector3}};\nuse lagrangian::prelude::*;\n\n\
-         /// An arm.\n#[derive(Lagrangian, Clone, Debug)]\n#[lagrangian(\n    \
+         /// An arm.\n#[derive(Lagrangian, Clone, Debug)]\n#[lagrangian(\n    {clauses}\
          coordinates(q[{links}]),\n    define(\n        {definitions}        \
          c[i] = p[i] + r[i] * center[i] for i in 0..{links},\n        \
          w[i] = angular_velocity(r[i]) for i in 0..{links},\n    ),\n    \
          kinetic = (0..{links}).map(|i| 0.5 * m[i] * dot(c[i]).norm_squared() + 0.5 * w[i].dot(inertia[i] * w[i])).sum(),\n    \
          potential = (0..{links}).map(|i| m[i] * g * c[i].z).sum(),\n)]\n\
          struct Model {{ m: [f64; {links}], link: [Vector3<f64>; {links}], center: [Vector3<f64>; {links}], \
-         inertia: [Matrix3<f64>; {links}], g: f64 }}\n\n\
-         fn main() -> std::process::ExitCode {{\n    let inertia = Matrix3::from_row_slice(&{inertia:?});\n    \
-         let model = Model {{ m: {masses:?}, link: [{link}; {links}], center: [{center}; {links}], \
-         inertia: [inertia; {links}], g: {GRAVITY:?} }};\n    \
-         let operations = [Model::OPERATIONS.accelerations, Model::OPERATIONS.inverse_dynamics];\n    \
-         lagrangian_bench::measure_dynamics::<{links}, Model>(&model, operations)\n}}\n"
+         inertia: [Matrix3<f64>; {links}], g: f64 }}\n"
     )
 }

@@ -15,6 +15,7 @@ mod signatures;
 mod parameters;
 mod writer;
 mod acceleration_derivatives;
+mod by_columns;
 mod taylor_series;
 mod model_symbols;
 mod body;

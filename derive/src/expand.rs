@@ -14,7 +14,7 @@ use crate::emit::{
     Emitter, items, items_without_equations, listing, reduced_struct, reduced_without_equations,
     warning,
 };
-use crate::limits::MOST_SCOPES;
+use crate::limits::MethodLimits;
 use crate::lower::{Lowered, lower};
 use crate::plan::{
     EventSeries, Methods, ReducedMethods, Requested, TaylorMethod, branches_of_events,
@@ -26,11 +26,11 @@ use crate::syntax::size;
 
 /// The items for a struct with `#[lagrangian(…)]` attributes, or its errors and impls without equations.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
-    expand_within(input, MOST_SCOPES)
+    expand_within(input, MethodLimits::OF_EXPANSIONS)
 }
 
-/// The same, where a method may nest so many scopes.
-pub(crate) fn expand_within(input: TokenStream, most_scopes: usize) -> TokenStream {
+/// The same within other limits on the form of methods.
+pub(crate) fn expand_within(input: TokenStream, limits: MethodLimits) -> TokenStream {
     if let Err(error) = size::check(input.clone()) {
         return error.to_compile_error();
     }
@@ -46,8 +46,8 @@ pub(crate) fn expand_within(input: TokenStream, most_scopes: usize) -> TokenStre
         check_whole(&declaration, &mut diagnostics);
     }
     let model = lowered.model.take().filter(|_| diagnostics.is_empty());
-    let items = model
-        .and_then(|model| implement(&declaration, &lowered, model, most_scopes, &mut diagnostics));
+    let items =
+        model.and_then(|model| implement(&declaration, &lowered, model, limits, &mut diagnostics));
     let items = items.unwrap_or_else(|| {
         if diagnostics.is_empty() && lowered.scope.unknown().next().is_none() {
             diagnostics.error(&declaration.name, NOT_UNDERSTOOD);
@@ -66,11 +66,11 @@ fn implement(
     declaration: &Declaration,
     lowered: &Lowered,
     model: Model,
-    most_scopes: usize,
+    limits: MethodLimits,
     diagnostics: &mut Diagnostics,
 ) -> Option<TokenStream> {
-    let derived = Derived::of(declaration, lowered, model, diagnostics)?;
-    let emitter = derived.emitter(declaration, lowered, most_scopes);
+    let derived = Derived::of(declaration, lowered, model, limits, diagnostics)?;
+    let emitter = derived.emitter(declaration, lowered, limits);
     let clause = declaration.clauses.routhian.as_ref();
     let reduced = clause.map(|clause| implement_reduced(&emitter, clause, diagnostics));
     let items = items(&emitter);
@@ -110,7 +110,12 @@ fn reduced_items(
         diagnostics,
     )?;
     let mut of_reduced = Diagnostics::default();
-    let derived = derive_reduced(&reduction, declaration, lowered, &mut of_reduced);
+    let derived = derive_reduced(
+        &reduction,
+        (declaration, lowered),
+        full.limits,
+        &mut of_reduced,
+    );
     diagnostics.add_with(of_reduced, &concerns(clause));
     let (mut derived, methods) = derived?;
     if clause.half_angles
@@ -118,7 +123,7 @@ fn reduced_items(
     {
         derived.listing = listing;
     }
-    let mut emitter = derived.emitter(declaration, lowered, full.most_scopes);
+    let mut emitter = derived.emitter(declaration, lowered, full.limits);
     emitter.poles.clone_from(&reduction.poles);
     let definition = reduced_struct(full.declaration, declaration);
     let items = items(&emitter);
@@ -161,11 +166,17 @@ fn concerns(clause: &RouthianClause) -> String {
 /// Derives the equations of a reduced model, and its methods besides those of every model.
 fn derive_reduced(
     reduction: &Reduction,
-    declaration: &Declaration,
-    lowered: &Lowered,
+    (declaration, lowered): (&Declaration, &Lowered),
+    limits: MethodLimits,
     diagnostics: &mut Diagnostics,
 ) -> Option<(Derived, ReducedMethods)> {
-    let derived = Derived::of(declaration, lowered, reduction.model.clone(), diagnostics)?;
+    let derived = Derived::of(
+        declaration,
+        lowered,
+        reduction.model.clone(),
+        limits,
+        diagnostics,
+    )?;
     let methods = ReducedMethods::schedule(reduction);
     let Some(taylor) = &declaration.clauses.taylor else {
         return Some((derived, methods));
@@ -196,6 +207,7 @@ impl Derived {
         declaration: &Declaration,
         lowered: &Lowered,
         mut model: Model,
+        limits: MethodLimits,
         diagnostics: &mut Diagnostics,
     ) -> Option<Self> {
         let has_series = declaration.clauses.taylor.is_some();
@@ -209,14 +221,20 @@ impl Derived {
                 return None;
             }
         };
-        let clauses = &declaration.clauses;
-        let requested = match Requested::derive(clauses, &lowered.quantities, &mut model) {
-            Ok(requested) => requested,
-            Err(reason) => {
-                defects::report_no_regressor(&reason, declaration, lowered, &model, diagnostics);
-                return None;
-            }
-        };
+        let requested =
+            match Requested::derive(declaration, &lowered.quantities, &mut model, limits) {
+                Ok(requested) => requested,
+                Err(reason) => {
+                    defects::report_no_regressor(
+                        &reason,
+                        declaration,
+                        lowered,
+                        &model,
+                        diagnostics,
+                    );
+                    return None;
+                }
+            };
         let shapes = &lowered.outputs;
         let mut methods = Methods::schedule(&mut model, &equations, shapes, &requested);
         let disagreements =
@@ -264,7 +282,7 @@ impl Derived {
         &'a self,
         declaration: &'a Declaration,
         lowered: &'a Lowered,
-        most_scopes: usize,
+        limits: MethodLimits,
     ) -> Emitter<'a> {
         Emitter::new(
             declaration,
@@ -273,7 +291,7 @@ impl Derived {
             (&self.equations, &self.listing),
             &self.methods,
             (self.taylor.as_ref(), self.event_series.as_ref()),
-            most_scopes,
+            limits,
         )
     }
 }

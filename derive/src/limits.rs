@@ -21,6 +21,38 @@ pub(crate) const STATEMENTS_PER_PIECE: usize = 300;
 /// How many variables are declared at once, those that are assigned and the results of pieces.
 pub(crate) const DECLARED_AT_ONCE: usize = 200;
 
+/// The cost of M beyond which it is computed column by column. That of thirty joints in space costs ten thousand, and is
+/// computed ten times faster as one program; that of a hundred would be half a million statements of the expansion. Loops over
+/// the links of one kind would lift it.
+pub(crate) const COSTLIEST_MASS_MATRIX: usize = 20_000;
+
+/// The cost of the inverse dynamics, times the number of columns, beyond which the derivatives of the accelerations are computed
+/// column by column.
+pub(crate) const COSTLIEST_DERIVATIVES: usize = 100_000;
+
+/// How many columns of derivatives are computed at once: as many numbers of 64 bits as a vector register of 256 bits holds.
+pub(crate) const DIRECTIONS_AT_ONCE: usize = 4;
+
+/// The sizes beyond which methods take another form.
+#[derive(Clone, Copy)]
+pub(crate) struct MethodLimits {
+    /// See [`MOST_SCOPES`].
+    pub(crate) most_scopes: usize,
+    /// See [`COSTLIEST_MASS_MATRIX`].
+    pub(crate) costliest_mass_matrix: usize,
+    /// See [`COSTLIEST_DERIVATIVES`].
+    pub(crate) costliest_derivatives: usize,
+}
+
+impl MethodLimits {
+    /// Those of what users get; tests have others, too.
+    pub(crate) const OF_EXPANSIONS: Self = Self {
+        most_scopes: MOST_SCOPES,
+        costliest_mass_matrix: COSTLIEST_MASS_MATRIX,
+        costliest_derivatives: COSTLIEST_DERIVATIVES,
+    };
+}
+
 /// How deep expressions are nested in one statement. The golden expansions set it: their statements stay within a
 /// few lines. More would make longer statements of the same operations.
 pub(crate) const DEEPEST_NESTING: usize = 6;

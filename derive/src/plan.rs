@@ -4,6 +4,7 @@ mod methods;
 mod method;
 mod derivatives;
 mod outputs;
+mod by_columns;
 mod requested;
 mod table;
 mod taylor_method;
@@ -17,8 +18,8 @@ pub(crate) use branches::branches_of_events;
 pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{
-    AccelerationOutputs, DerivativeOutputs, InputJacobianOutputs, LowerTriangle, MethodOutputs,
-    OutputSlice, PivotOutputs, StateJacobian,
+    AccelerationOutputs, Columns, DerivativeOutputs, InputJacobianOutputs, LowerTriangle,
+    MethodOutputs, OutputSlice, PivotOutputs, StateJacobian,
 };
 pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;

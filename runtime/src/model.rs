@@ -10,6 +10,7 @@ mod linearization;
 #[cfg(feature = "num-dual")]
 mod state_transition;
 mod operations;
+mod by_columns;
 mod lagrangian;
 mod constants_of_motion;
 mod motion_series;

@@ -12,6 +12,7 @@ mod float;
 mod lanes;
 mod simd;
 mod sine_cosine;
+pub(crate) mod tangent;
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -68,6 +68,30 @@ mod in_few_scopes {
     include!("../../derive/golden/heavy_top/in_few_scopes.rs");
 }
 
+/// The same as if there were many coordinates: matrices are computed column by column.
+#[allow(dead_code)] // Its methods alone are compared.
+mod by_columns {
+    pub struct HeavyTop {
+        pub i1: f64,
+        pub i2: f64,
+        pub i3: f64,
+        pub m: f64,
+        pub g: f64,
+        pub l: f64,
+    }
+
+    pub struct DrivenPendulum {
+        pub m: f64,
+        pub g: f64,
+        pub l: f64,
+        pub friction: f64,
+        pub torque: f64,
+    }
+
+    include!("../../derive/golden/heavy_top/by_columns.rs");
+    include!("../../derive/golden/driven_pendulum/by_columns.rs");
+}
+
 /// All that a model computes at a state.
 fn numbers<const N: usize>(model: &impl Energies<N>, state: &State<f64, N>) -> Vec<f64> {
     let accelerations = model.accelerations(state);
@@ -93,6 +117,16 @@ fn numbers<const N: usize>(model: &impl Energies<N>, state: &State<f64, N>) -> V
     numbers.extend(linearization.velocity.iter());
     numbers.extend(linearization.time.iter());
     numbers
+}
+
+/// Panics unless both computed the same finite numbers, to some roundings.
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        let error = (found - expected).abs() / (1.0 + expected.abs());
+        assert!(error < 1e-13, "{found} is not {expected}");
+    }
 }
 
 /// Panics unless both computed the same finite numbers.
@@ -239,5 +273,47 @@ fn the_committed_pendulum_computes_what_the_derived_one_does() {
     assert_eq!(
         derived::DrivenPendulum::OPERATIONS,
         committed::DrivenPendulum::OPERATIONS
+    );
+}
+
+#[test]
+fn matrices_are_the_same_column_by_column() {
+    macro_rules! top {
+        ($module:ident) => {
+            $module::HeavyTop {
+                i1: 1.0,
+                i2: 1.5,
+                i3: 2.0,
+                m: 0.7,
+                g: 9.81,
+                l: 0.1,
+            }
+        };
+    }
+    macro_rules! pendulum {
+        ($module:ident) => {
+            $module::DrivenPendulum {
+                m: 0.7,
+                g: 9.81,
+                l: 0.3,
+                friction: 0.05,
+                torque: 0.2,
+            }
+        };
+    }
+    let state = State::new(0.0, [0.1, 0.5, 0.2], [0.3, -0.4, 20.0]);
+    let (found, expected) = (top!(by_columns), top!(derived));
+    assert_near(&numbers(&found, &state), &numbers(&expected, &state));
+    let state = State::new(0.0, [0.5], [-0.4]);
+    let (found, expected) = (pendulum!(by_columns), pendulum!(derived));
+    assert_near(&numbers(&found, &state), &numbers(&expected, &state));
+    let inputs = [0.7].into();
+    assert_near(
+        found.input_jacobian_with(&state, &inputs).as_slice(),
+        expected.input_jacobian_with(&state, &inputs).as_slice(),
+    );
+    assert_near(
+        found.linearize_with(&state, &inputs).position.as_slice(),
+        expected.linearize_with(&state, &inputs).position.as_slice(),
     );
 }

@@ -13,6 +13,7 @@ use super::emitter::Emitter;
 use super::events::names;
 use super::printed_names::{BodyNames, printed_names};
 use crate::lower::Lowered;
+use crate::plan::{Columns, MethodOutputs};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::unraw;
 
@@ -42,7 +43,29 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
              {sines_and_cosines} | {functions} |"
         );
     }
+    for (name, method) in emitter.methods.counted() {
+        if let MethodOutputs::ByColumns(columns) = method.outputs {
+            let _ = writeln!(
+                text,
+                "\n`{name}` is computed column by column: {}.",
+                way(columns)
+            );
+        }
+    }
     text
+}
+
+/// How columns are computed.
+const fn way(columns: Columns) -> &'static str {
+    match columns {
+        Columns::MassMatrix => "the momenta at unit velocities, less those at rest",
+        Columns::Linearization => {
+            "M δq̈ = −δ(M q̈ − f), with `inverse_dynamics` on dual numbers, and M factored numerically"
+        }
+        Columns::InputJacobian => {
+            "M δq̈ = δQ, with `inverse_dynamics` on dual numbers, and M factored numerically"
+        }
+    }
 }
 
 /// The equations of motion in print, which are solved in this form, in so many operations.

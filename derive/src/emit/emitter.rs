@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens as _, quote};
 
 use super::signatures::{InputsFrom, Signatures, method_name};
+use crate::limits::MethodLimits;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
 use crate::plan::{EmittedMethod, EventSeries, Methods, TaylorMethod};
@@ -27,8 +28,7 @@ pub(crate) struct Emitter<'a> {
     /// The coordinates of a reduced model at whose poles it has no value.
     pub(crate) poles: Vec<u32>,
     pub(crate) scalar: Scalar<'a>,
-    /// See [`MOST_SCOPES`](crate::limits::MOST_SCOPES).
-    pub(crate) most_scopes: usize,
+    pub(crate) limits: MethodLimits,
 }
 
 impl<'a> Emitter<'a> {
@@ -39,7 +39,7 @@ impl<'a> Emitter<'a> {
         (equations, listing): (&'a Equations, &'a Listing),
         methods: &'a Methods,
         (taylor, event_series): (Option<&'a TaylorMethod>, Option<&'a EventSeries>),
-        most_scopes: usize,
+        limits: MethodLimits,
     ) -> Self {
         Self {
             declaration,
@@ -52,7 +52,7 @@ impl<'a> Emitter<'a> {
             event_series,
             poles: Vec::new(),
             scalar: Scalar::of(declaration),
-            most_scopes,
+            limits,
         }
     }
 

@@ -172,7 +172,7 @@ impl Emitter<'_> {
             &self.scalar,
             &symbols,
             Vec::new(),
-            self.most_scopes,
+            self.limits.most_scopes,
         );
         let groups = taylor.recurrence.groups.iter();
         let mut groups = groups.map(|group| body.group(group));

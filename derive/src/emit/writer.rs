@@ -68,7 +68,7 @@ impl Emitter<'_> {
                 &self.scalar,
                 &symbols,
                 functions,
-                self.most_scopes,
+                self.limits.most_scopes,
             ),
             computed: Vec::new(),
         };
@@ -108,6 +108,7 @@ impl Writer<'_> {
             MethodOutputs::Sensitivities(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
+            MethodOutputs::ByColumns(columns) => self.by_columns(*columns),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational, SolvedForm};
 
+use super::by_columns::ByColumns;
 use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
@@ -107,8 +108,11 @@ impl Methods {
         requested: &Requested,
     ) -> Self {
         let kinetics = Kinetics::cheapest(model, equations);
-        let linearize = Derivatives::of_state(model, &kinetics);
-        let input_jacobian = Derivatives::of_inputs(model, &kinetics);
+        let by_columns = ByColumns::of(model, &kinetics, requested);
+        let derivatives = (!by_columns.derivatives).then(|| {
+            let linearize = Derivatives::of_state(model, &kinetics);
+            [linearize, Derivatives::of_inputs(model, &kinetics)]
+        });
         let pivots = PivotExpressions::of(model, equations, &kinetics);
         let stays_regular = stays_regular(model, &kinetics);
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
@@ -116,25 +120,38 @@ impl Methods {
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
-        let mass = kinetics.mass.concat();
+        let momenta = vector(&energies.momenta);
+        let mass_matrix = if by_columns.mass {
+            Method::mass_matrix_by_columns(model, &momenta)
+        } else {
+            Method::single(model, &kinetics.mass.concat(), MethodOutputs::SquareMatrix)
+        };
         let [mut prepare, accelerations] = Method::accelerations(model, &kinetics);
         let inverse_dynamics =
             prepare.hoisting(model, &kinetics.inverse_dynamics, MethodOutputs::Vector);
+        let [linearize, input_jacobian] = match derivatives {
+            Some(derivatives) => derivatives.map(|derivatives| derivatives.schedule(model)),
+            None => Method::derivatives_by_columns(
+                model,
+                &inverse_dynamics,
+                [&prepare, &accelerations, &mass_matrix],
+            ),
+        };
         Self {
             lagrangian: scalar(energies.lagrangian),
             energy: scalar(energies.energy),
-            momenta: vector(&energies.momenta),
-            mass_matrix: Method::single(model, &mass, MethodOutputs::SquareMatrix),
+            momenta,
+            mass_matrix,
             forcing: vector(&kinetics.forcing),
             generalized_forces: vector(&equations.generalized_forces),
             prepare,
             accelerations,
             inverse_dynamics,
-            linearize: linearize.schedule(model),
+            linearize,
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
             stays_regular,
             energies: energies.natural.map(|energies| energies.map(scalar)),
-            input_jacobian: input_jacobian.schedule(model),
+            input_jacobian,
             outputs: Method::declared_outputs(model, shapes),
             event_functions: Method::event_functions(model, shapes),
             functions: function_derivatives(model),

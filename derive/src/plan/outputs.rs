@@ -162,6 +162,17 @@ pub(crate) struct PivotOutputs {
     pub(crate) by_coordinate: Vec<Vec<usize>>,
 }
 
+/// A matrix that is computed column by column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Columns {
+    /// From the momenta.
+    MassMatrix,
+    /// From the inverse dynamics.
+    Linearization,
+    /// From the inverse dynamics.
+    InputJacobian,
+}
+
 /// What the program of a method returns.
 #[derive(Clone, Debug)]
 pub(crate) enum MethodOutputs {
@@ -180,6 +191,8 @@ pub(crate) enum MethodOutputs {
     RelativePivots(PivotOutputs),
     /// The declared outputs, in their order.
     Declared(Vec<(Shape, OutputSlice)>),
+    /// There is no program: a matrix is computed column by column.
+    ByColumns(Columns),
 }
 
 impl MethodOutputs {

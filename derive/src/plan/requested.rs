@@ -9,27 +9,33 @@ use lagrangian_symbolic::{
 use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::MethodOutputs;
+use crate::limits::MethodLimits;
 use crate::lower::quantities::Quantities;
-use crate::syntax::clauses::Clauses;
+use crate::syntax::declaration::Declaration;
 use crate::syntax::parameter_list::ParameterList;
+use crate::syntax::scalar::Scalar;
 
 /// What the clauses of a declaration ask for.
-#[derive(Default)]
 pub(crate) struct Requested {
     hamiltonian: bool,
     energy_balance: bool,
     /// The parameters by which is differentiated.
     sensitivities: Option<Vec<Symbol>>,
     regressor: Option<Regressor>,
+    /// Whether the model is one on every scalar, so also on dual numbers.
+    pub(super) is_on_every_scalar: bool,
+    pub(super) limits: MethodLimits,
 }
 
 impl Requested {
     /// Derives the regressor, if there is to be one.
     pub(crate) fn derive(
-        clauses: &Clauses,
+        declaration: &Declaration,
         quantities: &Quantities,
         model: &mut Model,
+        limits: MethodLimits,
     ) -> Result<Self, NoRegressor> {
+        let clauses = &declaration.clauses;
         let named = |list: &ParameterList| {
             let fields = list.fields.as_ref();
             fields.map(|fields| quantities.symbols_of(fields))
@@ -49,6 +55,8 @@ impl Requested {
             sensitivities: sensitivities
                 .map(|list| named(list).unwrap_or_else(|| quantities.parameter_symbols())),
             regressor: regressor.transpose()?,
+            is_on_every_scalar: Scalar::of(declaration).is_generic(),
+            limits,
         })
     }
 }

@@ -11,7 +11,7 @@ use lagrangian_symbolic::{
     Validator,
 };
 
-use crate::plan::{Methods, Requested};
+use crate::plan::{Method, MethodOutputs, Methods, Requested};
 use crate::syntax::shape::Shape;
 
 impl Methods {
@@ -48,13 +48,22 @@ impl Methods {
     pub(crate) fn programs<'a>(&'a self, outputs: &'a [&'a Program]) -> Programs<'a> {
         let accelerations = &self.accelerations.program;
         let (state, inputs) = (&self.linearize.program, &self.input_jacobian.program);
+        let linearization = || match self.linearize.outputs.pivots() {
+            Some(pivots) => LinearizationProgram::Solved {
+                state,
+                inputs,
+                pivots,
+            },
+            None => LinearizationProgram::System { state, inputs },
+        };
+        let has_program = |method: &Method| !matches!(method.outputs, MethodOutputs::ByColumns(_));
         let energies = self.energies.as_ref();
         Programs {
             lagrangian: &self.lagrangian.program,
             energies: energies.map(|energies| [&energies[0].program, &energies[1].program]),
             energy: &self.energy.program,
             momenta: &self.momenta.program,
-            mass_matrix: &self.mass_matrix.program,
+            mass_matrix: has_program(&self.mass_matrix).then_some(&self.mass_matrix.program),
             forcing: &self.forcing.program,
             generalized_forces: &self.generalized_forces.program,
             inverse_dynamics: &self.inverse_dynamics.program,
@@ -63,14 +72,7 @@ impl Methods {
                 Some(pivots) => AccelerationProgram::Solved(accelerations, pivots),
                 None => AccelerationProgram::System(accelerations),
             },
-            linearization: match self.linearize.outputs.pivots() {
-                Some(pivots) => LinearizationProgram::Solved {
-                    state,
-                    inputs,
-                    pivots,
-                },
-                None => LinearizationProgram::System { state, inputs },
-            },
+            linearization: has_program(&self.linearize).then(linearization),
             outputs,
             requested: self.requested.programs(),
         }

@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 
 use crate::check::check;
 use crate::diagnostics::Diagnostics;
+use crate::limits::MethodLimits;
 use crate::lower::lower;
 use crate::plan::{Methods, Requested};
 use crate::syntax::declaration::Declaration;
@@ -23,6 +24,11 @@ pub(super) struct Derived {
 }
 
 pub(super) fn derive(declaration: TokenStream) -> Derived {
+    derive_within(declaration, MethodLimits::OF_EXPANSIONS)
+}
+
+/// The same within other limits on the form of methods.
+pub(super) fn derive_within(declaration: TokenStream, limits: MethodLimits) -> Derived {
     let mut diagnostics = Diagnostics::default();
     let input = syn::parse2(declaration).unwrap();
     let declaration = Declaration::parse(input, &mut diagnostics);
@@ -33,12 +39,12 @@ pub(super) fn derive(declaration: TokenStream) -> Derived {
         "{}",
         diagnostics.to_compile_errors()
     );
-    let clauses = &declaration.clauses;
     let mut model = lowered.model.unwrap();
     let validator = Validator::new(&model);
     let equations = Equations::derive(&mut model).unwrap();
     let shapes = lowered.outputs;
-    let requested = Requested::derive(clauses, &lowered.quantities, &mut model).unwrap();
+    let requested =
+        Requested::derive(&declaration, &lowered.quantities, &mut model, limits).unwrap();
     let methods = Methods::schedule(&mut model, &equations, &shapes, &requested);
     Derived {
         model,

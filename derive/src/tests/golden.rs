@@ -12,15 +12,31 @@ use std::{env, fs};
 use proc_macro2::TokenStream;
 
 use crate::expand::expand_within;
-use crate::limits::MOST_SCOPES;
+use crate::limits::MethodLimits;
 
-/// The models, the files with their expansions, and how many scopes these may nest.
-const EXPANSIONS: [(&str, &str, usize); 4] = [
-    ("heavy_top", "expansion.rs", MOST_SCOPES),
-    // As if every method were long: with variables that are assigned, or in pieces of eight statements.
-    ("heavy_top", "in_few_scopes.rs", 8),
-    ("driven_pendulum", "expansion.rs", MOST_SCOPES),
-    ("slider", "expansion.rs", MOST_SCOPES),
+const LIMITS: MethodLimits = MethodLimits::OF_EXPANSIONS;
+
+/// As if every method were long: with variables that are assigned, or in pieces of eight statements.
+const FEW_SCOPES: MethodLimits = MethodLimits {
+    most_scopes: 8,
+    ..LIMITS
+};
+
+/// As if there were many coordinates: with matrices column by column.
+const BY_COLUMNS: MethodLimits = MethodLimits {
+    costliest_mass_matrix: 0,
+    costliest_derivatives: 0,
+    ..LIMITS
+};
+
+/// The models, the files with their expansions, and the limits on the form of their methods.
+const EXPANSIONS: [(&str, &str, MethodLimits); 6] = [
+    ("heavy_top", "expansion.rs", LIMITS),
+    ("heavy_top", "in_few_scopes.rs", FEW_SCOPES),
+    ("heavy_top", "by_columns.rs", BY_COLUMNS),
+    ("driven_pendulum", "expansion.rs", LIMITS),
+    ("driven_pendulum", "by_columns.rs", BY_COLUMNS),
+    ("slider", "expansion.rs", LIMITS),
 ];
 
 fn folder(model: &str) -> PathBuf {
@@ -34,10 +50,10 @@ fn read(path: &Path) -> String {
 }
 
 /// The items that the derive emits for a file with one struct.
-fn expansion(model: &str, most_scopes: usize) -> TokenStream {
+fn expansion(model: &str, limits: MethodLimits) -> TokenStream {
     let declaration = read(&folder(model).join("declaration.rs"));
     let declaration = declaration.parse().expect("the declaration is of tokens");
-    expand_within(declaration, most_scopes)
+    expand_within(declaration, limits)
 }
 
 fn printed(tokens: TokenStream) -> String {
@@ -47,9 +63,9 @@ fn printed(tokens: TokenStream) -> String {
 
 #[test]
 fn expansions_are_those_that_were_committed() {
-    for (model, file, most_scopes) in EXPANSIONS {
+    for (model, file, limits) in EXPANSIONS {
         let path = folder(model).join(file);
-        let expansion = printed(expansion(model, most_scopes));
+        let expansion = printed(expansion(model, limits));
         if env::var_os("GOLDEN").is_some_and(|value| value == "overwrite") {
             fs::write(&path, &expansion).expect("the golden file can be written");
         }
@@ -69,10 +85,10 @@ fn expansions_are_those_that_were_committed() {
 
 #[test]
 fn a_declaration_expands_to_the_same_tokens_each_time() {
-    for (model, _, most_scopes) in EXPANSIONS {
+    for (model, _, limits) in EXPANSIONS {
         assert_eq!(
-            expansion(model, most_scopes).to_string(),
-            expansion(model, most_scopes).to_string(),
+            expansion(model, limits).to_string(),
+            expansion(model, limits).to_string(),
             "{model}"
         );
     }

@@ -3,7 +3,7 @@
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::expand::expand_within;
-use crate::limits::MOST_SCOPES;
+use crate::limits::{MOST_SCOPES, MethodLimits};
 
 /// Of these links' derivatives there are just more variables than scopes may be nested.
 const CHAIN: &str = r"
@@ -33,10 +33,11 @@ fn most_scopes(tokens: TokenStream) -> usize {
 }
 
 fn expansion(most_scopes: usize) -> TokenStream {
-    expand_within(
-        CHAIN.parse().expect("the declaration is of tokens"),
+    let limits = MethodLimits {
         most_scopes,
-    )
+        ..MethodLimits::OF_EXPANSIONS
+    };
+    expand_within(CHAIN.parse().expect("the declaration is of tokens"), limits)
 }
 
 #[test]

@@ -120,8 +120,8 @@ pub struct Programs<'a> {
     pub energy: &'a Program,
     /// p.
     pub momenta: &'a Program,
-    /// M, row by row.
-    pub mass_matrix: &'a Program,
+    /// M, row by row; none where its columns are the momenta at unit velocities.
+    pub mass_matrix: Option<&'a Program>,
     /// f.
     pub forcing: &'a Program,
     /// Q.
@@ -132,8 +132,8 @@ pub struct Programs<'a> {
     pub preparation: &'a Program,
     /// q̈.
     pub accelerations: AccelerationProgram<'a>,
-    /// Derivatives of q̈.
-    pub linearization: LinearizationProgram<'a>,
+    /// Derivatives of q̈; none where they are those of the inverse dynamics on dual numbers.
+    pub linearization: Option<LinearizationProgram<'a>>,
     /// Quantities for observers, as one program or one after the other.
     pub outputs: &'a [&'a Program],
     /// What clauses ask for.
@@ -147,14 +147,14 @@ pub(crate) struct Tapes {
     pub(crate) energies: Tape,
     pub(crate) energy: Tape,
     pub(crate) momenta: Tape,
-    pub(crate) mass_matrix: Tape,
+    /// None where the momenta give M.
+    pub(crate) mass_matrix: Option<Tape>,
     pub(crate) forcing: Tape,
     pub(crate) generalized_forces: Tape,
     pub(crate) inverse_dynamics: Tape,
     pub(crate) outputs: Tape,
-    /// By the state and by the inputs.
-    pub(crate) linearization: [Tape; 2],
-    pub(crate) linearization_outputs: LinearizationOutputs,
+    /// By the state and by the inputs, with what they compute.
+    pub(crate) linearization: Option<([Tape; 2], LinearizationOutputs)>,
     pub(crate) requested: RequestedTapes,
     preparation: Tape,
     accelerations: Tape,
@@ -168,7 +168,7 @@ impl Tapes {
             AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
             AccelerationProgram::System(program) => (program, None),
         };
-        let (linearization, linearization_outputs) = match programs.linearization {
+        let linearization = programs.linearization.map(|programs| match programs {
             LinearizationProgram::Solved {
                 state,
                 inputs,
@@ -177,20 +177,20 @@ impl Tapes {
             LinearizationProgram::System { state, inputs } => {
                 ([state, inputs], LinearizationOutputs::System)
             }
-        };
+        });
         let energies = programs.energies.iter().flatten();
         Self {
             lagrangian: Tape::of_program(programs.lagrangian),
             energies: Tape::of_programs(energies.copied()),
             energy: Tape::of_program(programs.energy),
             momenta: Tape::of_program(programs.momenta),
-            mass_matrix: Tape::of_program(programs.mass_matrix),
+            mass_matrix: programs.mass_matrix.map(Tape::of_program),
             forcing: Tape::of_program(programs.forcing),
             generalized_forces: Tape::of_program(programs.generalized_forces),
             inverse_dynamics: Tape::of_program(programs.inverse_dynamics),
             outputs: Tape::of_programs(programs.outputs.iter().copied()),
-            linearization: linearization.map(Tape::of_program),
-            linearization_outputs,
+            linearization: linearization
+                .map(|(programs, outputs)| (programs.map(Tape::of_program), outputs)),
             requested: RequestedTapes::new(&programs.requested),
             preparation: Tape::of_program(programs.preparation),
             accelerations: Tape::of_program(accelerations),

@@ -123,8 +123,11 @@ impl Validator {
         };
         let mut comparisons = Comparisons::default();
         reference.compare_values(tapes, &mut comparisons);
-        let [mass, forcing] = [&tapes.mass_matrix, &tapes.forcing].map(|tape| reference.at(tape));
-        let mass = SquareMatrix::new(mass, n);
+        let forcing = reference.at(&tapes.forcing);
+        let mass = match &tapes.mass_matrix {
+            Some(tape) => SquareMatrix::new(reference.at(tape), n),
+            None => reference.mass_matrix_of(&tapes.momenta),
+        };
         let expected = reference.forcing(&mass);
         comparisons.balances(Method::Forcing, &forcing, &expected);
         reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
@@ -209,6 +212,26 @@ impl Reference<'_> {
         }
     }
 
+    /// M, whose columns are what the momenta at unit velocities have more than at rest.
+    fn mass_matrix_of(&self, momenta: &Tape) -> SquareMatrix {
+        let at = |moving: Option<usize>| {
+            let value = |symbol| match symbol {
+                Symbol::Velocity(i) => f64::from(u8::from(moving == Some(i as usize))),
+                _ => self.point.value(symbol),
+            };
+            momenta.evaluate(&value, self.perturbation)
+        };
+        let at_rest = at(None);
+        let n = at_rest.len();
+        let mut elements = vec![0.0; n * n];
+        for j in 0..n {
+            for (i, (momentum, other)) in at(Some(j)).iter().zip(&at_rest).enumerate() {
+                elements[i * n + j] = momentum - other;
+            }
+        }
+        SquareMatrix::new(elements, n)
+    }
+
     /// The energies, momenta, forces and outputs.
     fn compare_values(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
         let values = &self.values;
@@ -274,11 +297,13 @@ impl Reference<'_> {
         comparisons: &mut Comparisons,
     ) {
         comparisons.vanishing(Method::Accelerations, &self.values.residuals);
-        let [state, inputs] = &tapes.linearization;
+        let Some(([state, inputs], outputs)) = &tapes.linearization else {
+            return;
+        };
         let changes = LinearizationCheck {
             state: self.at(state),
             inputs: self.at(inputs),
-            linearization_outputs: tapes.linearization_outputs,
+            linearization_outputs: *outputs,
         };
         let variations = &self.values.variations;
         let balances = changes.balances(mass, self.accelerations, variations, self.variation);

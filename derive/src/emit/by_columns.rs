@@ -1,0 +1,101 @@
+//! The bodies of the methods that compute matrices column by column, in loops of the runtime.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::signatures::InputsFrom;
+use super::writer::Writer;
+use crate::limits::DIRECTIONS_AT_ONCE;
+use crate::plan::Columns;
+
+impl Writer<'_> {
+    /// The body of such a method.
+    pub(super) fn by_columns(&self, columns: Columns) -> TokenStream {
+        match columns {
+            Columns::MassMatrix => self.mass_matrix_by_columns(),
+            Columns::Linearization => self.linearization_by_columns(),
+            Columns::InputJacobian => self.input_jacobian_by_columns(),
+        }
+    }
+
+    fn mass_matrix_by_columns(&self) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let (n, scalar) = (self.emitter.coordinates(), &self.emitter.scalar);
+        quote! {
+            #root::__private::mass_matrix_by_columns(state, |state| {
+                #root::Lagrangian::<#n, #scalar>::momenta(self, state)
+            })
+        }
+    }
+
+    fn linearization_by_columns(&self) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let accelerations = self.emitter.accelerations(self.inputs);
+        let (factors, prepared) = (self.factors_of_mass_matrix(), self.prepared_on_duals());
+        let has_inputs = self.inputs == InputsFrom::Argument;
+        let inputs = has_inputs.then(|| quote!(let inputs = #root::__private::constants(inputs);));
+        let given = has_inputs.then(|| quote!(&inputs,));
+        let function = self.inverse_dynamics_on_duals();
+        quote! {
+            let accelerations = #accelerations;
+            let factors = #factors;
+            let prepared = #prepared;
+            #inputs
+            #root::__private::linearization_by_columns(
+                state,
+                &accelerations,
+                &factors,
+                |state, accelerations| #function(self, state, #given accelerations, &prepared),
+            )
+        }
+    }
+
+    /// Forces of inputs do not depend on the accelerations.
+    fn input_jacobian_by_columns(&self) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let (n, dual) = (self.emitter.coordinates(), self.dual());
+        let (factors, prepared) = (self.factors_of_mass_matrix(), self.prepared_on_duals());
+        let function = self.inverse_dynamics_on_duals();
+        quote! {
+            let factors = #factors;
+            let prepared = #prepared;
+            let state = #root::__private::constant_state(state);
+            let accelerations = #root::__private::SVector::<#dual, #n>::zeros();
+            #root::__private::input_jacobian_by_columns(
+                inputs,
+                &factors,
+                |inputs| #function(self, &state, inputs, &accelerations, &prepared),
+            )
+        }
+    }
+
+    /// The dual numbers, on the scalar.
+    fn dual(&self) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let (scalar, directions) = (
+            &self.emitter.scalar,
+            Literal::usize_unsuffixed(DIRECTIONS_AT_ONCE),
+        );
+        quote!(#root::__private::Tangent<#scalar, #directions>)
+    }
+
+    fn prepared_on_duals(&self) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let (n, dual) = (self.emitter.coordinates(), self.dual());
+        quote!(#root::Lagrangian::<#n, #dual>::prepare(self))
+    }
+
+    fn inverse_dynamics_on_duals(&self) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let (n, dual) = (self.emitter.coordinates(), self.dual());
+        let inputs = self.emitter.model.inputs as usize;
+        match self.inputs {
+            InputsFrom::Fields => {
+                quote!(#root::Lagrangian::<#n, #dual>::inverse_dynamics_prepared)
+            }
+            InputsFrom::Argument => {
+                quote!(#root::Inputs::<#n, #inputs, #dual>::inverse_dynamics_prepared_with)
+            }
+        }
+    }
+}

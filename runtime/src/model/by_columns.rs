@@ -1,0 +1,122 @@
+//! Matrices of models with many coordinates, column by column, so that no code is as long as they are large.
+//!
+//! The columns of M are the momenta at unit velocities, as they are the generalized forces at unit accelerations in method 1 of
+//! M. W. Walker and D. E. Orin, Efficient dynamic computer simulation of robotic mechanisms, J. Dyn. Sys. Meas. Control
+//! **104** (1982) 205–211; momenta cost less. The derivatives of q̈ solve M δq̈ = −δ(M q̈ − f) at fixed q̈ (J. Carpentier and N.
+//! Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018), with the inverse dynamics on
+//! [tangents](crate::scalar::tangent), in a few directions at once.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::linearization::Linearization;
+use super::state::State;
+use crate::linalg::Factorization;
+use crate::scalar::Scalar;
+pub use crate::scalar::tangent::Tangent;
+
+/// M at a state, from the momenta, which are of first degree in the velocities.
+pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
+    state: &State<S, N>,
+    momenta: impl Fn(&State<S, N>) -> SVector<S, N>,
+) -> SMatrix<S, N, N> {
+    let mut state = State {
+        v: SVector::zeros(),
+        ..*state
+    };
+    let at_rest = momenta(&state);
+    let mut mass = SMatrix::zeros();
+    for j in 0..N {
+        state.v[j] = S::one();
+        let column = momenta(&state) - at_rest;
+        state.v[j] = S::zero();
+        for i in j..N {
+            mass[(i, j)] = column[i];
+            mass[(j, i)] = column[i];
+        }
+    }
+    mass
+}
+
+/// The derivatives of q̈ by q, by q̇ and by t, where the factors are those of M, from M q̈ − f on tangents.
+pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
+    state: &State<S, N>,
+    accelerations: &SVector<S, N>,
+    factors: &Factorization<S, N>,
+    inverse_dynamics: impl Fn(
+        &State<Tangent<S, D>, N>,
+        &SVector<Tangent<S, D>, N>,
+    ) -> SVector<Tangent<S, D>, N>,
+) -> Linearization<S, N> {
+    let accelerations = constants(accelerations);
+    let mut found = Linearization {
+        position: SMatrix::zeros(),
+        velocity: SMatrix::zeros(),
+        time: SVector::zeros(),
+    };
+    for first in (0..=2 * N).step_by(D) {
+        let variable = |value, number: usize| Tangent::variable(value, number.checked_sub(first));
+        let state = State {
+            t: variable(state.t, 2 * N),
+            q: SVector::from_fn(|i, _| variable(state.q[i], i)),
+            v: SVector::from_fn(|i, _| variable(state.v[i], N + i)),
+        };
+        let columns = solved(factors, &inverse_dynamics(&state, &accelerations));
+        for (number, column) in (first..=2 * N).zip(columns) {
+            for (i, element) in column.iter().enumerate() {
+                match number {
+                    _ if number < N => found.position[(i, number)] = *element,
+                    _ if number < 2 * N => found.velocity[(i, number - N)] = *element,
+                    _ => found.time[i] = *element,
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The derivatives of q̈ by the inputs, where the factors are those of M, from M q̈ − f on tangents.
+pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, const D: usize>(
+    inputs: &SVector<S, U>,
+    factors: &Factorization<S, N>,
+    inverse_dynamics: impl Fn(&SVector<Tangent<S, D>, U>) -> SVector<Tangent<S, D>, N>,
+) -> SMatrix<S, N, U> {
+    let mut found = SMatrix::zeros();
+    for first in (0..U).step_by(D) {
+        let inputs = SVector::from_fn(|j, _| Tangent::variable(inputs[j], j.checked_sub(first)));
+        let columns = solved(factors, &inverse_dynamics(&inputs));
+        for (number, column) in (first..U).zip(columns) {
+            for (i, element) in column.iter().enumerate() {
+                found[(i, number)] = *element;
+            }
+        }
+    }
+    found
+}
+
+/// A vector that does not vary, on tangents.
+pub fn constants<S: Scalar, const K: usize, const D: usize>(
+    values: &SVector<S, K>,
+) -> SVector<Tangent<S, D>, K> {
+    values.map(Tangent::constant)
+}
+
+/// A state that does not vary, on tangents.
+pub fn constant_state<S: Scalar, const N: usize, const D: usize>(
+    state: &State<S, N>,
+) -> State<Tangent<S, D>, N> {
+    State {
+        t: Tangent::constant(state.t),
+        q: constants(&state.q),
+        v: constants(&state.v),
+    }
+}
+
+/// −M⁻¹ times the derivatives of M q̈ − f, column by column.
+fn solved<S: Scalar, const N: usize, const D: usize>(
+    factors: &Factorization<S, N>,
+    residuals: &SVector<Tangent<S, D>, N>,
+) -> [SVector<S, N>; D] {
+    let columns = SMatrix::<S, N, D>::from_fn(|i, j| -residuals[i].slopes()[j]);
+    let columns = factors.solve(&columns);
+    core::array::from_fn(|j| columns.column(j).into_owned())
+}
