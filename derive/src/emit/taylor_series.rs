@@ -18,8 +18,9 @@ use crate::plan::{AccelerationOutputs, Rates, TaylorMethod};
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
 
-/// As many pairs of factors are summed at once: the sums of four orders stay in registers.
-const LARGEST_BLOCK: usize = 32;
+/// As many pairs of factors are summed at once: the sums of four orders stay in registers, and the compiler unrolls what is
+/// done for each pair of a block. Blocks of 32 were functions that are called; ten links took twice the time.
+const LARGEST_BLOCK: usize = 24;
 
 /// Reads the symbols of the recurrence for the terms of order k.
 struct TermSymbols;

@@ -182,8 +182,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             return;
         }
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
-        let mut proposed = self.expand(dynamics, &mut moving);
-        proposed = proposed.map(|step| step.min(longest));
+        let Proposals { step, middle } = self.expand(dynamics, &mut moving);
+        let mut proposed = step.map(|step| step.min(longest));
         let mut targets = self.time;
         let mut pending = moving;
         let mut component = [None; L];
@@ -202,8 +202,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                     targets[lane] = self.time[lane];
                 }
             }
-            let (tau, state) = self.at(&targets);
-            let beyond = self.check(dynamics, &targets, (tau, &state), &pending);
+            let reached = self.at(&targets);
+            let beyond = self.check(dynamics, &targets, (&reached, middle), &pending);
             for lane in lanes(&pending) {
                 let length = (targets[lane] - self.time[lane]).abs();
                 match beyond[lane] {
@@ -216,7 +216,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 }
             }
             if !any(&pending) {
-                self.accept(&moving, &targets, &proposed, state);
+                self.accept(&moving, &targets, &proposed, reached.state);
                 return;
             }
         }
@@ -272,7 +272,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let rates = tolerance.rates(dynamics, state, &derivative);
         let allowed = dynamics.allowed_error(state, &tolerance.over(Lanes([1.0; L])));
         let largest = tolerance.relative.max(tolerance.absolute);
-        let ratios = largest_ratios(&derivative, &allowed);
+        let ratios = largest_ratios(&derivative, &Tolerance::weights(&allowed));
         for lane in lanes(&core::mem::replace(&mut self.is_new, [false; L])) {
             self.statistics[lane].evaluations += 1;
             if let Some(error) = self.setting_error(dynamics, lane, &derivative) {
@@ -328,11 +328,13 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         })
     }
 
-    /// The polynomials at a time in each lane: their arguments and the states.
-    fn at(&self, times: &[f64; L]) -> (Lanes<L>, Compensated<X>) {
+    /// The polynomials at a time in each lane.
+    fn at(&self, times: &[f64; L]) -> Reached<X, L> {
         let [high, low] = difference(Lanes(*times), Lanes(self.time));
         let tau = (high + low) / Lanes(self.unit);
-        (tau, self.state.plus(self.coefficients.change(tau)))
+        let (change, slope) = self.coefficients.change_and_derivative(tau);
+        let state = self.state.plus(change);
+        Reached { tau, state, slope }
     }
 
     /// The error of a step that is too small.
@@ -354,6 +356,23 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         );
         self.fail(lane, error);
     }
+}
+
+/// What the polynomials are at a time in each lane.
+struct Reached<X, const L: usize> {
+    /// Their arguments.
+    tau: Lanes<L>,
+    state: Compensated<X>,
+    /// Their derivatives by their arguments.
+    slope: X,
+}
+
+/// What the polynomials say about the next step in each lane.
+struct Proposals<const L: usize> {
+    /// Its length; 0 where there is none.
+    step: [f64; L],
+    /// The larger of the two terms of about half the order, over their tolerances.
+    middle: Lanes<L>,
 }
 
 /// The lanes for which a mask holds.

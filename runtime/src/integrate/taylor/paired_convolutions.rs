@@ -70,10 +70,8 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize>
             let x = first.as_chunks_mut::<LANES>().0;
             let y = second.as_chunks_mut::<LANES>().0;
             let begun = begun.as_chunks_mut::<LANES>().0;
-            let [mut new_x, mut new_y] = [[S::zero(); LANES]; 2];
-            for ((x, y), pair) in new_x.iter_mut().zip(&mut new_y).zip(pairs) {
-                [*x, *y] = pair.map(|factor| factors[factor]);
-            }
+            let new_x = core::array::from_fn(|lane| factors[pairs[lane][0]]);
+            let new_y = core::array::from_fn(|lane| factors[pairs[lane][1]]);
             *sums = match (x.first(), y.first()) {
                 (Some(first_x), Some(first_y)) if order > 1 => {
                     plus(&plus(sums, first_x, &new_y), &new_x, first_y)
@@ -136,18 +134,14 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const LANES: usize, co
     }
 }
 
-/// The sum and x y in each lane. `core::array::from_fn` would be a call for many lanes: ten links take twice the time.
+/// The sum and x y in each lane.
 #[inline(always)]
 fn plus<S: Scalar, const LANES: usize>(
     sum: &[S; LANES],
     x: &[S; LANES],
     y: &[S; LANES],
 ) -> [S; LANES] {
-    let mut result = *sum;
-    for ((result, x), y) in result.iter_mut().zip(x).zip(y) {
-        *result = x.mul_add(*y, *result);
-    }
-    result
+    core::array::from_fn(|lane| x[lane].mul_add(y[lane], sum[lane]))
 }
 
 /// As many lanes are summed at once, or once half more: the sums of four orders then stay in registers, and there are enough
@@ -189,11 +183,7 @@ fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
     x: &[[S; LANES]],
     y: &[[S; LANES]],
 ) {
-    let part = |row: &[S; LANES]| {
-        let mut part = [S::zero(); PART];
-        part.copy_from_slice(&row[first..first + PART]);
-        part
-    };
+    let part = |row: &[S; LANES]| -> [S; PART] { core::array::from_fn(|lane| row[first + lane]) };
     let zero = [S::zero(); PART];
     let [mut s0, mut s1, mut s2, mut s3] = [zero; ORDERS];
     // The terms of y that were last met.

@@ -1,8 +1,6 @@
 //! Whether motions are, at the end of a step and within it, those that their series say.
 
-use super::expansion::largest_ratios;
-use super::{TaylorLanes, any, lanes, non_finite, number};
-use crate::integrate::compensated::Compensated;
+use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::step_size::power;
@@ -20,7 +18,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         dynamics: &D,
         targets: &[f64; L],
-        (tau, state): (Lanes<L>, &Compensated<X>),
+        (reached, middle): (&Reached<X, L>, Lanes<L>),
         pending: &[bool; L],
     ) -> Beyond<L>
     where
@@ -28,8 +26,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     {
         let time = self.time;
         let h = Lanes(*targets) - Lanes(time);
-        let mut beyond = self.check_at(dynamics, (Lanes(*targets), tau, state), h.abs(), pending);
-        let low_degree = self.is_of_low_degree(dynamics, tau);
+        let mut beyond = self.check_at(dynamics, (Lanes(*targets), reached), h.abs(), pending);
+        // The terms of half the order hardly count there.
+        let middle = middle * power(reached.tau.abs(), HALF);
+        let low_degree = middle.0.map(|ratio| ratio < NEGLIGIBLE_TERM);
         let mut inner = core::array::from_fn(|lane| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
             pending[lane] && beyond[lane].is_none() && (is_long || low_degree[lane])
@@ -40,8 +40,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             }
             let part = Lanes::from_f64(f64::from(i) / f64::from(INNER_CHECKS + 1));
             let t = Lanes(time) + h * part;
-            let (tau, state) = self.at(&t.0);
-            let found = self.check_at(dynamics, (t, tau, &state), h.abs(), &inner);
+            let found = self.check_at(dynamics, (t, &self.at(&t.0)), h.abs(), &inner);
             for lane in 0..L {
                 if inner[lane] && found[lane].is_some() {
                     (beyond[lane], inner[lane]) = (found[lane], false);
@@ -51,39 +50,23 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         beyond
     }
 
-    /// Whether the terms of half the order hardly count at τ.
-    fn is_of_low_degree<D>(&self, dynamics: &D, tau: Lanes<L>) -> [bool; L]
-    where
-        D: Series<Lanes<L>, State = X> + ?Sized,
-    {
-        let allowed = self.allowed(dynamics);
-        let power = power(tau.abs(), HALF);
-        let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
-        let mut most = Lanes::from_f64(0.0);
-        for term in middle {
-            most = Scalar::max(most, largest_ratios(term, &allowed) * power);
-        }
-        most.0.map(|ratio| ratio < NEGLIGIBLE_TERM)
-    }
-
     /// The check at one time in each lane, for steps of the lengths `h`. Rounding explains a difference, and the tolerance
     /// does.
     fn check_at<D>(
         &mut self,
         dynamics: &D,
-        (t, tau, state): (Lanes<L>, Lanes<L>, &Compensated<X>),
+        (t, reached): (Lanes<L>, &Reached<X, L>),
         h: Lanes<L>,
         pending: &[bool; L],
     ) -> Beyond<L>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let (_, slope) = self.coefficients.change_and_derivative(tau);
         let unit = Lanes::from_f64(1.0) / Lanes(self.unit);
         let point = Point {
             t,
-            state: state.reduced(dynamics),
-            slope: slope.map(|component| component * unit),
+            state: reached.state.reduced(dynamics),
+            slope: reached.slope.map(|component| component * unit),
         };
         let allowance = Allowance {
             h,
@@ -104,7 +87,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             failing = exceeds(&residual, &allowed, &failing);
         }
         core::array::from_fn(|lane| {
-            failing[lane].then(|| match non_finite(state.value(), lane) {
+            failing[lane].then(|| match non_finite(reached.state.value(), lane) {
                 Some((index, _)) => index,
                 None => first_beyond(&residual, &allowed, lane),
             })

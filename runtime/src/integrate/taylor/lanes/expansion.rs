@@ -1,9 +1,10 @@
 //! The polynomials of motions in lanes, and the steps that they propose.
 
-use super::{TaylorLanes, any, lanes, non_finite, number};
+use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::step_size::reached;
+use crate::integrate::taylor::step_size::{exp2, log2, reached};
+use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES};
 use crate::linalg::{ErrorTolerance, LaneStates};
 use crate::scalar::{Lanes, Scalar};
@@ -11,30 +12,35 @@ use crate::scalar::{Lanes, Scalar};
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Computes the polynomials about the present times, in units in which their coefficients are finite, and the steps
     /// that they propose.
-    pub(super) fn expand<D>(&mut self, dynamics: &D, moving: &mut [bool; L]) -> [f64; L]
+    pub(super) fn expand<D>(&mut self, dynamics: &D, moving: &mut [bool; L]) -> Proposals<L>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         let from = self.state.reduced(dynamics);
         let mut waiting = *moving;
-        let mut steps = [0.0; L];
+        let mut proposals = Proposals {
+            step: [0.0; L],
+            middle: Lanes([0.0; L]),
+        };
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (Lanes(self.time), Lanes(self.unit));
             dynamics.series(t, &from, unit, &mut self.coefficients);
-            let proposed = self.proposed(&self.allowed(dynamics));
+            let weights = Tolerance::weights(&self.allowed(dynamics));
+            let proposed = self.proposed(&weights);
+            proposals.middle = self.middle(&weights);
             for lane in lanes(&waiting) {
                 self.statistics[lane].evaluations += 1;
                 // It is 0 where a coefficient over its tolerance is not finite.
                 if proposed[lane] > 0.0 {
-                    steps[lane] = proposed[lane] * self.unit[lane];
+                    proposals.step[lane] = proposed[lane] * self.unit[lane];
                     waiting[lane] = false;
                 } else {
                     self.unit[lane] *= change;
                 }
             }
             if !any(&waiting) {
-                return steps;
+                return proposals;
             }
             change *= change;
         }
@@ -42,7 +48,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             moving[lane] = false;
             self.no_series(dynamics, lane);
         }
-        steps
+        proposals
     }
 
     /// The error of a lane whose series is not finite in any unit of time.
@@ -67,11 +73,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 
     /// The steps at which the last two terms meet the tolerance, in units; 0 where they are not finite. Where they are
     /// zero, the terms before count, as in [`TaylorStepper`](super::TaylorStepper).
-    fn proposed(&self, allowed: &X) -> [f64; L] {
+    fn proposed(&self, weights: &X) -> [f64; L] {
         let higher = self.coefficients.higher();
         let mut logarithm = [f64::INFINITY; L];
         for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
-            let ratios = largest_ratios(coefficient, allowed);
+            let ratios = largest_ratios(coefficient, weights);
             let order = number(Self::ORDER - position);
             let mut found = true;
             for (logarithm, ratio) in logarithm.iter_mut().zip(ratios.0) {
@@ -79,7 +85,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 if ratio.is_nan() {
                     *logarithm = f64::NEG_INFINITY;
                 } else if ratio > 0.0 && zero_until_now {
-                    *logarithm = logarithm.min(-Scalar::ln(ratio) / order);
+                    *logarithm = logarithm.min(-log2(ratio) / order);
                 }
                 found &= *logarithm < f64::INFINITY;
             }
@@ -87,7 +93,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 break;
             }
         }
-        logarithm.map(Scalar::exp)
+        logarithm.map(exp2)
+    }
+
+    /// The larger of the two terms of about half the order, over their tolerances.
+    fn middle(&self, weights: &X) -> Lanes<L> {
+        let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
+        middle.fold(Lanes([0.0; L]), |most, term| {
+            Scalar::max(most, largest_ratios(term, weights))
+        })
     }
 
     /// The errors that are allowed, of the sizes that the components reach within a step like the last.
@@ -115,24 +129,17 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 }
 
-/// The largest component over its tolerance in each lane; NaN where one is not finite, and a component that has no
-/// tolerance does not count.
+/// The largest component over its tolerance in each lane, given the reciprocals of the tolerances; NaN where one is not
+/// finite, and a component that has no tolerance does not count.
+#[inline]
 pub(super) fn largest_ratios<X: LaneStates<L>, const L: usize>(
     vector: &X,
-    allowed: &X,
+    weights: &X,
 ) -> Lanes<L> {
     let mut largest = Lanes::from_f64(0.0);
     let mut finite = Lanes::from_f64(0.0);
-    for (component, allowed) in vector.components().zip(allowed.components()) {
-        let ratio = component.abs() / allowed;
-        let ratio = Lanes::from_fn(|lane| {
-            if allowed.0[lane] > 0.0 {
-                ratio.0[lane]
-            } else {
-                0.0
-            }
-        });
-        largest = Scalar::max(largest, ratio);
+    for (component, weight) in vector.components().zip(weights.components()) {
+        largest = Scalar::max(largest, component.abs() * weight);
         // 0, or NaN where the component is not finite.
         finite += component * Lanes::from_f64(0.0);
     }
