@@ -132,7 +132,7 @@ impl Validator {
         comparisons.balances(Method::Forcing, &forcing, &expected);
         reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
         if solved.is_some() {
-            reference.compare_accelerations(tapes, &mass, &mut comparisons);
+            reference.compare_accelerations(tapes, &mass, &expected, &mut comparisons);
             tapes.requested.compare_sensitivities(
                 |tape| reference.at(tape),
                 lagrange,
@@ -289,14 +289,26 @@ impl Reference<'_> {
             .compare_regressor(at, &residuals, comparisons);
     }
 
-    /// The accelerations and their derivatives.
+    /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are
+    /// those of the product.
     fn compare_accelerations(
         &self,
         tapes: &Tapes,
         mass: &SquareMatrix,
+        forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
     ) {
-        comparisons.vanishing(Method::Accelerations, &self.values.residuals);
+        let residuals = self.values.residuals.iter().zip(forcing);
+        let residuals = residuals.map(|(residual, force)| SumWithSize {
+            total: residual.total,
+            size: if force.size.is_finite() {
+                force.size
+            } else {
+                residual.size
+            },
+        });
+        let residuals: Vec<_> = residuals.collect();
+        comparisons.vanishing(Method::Accelerations, &residuals);
         let Some(([state, inputs], outputs)) = &tapes.linearization else {
             return;
         };

@@ -8,7 +8,7 @@
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
-use crate::limits::FEWEST_FOLDED_LINES;
+use crate::limits::{FEWEST_FOLDED_LINES, LONGEST_UNARRANGED};
 use crate::print::listing::as_declared::print_range;
 use crate::print::listing::composer::Composer;
 use crate::print::listing::index_families::Families;
@@ -16,6 +16,9 @@ use crate::print::listing::index_pattern::{IndexPattern, Known};
 use crate::print::listing::pattern_text::{PatternText, sum_over};
 use crate::print::listing::section::Side;
 use crate::{Equations, Expression, Graph, Rational, Symbol};
+
+/// So many sums over the family an entry of M has at most that is folded: see [`MOST_PATTERNS`](crate::limits::MOST_PATTERNS).
+const MOST_SUMS: u64 = 3;
 
 /// A family of coordinates, the first and the last index, and a pair of members that is not special if there are many.
 pub(crate) struct Sampling {
@@ -50,7 +53,7 @@ struct Terms {
 impl Composer<'_> {
     /// All momenta as one equation.
     pub(crate) fn momentum_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
-        let sampling = Sampling::of(self)?;
+        let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocity = self.model.velocity_symbols()[j];
         let graph = &mut self.model.graph;
@@ -76,7 +79,7 @@ impl Composer<'_> {
 
     /// All of Lagrange's equations as one.
     pub(crate) fn lagrange_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
-        let sampling = Sampling::of(self)?;
+        let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocities = self.model.velocity_symbols();
         let forces = &equations.generalized_forces;
@@ -110,6 +113,18 @@ impl Composer<'_> {
         let right = self.folded_forces(&sampling, forces)?;
         let right = sampling.with_range(right);
         Some((Side::texts(&left), Side::texts(&right)))
+    }
+
+    /// What is sampled, unless Mᵢⱼ is so long that what contains it would be left out: nothing is arranged for that.
+    fn sampling(&self, equations: &Equations) -> Option<Sampling> {
+        let sampling = Sampling::of(self)?;
+        let [i, j] = sampling.positions();
+        let entry = *equations.mass.get(i)?.get(j)?;
+        // Sums over the family become shorter.
+        let count = u64::try_from(sampling.last - sampling.first + 1).ok()?;
+        let longest = LONGEST_UNARRANGED + MOST_SUMS * count;
+        let length = self.model.graph.written_symbols(&[entry], &self.letters);
+        (length <= longest).then_some(sampling)
     }
 
     /// Q of all coordinates as one.
