@@ -4,7 +4,7 @@ use lagrangian_symbolic::{Operand, Rational};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::writer::Writer;
+use super::writer::{Writer, joined};
 use crate::plan::{DerivativeOutputs, InputJacobianOutputs, OutputSlice, StateJacobian};
 
 /// Columns of derivatives, as a method returns them.
@@ -82,18 +82,20 @@ impl Writer<'_> {
                 let accelerations = is_used.then(|| quote!(let accelerations = #accelerations;));
                 let (more, derivatives) = derivatives.derivatives(self);
                 let Some(residuals) = residuals else {
-                    return quote!(#statements #accelerations #more #derivatives);
+                    let accelerations = accelerations.unwrap_or_default();
+                    return joined([statements, accelerations, more, derivatives]);
                 };
                 let (others, solved) = residuals.solved(self);
                 let factors = self.factors_of_mass_matrix();
                 let root = &self.emitter.declaration.root;
-                quote! {
-                    #statements #accelerations #more #others
+                let value = quote! {
                     #root::__private::if_positive([#(#pivots),*], #derivatives, || {
                         let factors = #factors;
                         #solved
                     })
-                }
+                };
+                let accelerations = accelerations.unwrap_or_default();
+                joined([statements, accelerations, more, others, value])
             }
             DerivativeOutputs::Numerical {
                 mass,
@@ -104,13 +106,8 @@ impl Writer<'_> {
                 let (_, forcing) = self.compute(forcing);
                 let forcing = self.vector(&forcing);
                 let (more, solved) = residuals.solved(self);
-                quote! {
-                    #statements
-                    #factors
-                    let accelerations = factors.solve(&#forcing);
-                    #more
-                    #solved
-                }
+                let accelerations = quote!(let accelerations = factors.solve(&#forcing););
+                joined([statements, factors, accelerations, more, solved])
             }
         }
     }
@@ -128,23 +125,24 @@ impl Writer<'_> {
                 let (more, derivatives) = self.compute(derivatives);
                 let derivatives = self.matrix(&derivatives);
                 let Some(residuals) = residuals else {
-                    return quote!(#statements #more #derivatives);
+                    return joined([statements, more, derivatives]);
                 };
                 let (others, residuals) = self.compute(residuals);
                 let residuals = self.matrix(&residuals);
                 let factors = self.factors_of_mass_matrix();
-                quote! {
-                    #statements #more #others
+                let value = quote! {
                     #root::__private::if_positive([#(#pivots),*], #derivatives, || {
                         -#factors.solve(&#residuals)
                     })
-                }
+                };
+                joined([statements, more, others, value])
             }
             InputJacobianOutputs::Numerical { mass, residuals } => {
                 let (statements, factors) = self.factors(mass);
                 let (more, residuals) = self.compute(residuals);
                 let residuals = self.matrix(&residuals);
-                quote!(#statements #more #factors -factors.solve(&#residuals))
+                let solved = quote!(-factors.solve(&#residuals));
+                joined([statements, more, factors, solved])
             }
         }
     }

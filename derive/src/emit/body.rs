@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use lagrangian_symbolic::{
     ExternalFunction, Instruction, Operand, Operation, OutputGroup, Pass, Passes, Program, Symbol,
 };
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
@@ -44,7 +44,8 @@ pub(crate) struct Body<'a> {
     /// The methods that compute external functions, in the order of declaration.
     functions: Vec<Ident>,
     symbols: BTreeMap<Symbol, Ident>,
-    fragments: HashMap<usize, Fragment>,
+    /// By value: what it is written as. One that is no variable is used once, and taken from here.
+    fragments: Vec<Option<Fragment>>,
     /// In a method in pieces: what the fragment of a value reads.
     reads: HashMap<usize, Vec<Read>>,
     /// In a method in pieces: the symbols that have been read before the pieces.
@@ -86,7 +87,7 @@ impl<'a> Body<'a> {
             source,
             functions,
             symbols: BTreeMap::new(),
-            fragments: HashMap::new(),
+            fragments: Vec::new(),
             reads: HashMap::new(),
             read_before: BTreeSet::new(),
             arrays: Vec::new(),
@@ -112,8 +113,9 @@ impl<'a> Body<'a> {
             written.extend(self.pieces(&statements));
         }
         let outputs = group.outputs.iter();
-        let outputs = outputs.map(|operand| self.operand(operand).tokens);
-        (written, outputs.collect())
+        let outputs = outputs.map(|operand| self.operand(operand).into_tokens());
+        let outputs = outputs.collect();
+        (written, outputs)
     }
 
     /// Reads the symbols that no group before has read.
@@ -138,7 +140,7 @@ impl<'a> Body<'a> {
             let is_output = || group.outputs.contains(&Operand::Symbol(symbol));
             if !self.block.is_in_pieces() || (is_output() && self.read_before.insert(symbol)) {
                 let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
-                self.block.read(name, &read, self.scalar);
+                self.block.read(name, read, self.scalar);
             }
         }
     }
@@ -148,7 +150,8 @@ impl<'a> Body<'a> {
         if !self.passes.has(Pass::Vectors) {
             return BTreeSet::new();
         }
-        let Some(angles) = Angles::of(group, |value| self.fragments.contains_key(&value)) else {
+        let is_written = |value: usize| matches!(self.fragments.get(value), Some(Some(_)));
+        let Some(angles) = Angles::of(group, is_written) else {
             return BTreeSet::new();
         };
         for index in &angles.operands_of_angles {
@@ -159,7 +162,7 @@ impl<'a> Body<'a> {
         for index in &angles.pairs {
             let instruction = &group.instructions[*index];
             let operands = instruction.operation.operands();
-            arguments.extend(operands.map(|operand| self.operand(operand).tokens));
+            arguments.extend(operands.map(|operand| self.operand(operand).into_tokens()));
             reads.extend(self.reads_of(&instruction.operation));
             let (sine, cosine) = self.pair(instruction);
             defines.push((instruction.value, sine.clone()));
@@ -171,7 +174,7 @@ impl<'a> Body<'a> {
         let pattern = quote!(([#(#sines),*], [#(#cosines),*]));
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
         self.block
-            .define(defines, &pattern, &value, reads, false, self.scalar);
+            .define(defines, pattern, value, reads, false, self.scalar);
         angles
             .operands_of_angles
             .into_iter()
@@ -182,10 +185,8 @@ impl<'a> Body<'a> {
     /// Names the two values of an instruction that computes a sine and a cosine.
     fn pair(&mut self, instruction: &Instruction) -> (Ident, Ident) {
         let (sine, cosine) = self.locals.pair(instruction.expression);
-        self.fragments
-            .insert(instruction.value, Fragment::atom(&sine));
-        self.fragments
-            .insert(instruction.value + 1, Fragment::atom(&cosine));
+        self.write(instruction.value, Fragment::atom(&sine));
+        self.write(instruction.value + 1, Fragment::atom(&cosine));
         for value in [instruction.value, instruction.value + 1] {
             self.is_read(value, vec![Read::Value(value)]);
         }
@@ -197,33 +198,42 @@ impl<'a> Body<'a> {
         let reads = self.reads_of(&instruction.operation);
         let calls_model = matches!(instruction.operation, Operation::Application(..));
         if let Operation::SineAndCosine(x) = &instruction.operation {
-            let call = self.call(self.operand(x), "sin_cos", &[]);
+            let x = self.operand(x);
+            let call = self.call(x, "sin_cos", Vec::new());
             let (sine, cosine) = self.pair(instruction);
             let pattern = quote!((#sine, #cosine));
             let defines = vec![(value, sine), (value + 1, cosine)];
             self.block
-                .define(defines, &pattern, &call, reads, calls_model, self.scalar);
+                .define(defines, pattern, call, reads, calls_model, self.scalar);
             return;
         }
         let fragment = self.operation(&instruction.operation);
         if !self.variables.contain(value) {
-            self.fragments.insert(value, fragment);
+            self.write(value, fragment);
             self.is_read(value, reads);
             return;
         }
         let name = self.locals.value(instruction.expression);
         let pattern = name.to_token_stream();
-        self.fragments.insert(value, Fragment::atom(&name));
+        self.write(value, Fragment::atom(&name));
         self.is_read(value, vec![Read::Value(value)]);
         let defines = vec![(value, name)];
         self.block.define(
             defines,
-            &pattern,
-            &fragment.tokens,
+            pattern,
+            fragment.into_tokens(),
             reads,
             calls_model,
             self.scalar,
         );
+    }
+
+    /// Notes what a value is written as.
+    fn write(&mut self, value: usize, fragment: Fragment) {
+        if self.fragments.len() <= value {
+            self.fragments.resize(value + 1, None);
+        }
+        self.fragments[value] = Some(fragment);
     }
 
     /// In a method in pieces: what an expression reads that contains a value.
@@ -251,58 +261,60 @@ impl<'a> Body<'a> {
         reads
     }
 
-    fn operation(&self, operation: &Operation) -> Fragment {
-        let operands: Vec<Fragment> = operation
-            .operands()
-            .map(|operand| self.operand(operand))
-            .collect();
+    fn operation(&mut self, operation: &Operation) -> Fragment {
+        let mut operands = Vec::with_capacity(2);
+        for operand in operation.operands() {
+            operands.push(self.operand(operand));
+        }
         let mut operands = operands.into_iter();
         let mut next = || {
             operands
                 .next()
                 .unwrap_or_else(|| Fragment::atom(TokenStream::new()))
         };
-        let (tokens, precedence) = match operation {
+        match operation {
             Operation::Add(..) => self.sum(next(), next()),
             Operation::Subtract(..) => self.difference(next(), next()),
-            Operation::Multiply(..) => {
-                let (x, y) = (next(), next());
-                let tokens = infix(x.clone(), '*', y.clone(), Precedence::Product);
-                return Fragment {
-                    tokens,
-                    precedence: Precedence::Product,
-                    factors: self.passes.has(Pass::Fusion).then(|| Box::new([x, y])),
-                };
+            Operation::Multiply(..) if self.passes.has(Pass::Fusion) => {
+                Fragment::product(next(), next())
             }
-            Operation::Divide(..) => (
-                infix(next(), '/', next(), Precedence::Product),
-                Precedence::Product,
-            ),
-            Operation::Negate(_) => (next().negated_tokens(), Precedence::Sign),
-            Operation::SquareRoot(_) => (self.call(next(), "sqrt", &[]), Precedence::Atom),
-            Operation::SineAndCosine(_) => (self.call(next(), "sin_cos", &[]), Precedence::Atom),
+            Operation::Multiply(..) => {
+                let tokens = infix(next(), '*', next(), Precedence::Product);
+                Fragment::new(tokens, Precedence::Product)
+            }
+            Operation::Divide(..) => {
+                let tokens = infix(next(), '/', next(), Precedence::Product);
+                Fragment::new(tokens, Precedence::Product)
+            }
+            Operation::Negate(_) => next().negated(),
+            Operation::SquareRoot(_) => Fragment::atom(self.call(next(), "sqrt", Vec::new())),
+            Operation::SineAndCosine(_) => Fragment::atom(self.call(next(), "sin_cos", Vec::new())),
             Operation::Unary(function, _) => {
-                (self.call(next(), function.name(), &[]), Precedence::Atom)
+                Fragment::atom(self.call(next(), function.name(), Vec::new()))
             }
             Operation::Binary(function, ..) => {
                 let (x, y) = (next(), next());
-                (self.call(x, function.name(), &[y.tokens]), Precedence::Atom)
+                Fragment::atom(self.call(x, function.name(), vec![y.into_tokens()]))
             }
             Operation::Application(function, _) => {
-                let arguments: Vec<_> = operands.map(|fragment| fragment.tokens).collect();
-                (self.application(*function, &arguments), Precedence::Atom)
+                let arguments: Vec<_> = operands.map(Fragment::into_tokens).collect();
+                Fragment::atom(self.application(*function, &arguments))
             }
-        };
-        Fragment {
-            tokens,
-            precedence,
-            factors: None,
         }
     }
 
-    fn operand(&self, operand: &Operand) -> Fragment {
+    fn operand(&mut self, operand: &Operand) -> Fragment {
         match operand {
-            Operand::Value(value) => self.fragments[value].clone(),
+            Operand::Value(value) => {
+                let written = self.fragments.get_mut(*value);
+                // Tokens that nothing else holds are moved, and not copied, into what they are inlined in.
+                let written = match written {
+                    Some(written) if self.variables.contain(*value) => written.clone(),
+                    Some(written) => written.take(),
+                    None => None,
+                };
+                written.unwrap_or_else(|| Fragment::atom(TokenStream::new()))
+            }
             Operand::Symbol(symbol) => Fragment::atom(&self.symbols[symbol]),
             Operand::Constant(number) => Fragment::atom(constant(self.scalar, number)),
             Operand::Pi => {
@@ -317,35 +329,33 @@ impl<'a> Body<'a> {
     }
 
     /// x + y, with a product among them fused.
-    fn sum(&self, x: Fragment, y: Fragment) -> (TokenStream, Precedence) {
-        let (factors, summand) = match (x.factors.clone(), y.factors.clone()) {
-            (_, Some(factors)) => (factors, x),
-            (Some(factors), None) => (factors, y),
-            (None, None) => return (infix(x, '+', y, Precedence::Sum), Precedence::Sum),
+    fn sum(&self, x: Fragment, y: Fragment) -> Fragment {
+        let y = match y.into_factors() {
+            Ok([a, b]) => return self.fused(a, b, x),
+            Err(y) => y,
         };
-        let [a, b] = *factors;
-        (self.fused(a, b, summand.tokens), Precedence::Atom)
+        match x.into_factors() {
+            Ok([a, b]) => self.fused(a, b, y),
+            Err(x) => Fragment::new(infix(x, '+', y, Precedence::Sum), Precedence::Sum),
+        }
     }
 
     /// x − y, with a product among them fused.
-    fn difference(&self, x: Fragment, y: Fragment) -> (TokenStream, Precedence) {
-        let (a, b, summand) = match (x.factors.clone(), y.factors.clone()) {
-            (_, Some(factors)) => {
-                let [a, b] = *factors;
-                (a.negated(), b, x.tokens)
-            }
-            (Some(factors), None) => {
-                let [a, b] = *factors;
-                (a, b, y.negated_tokens())
-            }
-            (None, None) => return (infix(x, '-', y, Precedence::Sum), Precedence::Sum),
+    fn difference(&self, x: Fragment, y: Fragment) -> Fragment {
+        let y = match y.into_factors() {
+            Ok([a, b]) => return self.fused(a.negated(), b, x),
+            Err(y) => y,
         };
-        (self.fused(a, b, summand), Precedence::Atom)
+        match x.into_factors() {
+            Ok([a, b]) => self.fused(a, b, y.negated()),
+            Err(x) => Fragment::new(infix(x, '-', y, Precedence::Sum), Precedence::Sum),
+        }
     }
 
     /// a · b + summand.
-    fn fused(&self, a: Fragment, b: Fragment, summand: TokenStream) -> TokenStream {
-        self.call(a, "mul_add", &[b.tokens, summand])
+    fn fused(&self, a: Fragment, b: Fragment, summand: Fragment) -> Fragment {
+        let arguments = vec![b.into_tokens(), summand.into_tokens()];
+        Fragment::atom(self.call(a, "mul_add", arguments))
     }
 
     /// An external function, on the scalar.
@@ -357,14 +367,25 @@ impl<'a> Body<'a> {
     }
 
     /// A function of the scalar: as a method, unless that could be another trait's.
-    fn call(&self, x: Fragment, function: &str, arguments: &[TokenStream]) -> TokenStream {
+    fn call(&self, x: Fragment, function: &str, arguments: Vec<TokenStream>) -> TokenStream {
         let function = Ident::new(function, Span::mixed_site());
-        if self.scalar.is_ambiguous() {
-            let (functions, x) = (self.scalar.functions(), x.tokens);
-            quote!(#functions::#function(#x #(, #arguments)*))
+        let is_ambiguous = self.scalar.is_ambiguous();
+        let (mut call, receiver) = if is_ambiguous {
+            let functions = self.scalar.functions();
+            (quote!(#functions::#function), Some(x.into_tokens()))
         } else {
-            let receiver = x.in_parentheses_below(Precedence::Atom);
-            quote!(#receiver.#function(#(#arguments),*))
+            let mut call = x.in_parentheses_below(Precedence::Atom);
+            call.extend(quote!(.#function));
+            (call, None)
+        };
+        let mut list = TokenStream::new();
+        for (position, argument) in receiver.into_iter().chain(arguments).enumerate() {
+            if position > 0 {
+                list.extend(quote!(,));
+            }
+            list.extend(argument);
         }
+        call.extend([TokenTree::Group(Group::new(Delimiter::Parenthesis, list))]);
+        call
     }
 }

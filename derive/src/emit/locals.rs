@@ -136,7 +136,9 @@ impl<'a> Locals<'a> {
         } else {
             name
         };
-        while syn::parse_str::<Ident>(&name).is_err() {
+        // No keyword has a digit: most names need not be parsed, which takes long without optimization.
+        let has_digit = name.is_ascii() && name.bytes().any(|byte| byte.is_ascii_digit());
+        while !has_digit && syn::parse_str::<Ident>(&name).is_err() {
             name.push('_');
         }
         self.free(name)

@@ -1,6 +1,6 @@
 //! The methods of the table: their bodies, and the impls of `Lagrangian` and `Energies`.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
 use super::emitter::Emitter;
@@ -95,12 +95,8 @@ impl Emitter<'_> {
             && !variant.takes_accelerations()
             && method.count.cost() <= COSTLIEST_INLINED_ACCELERATIONS;
         let inline = is_inlined.then(|| quote!(#[inline(always)]));
-        quote! {
-            #inline
-            fn #name(&self, #state, #arguments) -> #output {
-                #body
-            }
-        }
+        let signature = quote!(#inline fn #name(&self, #state, #arguments) -> #output);
+        with_body(signature, body)
     }
 
     /// `inputs: …,` where a function takes them.
@@ -114,12 +110,11 @@ impl Emitter<'_> {
         let signatures = self.signatures();
         let output = signatures.result(row.result);
         let body = self.body(method, InputsFrom::Fields, &[]);
-        quote! {
+        let signature = quote! {
             type Prepared = #output;
-            fn prepare(&self) -> #output {
-                #body
-            }
-        }
+            fn prepare(&self) -> #output
+        };
+        with_body(signature, body)
     }
 
     /// A function of the parameters.
@@ -127,11 +122,7 @@ impl Emitter<'_> {
         let name = method_name(row.unprepared(), InputsFrom::Fields);
         let output = self.signatures().result(row.result);
         let body = self.body(method, InputsFrom::Fields, &[]);
-        quote! {
-            fn #name(&self) -> #output {
-                #body
-            }
-        }
+        with_body(quote!(fn #name(&self) -> #output), body)
     }
 
     /// The function that computes the invariants, and then calls the one that takes them.
@@ -185,4 +176,10 @@ impl Emitter<'_> {
             }
         }
     }
+}
+
+/// A function with its body, which is moved: `quote` would copy it, token by token.
+fn with_body(mut signature: TokenStream, body: TokenStream) -> TokenStream {
+    signature.extend([TokenTree::Group(Group::new(Delimiter::Brace, body))]);
+    signature
 }

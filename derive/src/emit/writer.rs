@@ -16,6 +16,14 @@ use crate::plan::{
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
+/// Streams one after the other. They are moved: `quote` would copy long ones, token by token.
+pub(super) fn joined(parts: impl IntoIterator<Item = TokenStream>) -> TokenStream {
+    let mut parts = parts.into_iter();
+    let mut all = parts.next().unwrap_or_default();
+    parts.for_each(|part| all.extend(part));
+    all
+}
+
 /// Writes the body of one method.
 pub(super) struct Writer<'a> {
     pub(super) emitter: &'a Emitter<'a>,
@@ -83,25 +91,25 @@ impl Writer<'_> {
         match &method.outputs {
             MethodOutputs::Scalar(value) => {
                 let (statements, value) = self.compute(value);
-                quote!(#statements #(#value)*)
+                joined([statements].into_iter().chain(value))
             }
             MethodOutputs::Vector(vector) => {
                 let (statements, elements) = self.compute(vector);
                 let vector = self.vector(&elements);
-                quote!(#statements #vector)
+                joined([statements, vector])
             }
             MethodOutputs::SquareMatrix(matrix) => {
                 let (statements, elements) = self.compute(matrix);
                 let matrix = self.matrix(&elements);
-                quote!(#statements #matrix)
+                joined([statements, matrix])
             }
             MethodOutputs::Invariants(values) | MethodOutputs::Events(values) => {
                 let (statements, values) = self.compute(values);
-                quote!(#statements [#(#values),*])
+                joined([statements, quote!([#(#values),*])])
             }
             MethodOutputs::Accelerations(outputs) => {
                 let (statements, accelerations) = self.accelerations(outputs);
-                quote!(#statements #accelerations)
+                joined([statements, accelerations])
             }
             MethodOutputs::Linearization(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
@@ -143,7 +151,7 @@ impl Writer<'_> {
                 let (_, forcing) = self.compute(forcing);
                 let forcing = self.vector(&forcing);
                 (
-                    quote!(#statements #factors),
+                    joined([statements, factors]),
                     quote!(factors.solve(&#forcing)),
                 )
             }

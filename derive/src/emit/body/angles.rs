@@ -19,6 +19,12 @@ impl Angles {
     /// The angles known at the beginning of a group, if they are two or more; `earlier` tells which
     /// values are those of groups before.
     pub(super) fn of(group: &OutputGroup, earlier: impl Fn(usize) -> bool) -> Option<Self> {
+        let is_pair = |operation: &Operation| matches!(operation, Operation::SineAndCosine(_));
+        let all = group.instructions.iter();
+        let pairs = all.filter(|instruction| is_pair(&instruction.operation));
+        if pairs.count() < 2 {
+            return None;
+        }
         let mut arithmetic = BTreeMap::new();
         let mut pairs = Vec::new();
         for (index, instruction) in group.instructions.iter().enumerate() {
@@ -31,7 +37,7 @@ impl Angles {
             }
             if is_arithmetic(&instruction.operation) {
                 arithmetic.insert(instruction.value, index);
-            } else if matches!(instruction.operation, Operation::SineAndCosine(_)) {
+            } else if is_pair(&instruction.operation) {
                 pairs.push(index);
             }
         }

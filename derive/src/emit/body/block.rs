@@ -51,11 +51,11 @@ impl Block {
     }
 
     /// Gives a variable the value that is read from elsewhere.
-    pub(super) fn read(&mut self, name: &Ident, value: &TokenStream, scalar: &Scalar<'_>) {
+    pub(super) fn read(&mut self, name: &Ident, value: TokenStream, scalar: &Scalar<'_>) {
         match self.form {
-            Form::Assigned => self.assign([name.clone()], &quote!(#name), value, scalar),
+            Form::Assigned => self.assign([name.clone()], quote!(#name), value, scalar),
             Form::Nested | Form::Pieces => {
-                self.written.extend(quote!(let #name: #scalar = #value;));
+                set(&mut self.written, quote!(let #name: #scalar), value);
             }
         }
     }
@@ -64,40 +64,43 @@ impl Block {
     pub(super) fn define(
         &mut self,
         defines: Vec<(usize, Ident)>,
-        pattern: &TokenStream,
-        value: &TokenStream,
+        pattern: TokenStream,
+        value: TokenStream,
         reads: Vec<Read>,
         calls_model: bool,
         scalar: &Scalar<'_>,
     ) {
-        let tokens = quote!(let #pattern = #value;);
         match self.form {
-            Form::Nested => self.written.extend(tokens),
+            Form::Nested => set(&mut self.written, quote!(let #pattern), value),
             Form::Assigned => {
                 let names = defines.into_iter().map(|(_, name)| name);
                 self.assign(names, pattern, value, scalar);
             }
-            Form::Pieces => self.statements.push(Statement {
-                tokens,
-                defines,
-                reads,
-                calls_model,
-            }),
+            Form::Pieces => {
+                let mut tokens = TokenStream::new();
+                set(&mut tokens, quote!(let #pattern), value);
+                self.statements.push(Statement {
+                    tokens,
+                    defines,
+                    reads,
+                    calls_model,
+                });
+            }
         }
     }
 
     fn assign(
         &mut self,
         names: impl IntoIterator<Item = Ident>,
-        pattern: &TokenStream,
-        value: &TokenStream,
+        pattern: TokenStream,
+        value: TokenStream,
         scalar: &Scalar<'_>,
     ) {
         if self.declared.len() >= DECLARED_AT_ONCE {
             self.declare(scalar);
         }
         self.declared.extend(names);
-        self.assignments.extend(quote!(#pattern = #value;));
+        set(&mut self.assignments, pattern, value);
     }
 
     /// Writes the declarations and assignments that are due.
@@ -121,4 +124,12 @@ impl Block {
         self.declare(scalar);
         core::mem::take(&mut self.written)
     }
+}
+
+/// Appends `place = value;`. Streams are moved: `quote` would copy them, token by token.
+fn set(statements: &mut TokenStream, place: TokenStream, value: TokenStream) {
+    statements.extend(place);
+    statements.extend(quote!(=));
+    statements.extend(value);
+    statements.extend(quote!(;));
 }

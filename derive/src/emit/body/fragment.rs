@@ -15,42 +15,71 @@ pub(super) enum Precedence {
 /// The tokens of a value.
 #[derive(Clone)]
 pub(super) struct Fragment {
-    pub(super) tokens: TokenStream,
-    pub(super) precedence: Precedence,
-    /// The factors, if this is a product that may be fused with a sum.
-    pub(super) factors: Option<Box<[Self; 2]>>,
+    precedence: Precedence,
+    form: Form,
+}
+
+#[derive(Clone)]
+enum Form {
+    Tokens(TokenStream),
+    /// A product that may be fused with a sum, which is written where it is not.
+    Product(Box<[Fragment; 2]>),
 }
 
 impl Fragment {
-    pub(super) fn atom(tokens: impl ToTokens) -> Self {
+    pub(super) fn new(tokens: TokenStream, precedence: Precedence) -> Self {
         Self {
-            tokens: tokens.into_token_stream(),
-            precedence: Precedence::Atom,
-            factors: None,
+            precedence,
+            form: Form::Tokens(tokens),
+        }
+    }
+
+    pub(super) fn atom(tokens: impl ToTokens) -> Self {
+        Self::new(tokens.into_token_stream(), Precedence::Atom)
+    }
+
+    /// The product of two factors, which may be fused with a sum.
+    pub(super) fn product(x: Self, y: Self) -> Self {
+        Self {
+            precedence: Precedence::Product,
+            form: Form::Product(Box::new([x, y])),
+        }
+    }
+
+    /// The factors of a product that may be fused with a sum.
+    pub(super) fn into_factors(self) -> Result<[Self; 2], Self> {
+        match self.form {
+            Form::Product(factors) => Ok(*factors),
+            Form::Tokens(_) => Err(self),
+        }
+    }
+
+    pub(super) fn into_tokens(self) -> TokenStream {
+        match self.form {
+            Form::Tokens(tokens) => tokens,
+            Form::Product(factors) => {
+                let [x, y] = *factors;
+                infix(x, '*', y, Precedence::Product)
+            }
         }
     }
 
     /// −x, which is not fused with anything.
     pub(super) fn negated(self) -> Self {
-        Self {
-            precedence: Precedence::Sign,
-            factors: None,
-            tokens: self.negated_tokens(),
-        }
-    }
-
-    /// −x.
-    pub(super) fn negated_tokens(self) -> TokenStream {
         let x = self.in_parentheses_below(Precedence::Atom);
-        quote!(-#x)
+        let mut tokens = quote!(-);
+        tokens.extend(x);
+        Self::new(tokens, Precedence::Sign)
     }
 
     /// The tokens, in parentheses where they bind less tightly than `precedence`.
     pub(super) fn in_parentheses_below(self, precedence: Precedence) -> TokenStream {
-        if self.precedence >= precedence {
-            self.tokens
+        let binds = self.precedence >= precedence;
+        let tokens = self.into_tokens();
+        if binds {
+            tokens
         } else {
-            TokenTree::Group(Group::new(Delimiter::Parenthesis, self.tokens)).into()
+            TokenTree::Group(Group::new(Delimiter::Parenthesis, tokens)).into()
         }
     }
 }
