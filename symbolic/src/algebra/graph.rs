@@ -221,6 +221,7 @@ impl Graph {
         let mut descendants = Vec::new();
         // The arena may be much larger than the result, so that whole words are passed over; a plain loop is quick
         // without optimization, too.
+        let nodes = self.nodes.nodes();
         let mut word = reached.len();
         while word > 0 {
             word -= 1;
@@ -229,10 +230,16 @@ impl Graph {
                 reached[word] ^= 1 << bit;
                 let expression = handle(64 * word + bit);
                 descendants.push(expression);
-                let node = self.node(expression);
-                node.for_each_operand(|operand| {
-                    reached[operand.index() / 64] |= 1 << (operand.index() % 64);
-                });
+                match &nodes[expression.index()] {
+                    Node::Sum(parts) | Node::Product(parts) => {
+                        for (operand, _) in parts {
+                            reached[operand.index() / 64] |= 1 << (operand.index() % 64);
+                        }
+                    }
+                    node => node.for_each_operand(|operand| {
+                        reached[operand.index() / 64] |= 1 << (operand.index() % 64);
+                    }),
+                }
             }
         }
         descendants.reverse();

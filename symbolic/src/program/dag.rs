@@ -257,12 +257,17 @@ impl DagOperation {
 pub(crate) fn merged(
     terms: impl IntoIterator<Item = (ValueId, Rational)>,
 ) -> Vec<(ValueId, Rational)> {
-    let mut sums: BTreeMap<ValueId, Rational> = BTreeMap::new();
+    let mut terms: Vec<_> = terms.into_iter().collect();
+    terms.sort_by_key(|(x, _)| *x);
+    let mut sums: Vec<(ValueId, Rational)> = Vec::with_capacity(terms.len());
     for (x, c) in terms {
-        let sum = sums.entry(x).or_insert(Rational::ZERO);
-        *sum = &*sum + &c;
+        match sums.last_mut() {
+            Some((last, sum)) if *last == x => *sum = &*sum + &c,
+            _ => sums.push((x, c)),
+        }
     }
-    sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
+    sums.retain(|(_, c)| !c.is_zero());
+    sums
 }
 
 impl Divisors {

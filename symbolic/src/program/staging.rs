@@ -137,7 +137,8 @@ struct Hoisting {
     programs: Staged,
     setup_instructions: Vec<Instruction>,
     outputs: Vec<Operand>,
-    locations: BTreeMap<usize, Location>,
+    /// By value.
+    locations: Vec<Option<Location>>,
     symbols: BTreeMap<usize, u32>,
     setup_values: usize,
     kernel_values: usize,
@@ -154,9 +155,9 @@ impl Hoisting {
         let value = if invariant {
             operation.for_each_operand(|operand| {
                 if let Operand::Value(value) = operand
-                    && let Some(Location::Setup(number)) = self.locations.get(value)
+                    && let Some(Location::Setup(number)) = self.location(*value)
                 {
-                    *value = *number;
+                    *value = number;
                 }
             });
             self.setup_values
@@ -169,9 +170,12 @@ impl Hoisting {
         } else {
             Location::Kernel
         };
+        let end = instruction.value + results;
+        if self.locations.len() < end {
+            self.locations.resize(end, None);
+        }
         for result in 0..results {
-            self.locations
-                .insert(instruction.value + result, location(value + result));
+            self.locations[instruction.value + result] = Some(location(value + result));
         }
         let moved = Instruction {
             operation,
@@ -191,8 +195,12 @@ impl Hoisting {
         match operand {
             Operand::Constant(_) | Operand::Pi | Operand::MinPositive => true,
             Operand::Symbol(symbol) => matches!(symbol, Symbol::Parameter(_)),
-            Operand::Value(value) => matches!(self.locations.get(value), Some(Location::Setup(_))),
+            Operand::Value(value) => matches!(self.location(*value), Some(Location::Setup(_))),
         }
+    }
+
+    fn location(&self, value: usize) -> Option<Location> {
+        self.locations.get(value).copied().flatten()
     }
 
     /// An operand as the kernel reads it.
@@ -200,12 +208,12 @@ impl Hoisting {
         let Operand::Value(value) = operand else {
             return operand.clone();
         };
-        match self.locations.get(value) {
-            Some(Location::Kernel(number)) => Operand::Value(*number),
+        match self.location(*value) {
+            Some(Location::Kernel(number)) => Operand::Value(number),
             Some(Location::Setup(number)) => {
                 let outputs = &mut self.outputs;
-                let index = *self.symbols.entry(*number).or_insert_with(|| {
-                    outputs.push(Operand::Value(*number));
+                let index = *self.symbols.entry(number).or_insert_with(|| {
+                    outputs.push(Operand::Value(number));
                     u32::try_from(outputs.len() - 1).unwrap_or(u32::MAX)
                 });
                 Operand::Symbol(Symbol::Invariant(index))

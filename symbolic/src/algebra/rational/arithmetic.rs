@@ -7,6 +7,11 @@ impl core::ops::Add for &Rational {
 
     fn add(self, other: Self) -> Rational {
         match (&self.0, &other.0) {
+            // Nearly all are integers, whose sums have nothing to reduce.
+            (Fraction::Small(a, 1), Fraction::Small(c, 1)) => match a.checked_add(*c) {
+                Some(sum) => Rational(Fraction::Small(sum, 1)),
+                None => Rational::from_wide(i128::from(*a) + i128::from(*c), 1),
+            },
             (Fraction::Small(a, b), Fraction::Small(c, d)) => {
                 let (a, b) = (i128::from(*a), i128::from(*b));
                 let (c, d) = (i128::from(*c), i128::from(*d));

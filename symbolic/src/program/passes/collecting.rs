@@ -9,15 +9,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Rational;
+use crate::algebra::hashing::Table;
 use crate::limits::LONGEST_SEARCHED_LIST;
 use crate::program::dag::{Dag, DagOperation, ValueId};
 
 /// Indices of the values before anything is collected.
 struct Index {
     /// Products by their factors.
-    products: BTreeMap<Vec<ValueId>, ValueId>,
-    /// The sums that a value is a term of.
-    sums: BTreeMap<ValueId, Vec<ValueId>>,
+    products: Table<Vec<ValueId>, ValueId>,
+    /// By value, the sums that it is a term of.
+    sums: Vec<Vec<ValueId>>,
 }
 
 /// A sum found among the multiples of a factor.
@@ -54,7 +55,7 @@ impl Dag {
             .filter(|(_, quotients)| quotients.len() > 1)
         {
             for first in quotients.keys() {
-                for sum in index.sums.get(first).into_iter().flatten() {
+                for sum in index.sums.get(*first).into_iter().flatten() {
                     if *sum >= value {
                         continue;
                     }
@@ -68,7 +69,25 @@ impl Dag {
         None
     }
 
-    /// For each factor of the terms of a sum, the quotients of the terms by it: the value, the term and the
+    /// The factors that terms of a sum have twice or more, in ascending order.
+    fn repeated_factors(&self, terms: &[(ValueId, Rational)]) -> Vec<ValueId> {
+        let mut factors = Vec::new();
+        for (term, _) in terms {
+            if let DagOperation::Quotient(numerator, _) = &self.operations[*term] {
+                factors.extend_from_slice(numerator);
+            }
+        }
+        factors.sort_unstable();
+        let mut repeated = Vec::new();
+        for i in 1..factors.len() {
+            if factors[i] == factors[i - 1] && repeated.last() != Some(&factors[i]) {
+                repeated.push(factors[i]);
+            }
+        }
+        repeated
+    }
+
+    /// For each repeated factor of the terms of a sum, the quotients of the terms by it: the value, the term and the
     /// coefficient.
     fn multiples(
         &self,
@@ -77,6 +96,7 @@ impl Dag {
     ) -> BTreeMap<ValueId, BTreeMap<ValueId, (ValueId, Rational)>> {
         let mut multiples: BTreeMap<ValueId, BTreeMap<ValueId, (ValueId, Rational)>> =
             BTreeMap::new();
+        let repeated = self.repeated_factors(terms);
         for (term, coefficient) in terms {
             let DagOperation::Quotient(numerator, denominator) = &self.operations[*term] else {
                 continue;
@@ -85,6 +105,9 @@ impl Dag {
                 continue;
             }
             for (position, factor) in numerator.iter().enumerate() {
+                if repeated.binary_search(factor).is_err() {
+                    continue;
+                }
                 let mut rest = numerator.clone();
                 rest.remove(position);
                 let quotient = match &*rest {
@@ -154,7 +177,8 @@ impl Match {
 
 impl Index {
     fn of(dag: &Dag) -> Self {
-        let (mut products, mut sums) = (BTreeMap::new(), BTreeMap::new());
+        let mut products = Table::default();
+        let mut sums = vec![Vec::new(); dag.operations.len()];
         for (value, operation) in dag.operations.iter().enumerate() {
             match operation {
                 DagOperation::Quotient(numerator, denominator) if denominator.is_empty() => {
@@ -162,7 +186,7 @@ impl Index {
                 }
                 DagOperation::Sum(terms) if (2..=LONGEST_SEARCHED_LIST).contains(&terms.len()) => {
                     for (term, _) in terms {
-                        sums.entry(*term).or_insert_with(Vec::new).push(value);
+                        sums[*term].push(value);
                     }
                 }
                 _ => {}

@@ -148,17 +148,20 @@ struct Sharing<'a, L> {
     queue: BinaryHeap<(usize, bool, Reverse<Pair>)>,
     /// Pairs that occur in more or fewer lists than when the queue last heard of them.
     changed: Vec<Pair>,
+    /// The values that are part of one list at most, now and later: their pairs are in one list, too.
+    unshared: Vec<bool>,
     lists: core::marker::PhantomData<L>,
 }
 
 impl<'a, L: Lists> Sharing<'a, L> {
     fn run(dag: &'a mut Dag) {
         let mut sharing = Self {
-            dag,
             occurrences: Table::default(),
             queue: BinaryHeap::new(),
             changed: Vec::new(),
+            unshared: unshared::<L>(dag),
             lists: core::marker::PhantomData,
+            dag,
         };
         for value in 0..sharing.dag.operations.len() {
             for pair in sharing.pairs(value, |_| true) {
@@ -225,7 +228,11 @@ impl<'a, L: Lists> Sharing<'a, L> {
         }
     }
 
-    /// The pairs of a list with at least one part for which `wanted` holds.
+    fn may_be_shared(&self, part: ValueId) -> bool {
+        part >= self.unshared.len() || !self.unshared[part]
+    }
+
+    /// The pairs of a list that others may have, with at least one part for which `wanted` holds.
     fn pairs(&self, value: ValueId, wanted: impl Fn(ValueId) -> bool) -> Vec<Pair> {
         let length = L::length(self.dag, value).unwrap_or(0);
         let mut pairs = Vec::new();
@@ -234,10 +241,13 @@ impl<'a, L: Lists> Sharing<'a, L> {
         }
         for i in 0..length {
             let (x, c) = L::part(self.dag, value, i);
+            if !self.may_be_shared(x) {
+                continue;
+            }
             let all = wanted(x);
             for j in i + 1..length {
                 let (y, d) = L::part(self.dag, value, j);
-                if !(all || wanted(y)) {
+                if !(all || wanted(y)) || !self.may_be_shared(y) {
                     continue;
                 }
                 pairs.push(if x <= y {
@@ -305,6 +315,25 @@ impl<'a, L: Lists> Sharing<'a, L> {
             L::part(self.dag, shared, position).1.clone()
         })
     }
+}
+
+/// Of each value, whether it is part of one list at most and no list itself, which could take the place of a pair.
+fn unshared<L: Lists>(dag: &Dag) -> Vec<bool> {
+    let mut uses = vec![0_usize; dag.operations.len()];
+    for value in 0..dag.operations.len() {
+        let length = L::length(dag, value).unwrap_or(0);
+        if length > LONGEST_SEARCHED_LIST {
+            continue;
+        }
+        for position in 0..length {
+            uses[L::part(dag, value, position).0] += 1;
+        }
+    }
+    let mut unshared = vec![false; uses.len()];
+    for (value, uses) in uses.into_iter().enumerate() {
+        unshared[value] = uses < 2 && L::length(dag, value).is_none_or(|length| length < 2);
+    }
+    unshared
 }
 
 /// Whether a list consists of two parts and nothing else.
