@@ -47,7 +47,7 @@ pub(crate) struct Body<'a> {
     /// By value: what it is written as. One that is no variable is used once, and taken from here.
     fragments: Vec<Option<Fragment>>,
     /// In a method in pieces: what the fragment of a value reads.
-    reads: HashMap<usize, Vec<Read>>,
+    reads: Vec<Vec<Read>>,
     /// In a method in pieces: the symbols that have been read before the pieces.
     read_before: BTreeSet<Symbol>,
     /// In a method in pieces: the arrays of the values of groups that are written, and their lengths.
@@ -88,7 +88,7 @@ impl<'a> Body<'a> {
             functions,
             symbols: BTreeMap::new(),
             fragments: Vec::new(),
-            reads: HashMap::new(),
+            reads: Vec::new(),
             read_before: BTreeSet::new(),
             arrays: Vec::new(),
             homes: HashMap::new(),
@@ -239,7 +239,10 @@ impl<'a> Body<'a> {
     /// In a method in pieces: what an expression reads that contains a value.
     fn is_read(&mut self, value: usize, reads: Vec<Read>) {
         if self.block.is_in_pieces() {
-            self.reads.insert(value, reads);
+            if self.reads.len() <= value {
+                self.reads.resize(value + 1, Vec::new());
+            }
+            self.reads[value] = reads;
         }
     }
 
@@ -252,7 +255,9 @@ impl<'a> Body<'a> {
         for operand in operation.operands() {
             match operand {
                 Operand::Value(value) => {
-                    reads.extend(self.reads.get(value).into_iter().flatten().copied());
+                    if let Some(of_value) = self.reads.get(*value) {
+                        reads.extend_from_slice(of_value);
+                    }
                 }
                 Operand::Symbol(symbol) => reads.push(Read::Symbol(*symbol)),
                 _ => {}

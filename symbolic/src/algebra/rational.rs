@@ -263,6 +263,12 @@ impl Rational {
         if exponent < 0 {
             return self.reciprocal()?.power(exponent.checked_neg()?);
         }
+        if exponent == 1 {
+            return Some(self.clone());
+        }
+        if let Some(power) = self.small_power(exponent) {
+            return Some(power);
+        }
         let value = self.to_big();
         let bits = value.numer().bits().max(value.denom().bits());
         let trivial =
@@ -276,6 +282,17 @@ impl Rational {
             value.numer().pow(exponent),
             value.denom().pow(exponent),
         )))
+    }
+
+    /// The power where it is a fraction of machine integers.
+    fn small_power(&self, exponent: i64) -> Option<Self> {
+        let exponent = u32::try_from(exponent).ok()?;
+        let (numerator, denominator) = self.to_fraction()?;
+        let powers = (
+            numerator.checked_pow(exponent)?,
+            denominator.checked_pow(exponent)?,
+        );
+        Some(Self(Fraction::Small(powers.0, powers.1)))
     }
 
     /// The exact `degree`-th root of a positive number, if it is rational.
@@ -307,6 +324,12 @@ impl Rational {
     /// The largest rational of which both numbers are integer multiples.
     #[must_use]
     pub fn common_divisor(&self, other: &Self) -> Self {
+        if let (Fraction::Small(a, b), Fraction::Small(c, d)) = (&self.0, &other.0) {
+            let [a, b, c, d] = [*a, *b, *c, *d].map(i128::from);
+            let numerator = greatest_common_divisor((a * d).unsigned_abs(), (c * b).unsigned_abs());
+            // Both products are at most 2¹²⁶.
+            return Self::from_wide(i128::try_from(numerator).unwrap_or(i128::MAX), b * d);
+        }
         let (a, b) = (self.to_big(), other.to_big());
         let numerator = big_common_divisor(a.numer() * b.denom(), b.numer() * a.denom());
         Self::from_big(BigRational::new(numerator, a.denom() * b.denom()))

@@ -129,9 +129,10 @@ impl ModularPoint {
     /// The homomorphic image of a node, from those of its operands.
     pub(crate) fn image(self, node: &Node, images: &Images) -> Option<HomomorphicImage> {
         let of = |operand: Expression| images.get(operand);
+        // Macros run without optimization, and this runs most often: sums and products are plain loops.
         let value = match node {
             Node::Sum(terms) => {
-                let sum = self.linear_combination(terms, of)?;
+                let sum = self.linear_combination(terms, images)?;
                 if self.addition_theorems {
                     return Some(sum);
                 }
@@ -156,11 +157,17 @@ impl ModularPoint {
                 let p = self.p();
                 let mut product = 1;
                 for (x, k) in factors {
-                    let power = match k.to_fraction() {
-                        Some((1, 1)) => of(*x).value,
-                        _ => self.power(of(*x).value, k)?,
+                    let value = images.0[x.index()][0];
+                    let power = if k.is_one() {
+                        value
+                    } else {
+                        self.power(value, k)?
                     };
-                    product = residue::multiply(product, power, p);
+                    product = if product == 1 {
+                        power
+                    } else {
+                        residue::multiply(product, power, p)
+                    };
                 }
                 product
             }
@@ -345,23 +352,23 @@ impl ModularPoint {
     fn linear_combination(
         self,
         terms: &[(Expression, Rational)],
-        of: impl Fn(Expression) -> HomomorphicImage,
+        images: &Images,
     ) -> Option<HomomorphicImage> {
-        let (p, q) = (self.p(), self.q());
+        let Field { p, q, .. } = self.field();
         let mut sum = HomomorphicImage::ZERO;
         for (x, c) in terms {
-            let image = of(*x);
-            let (value, logarithm) = match c.to_fraction() {
-                Some((1, 1)) => (image.value, image.logarithm),
-                Some((-1, 1)) => (
-                    residue::negate(image.value, p),
-                    residue::negate(image.logarithm, q),
-                ),
-                _ => (
-                    residue::multiply(reduce(c, p)?, image.value, p),
-                    residue::multiply(reduce(c, q)?, image.logarithm, q),
-                ),
-            };
+            let [mut value, mut logarithm] = images.0[x.index()];
+            match c.to_fraction() {
+                Some((1, 1)) => {}
+                Some((-1, 1)) => {
+                    value = residue::negate(value, p);
+                    logarithm = residue::negate(logarithm, q);
+                }
+                _ => {
+                    value = residue::multiply(reduce(c, p)?, value, p);
+                    logarithm = residue::multiply(reduce(c, q)?, logarithm, q);
+                }
+            }
             sum.value = residue::add(sum.value, value, p);
             sum.logarithm = residue::add(sum.logarithm, logarithm, q);
         }

@@ -3,7 +3,6 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::algebra::hashing::Table;
 use crate::limits::LONGEST_ARRANGED;
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node};
@@ -12,8 +11,8 @@ use crate::{Expression, Graph, Node};
 /// number, since the graph is append-only.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct WrittenSizes {
-    by_name: RefCell<Table<Expression, u64>>,
-    in_full: RefCell<Table<Expression, u64>>,
+    by_name: RefCell<Vec<Option<u64>>>,
+    in_full: RefCell<Vec<Option<u64>>>,
 }
 
 impl Graph {
@@ -32,46 +31,52 @@ impl Graph {
     fn sizes(
         &self,
         roots: &[Expression],
-        known: &RefCell<Table<Expression, u64>>,
+        known: &RefCell<Vec<Option<u64>>>,
         is_named: impl Fn(Expression) -> bool,
     ) -> u64 {
-        let mut sizes = known.borrow_mut();
+        let mut known = known.borrow_mut();
+        let sizes = &mut *known;
+        if sizes.len() < self.len() {
+            sizes.resize(self.len(), None);
+        }
         let mut open = Vec::new();
         for root in roots {
             self.node(*root).for_each_operand(|x| open.push(x));
         }
         while let Some(part) = open.last().copied() {
             let before = open.len();
-            if !sizes.contains_key(&part) {
+            if sizes[part.index()].is_none() {
                 let size = if is_named(part) {
                     1
                 } else {
                     self.node(part).for_each_operand(|x| {
-                        if !sizes.contains_key(&x) {
+                        if sizes[x.index()].is_none() {
                             open.push(x);
                         }
                     });
                     if open.len() > before {
                         continue;
                     }
-                    self.size_of(part, &sizes)
+                    self.size_of(part, sizes)
                 };
-                sizes.insert(part, size);
+                sizes[part.index()] = Some(size);
             }
             open.pop();
         }
-        let each = roots.iter().map(|root| self.size_of(*root, &sizes));
+        let each = roots.iter().map(|root| self.size_of(*root, sizes));
         each.fold(0, u64::saturating_add)
     }
 
     /// The size of an expression from those of its operands.
-    fn size_of(&self, expression: Expression, sizes: &Table<Expression, u64>) -> u64 {
+    fn size_of(&self, expression: Expression, sizes: &[Option<u64>]) -> u64 {
         let node = self.node(expression);
         let mut size = match node {
             Node::Sum(_) | Node::Product(_) | Node::Opaque(_) => 0,
             _ => 1,
         };
-        node.for_each_operand(|operand| size = u64::saturating_add(size, sizes[&operand]));
+        node.for_each_operand(|operand| {
+            size = u64::saturating_add(size, sizes[operand.index()].unwrap_or(0));
+        });
         size
     }
 
