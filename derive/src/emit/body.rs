@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use lagrangian_symbolic::{
     ExternalFunction, Instruction, Operand, Operation, OutputGroup, Pass, Passes, Program, Symbol,
 };
-use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
@@ -375,18 +375,19 @@ impl<'a> Body<'a> {
     fn call(&self, x: Fragment, function: &str, arguments: Vec<TokenStream>) -> TokenStream {
         let function = Ident::new(function, Span::mixed_site());
         let is_ambiguous = self.scalar.is_ambiguous();
+        let sign = |sign| TokenTree::Punct(Punct::new(sign, Spacing::Alone));
         let (mut call, receiver) = if is_ambiguous {
             let functions = self.scalar.functions();
             (quote!(#functions::#function), Some(x.into_tokens()))
         } else {
             let mut call = x.in_parentheses_below(Precedence::Atom);
-            call.extend(quote!(.#function));
+            call.extend([sign('.'), TokenTree::Ident(function)]);
             (call, None)
         };
         let mut list = TokenStream::new();
         for (position, argument) in receiver.into_iter().chain(arguments).enumerate() {
             if position > 0 {
-                list.extend(quote!(,));
+                list.extend([sign(',')]);
             }
             list.extend(argument);
         }

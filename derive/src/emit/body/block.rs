@@ -5,7 +5,7 @@
 //! one pattern, and then assigned. Compilers keep them in registers as those of a short one, but the time that they take grows
 //! faster than the length; so a method that is longer still is divided into pieces.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Punct, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
 use super::pieces::{Read, Statement};
@@ -128,8 +128,9 @@ impl Block {
 
 /// Appends `place = value;`. Streams are moved: `quote` would copy them, token by token.
 fn set(statements: &mut TokenStream, place: TokenStream, value: TokenStream) {
+    let sign = |sign| [TokenTree::Punct(Punct::new(sign, Spacing::Alone))];
     statements.extend(place);
-    statements.extend(quote!(=));
+    statements.extend(sign('='));
     statements.extend(value);
-    statements.extend(quote!(;));
+    statements.extend(sign(';'));
 }
