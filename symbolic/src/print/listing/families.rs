@@ -17,7 +17,7 @@ use crate::print::listing::pattern_text::{PatternText, sum_over};
 use crate::print::listing::section::Side;
 use crate::{Equations, Expression, Graph, Rational, Symbol};
 
-/// So many sums over the family an entry of M has at most that is folded: see [`MOST_PATTERNS`](crate::limits::MOST_PATTERNS).
+/// An entry of M that is folded has so many sums over the family at most; that of a chain of links has one.
 const MOST_SUMS: u64 = 3;
 
 /// A family of coordinates, the first and the last index, and a pair of members that is not special if there are many.
