@@ -19,10 +19,10 @@ struct Row {
 }
 
 const BOTH: &[Profile] = &[Profile::Release, Profile::Debug];
-const DYNAMICS: &[&str] = &["accelerations(state)", "inverse_dynamics(state, &vector)"];
+const DYNAMICS: &[&str] = &["accelerations(state)", "inverse_dynamics(state, &state.v)"];
 const ALL: &[&str] = &[
     "accelerations(state)",
-    "inverse_dynamics(state, &vector)",
+    "inverse_dynamics(state, &state.v)",
     "mass_matrix(state)",
     "linearize(state)",
 ];
@@ -85,7 +85,8 @@ pub(crate) fn verdicts(folders: &Folders) -> Result<Vec<Verdict>, String> {
         for profile in row.profiles {
             let name = row.name.replace([' ', ','], "-");
             let seconds = build_seconds(folders, &format!("long-{name}"), &main, *profile)?;
-            println!("  {:<20} {profile:<8?} {seconds:>7.1}", row.name);
+            let kind = format!("{profile:?}");
+            println!("  {:<20} {kind:<8} {seconds:>7.1}", row.name);
             verdicts.push(Verdict {
                 what: format!("{}, seconds of a build, {profile:?}", row.name),
                 figure: seconds,
@@ -123,8 +124,7 @@ impl Row {
         let calls: String = calls.collect();
         format!(
             "{model}\nfn main() {{\n    let model = {value};\n    \
-             let state = &State::new(0.0, [0.1; {n}], [0.2; {n}]);\n    \
-             let vector = lagrangian::nalgebra::SVector::from([0.3; {n}]);\n{calls}    let _ = vector;\n}}\n"
+             let state = &State::new(0.0, [0.1; {n}], [0.2; {n}]);\n{calls}}}\n"
         )
     }
 }

@@ -21,14 +21,15 @@ pub(crate) const STATEMENTS_PER_PIECE: usize = 300;
 /// How many variables are declared at once, those that are assigned and the results of pieces.
 pub(crate) const DECLARED_AT_ONCE: usize = 200;
 
-/// The cost of M beyond which it is computed column by column. That of thirty joints in space costs ten thousand, and is
-/// computed ten times faster as one program; that of a hundred would be half a million statements of the expansion. Loops over
-/// the links of one kind would lift it.
+/// The cost of M beyond which it is computed column by column. That of thirty joints in space costs ten thousand, a tenth of
+/// what thirty columns of momenta do; that of a hundred joints would cost more than ten times as much, and the time to compile
+/// grows with it. Loops over the links of one kind would lift it.
 pub(crate) const COSTLIEST_MASS_MATRIX: usize = 20_000;
 
 /// The cost of the inverse dynamics, times the number of columns, beyond which the derivatives of the accelerations are computed
-/// column by column.
-pub(crate) const COSTLIEST_DERIVATIVES: usize = 100_000;
+/// column by column. For thirty joints in space it is two hundred thousand; a release build then took 28 s of processor time
+/// in place of 41. Derivatives of fewer operations would move it.
+pub(crate) const COSTLIEST_DERIVATIVES: usize = 150_000;
 
 /// How many columns of derivatives are computed at once: as many numbers of 64 bits as a vector register of 256 bits holds.
 pub(crate) const DIRECTIONS_AT_ONCE: usize = 4;

@@ -1,5 +1,5 @@
-//! Methods on both sides of the length from which on they are divided into pieces, against the
-//! derivatives of the closed form of a chain of pendulums. No lint may flag what is emitted, either.
+//! Methods on both sides of the lengths from which on they are divided into pieces and matrices are computed column by column,
+//! against the derivatives of the closed form of a chain of pendulums. No lint may flag what is emitted, either.
 #![deny(
     warnings,
     clippy::all,
@@ -94,5 +94,7 @@ fn derivatives_are_those_of_the_closed_form() {
     compare!(12, figures);
     // The first that is long.
     compare!(20, figures);
+    // Column by column, from the inverse dynamics on dual numbers.
+    compare!(60, figures);
     figures.finish();
 }
