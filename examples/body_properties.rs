@@ -70,9 +70,20 @@ fn ball(radius: f64, meridians: usize) -> Result<RigidBody, Box<dyn Error>> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let body = hammer()?;
+    println!("A hammer, composed of a handle and a head with a hole.");
+    print_properties(&body)?;
+    exchange(&body)?;
+    compare_mesh()?;
+    print_impossible(&body);
+    std::fs::write("body_properties.svg", figure(&body))?;
+    println!("Wrote body_properties.svg.");
+    Ok(())
+}
+
+/// Mass, centre of gravity, moments and principal axes.
+fn print_properties(body: &RigidBody) -> Result<(), BodyError> {
     let inertia = body.inertia();
     let ProductsOfInertia { xy, xz, yz } = inertia.products();
-    println!("A hammer, composed of a handle and a head with a hole.");
     println!("  mass                        {:.4} kg", body.mass());
     println!(
         "  centre of gravity, (1.1)    {:.5?} m",
@@ -98,8 +109,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         "  along the columns of        {:.4}",
         principal.axes.matrix()
     );
+    Ok(())
+}
 
-    let urdf = UrdfInertial::of(&body);
+/// The same numbers as other programs write and read them.
+fn exchange(body: &RigidBody) -> Result<(), Box<dyn Error>> {
+    let inertia = body.inertia();
+    let ProductsOfInertia { xy, xz, yz } = inertia.products();
+    let urdf = UrdfInertial::of(body);
     println!(
         "As URDF has it, with entries of the tensor:\n  ixx {:.4e} iyy {:.4e} izz {:.4e} ixy {:.4e} ixz {:.4e} iyz {:.4e}",
         urdf.ixx, urdf.iyy, urdf.izz, urdf.ixy, urdf.ixz, urdf.iyz
@@ -115,7 +132,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         sign: ProductSign::Integral,
     };
     assert_eq!(report.body_about_center()?.inertia(), inertia);
+    Ok(())
+}
 
+/// A mesh that is refined, beside the solid.
+fn compare_mesh() -> Result<(), Box<dyn Error>> {
     println!("\nA ball of 1 kg and radius 0.1 m as a mesh, beside the solid:");
     let solid = Solid::sphere(0.1)?.with_mass(1.0)?;
     for meridians in [8, 16, 32, 64] {
@@ -123,7 +144,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let error = mesh.inertia().moments()[2] / solid.inertia().moments()[2] - 1.0;
         println!("  {meridians:3} meridians: moment of inertia off by {error:9.2e}");
     }
+    Ok(())
+}
 
+/// What is said of numbers that no body has.
+fn print_impossible(body: &RigidBody) {
     println!("\nWhat no body has:");
     let impossible = InertiaTensor::principal([1.0, 2.0, 3.5]);
     let signs = InertiaTensor::from_moments_and_products(
@@ -137,18 +162,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     for error in [
         RigidBody::new(1.0, Vector3::zeros(), impossible).err(),
         RigidBody::new(1.0, Vector3::zeros(), signs).err(),
-        RigidBody::new(-1.0, Vector3::zeros(), inertia).err(),
+        RigidBody::new(-1.0, Vector3::zeros(), body.inertia()).err(),
         Solid::tube(0.03_f64, 0.02, 0.1).err(),
-        SymmetricBody::of(&body).err(),
+        SymmetricBody::of(body).err(),
     ]
     .into_iter()
     .flatten()
     {
         println!("  {error}");
     }
-    std::fs::write("body_properties.svg", figure(&body))?;
-    println!("Wrote body_properties.svg.");
-    Ok(())
 }
 
 /// Three numbers with four digits.

@@ -125,18 +125,39 @@ fn main() -> Result<(), Box<dyn Error>> {
     let balance = model.accelerations(&released(theta, spin, slow))[Gyroscope::THETA];
     println!("  in the slow one θ̈ is {balance:.0e} rad/s²");
 
+    print_rates(&model, &reduced, (spin, theta, slow))?;
+    let motions = motions(&model, (spin, theta, slow))?;
+    std::fs::write("gyroscope.svg", figure(&model, theta, slow, &motions))?;
+    println!("Wrote gyroscope.svg.");
+    Ok(())
+}
+
+/// Rates of precession and nutation next to the steady precession, beside the formula.
+fn print_rates(
+    model: &Gyroscope,
+    reduced: &Reduced,
+    (spin, theta, slow): (f64, f64, f64),
+) -> Result<(), IntegrationError> {
     println!("\nAt rates next to the steady one, in rad/s:");
     println!("  φ̇ at the start   mean φ̇     nutation    √(V_eff″/N)");
     let formula = reduced.nutation(spin, theta, slow);
     for excess in [0.3, 0.03, 0.003] {
         let start = released(theta, spin, slow * (1.0 + excess));
-        let [precession, nutation] = rates(&model, start)?;
+        let [precession, nutation] = rates(model, start)?;
         println!(
             "  {:12.6} {precession:12.6} {nutation:12.6} {formula:12.6}",
             start.v[Gyroscope::PHI]
         );
     }
+    println!();
+    Ok(())
+}
 
+/// The motions after each release.
+fn motions(
+    model: &Gyroscope,
+    (spin, theta, slow): (f64, f64, f64),
+) -> Result<Vec<Motion>, IntegrationError> {
     let times: Vec<f64> = (0..=4000).map(|k| 1.2 * f64::from(k) / 4000.0).collect();
     let mut motions = Vec::new();
     for (class, factor, name) in RELEASES {
@@ -147,15 +168,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             .iter()
             .map(|state| (model.energy(state) / model.energy(&start) - 1.0).abs());
         let drift = drift.fold(0.0, f64::max);
-        println!(
-            "{}{name}: energy kept to {drift:.0e}",
-            if motions.is_empty() { "\n" } else { "" }
-        );
+        println!("{name}: energy kept to {drift:.0e}");
         motions.push((class, name, states));
     }
-    std::fs::write("gyroscope.svg", figure(&model, theta, slow, &motions))?;
-    println!("Wrote gyroscope.svg.");
-    Ok(())
+    Ok(motions)
 }
 
 /// How the axis is released: the class of its curve, and its precession as a multiple of the slow steady one.
@@ -167,92 +183,97 @@ const RELEASES: [(&str, f64, &str); 3] = [
 
 type Motion = (&'static str, &'static str, Vec<State<f64, 3>>);
 
+/// The panels of the figure: the path of the axis, its inclination over time, and the path from above.
+struct Panels {
+    path: Panel,
+    inclination: Panel,
+    above: Panel,
+}
+
+impl Panels {
+    /// Panels that all motions fit into, drawn.
+    fn draw(svg: &mut Svg, motions: &[Motion]) -> Self {
+        let all = || motions.iter().flat_map(|(_, _, states)| states);
+        let degrees = |i: usize| extent(all().map(|state| state.q[i].to_degrees()));
+        let [low, high] = degrees(Gyroscope::THETA);
+        let margin = 0.08 * (high - low);
+        let inclinations = [low - margin, high + margin];
+        let panel = |place, x, y| Panel::new(place, (x, y), [8.0, 5.0]);
+        let azimuths = degrees(Gyroscope::PHI);
+        let times = extent(all().map(|state| state.t));
+        let panels = Self {
+            path: panel([84.0, 690.0, 112.0, 330.0], azimuths, inclinations),
+            inclination: panel([84.0, 690.0, 410.0, 628.0], times, inclinations),
+            above: Panel::new(
+                [764.0, 1072.0, 112.0, 420.0],
+                ([-1.1, 1.1], [-1.1, 1.1]),
+                [5.0, 5.0],
+            ),
+        };
+        let inclination = "inclination θ / degrees";
+        let azimuth = "azimuth φ / degrees";
+        panels
+            .path
+            .draw(svg, "Path of the axis", azimuth, inclination);
+        panels
+            .inclination
+            .draw(svg, "Nutation", "time t / s", inclination);
+        panels.above.draw(svg, "From above", "x", "y");
+        panels
+    }
+
+    /// The steady precession.
+    fn draw_steady(&self, svg: &mut Svg, theta: f64) {
+        let center = self.above.at(0.0, 0.0);
+        let radius = self.above.at(theta.sin(), 0.0)[0] - center[0];
+        svg.circle("limit", center, radius);
+        for panel in [&self.path, &self.inclination] {
+            let [from, to] = panel.x.range.map(|x| panel.at(x, theta.to_degrees()));
+            svg.line("limit", from, to);
+        }
+    }
+
+    /// A motion in all panels.
+    fn draw_motion(&self, svg: &mut Svg, model: &Gyroscope, (class, _, states): &Motion) {
+        let degrees = |state: &State<f64, 3>, i: usize| state.q[i].to_degrees();
+        let path = states.iter().map(|state| {
+            let azimuth = degrees(state, Gyroscope::PHI);
+            [azimuth, degrees(state, Gyroscope::THETA)]
+        });
+        self.path.curve(svg, class, path);
+        let inclination = states.iter();
+        let inclination = inclination.map(|state| [state.t, degrees(state, Gyroscope::THETA)]);
+        self.inclination.curve(svg, class, inclination);
+        let above = states.iter().map(|state| {
+            let axis = model.outputs(state).axis;
+            [axis.x, axis.y]
+        });
+        self.above.curve(svg, class, above);
+    }
+}
+
 /// The path of the axis, inclination against azimuth, and the inclination against time.
 fn figure(model: &Gyroscope, theta: f64, slow: f64, motions: &[Motion]) -> String {
     let mut svg = Svg::new(1100.0, 690.0);
-    svg.text(
-        "title",
-        Anchor::Start,
-        [24.0, 36.0],
-        "A gyroscope in gimbals under a weight",
-    );
+    let title = "A gyroscope in gimbals under a weight";
+    svg.text("title", Anchor::Start, [24.0, 36.0], title);
     let subtitle = format!(
         "Steady precession {slow:.3} rad/s at θ = {:.1}°.",
         theta.to_degrees()
     );
     svg.text("subtitle", Anchor::Start, [24.0, 62.0], &subtitle);
-    let degrees = |state: &State<f64, 3>, i: usize| state.q[i].to_degrees();
-    let all = || motions.iter().flat_map(|(_, _, states)| states);
-    let [low, high] = extent(all().map(|state| degrees(state, Gyroscope::THETA)));
-    let margin = 0.08 * (high - low);
-    let inclinations = [low - margin, high + margin];
-    let azimuths = extent(all().map(|state| degrees(state, Gyroscope::PHI)));
-    let paths = Panel::new(
-        [84.0, 690.0, 112.0, 330.0],
-        (azimuths, inclinations),
-        [8.0, 5.0],
-    );
-    paths.draw(
-        &mut svg,
-        "Path of the axis",
-        "azimuth φ / degrees",
-        "inclination θ / degrees",
-    );
-    let tilts = Panel::new(
-        [84.0, 690.0, 410.0, 628.0],
-        (extent(all().map(|state| state.t)), inclinations),
-        [8.0, 5.0],
-    );
-    tilts.draw(
-        &mut svg,
-        "Nutation",
-        "time t / s",
-        "inclination θ / degrees",
-    );
-    let above = Panel::new(
-        [764.0, 1072.0, 112.0, 420.0],
-        ([-1.1, 1.1], [-1.1, 1.1]),
-        [5.0, 5.0],
-    );
-    above.draw(&mut svg, "From above", "x", "y");
-    let center = above.at(0.0, 0.0);
-    svg.circle("limit", center, above.at(theta.sin(), 0.0)[0] - center[0]);
-    for (panel, ends) in [(&paths, azimuths), (&tilts, tilts.x.range)] {
-        let [from, to] = ends.map(|x| panel.at(x, theta.to_degrees()));
-        svg.line("limit", from, to);
-    }
+    let panels = Panels::draw(&mut svg, motions);
+    panels.draw_steady(&mut svg, theta);
     let mut y = 490.0;
-    for (class, name, states) in motions {
-        paths.curve(
-            &mut svg,
-            class,
-            states.iter().map(|state| {
-                [
-                    degrees(state, Gyroscope::PHI),
-                    degrees(state, Gyroscope::THETA),
-                ]
-            }),
-        );
-        tilts.curve(
-            &mut svg,
-            class,
-            states
-                .iter()
-                .map(|state| [state.t, degrees(state, Gyroscope::THETA)]),
-        );
-        above.curve(
-            &mut svg,
-            class,
-            states.iter().map(|state| {
-                let axis = model.outputs(state).axis;
-                [axis.x, axis.y]
-            }),
-        );
+    let steady = [("limit", "steady precession")];
+    for motion in motions {
+        panels.draw_motion(&mut svg, model, motion);
+    }
+    let named = motions.iter().map(|(class, name, _)| (*class, *name));
+    for (class, name) in named.chain(steady) {
         svg.line(class, [764.0, y - 5.0], [796.0, y - 5.0]);
         svg.text("tick", Anchor::Start, [806.0, y], name);
         y += 22.0;
     }
-    svg.line("limit", [764.0, y - 5.0], [796.0, y - 5.0]);
-    svg.text("tick", Anchor::Start, [806.0, y], "steady precession");
     svg.finish()
 }

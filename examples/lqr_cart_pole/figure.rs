@@ -1,6 +1,6 @@
 //! The figure: how the cart and its pole move, and angle, position and force over time.
 
-use std::fmt::Write;
+use lagrangian_examples::{Anchor, Panel, Svg, extent};
 
 use crate::model::Point;
 
@@ -11,208 +11,99 @@ pub(crate) struct Curve {
 }
 
 const WIDTH: f64 = 900.0;
-const HEIGHT: f64 = 900.0;
+const HEIGHT: f64 = 1010.0;
+const LEFT: f64 = 90.0;
+const RIGHT: f64 = 870.0;
 
 /// How much of the motions is plotted, in s.
-const SHOWN: u8 = 4;
+const SHOWN: f64 = 4.0;
 
-/// Colours that stay apart for the colour-blind, by Okabe and Ito.
-const COLOURS: [&str; 4] = ["#0072b2", "#009e73", "#e69f00", "#d55e00"];
-
-const STYLE: &str = "text { font-family: Helvetica, Arial, 'DejaVu Sans', sans-serif; font-size: 14px; fill: #222 } \
-.title { font-size: 20px; font-weight: bold } .frame { fill: none; stroke: #222 } .grid { stroke: #ddd } \
-.zero { stroke: #888 } .curve { fill: none; stroke-width: 1.6; stroke-linejoin: round }";
+/// The classes of the curves.
+const CLASSES: [&str; 4] = ["curve", "second", "third", "limit"];
 
 /// A quantity of a motion.
-struct Panel {
+struct Quantity {
     name: &'static str,
     of: fn(&Point) -> f64,
 }
 
-const PANELS: [Panel; 3] = [
-    Panel {
-        name: "θ in degrees",
+const QUANTITIES: [Quantity; 3] = [
+    Quantity {
+        name: "θ / degrees",
         of: |(state, _)| state.q[1].to_degrees(),
     },
-    Panel {
-        name: "x in m",
+    Quantity {
+        name: "x / m",
         of: |(state, _)| state.q[0],
     },
-    Panel {
-        name: "force in N",
+    Quantity {
+        name: "force / N",
         of: |(_, force)| *force,
     },
 ];
 
 /// The figure of some motions with a pole of a length in m; the third one is shown as it moves.
 pub(crate) fn figure(curves: &[Curve], length: f64) -> String {
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\">\n<style>{STYLE}</style>\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n\
-         <text class=\"title\" x=\"70\" y=\"36\">A pole on a cart under a linear-quadratic regulator</text>\n"
-    );
+    let mut svg = Svg::new(WIDTH, HEIGHT);
+    let title = "A pole on a cart under a linear-quadratic regulator";
+    svg.text("title", Anchor::Start, [LEFT, 36.0], title);
     if let Some(curve) = curves.get(2) {
         movement(&mut svg, curve, length);
     }
-    for (panel, top) in PANELS.iter().zip([300.0, 495.0, 690.0]) {
-        plot(&mut svg, panel, curves, [top, top + 165.0]);
+    let tops = [320.0, 550.0, 780.0];
+    for (quantity, top) in QUANTITIES.iter().zip(tops) {
+        plot(&mut svg, quantity, curves, [top, top + 160.0]);
     }
-    for (i, (curve, colour)) in curves.iter().zip(COLOURS).enumerate() {
-        #[allow(clippy::cast_precision_loss)] // A few.
-        let y = 318.0 + 19.0 * i as f64;
-        put(
-            &mut svg,
-            format_args!(
-                "<line class=\"curve\" stroke=\"{colour}\" x1=\"640\" x2=\"665\" y1=\"{y}\" y2=\"{y}\"/>\
-                 <text x=\"673\" y=\"{}\">{}</text>",
-                y + 5.0,
-                curve.label
-            ),
-        );
+    let mut y = tops[0] + 18.0;
+    for (curve, class) in curves.iter().zip(CLASSES) {
+        svg.line(class, [640.0, y], [665.0, y]);
+        svg.text("tick", Anchor::Start, [673.0, y + 5.0], &curve.label);
+        y += 19.0;
     }
-    svg.push_str("</svg>\n");
-    svg
+    svg.finish()
 }
 
-/// Writing to a string does not fail.
-fn put(svg: &mut String, line: std::fmt::Arguments<'_>) {
-    let _ = writeln!(svg, "{line}");
-}
-
-/// The cart and its pole every tenth of a second while they move fast, later ones darker.
-fn movement(svg: &mut String, curve: &Curve, length: f64) {
+/// The cart and its pole every tenth of a second while they move fast.
+fn movement(svg: &mut Svg, curve: &Curve, length: f64) {
     let shown: Vec<_> = curve.motion.iter().take(130).step_by(5).collect();
-    let positions = || shown.iter().map(|(state, _)| state.q[0]);
-    let [low, high] = [
-        positions().fold(0.0, f64::min) - length,
-        positions().fold(0.0, f64::max) + length,
-    ];
-    let scale = ((WIDTH - 140.0) / (high - low)).min(170.0 / (1.1 * length));
+    let [low, high] = extent(shown.iter().map(|(state, _)| state.q[0]));
+    let (low, high) = (low - length, high + length);
+    let scale = ((RIGHT - LEFT) / (high - low)).min(170.0 / (1.1 * length));
     let middle = 0.5 * (low + high);
     let rail = 245.0;
-    put(
-        svg,
-        format_args!(
-            "<line class=\"zero\" x1=\"70\" x2=\"{}\" y1=\"{rail}\" y2=\"{rail}\"/>",
-            WIDTH - 70.0
-        ),
-    );
-    for (i, (state, _)) in shown.iter().enumerate() {
-        #[allow(clippy::cast_precision_loss)] // A few.
-        let opacity = 0.15 + 0.85 * (i as f64 + 1.0) / shown.len() as f64;
-        let x = 0.5 * WIDTH + scale * (state.q[0] - middle);
+    svg.line("zero", [LEFT, rail], [RIGHT, rail]);
+    for (state, _) in &shown {
+        let x = 0.5 * (LEFT + RIGHT) + scale * (state.q[0] - middle);
         let (sine, cosine) = state.q[1].sin_cos();
-        let [tip_x, tip_y] = [x + scale * length * sine, rail - scale * length * cosine];
-        put(
-            svg,
-            format_args!(
-                "<g opacity=\"{opacity:.2}\" stroke=\"{0}\" fill=\"{0}\">\
-                 <rect x=\"{1:.1}\" y=\"{2}\" width=\"28\" height=\"10\" fill=\"none\"/>\
-                 <line x1=\"{x:.1}\" y1=\"{rail}\" x2=\"{tip_x:.1}\" y2=\"{tip_y:.1}\"/>\
-                 <circle cx=\"{tip_x:.1}\" cy=\"{tip_y:.1}\" r=\"4\"/></g>",
-                COLOURS[2],
-                x - 14.0,
-                rail - 5.0,
-            ),
-        );
+        let tip = [x + scale * length * sine, rail - scale * length * cosine];
+        svg.rectangle("frame", [x - 14.0, rail - 5.0], [x + 14.0, rail + 5.0]);
+        svg.line("third", [x, rail], tip);
+        svg.circle("start", tip, 3.0);
     }
-    put(
-        svg,
-        format_args!(
-            "<text x=\"70\" y=\"275\">{}, every 0.1 s for 2.6 s, later ones darker</text>",
-            curve.label
-        ),
-    );
+    let label = format!("{}, every 0.1 s for 2.6 s", curve.label);
+    svg.text("tick", Anchor::Start, [LEFT, 275.0], &label);
 }
 
 /// A quantity of all motions over time.
-fn plot(svg: &mut String, panel: &Panel, curves: &[Curve], [top, bottom]: [f64; 2]) {
-    let values = || {
-        let points = curves.iter().flat_map(|curve| &curve.motion);
-        points.map(panel.of)
-    };
-    let [low, high] = [values().fold(0.0, f64::min), values().fold(0.0, f64::max)];
-    let margin = 0.06 * (high - low).max(1e-9);
-    let (low, high) = (low - margin, high + margin);
-    let [left, right] = [70.0, WIDTH - 30.0];
-    let x = |time: f64| left + time / f64::from(SHOWN) * (right - left);
-    let y = |value: f64| bottom - (value - low) / (high - low) * (bottom - top);
-    for second in 0..=SHOWN {
-        let at = x(f64::from(second));
-        put(
-            svg,
-            format_args!(
-                "<line class=\"grid\" x1=\"{at:.1}\" x2=\"{at:.1}\" y1=\"{top}\" y2=\"{bottom}\"/>"
-            ),
-        );
-        if bottom > HEIGHT - 60.0 {
-            let unit = if second == SHOWN { " s" } else { "" };
-            put(
-                svg,
-                format_args!(
-                    "<text text-anchor=\"middle\" x=\"{at:.1}\" y=\"{}\">{second}{unit}</text>",
-                    bottom + 20.0
-                ),
-            );
-        }
-    }
-    let step = tick_step((high - low) / 5.0);
-    let first = (low / step).ceil();
-    let ticks = (0_u8..20).map(|k| (first + f64::from(k)) * step);
-    for value in ticks.take_while(|value| *value <= high) {
-        let (at, class) = (
-            y(value),
-            if value.abs() < 0.5 * step {
-                "zero"
-            } else {
-                "grid"
-            },
-        );
-        let decimals = usize::from(step < 1.0);
-        put(
-            svg,
-            format_args!(
-                "<line class=\"{class}\" x1=\"{left}\" x2=\"{right}\" y1=\"{at:.1}\" y2=\"{at:.1}\"/>\
-                 <text text-anchor=\"end\" x=\"{}\" y=\"{:.1}\">{:.decimals$}</text>",
-                left - 6.0,
-                at + 5.0,
-                value + 0.0
-            ),
-        );
-    }
-    for (curve, colour) in curves.iter().zip(COLOURS) {
-        let mut points = String::new();
-        let is_shown = |point: &&Point| point.0.t < f64::from(SHOWN) + 1e-9;
-        for point in curve.motion.iter().filter(is_shown) {
-            let _ = write!(points, " {:.1},{:.1}", x(point.0.t), y((panel.of)(point)));
-        }
-        put(
-            svg,
-            format_args!(
-                "<polyline class=\"curve\" stroke=\"{colour}\" points=\"{}\"/>",
-                points.trim_start()
-            ),
-        );
-    }
-    put(
-        svg,
-        format_args!(
-            "<rect class=\"frame\" x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/>\
-             <text transform=\"translate(20,{}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-            right - left,
-            bottom - top,
-            0.5 * (top + bottom),
-            panel.name
-        ),
+fn plot(svg: &mut Svg, quantity: &Quantity, curves: &[Curve], [top, bottom]: [f64; 2]) {
+    let is_shown = |point: &&Point| point.0.t < SHOWN + 1e-9;
+    let points = curves.iter().flat_map(|curve| &curve.motion);
+    let [low, high] = extent(points.filter(is_shown).map(quantity.of));
+    let margin = 0.06 * (high - low);
+    let values = [low - margin, high + margin];
+    let panel = Panel::new(
+        [LEFT, RIGHT, top, bottom],
+        ([0.0, SHOWN], values),
+        [8.0, 5.0],
     );
-}
-
-/// The least of 1, 2 and 5 times powers of ten that is not less than a distance.
-fn tick_step(distance: f64) -> f64 {
-    let decade = 10_f64.powf(distance.log10().floor());
-    let steps = [1.0, 2.0, 5.0].map(|digit| digit * decade);
-    steps
-        .into_iter()
-        .find(|step| *step >= distance)
-        .unwrap_or(10.0 * decade)
+    panel.draw(svg, "", "time t / s", quantity.name);
+    svg.line("zero", panel.at(0.0, 0.0), panel.at(SHOWN, 0.0));
+    for (curve, class) in curves.iter().zip(CLASSES) {
+        let shown = curve.motion.iter().filter(is_shown);
+        panel.curve(
+            svg,
+            class,
+            shown.map(|point| [point.0.t, (quantity.of)(point)]),
+        );
+    }
 }

@@ -11,7 +11,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use lagrangian::analysis::{EquilibriumSearch, SmallOscillations, Spectrum, StateSpace};
-use lagrangian::nalgebra::{Matrix1, Matrix4, Vector4};
+use lagrangian::nalgebra::{Matrix1, Matrix4, RowVector4, Vector4};
 use lagrangian::prelude::*;
 
 use crate::figure::{Curve, figure};
@@ -33,23 +33,49 @@ fn main() -> Result<(), Box<dyn Error>> {
         push: 0.0,
     };
 
-    // The equilibrium, from a guess, and what it is without control.
+    let upright = upright(&model)?;
+    let plant = StateSpace::<f64, 4, 1, 4>::of(&model, &upright);
+    println!("Poles of the cart:      {}", listed(plant.poles()));
+    println!(
+        "Controllable states:    {} of 4\n",
+        plant.controllability().rank
+    );
+    let (gain, sampled) = design(&model, &plant)?;
+    let curves = curves(&model, &gain, &sampled)?;
+    let folder = std::env::args_os()
+        .nth(1)
+        .map_or_else(PathBuf::new, PathBuf::from);
+    let path = folder.join("lqr_cart_pole.svg");
+    std::fs::write(&path, figure(&curves, model.l))
+        .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
+    println!("Wrote {}.", path.display());
+    Ok(())
+}
+
+/// The equilibrium with the pole upright, from a guess; says what it is without control.
+fn upright(model: &CartPole) -> Result<State<f64, 2>, Box<dyn Error>> {
     let guess = State::new(0.0, [0.0, 0.2], [0.0, 0.0]);
-    let upright = EquilibriumSearch::of(&model).near(&guess)?;
-    let stability = SmallOscillations::about(&model, &upright.state)?.stability()?;
+    let upright = EquilibriumSearch::of(model).near(&guess)?;
+    let stability = SmallOscillations::about(model, &upright.state)?.stability()?;
     println!(
         "Equilibrium at θ = {:.3} rad after {} Newton steps: {:?}.",
         upright.state.q[CartPole::THETA].abs(),
         upright.report.iterations,
         stability.verdict(),
     );
-    let plant = StateSpace::<f64, 4, 1, 4>::of(&model, &upright.state);
-    println!("Poles of the cart:      {}", listed(plant.poles()));
-    println!(
-        "Controllable states:    {} of 4\n",
-        plant.controllability().rank
-    );
+    Ok(upright.state)
+}
 
+/// A gain for the state.
+type Gain = RowVector4<f64>;
+/// Gains of sampled regulators, with their periods.
+type Sampled = Vec<(f64, Gain)>;
+
+/// Gains in continuous and in discrete time, and from which tilt each catches the pole.
+fn design(
+    model: &CartPole,
+    plant: &StateSpace<f64, 4, 1, 4>,
+) -> Result<(Gain, Sampled), Box<dyn Error>> {
     let state_weight = Matrix4::from_diagonal(&Vector4::from(STATE_WEIGHTS));
     let force_weight = Matrix1::new(FORCE_WEIGHT);
     let regulator = plant.regulator(&state_weight, &force_weight)?;
@@ -74,12 +100,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         "Residual of the Riccati equation: {:.1e}",
         regulator.residual
     );
+    Ok((gain, sampled))
+}
 
+/// Motions from several tilts, and one with a sampled regulator.
+fn curves(
+    model: &CartPole,
+    gain: &Gain,
+    sampled: &[(f64, Gain)],
+) -> Result<Vec<Curve>, Box<dyn Error>> {
     let mut curves = Vec::new();
     for degrees in [20.0_f64, 40.0, 55.0] {
         curves.push(Curve {
             label: format!("from {degrees}°"),
-            motion: model.continuous(&gain, degrees.to_radians())?,
+            motion: model.continuous(gain, degrees.to_radians())?,
         });
     }
     if let Some((period, gain)) = sampled.get(1) {
@@ -88,14 +122,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             motion: model.sampled(gain, 40_f64.to_radians(), *period)?,
         });
     }
-    let folder = std::env::args_os()
-        .nth(1)
-        .map_or_else(PathBuf::new, PathBuf::from);
-    let path = folder.join("lqr_cart_pole.svg");
-    std::fs::write(&path, figure(&curves, model.l))
-        .map_err(|error| format!("{} cannot be written: {error}", path.display()))?;
-    println!("Wrote {}.", path.display());
-    Ok(())
+    Ok(curves)
 }
 
 /// Eigenvalues in a line.

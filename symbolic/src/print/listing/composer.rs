@@ -8,6 +8,7 @@ use crate::limits::{
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
 use crate::print::listing::as_declared::DeclaredLine;
+use crate::print::listing::families::Sampling;
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::{Letters, Names};
 use crate::{Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
@@ -201,9 +202,11 @@ impl<'a> Composer<'a> {
             return folded;
         }
         lines(self, &mut section);
+        if is_long || Sampling::of(self).is_none() {
+            return section;
+        }
         let length = section.written_length(&self.model.graph, &self.letters);
-        if !is_long
-            && length >= SHORTEST_FOLDED_SECTION
+        if length >= SHORTEST_FOLDED_SECTION
             && let Some((left, right)) = family(self)
         {
             self.push_arranged(&mut folded, left, right);

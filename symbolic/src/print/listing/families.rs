@@ -338,7 +338,7 @@ impl Terms {
 
 impl Sampling {
     /// That of a model whose coordinates are all of one family.
-    fn of(composer: &Composer<'_>) -> Option<Self> {
+    pub(crate) fn of(composer: &Composer<'_>) -> Option<Self> {
         let families = Families::of(&composer.declared.names);
         let (first, last) = families.of_all_coordinates(composer.model.coordinates)?;
         let count = last - first + 1;

@@ -6,7 +6,7 @@ use crate::limits::{
     LONGEST_LINE, LONGEST_SECTION, LONGEST_SKIMMED, LONGEST_UNFOLDED_LINE,
     LONGEST_UNFOLDED_SECTION, SHORTEST_LINE,
 };
-use crate::print::folding::token::{tokens, written};
+use crate::print::folding::token::{Line, MARKS, tokens, written};
 use crate::print::folding::{Folded, families};
 use crate::print::listing::Listing;
 use crate::print::names::Letters;
@@ -96,18 +96,16 @@ impl Section {
             tokens(&format!("{left} = {right}"))
         });
         let lines: [Vec<_>; 2] = [unicode, latex.collect()];
+        if !self.texts.iter().any(|text| text.contains(MARKS[0])) {
+            return singles(lines);
+        }
         let folded = [&lines[0], &lines[1]].map(|lines| families(lines));
         let [unicode, latex] =
             [&folded[0], &folded[1]].map(|list| list.iter().map(|fold| &fold.members));
         if unicode.eq(latex) {
             return folded;
         }
-        lines.map(|lines| {
-            let singles = lines.into_iter().enumerate();
-            singles
-                .map(|(position, line)| Folded::single(position, line))
-                .collect()
-        })
+        singles(lines)
     }
 
     /// The equations that there is room for, in both notations, and the sizes of the others.
@@ -259,4 +257,14 @@ impl Side {
             Self::Expression(x) => graph.written_symbols(&[*x], letters),
         }
     }
+}
+
+/// Lines that are not folded, in both notations.
+fn singles(lines: [Vec<Line>; 2]) -> [Vec<Folded>; 2] {
+    lines.map(|lines| {
+        let singles = lines.into_iter().enumerate();
+        singles
+            .map(|(position, line)| Folded::single(position, line))
+            .collect()
+    })
 }
