@@ -54,7 +54,7 @@ pub(crate) fn figure(curves: &[Curve], length: f64) -> String {
     for (quantity, top) in QUANTITIES.iter().zip(tops) {
         plot(&mut svg, quantity, curves, [top, top + 160.0]);
     }
-    let mut y = tops[0] + 18.0;
+    let mut y = tops[1] + 18.0;
     for (curve, class) in curves.iter().zip(CLASSES) {
         svg.line(class, [640.0, y], [665.0, y]);
         svg.text("tick", Anchor::Start, [673.0, y + 5.0], &curve.label);
