@@ -24,6 +24,7 @@ pub(crate) use outputs::{
 pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;
 pub(crate) use table::{
-    EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant, is_method,
+    Argument, EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant,
+    is_method,
 };
 pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, Rates, TaylorMethod};

@@ -20,10 +20,6 @@ pub(crate) const FIXED_STEP_SINGULARITY_TOLERANCE: f64 = 1e-6;
 /// between the ratios near 1 of regular models and the rounding errors of M⁻¹.
 pub(crate) const VANISHING_INERTIA: f64 = 1e-6;
 
-/// An angle is at its pole where its sine is smaller: accelerations that are not finite there come from the pole. The sine of
-/// the double that is next to π is 1e-16.
-pub(crate) const NEAR_POLE: f64 = 1e-12;
-
 /// The offsets, in each of the coordinates on which an inertia depends, at which the reference inertia is evaluated.
 /// Three offsets without a common period, so that not all of them meet the next zero of a sine.
 pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];

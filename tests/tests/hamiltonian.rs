@@ -68,6 +68,99 @@ fn velocities_and_momenta_are_converted_both_ways() {
     }
 }
 
+/// The velocities are solved for by what is emitted, where L is quadratic in them and M is solved symbolically; elsewhere M is
+/// factored by the library. Both ways agree.
+#[test]
+fn velocities_are_solved_for_by_the_factors_of_the_model() {
+    let mut random = Random::default();
+    for _ in 0..100 {
+        let state: State<f64, 2> = random.state();
+        let momenta = CART.momenta(&state);
+        let found = CART.solved_velocities(&state, &momenta);
+        assert_close("q̇", found.as_slice(), state.v.as_slice(), 1e-13);
+        let at_rest = State {
+            v: SVector::zeros(),
+            ..state
+        };
+        let right = momenta - CART.momenta(&at_rest);
+        let expected = CART.mass_matrix(&state).lu().solve(&right).unwrap();
+        assert_close("M⁻¹ (p − b)", found.as_slice(), expected.as_slice(), 1e-12);
+        let given = CART.with_inputs([2.0]);
+        assert_eq!(given.solved_velocities(&state, &momenta), found);
+        // A mass that is negative makes M indefinite: M is factored with interchanges.
+        let indefinite = DrivenCart { cart: -0.9, ..CART };
+        let equations = indefinite.canonical_equations();
+        let phase = equations.canonical(&state);
+        let back = equations.state(phase.t, &phase.x).unwrap();
+        assert_close("q̇", back.v.as_slice(), state.v.as_slice(), 1e-11);
+    }
+    let particle = Relativistic {
+        m: 1.0,
+        c: 3.0,
+        k: 0.1,
+    };
+    let state = State::new(0.0, [0.1, 0.2], [1.0, 0.5]);
+    let found: SVector<f64, 2> = particle.solved_velocities(&state, &particle.momenta(&state));
+    assert!(found.iter().all(|v| v.is_nan()));
+}
+
+/// A free body in Euler angles near their pole: no digits are lost on the way through momenta, since M is never formed.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    coordinates(phi, theta, psi),
+    define(w = angular_velocity_zxz(phi, theta, psi)),
+    kinetic = 0.5 * (i1 * w.x.powi(2) + i2 * w.y.powi(2) + i3 * w.z.powi(2)),
+    hamiltonian,
+)]
+struct FreeBody {
+    i1: f64,
+    i2: f64,
+    i3: f64,
+}
+
+#[test]
+fn velocities_near_the_pole_keep_the_digits_that_momenta_have() {
+    let body = FreeBody {
+        i1: 1.0,
+        i2: 2.0,
+        i3: 3.0,
+    };
+    for theta in [1e-2, 1e-4, 1e-6_f64] {
+        // Spinning about the axis of the body and precessing about an axis at right angles to the line of nodes.
+        let state = State::new(0.0, [0.3, theta, 0.8], [0.4, 0.7, -0.2]);
+        let found = body.solved_velocities(&state, &body.momenta(&state));
+        // ω = E q̇ is regular at the pole, and so are the velocities along it.
+        let omega = |v: &SVector<f64, 3>| {
+            let (sin_psi, cos_psi) = state.q[2].sin_cos();
+            [
+                v[0] * theta.sin() * sin_psi + v[1] * cos_psi,
+                v[0] * theta.sin() * cos_psi - v[1] * sin_psi,
+                v[0] * theta.cos() + v[2],
+            ]
+        };
+        // p_φ − p_ψ cos θ has lost as many digits as 1/θ has.
+        let tolerance = 1e-15 + 1e-15 / theta;
+        assert_close("ω", &omega(&found), &omega(&state.v), tolerance);
+    }
+}
+
+/// Faster than light there is no Lagrangian: an error that says so, not one about masses.
+#[test]
+fn a_start_outside_of_the_domain_is_told_from_a_singular_mass_matrix() {
+    let particle = Relativistic {
+        m: 1.0,
+        c: 3.0,
+        k: 0.1,
+    };
+    let start = State::new(0.0, [0.0; 2], [3.5, 0.0]);
+    let error = Dop853::new().integrate_to(&particle.dynamics(), start, 1.0);
+    let text = error.unwrap_err().to_string();
+    assert!(
+        text.starts_with("at t = 0 the Lagrangian is not a number:"),
+        "{text}"
+    );
+}
+
 /// q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q, with the derivatives of H by dual numbers.
 #[test]
 fn the_equations_are_those_of_hamilton() {

@@ -24,6 +24,7 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Coordinate(i) => element(&quote!(state.q), i),
             Symbol::Velocity(i) => element(&quote!(state.v), i),
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
+            Symbol::RightHandSide(i) => element(&quote!(momenta), i),
             Symbol::Parameter(i) => field(&quantities.parameters, i),
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&quantities.inputs, i),
@@ -36,7 +37,6 @@ impl SymbolReader for ModelSymbols<'_> {
             | Symbol::Convolution(_)
             | Symbol::QuasiVelocity(_)
             | Symbol::QuasiVelocityRate(_)
-            | Symbol::RightHandSide(_)
             | Symbol::PositionComponent(_)
             | Symbol::VelocityComponent(_) => TokenStream::new(),
         }

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::plan::{Interface, ResultType, Variant};
+use crate::plan::{Argument, Interface, ResultType, Variant};
 use crate::syntax::root::Root;
 use crate::syntax::scalar::Scalar;
 
@@ -93,13 +93,15 @@ impl Signatures<'_> {
 
     /// The names and the types of the parameters besides the state and the inputs.
     pub(crate) fn parameters(&self, variant: Variant) -> Vec<(Ident, TokenStream)> {
-        let accelerations = variant
-            .takes_accelerations()
-            .then(|| ("accelerations", self.vector()));
+        let vector = match variant.row.argument {
+            Argument::Accelerations => Some(("accelerations", self.vector())),
+            Argument::Momenta => Some(("momenta", self.vector())),
+            Argument::StateOnly | Argument::Parameters => None,
+        };
         let prepared = variant
             .is_prepared
             .then(|| ("prepared", self.prepared.clone()));
-        let all = accelerations.into_iter().chain(prepared);
+        let all = vector.into_iter().chain(prepared);
         all.map(|(name, ty)| (format_ident!("{name}"), quote!(&#ty)))
             .collect()
     }

@@ -114,6 +114,21 @@ impl Writer<'_> {
             MethodOutputs::Linearization(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
             MethodOutputs::Sensitivities(outputs) => self.acceleration_derivatives(outputs),
+            MethodOutputs::Velocities { pivots, velocities } => {
+                let (statements, pivots) = self.compute(pivots);
+                let (_, velocities) = self.compute(velocities);
+                let velocities = self.vector(&velocities);
+                if pivots.is_empty() {
+                    return quote!(#statements #velocities);
+                }
+                let root = &self.emitter.declaration.root;
+                quote! {
+                    #statements
+                    #root::__private::if_positive([#(#pivots),*], #velocities, || {
+                        #root::__private::no_velocities()
+                    })
+                }
+            }
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
             MethodOutputs::ByColumns(columns) => self.by_columns(*columns),

@@ -255,8 +255,8 @@ pub(crate) fn unsupported_field(field: &ExprField) -> String {
             format!("fields are written without `self`: write `{member}`")
         }
         (_, Member::Named(member)) if member == "T" => "write `.transpose()`".to_owned(),
-        _ => "fields of fields cannot be used here, but for `v.x`, `v.y`, `v.z` and `v.w` of vectors, and `mass`, \
-              `center` and `inertia` of bodies: make this a field of the struct"
+        _ => "fields of fields cannot be used here, but for the components of vectors, `v.x`, `v.y` and so on as far as \
+              `v.w` of four, and `mass`, `center` and `inertia` of bodies: make this a field of the struct"
             .to_owned(),
     }
 }

@@ -75,6 +75,7 @@ impl Methods {
             EmittedMethod::Outputs => Some(&self.outputs),
             EmittedMethod::EventFunctions => self.event_functions.as_ref(),
             EmittedMethod::MomentumRates => requested.momentum_rates.as_ref(),
+            EmittedMethod::SolvedVelocities => requested.solved_velocities.as_ref(),
             EmittedMethod::EnergyRate => requested.energy_rate.as_ref(),
             EmittedMethod::Sensitivities => {
                 let sensitivities = requested.sensitivities.as_ref();

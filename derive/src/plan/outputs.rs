@@ -188,6 +188,11 @@ pub(crate) enum MethodOutputs {
     Linearization(LinearizationOutputs),
     InputJacobian(InputJacobianOutputs),
     Sensitivities(SensitivityOutputs),
+    /// The velocities that have given momenta, which hold where all pivots are positive.
+    Velocities {
+        pivots: OutputSlice,
+        velocities: OutputSlice,
+    },
     RelativePivots(PivotOutputs),
     /// The declared outputs, in their order.
     Declared(Vec<(Shape, OutputSlice)>),

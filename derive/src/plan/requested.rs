@@ -8,7 +8,7 @@ use lagrangian_symbolic::{
 
 use super::derivatives::Derivatives;
 use super::method::Method;
-use super::outputs::MethodOutputs;
+use super::outputs::{MethodOutputs, ProgramLayout};
 use crate::limits::MethodLimits;
 use crate::lower::quantities::Quantities;
 use crate::syntax::declaration::Declaration;
@@ -65,6 +65,8 @@ impl Requested {
 pub(crate) struct RequestedMethods {
     /// ∂L/∂q + Q.
     pub(crate) momentum_rates: Option<Method>,
+    /// q̇ from the momenta; none where they are solved for numerically.
+    pub(crate) solved_velocities: Option<Method>,
     /// Q·q̇ − ∂L/∂t.
     pub(crate) energy_rate: Option<Method>,
     pub(crate) sensitivities: Option<Sensitivities>,
@@ -104,6 +106,10 @@ impl RequestedMethods {
             let rates = momentum_rates(model, lagrangian, forces);
             Method::single(model, &rates, MethodOutputs::Vector)
         });
+        let solved_velocities = requested
+            .hamiltonian
+            .then(|| solved_velocities(model, kinetics))
+            .flatten();
         let energy_rate = requested.energy_balance.then(|| {
             let rate = energy_rate(model, lagrangian, forces);
             Method::single(model, &[rate], MethodOutputs::Scalar)
@@ -118,6 +124,7 @@ impl RequestedMethods {
         let regressor = requested.regressor.as_ref();
         Self {
             momentum_rates,
+            solved_velocities,
             energy_rate,
             sensitivities,
             regressor: regressor.map(|regressor| RegressorMethods::schedule(model, regressor)),
@@ -128,6 +135,10 @@ impl RequestedMethods {
     pub(super) fn programs(&self) -> RequestedPrograms<'_> {
         RequestedPrograms {
             momentum_rates: self.momentum_rates.as_ref().map(|method| &method.program),
+            velocities: self
+                .solved_velocities
+                .as_ref()
+                .map(|method| &method.program),
             energy_rate: self.energy_rate.as_ref().map(|method| &method.program),
             sensitivities: self.sensitivities.as_ref().map(|found| SensitivityProgram {
                 program: &found.method.program,
@@ -154,6 +165,17 @@ impl RegressorMethods {
             base_parameters: Method::single(model, values, MethodOutputs::Vector),
         }
     }
+}
+
+/// The velocities that have given momenta, by the factors that q̈ is solved for with.
+fn solved_velocities(model: &mut Model, kinetics: &Kinetics) -> Option<Method> {
+    let velocities = kinetics.velocities(model)?;
+    let mut layout = ProgramLayout::new();
+    let outputs = MethodOutputs::Velocities {
+        pivots: layout.add(&kinetics.solution.as_ref()?.pivots),
+        velocities: layout.add(&velocities),
+    };
+    Some(Method::schedule(model, &layout, outputs))
 }
 
 /// ∂L/∂q + Q.

@@ -51,6 +51,8 @@ pub(crate) enum Argument {
     StateOnly,
     /// The state and the accelerations.
     Accelerations,
+    /// The state and the momenta.
+    Momenta,
     /// Nothing.
     Parameters,
 }
@@ -127,6 +129,7 @@ table! {
     Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Within,    true,  false;
     EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Within,    true,  false;
     MomentumRates:     "momentum_rates",     Hamiltonian, Vector,       StateOnly,     Within,    true,  false;
+    SolvedVelocities:  "solved_velocities",  Hamiltonian, Vector,       Momenta,       Within,    false, false;
     EnergyRate:        "energy_rate",        EnergyBalance, Scalar,     StateOnly,     Within,    true,  false;
     Sensitivities:     "sensitivities",      Sensitivities, ParameterMatrix, StateOnly, Within,   true,  false;
     Regressor:         "regressor",          Regressor,  Regressor,     Accelerations, Within,    true,  false;
@@ -150,8 +153,14 @@ const PROVIDED: [&str; 11] = [
 ];
 
 /// The names of the parameters of emitted methods, which no local variable has.
-pub(crate) const PARAMETERS: [&str; 5] =
-    ["state", "inputs", "accelerations", "prepared", "arguments"];
+pub(crate) const PARAMETERS: [&str; 6] = [
+    "state",
+    "inputs",
+    "accelerations",
+    "momenta",
+    "prepared",
+    "arguments",
+];
 
 /// Whether a method of every model is called `name`.
 pub(crate) fn is_method(name: &str) -> bool {

@@ -86,9 +86,7 @@ fn axis(name: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
         .as_ref()
         .and_then(|axis| Index::AXES.iter().position(|name| axis == name));
     let Some(position) = position else {
-        let message = format!(
-            "write `{name}.x`, `{name}.y`, `{name}.z` or `{name}.w` for a component of a vector"
-        );
+        let message = format!("write `{name}.x`, `{name}.y` and so on for a component of a vector");
         return Err(match axis {
             Some(axis) => syn::Error::new(axis.span(), message),
             None => syn::Error::new(point.span, message),

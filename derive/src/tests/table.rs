@@ -61,7 +61,10 @@ fn expected(variant: Variant) -> Vec<(&'static str, String)> {
         Interface::Inputs => vec![("Inputs", with)],
         Interface::Outputs => vec![("Outputs", name), ("OutputsWith", with)],
         Interface::Events => vec![("Events", name), ("EventsWith", with)],
-        Interface::Hamiltonian => vec![("Hamiltonian", name), ("HamiltonianWith", with)],
+        Interface::Hamiltonian if variant.row.takes_inputs => {
+            vec![("Hamiltonian", name), ("HamiltonianWith", with)]
+        }
+        Interface::Hamiltonian => vec![("Hamiltonian", name)],
         Interface::EnergyBalance => vec![("EnergyBalance", name), ("EnergyBalanceWith", with)],
         Interface::Sensitivities => vec![("Sensitivities", name), ("SensitivitiesWith", with)],
         Interface::Regressor if variant.row.takes_inputs => {

@@ -81,7 +81,21 @@ pub trait Dynamics<S: Scalar = f64> {
         self.singularity(t, x, min_pivot)
     }
 
-    /// The same in one lane, where an integration has steps of its own in each ([`Ensemble`](crate::Ensemble)).
+    /// A singularity between two states that a step has led from and to, though it need be near neither of them: a pole, at
+    /// which the equations have no value. In one lane or, without a lane, in any.
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        let _ = (lane, before, t, after);
+        None
+    }
+
+    /// What [`singularity`](Self::singularity) says, in one lane, where an integration has steps of its own in each
+    /// ([`Ensemble`](crate::Ensemble)).
     #[inline]
     fn singularity_in_lane(
         &self,

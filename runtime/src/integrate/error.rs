@@ -161,12 +161,16 @@ impl fmt::Display for IntegrationError {
                 time,
                 estimated_error,
                 singularity,
-            } => write!(
-                f,
-                "at t = {} {singularity}; the estimated relative error of the accelerations is \
-                 {estimated_error:.1e}",
-                Readable(time)
-            ),
+            } => {
+                write!(f, "at t = {} {singularity}", Readable(time))?;
+                if singularity.has_estimate() {
+                    write!(
+                        f,
+                        "; the estimated relative error of the accelerations is {estimated_error:.1e}"
+                    )?;
+                }
+                Ok(())
+            }
             Self::StepTooSmall {
                 time,
                 step,

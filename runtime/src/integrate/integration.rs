@@ -99,8 +99,18 @@ where
     /// Steps until there is a reason to stop or to react. Events may be left in the last step.
     fn complete(&mut self) -> Result<Interruption, IntegrationError> {
         loop {
-            if let Err(interruption) = self.visit_events() {
+            let broken = self.broken_step();
+            let visited = match &broken {
+                Some((regular, _)) => self.visit_events_until(*regular),
+                None => self.visit_step(),
+            };
+            if let Err(interruption) = visited {
                 return Ok(interruption);
+            }
+            if let Some((regular, error)) = broken {
+                self.record_until(regular);
+                self.outcome.last = self.at(regular);
+                return Err(error);
             }
             if self.stepper.time() - self.end == 0.0 {
                 return Ok(StopReason::Completed.into());
@@ -110,7 +120,6 @@ where
             }
             self.step()?;
             self.is_visited = false;
-            self.check_regular()?;
         }
     }
 
@@ -127,43 +136,76 @@ where
         result
     }
 
-    /// An error if the present state is too near to a singularity. The samples before it are collected first.
-    fn check_regular(&mut self) -> Result<(), IntegrationError> {
-        let (t, x) = (self.stepper.time(), self.stepper.state());
-        let result = check_singularity_in_motion(self.dynamics, t, x, self.min_pivot);
-        if result.is_err() {
-            let before = if self.end >= self.start {
-                t.next_down()
-            } else {
-                t.next_up()
-            };
-            // The error takes precedence over a stop by the observer.
-            let _ = self.samples_until(before);
+    /// The error of a step that leads to a singularity, or beyond a pole, and the last time within it that is before that.
+    fn broken_step(&mut self) -> Option<(f64, IntegrationError)> {
+        if self.is_visited {
+            return None;
         }
-        result
+        let (end, x) = (self.stepper.time(), self.stepper.state());
+        let t = S::from_f64(end);
+        if self.min_pivot > 0.0 {
+            let before = &self.outcome.last.x;
+            let pole = self.dynamics.singularity_between(None, before, (t, x));
+            if let Some(pole) = pole {
+                return Some(self.pole_in_step(pole));
+            }
+        }
+        let error = check_singularity_in_motion(self.dynamics, end, x, self.min_pivot).err()?;
+        let regular = if self.end >= self.start {
+            end.next_down()
+        } else {
+            end.next_up()
+        };
+        Some((regular, error))
+    }
+
+    /// The error of a pole beyond which the last step leads, and the last time before it, by bisection.
+    #[cold]
+    fn pole_in_step(&mut self, mut pole: Singularity) -> (f64, IntegrationError) {
+        let mut before = self.outcome.last.clone();
+        let mut after = self.stepper.time();
+        loop {
+            let middle = self.at(0.5 * (before.t + after));
+            if middle.t - before.t == 0.0 || middle.t - after == 0.0 {
+                return (before.t, singular::<S>(after, pole));
+            }
+            let there = (S::from_f64(middle.t), &middle.x);
+            match self.dynamics.singularity_between(None, &before.x, there) {
+                Some(found) => (pole, after) = (found, middle.t),
+                None => before = middle,
+            }
+        }
     }
 
     /// Visits the events that are left in the last step, and then its end.
-    fn visit_events(&mut self) -> Result<(), Interruption> {
+    fn visit_step(&mut self) -> Result<(), Interruption> {
         if self.is_visited {
             return Ok(());
         }
-        loop {
-            let mut step = LastStep::new(self.dynamics, self.stepper);
-            let Some(occurring) = self.condition.next(self.memory, &mut step) else {
-                break;
-            };
-            let there = step.at(occurring.t);
-            self.visit_event(occurring, &there)?;
-        }
         let end = self.stepper.time();
-        self.samples_until(end)?;
+        self.visit_events_until(end)?;
         self.record_until(end);
         self.is_visited = true;
         self.outcome.last = self.at(end);
         self.notify(ObservationKind::Step)?;
         self.check_condition()?;
         Ok(())
+    }
+
+    /// Visits the events that are left in the last step up to a time, and takes the samples up to it.
+    fn visit_events_until(&mut self, t: f64) -> Result<(), Interruption> {
+        loop {
+            let mut step = LastStep::new(self.dynamics, self.stepper);
+            let Some(occurring) = self.condition.next(self.memory, &mut step) else {
+                break;
+            };
+            if step.comes_before(t, occurring.t) {
+                break;
+            }
+            let there = step.at(occurring.t);
+            self.visit_event(occurring, &there)?;
+        }
+        Ok(self.samples_until(t)?)
     }
 
     fn visit_event(

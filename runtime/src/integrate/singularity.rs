@@ -17,8 +17,18 @@ pub struct Singularity {
     names: &'static [&'static str],
     dependencies: &'static [usize],
     values: [f64; REPORTED_COORDINATES],
-    /// Whether it is a pole of a reduced model at this coordinate, the value of which is the first one.
-    is_at_pole: bool,
+    cause: Cause,
+}
+
+/// What there is to say of a singularity.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Cause {
+    /// The mass matrix is singular.
+    MassMatrix,
+    /// It is a pole of a reduced model at this coordinate, the value of which is the first one.
+    Pole,
+    /// The Lagrangian is not a number.
+    OutsideDomain,
 }
 
 impl Singularity {
@@ -43,27 +53,39 @@ impl Singularity {
             names,
             dependencies,
             values,
-            is_at_pole: false,
+            cause: Cause::MassMatrix,
         }
     }
 
     /// The same of a reduced model at a pole of its coordinate, which has this value.
     pub(crate) fn at_pole(mut self, value: f64) -> Self {
-        self.is_at_pole = true;
+        self.cause = Cause::Pole;
         self.values[0] = value;
         self
     }
 
+    /// The same where the Lagrangian is not a number.
+    pub(crate) fn outside_domain(mut self) -> Self {
+        self.cause = Cause::OutsideDomain;
+        self
+    }
+
+    /// Whether the accelerations have an error that can be estimated.
+    pub(crate) fn has_estimate(&self) -> bool {
+        self.cause == Cause::MassMatrix || self.relative_pivot > 0.0
+    }
+
     /// How many coordinates make it so.
     fn count(&self) -> usize {
-        if self.is_at_pole {
-            1
-        } else {
-            self.dependencies.len()
+        match self.cause {
+            Cause::MassMatrix => self.dependencies.len(),
+            Cause::Pole => 1,
+            Cause::OutsideDomain => 0,
         }
     }
 
-    /// The relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination.
+    /// The relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination, or sin²θ at a
+    /// pole of θ.
     #[must_use]
     pub fn relative_pivot(&self) -> f64 {
         self.relative_pivot
@@ -79,7 +101,7 @@ impl Singularity {
     /// None if parameters or the time alone make the mass matrix singular.
     pub fn coordinates(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
         let dependency = |i: usize| match self.dependencies.get(i) {
-            Some(index) if !self.is_at_pole => self.name(*index),
+            Some(index) if self.cause == Cause::MassMatrix => self.name(*index),
             _ => self.coordinate(),
         };
         (0..self.count()).map(dependency).zip(self.values)
@@ -98,6 +120,26 @@ impl Singularity {
         Ok(())
     }
 
+    /// What is said of a pole.
+    fn write_pole(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (coordinate, value) = (self.coordinate(), Readable(self.values[0]));
+        if self.relative_pivot > 0.0 {
+            write!(
+                f,
+                "the reduced model loses its digits at {coordinate} = {value}, near a pole"
+            )?;
+        } else {
+            write!(
+                f,
+                "the reduced model has no accelerations at the pole {coordinate} = {value}"
+            )?;
+        }
+        f.write_str(
+            " of its angles: write `routhian(Name, half_angles)`, which has them for the constants with which a pole is \
+             reached",
+        )
+    }
+
     fn name(&self, index: usize) -> &'static str {
         self.names.get(index).copied().unwrap_or("?")
     }
@@ -106,14 +148,15 @@ impl Singularity {
 impl fmt::Display for Singularity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let coordinate = self.coordinate();
-        if self.is_at_pole {
-            let value = self.values[0];
-            return write!(
-                f,
-                "the reduced model has no accelerations at the pole {coordinate} = {} of its angles: write \
-                 `routhian(Name, half_angles)`, which has them for the constants with which a pole is reached",
-                Readable(value)
-            );
+        match self.cause {
+            Cause::Pole => return self.write_pole(f),
+            Cause::OutsideDomain => {
+                return f.write_str(
+                    "the Lagrangian is not a number: a root, a logarithm or another function in it is taken outside of its \
+                     domain, as where a velocity exceeds the largest one; begin within the domain",
+                );
+            }
+            Cause::MassMatrix => {}
         }
         let pivot = self.relative_pivot;
         write!(

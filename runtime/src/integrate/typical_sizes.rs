@@ -110,6 +110,16 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
         self.dynamics.singularity_in_motion(t, x, min_pivot)
     }
 
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        after: (S, &Self::State),
+    ) -> Option<Singularity> {
+        self.dynamics.singularity_between(lane, before, after)
+    }
+
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         self.dynamics.vanishing_inertia(t, x)
     }

@@ -6,8 +6,9 @@ use nalgebra::SVector;
 
 use super::canonical_phase::CanonicalPhase;
 use super::hamiltonian::{Hamiltonian, NoVelocities};
+use super::singular_configuration::singularity_between;
 use super::state::State;
-use crate::integrate::{ComponentName, Dynamics, Sample};
+use crate::integrate::{ComponentName, Dynamics, Sample, Singularity};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -84,6 +85,20 @@ where
             }
         }
         VectorSpace::allowed_error(&sizes, tolerance)
+    }
+
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        let after = State {
+            t,
+            q: after.q,
+            v: SVector::zeros(),
+        };
+        singularity_between::<M, S, N>(lane, &before.q, &after)
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

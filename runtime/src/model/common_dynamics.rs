@@ -45,6 +45,17 @@ macro_rules! errors_of_the_model {
         }
 
         #[inline]
+        fn singularity_between(
+            &self,
+            lane: Option<usize>,
+            before: &$crate::Phase<S, N>,
+            (t, after): (S, &$crate::Phase<S, N>),
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::singularity_between;
+            singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
+        }
+
+        #[inline]
         fn singularity_in_lane(
             &self,
             lane: usize,

@@ -58,6 +58,11 @@ pub fn scatter<S: Scalar, const K: usize>(values: &mut [S], elements: [usize; K]
     }
 }
 
+/// Velocities that are not numbers: what emitted code has where it does not solve for them.
+pub fn no_velocities<S: Scalar, const N: usize>() -> SVector<S, N> {
+    SVector::repeat(S::from_f64(f64::NAN))
+}
+
 /// `computed`, in each lane in which all pivots are positive; the value of `otherwise` in
 /// the others, where M is indefinite or singular.
 #[inline]

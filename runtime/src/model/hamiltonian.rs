@@ -6,6 +6,7 @@ use nalgebra::SVector;
 
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
+use super::emitted::no_velocities;
 use super::inputs::{Inputs, WithInputs};
 use super::lagrangian::Lagrangian;
 use super::state::State;
@@ -50,10 +51,20 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The rates of the momenta, ṗ = ∂L/∂q + Q, at constant velocities.
     fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N>;
 
+    /// The velocities that have these momenta at the coordinates and the time of a state, where L is quadratic in the
+    /// velocities: M(q, t) q̇ = p − p(q, 0, t), by the factors that the accelerations are solved for with.
+    /// Not numbers where L is not quadratic, where M is factored
+    /// numerically, and where a pivot is not positive; [`velocities`](Self::velocities) then goes another way.
+    fn solved_velocities(&self, state: &State<S, N>, momenta: &SVector<S, N>) -> SVector<S, N> {
+        let _ = (state, momenta);
+        no_velocities()
+    }
+
     /// The velocities that have these momenta at a time, p = ∂L/∂q̇ solved for q̇ (the Legendre transformation).
     ///
-    /// Where L is quadratic in the velocities, M(q, t) q̇ = p − p(q, 0, t) is solved, and once more for the rounding errors
-    /// that are left; else Newton's method goes on until the velocities stay, with steps that are halved where they miss.
+    /// Where L is quadratic in the velocities they are [`solved_velocities`](Self::solved_velocities), or M(q, t) q̇ =
+    /// p − p(q, 0, t) is factored here, and solved once more for the rounding errors that are left; else Newton's method goes
+    /// on until the velocities stay, with steps that are halved where they miss.
     ///
     /// # Errors
     ///
@@ -68,6 +79,10 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
             q: phase.q,
             v: SVector::zeros(),
         };
+        let solved = self.solved_velocities(&state, &phase.p);
+        if solved.iter().all(|v| v.is_finite()) {
+            return Ok(solved);
+        }
         let mut missing = phase.p - self.momenta(&state);
         let mut change = f64::NAN;
         for _ in 0..LEGENDRE_ITERATIONS {
@@ -181,5 +196,9 @@ where
 {
     fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model.momentum_rates_with(state, &self.inputs)
+    }
+
+    fn solved_velocities(&self, state: &State<S, N>, momenta: &SVector<S, N>) -> SVector<S, N> {
+        self.model.solved_velocities(state, momenta)
     }
 }

@@ -9,12 +9,18 @@ use super::linearization::Linearization;
 use super::linearization::below_zeros;
 use super::signals::Signals;
 use super::state::State;
+use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
 /// A system with `U` inputs: the fields that its declaration marks `#[lagrangian(input)]`.
 ///
 /// The methods of [`Lagrangian`] use the values of the fields. These take the inputs as an
 /// argument, so that they can vary in time and be of any scalar.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a model with {N} coordinates and {U} inputs",
+    note = "inputs are the fields that are marked `#[lagrangian(input)]`; the linearization of a model without inputs is \
+            `StateSpace::free(&model, &state)`"
+)]
 pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The names of the inputs, in order.
     const INPUTS: [&'static str; U];
@@ -98,10 +104,10 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
     }
 
     /// The same system under other, constant inputs.
-    fn with_inputs(&self, inputs: impl Into<SVector<S, U>>) -> WithInputs<'_, Self, S, U> {
+    fn with_inputs(&self, inputs: impl IntoVector<S, U>) -> WithInputs<'_, Self, S, U> {
         WithInputs {
             model: self,
-            inputs: inputs.into(),
+            inputs: inputs.into_vector(),
         }
     }
 

@@ -1,34 +1,68 @@
 //! Poles of the angles of reduced models, where the equations have no value as they are written.
+//!
+//! Quotients by sin²θ whose numerators vanish with them lose as many digits as 1/sin²θ has, and none are left at the pole. A
+//! step of an integration can lead from one side of a pole to the other without coming near it.
+
+use core::f64::consts::{FRAC_1_PI, PI};
+
+use nalgebra::SVector;
 
 use super::lagrangian::Lagrangian;
 use super::singular_configuration::named;
 use super::state::State;
 use crate::integrate::Singularity;
-use crate::limits::NEAR_POLE;
 use crate::scalar::Scalar;
 
-/// The pole of a reduced model at which it has no accelerations, where scalars are read so.
+/// The pole of a reduced model near which its accelerations have lost their digits: where sin²θ is below `min_pivot`.
+/// Scalars are read by `read`.
 #[inline]
 pub(super) fn at_pole<M, S, const N: usize>(
-    model: &M,
     state: &State<S, N>,
+    min_pivot: f64,
     read: impl Fn(S) -> f64,
 ) -> Option<Singularity>
 where
     M: Lagrangian<N, S> + ?Sized,
     S: Scalar,
 {
-    if M::POLES.is_empty() {
-        return None;
+    for i in M::POLES {
+        let angle = *state.q.get(*i)?;
+        let distance = (angle - nearest_pole(angle)).abs();
+        let pivot = read(distance * distance);
+        if pivot < min_pivot {
+            return Some(named::<M, S, N>(*i, pivot, state).at_pole(read(angle)));
+        }
     }
-    let accelerations = model.accelerations(state);
-    if accelerations.iter().all(|value| read(*value).is_finite()) {
-        return None;
+    None
+}
+
+/// The pole that lies between the coordinates before and after a step, where scalars are read so.
+#[inline]
+pub(super) fn pole_between<M, S, const N: usize>(
+    before: &SVector<S, N>,
+    after: &State<S, N>,
+    read: impl Fn(S) -> f64,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    for i in M::POLES {
+        let (from, to) = (half_turns(*before.get(*i)?), half_turns(*after.q.get(*i)?));
+        if read((from - to).abs()) > 0.0 {
+            let pole = read(from.max(to)) * PI;
+            return Some(named::<M, S, N>(*i, 0.0, after).at_pole(pole));
+        }
     }
-    let poles = M::POLES
-        .iter()
-        .filter_map(|i| Some((*i, *state.q.get(*i)?)));
-    let mut poles = poles.filter(|(_, angle)| read(angle.sin_cos().0.abs()) < NEAR_POLE);
-    let (pole, angle) = poles.next()?;
-    Some(named::<M, S, N>(pole, 0.0, state).at_pole(read(angle)))
+    None
+}
+
+/// How many half turns an angle has behind it: the poles are at whole numbers of them.
+fn half_turns<S: Scalar>(angle: S) -> S {
+    (angle * S::from_f64(FRAC_1_PI)).floor()
+}
+
+/// The whole number of half turns that is nearest to an angle.
+fn nearest_pole<S: Scalar>(angle: S) -> S {
+    half_turns(angle + S::pi() * S::from_f64(0.5)) * S::pi()
 }

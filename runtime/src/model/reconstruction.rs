@@ -9,8 +9,8 @@ use super::phase::Phase;
 use super::reconstructed_phase::ReconstructedPhase;
 use super::routhian::{Routhian, RouthianSeries};
 use super::singular_configuration::{
-    singularity, singularity_in_lane, singularity_in_motion, vanishing_inertia,
-    vanishing_inertia_in_lane,
+    singularity, singularity_between, singularity_in_lane, singularity_in_motion,
+    vanishing_inertia, vanishing_inertia_in_lane,
 };
 use crate::integrate::{
     ComponentName, Dynamics, EventDynamics, Series, Singularity, TaylorCoefficients,
@@ -107,6 +107,16 @@ where
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
         singularity::<M, S, N>(self.model, &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
     }
 
     #[inline]

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::lagrangian::Lagrangian;
-use super::poles::at_pole;
+use super::poles::{at_pole, pole_between};
 use super::state::State;
 use crate::integrate::Singularity;
 use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
@@ -29,9 +29,15 @@ where
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
     if regular {
-        at_pole(model, state, Scalar::smallest)
+        at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
     } else {
-        Some(report::<M, S, N>(&pivots, state))
+        let found = report::<M, S, N>(&pivots, state);
+        let is_outside = model.lagrangian(state).smallest().is_nan();
+        Some(if is_outside {
+            found.outside_domain()
+        } else {
+            found
+        })
     }
 }
 
@@ -47,13 +53,30 @@ where
     S: Scalar,
 {
     if M::STAYS_REGULAR {
-        None
+        at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
     } else {
         singularity(model, state, min_pivot)
     }
 }
 
-/// The same in one lane.
+/// A pole between the coordinates before a step and the state after it, in one lane or in any.
+#[inline]
+pub(crate) fn singularity_between<M, S, const N: usize>(
+    lane: Option<usize>,
+    before: &SVector<S, N>,
+    after: &State<S, N>,
+) -> Option<Singularity>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    pole_between::<M, S, N>(before, after, |value| match lane {
+        Some(lane) => value.in_lane(lane),
+        None => value.largest(),
+    })
+}
+
+/// The coordinate with the smallest relative pivot in one lane, if that is below `min_pivot`.
 pub(super) fn singularity_in_lane<M, S, const N: usize>(
     model: &M,
     lane: usize,
@@ -68,7 +91,7 @@ where
     let pivots = pivots.map(|pivot| pivot.in_lane(lane));
     let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
     if regular {
-        at_pole(model, state, |value| value.in_lane(lane))
+        at_pole::<M, S, N>(state, min_pivot, |value| value.in_lane(lane))
     } else {
         Some(report::<M, f64, N>(&pivots, &in_lane(lane, state)))
     }

@@ -6,7 +6,9 @@ use super::augmented_phase::AugmentedPhase;
 use super::common_dynamics::{allowed_error, component_name};
 use super::inputs::Inputs;
 use super::phase::Phase;
-use super::singular_configuration::{singularity, singularity_in_motion, vanishing_inertia};
+use super::singular_configuration::{
+    singularity, singularity_between, singularity_in_motion, vanishing_inertia,
+};
 use super::state::State;
 use crate::integrate::{ComponentName, Dynamics, Singularity};
 use crate::linalg::{ErrorTolerance, IntoVector};
@@ -96,6 +98,16 @@ where
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
         singularity(self.model, &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
     }
 
     #[inline]

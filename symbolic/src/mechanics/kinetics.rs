@@ -148,6 +148,27 @@ impl Kinetics {
         solution.derivatives(graph, &self.inverse_dynamics, links, symbols)
     }
 
+    /// The velocities that have the momenta p, [right-hand sides](Symbol::RightHandSide), by the factors that q̈ is solved for
+    /// with: M(q, t) q̇ = p − p(q, 0, t). None where L is not quadratic in the velocities, and where M is factored
+    /// numerically.
+    pub fn velocities(&self, model: &mut Model) -> Option<Vec<Expression>> {
+        let solution = self.solution.as_ref()?;
+        let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+        let graph = &mut model.graph;
+        if graph.contains(&self.mass.concat(), is_velocity) {
+            return None;
+        }
+        let zero = graph.zero();
+        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
+        let offsets = graph.substitute(&self.energies.momenta, &at_rest.collect());
+        let mut right = Vec::with_capacity(offsets.len());
+        for (i, offset) in (0..).zip(offsets) {
+            let momentum = graph.symbol(Symbol::RightHandSide(i));
+            right.push(graph.subtract(momentum, offset));
+        }
+        Some(solution.of_right_hand_side(graph, &right))
+    }
+
     /// The derivatives of M q̈ − f, column by column, beside other expressions of the same program.
     pub fn residual_derivatives(
         &self,

@@ -81,6 +81,10 @@ impl Regressor {
         if positions.is_empty() {
             return Err(NoRegressor::NothingUnknown);
         }
+        // As they are read: in the order in which the parameters are named, which is that of the links.
+        let mut base: Vec<_> = positions.into_iter().zip(values).collect();
+        base.sort_by_key(|(i, _)| named_powers(graph, &columns[*i].0, &unknown));
+        let (positions, values): (Vec<_>, Vec<_>) = base.into_iter().unzip();
         let occurs = |symbol: &Symbol| {
             let mut powers = occurring.iter().flatten();
             powers.any(|(x, _)| graph.symbols(&[*x]).contains(symbol))
@@ -174,17 +178,27 @@ fn in_order(
     columns: BTreeMap<Monomial, Vec<Expression>>,
     unknown: &[Symbol],
 ) -> Vec<(Monomial, Vec<Expression>)> {
-    let position = |x: Expression| {
-        let symbols = graph.symbols(&[x]);
-        unknown.iter().position(|symbol| symbols.contains(symbol))
-    };
     let key = |monomial: &Monomial| {
         let degree: u64 = monomial.iter().map(|(_, k)| k.unsigned_abs()).sum();
-        let mut powers: Vec<_> = monomial.iter().map(|(x, k)| (position(*x), -k)).collect();
-        powers.sort_unstable();
-        (degree, powers)
+        (degree, named_powers(graph, monomial, unknown))
     };
     let mut columns: Vec<_> = columns.into_iter().collect();
     columns.sort_by_key(|(monomial, _)| key(monomial));
     columns
+}
+
+/// The parameters of a monomial by their positions among the unknown ones, with their powers, high ones first.
+fn named_powers(
+    graph: &Graph,
+    monomial: &Monomial,
+    unknown: &[Symbol],
+) -> Vec<(Option<usize>, i64)> {
+    let position = |x: Expression| {
+        let symbols = graph.symbols(&[x]);
+        unknown.iter().position(|symbol| symbols.contains(symbol))
+    };
+    let powers = monomial.iter().map(|(x, k)| (position(*x), -k));
+    let mut powers: Vec<_> = powers.collect();
+    powers.sort_unstable();
+    powers
 }

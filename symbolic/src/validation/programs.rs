@@ -35,6 +35,8 @@ pub enum Method {
     Outputs,
     /// ∂L/∂q + Q.
     MomentumRates,
+    /// q̇ from p.
+    Velocities,
     /// Q·q̇ − ∂L/∂t.
     EnergyRate,
     /// The derivatives of q̈ by parameters.
@@ -60,6 +62,7 @@ impl Method {
             | Self::InverseDynamics
             | Self::Accelerations
             | Self::Linearization
+            | Self::Velocities
             | Self::Sensitivities
             | Self::Regressor => false,
         }

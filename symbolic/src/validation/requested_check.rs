@@ -16,6 +16,8 @@ use crate::{Program, Symbol};
 pub struct RequestedPrograms<'a> {
     /// ∂L/∂q + Q.
     pub momentum_rates: Option<&'a Program>,
+    /// The velocities that have the momenta, which stand for right-hand sides.
+    pub velocities: Option<&'a Program>,
     /// Q·q̇ − ∂L/∂t.
     pub energy_rate: Option<&'a Program>,
     /// The derivatives of q̈ by parameters.
@@ -27,6 +29,7 @@ pub struct RequestedPrograms<'a> {
 /// The same as tapes.
 pub(crate) struct RequestedTapes {
     momentum_rates: Option<Tape>,
+    velocities: Option<Tape>,
     energy_rate: Option<Tape>,
     sensitivities: Option<Sensitivities>,
     regressor: Option<[Tape; 3]>,
@@ -43,6 +46,7 @@ impl RequestedTapes {
         let sensitivities = programs.sensitivities.as_ref();
         Self {
             momentum_rates: programs.momentum_rates.map(Tape::of_program),
+            velocities: programs.velocities.map(Tape::of_program),
             energy_rate: programs.energy_rate.map(Tape::of_program),
             sensitivities: sensitivities.map(|program| Sensitivities {
                 tape: Tape::of_program(program.program),
@@ -69,6 +73,32 @@ impl RequestedTapes {
         if let Some(tape) = &self.energy_rate {
             comparisons.balances(Method::EnergyRate, &at(tape), &[values.energy_rate]);
         }
+    }
+
+    /// M (v − q̇) = p − p(q, q̇, t) for the velocities v that have the momenta p which are given.
+    pub(crate) fn compare_velocities(
+        &self,
+        at: impl Fn(&Tape) -> Vec<f64>,
+        mass: &SquareMatrix,
+        (velocities, momenta): (&[f64], &[f64]),
+        given: &[f64],
+        comparisons: &mut Comparisons,
+    ) {
+        let Some(tape) = &self.velocities else {
+            return;
+        };
+        // Pivots stand before them.
+        let found = at(tape);
+        let found = found
+            .get(found.len() - velocities.len()..)
+            .unwrap_or_default();
+        let differences = found.iter().zip(velocities).map(|(v, before)| v - before);
+        let mut balances = mass.times(&differences.collect::<Vec<_>>());
+        for ((balance, momentum), given) in balances.iter_mut().zip(momenta).zip(given) {
+            balance.add(*momentum);
+            balance.add(-given);
+        }
+        comparisons.vanishing(Method::Velocities, &balances);
     }
 
     /// Y π + r, with M q̈ − f at the same accelerations.

@@ -130,6 +130,7 @@ impl Validator {
         };
         let expected = reference.forcing(&mass);
         comparisons.balances(Method::Forcing, &forcing, &expected);
+        reference.compare_velocities(tapes, &mass, &mut comparisons);
         reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
         if solved.is_some() {
             reference.compare_accelerations(tapes, &mass, &expected, &mut comparisons);
@@ -287,6 +288,26 @@ impl Reference<'_> {
         tapes
             .requested
             .compare_regressor(at, &residuals, comparisons);
+    }
+
+    /// The velocities from momenta.
+    fn compare_velocities(
+        &self,
+        tapes: &Tapes,
+        mass: &SquareMatrix,
+        comparisons: &mut Comparisons,
+    ) {
+        let values = |symbol: fn(u32) -> Symbol| -> Vec<f64> {
+            let symbols = (0..).map(symbol).take(self.accelerations.len());
+            symbols.map(|symbol| self.point.value(symbol)).collect()
+        };
+        tapes.requested.compare_velocities(
+            |tape| self.at(tape),
+            mass,
+            (&values(Symbol::Velocity), &self.values.momenta),
+            &values(Symbol::RightHandSide),
+            comparisons,
+        );
     }
 
     /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are

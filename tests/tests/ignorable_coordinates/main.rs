@@ -2,6 +2,8 @@
 
 mod clauses;
 mod constants_of_motion;
+mod hostile_models;
 mod models;
+mod poles;
 mod reduced_motion;
 mod symmetric_top;

@@ -134,6 +134,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.previous.0.get(lane).copied().unwrap_or(f64::NAN)
     }
 
+    /// The states from which the last steps were taken.
+    pub(super) fn previous_states(&self) -> &X {
+        self.previous.1.value()
+    }
+
     /// The cost of the motion in a lane so far.
     #[must_use]
     pub fn statistics(&self, lane: usize) -> Statistics {

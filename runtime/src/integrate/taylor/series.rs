@@ -9,8 +9,9 @@ use crate::scalar::Scalar;
     message = "the Taylor series of `{Self}` is not known",
     note = "a model has one with the clause `taylor` in its declaration, but not under a control law, which is known at single \
             states only: inputs that are functions of time are signals, `model.driven_by([signal])`, inputs that are held are \
-            `model.with_inputs([value])`; a model with a type parameter has one on `Lanes` if its parameters are `Lanes`, or `f64`; other systems implement `Series` with the blocks of `recurrences`; \
-            `Dop853` integrates all others"
+            `model.with_inputs([value])`; a model with a type parameter has one on `Lanes` if its parameters are `Lanes`, or `f64`; Hamilton's equations have the motion of `model.dynamics()`, with \
+            `model.momenta(&state)`; other systems implement `Series` with the blocks of `recurrences`; `Dop853` integrates all \
+            others"
 )]
 pub trait Series<S: Scalar = f64>: Dynamics<S> {
     /// The Taylor polynomial of the solution through (t, x), in this unit of time.

@@ -6,8 +6,10 @@
 //! parameters. Each column is written as Σ κₖ yₖ with functions κ that are free of the motion, and functions y that are
 //! free of parameters. Of these, those that are independent over the rationals are found in modular arithmetic at random
 //! motions, and with them the coordinates of each column, which are elements of the field of the known parameters.
-//! There, the columns are eliminated in their order (`regrouping.rs`). All relations are then proved by the identity
-//! test, and the rank is compared with that of the columns at random values of the known parameters.
+//! There, the columns are eliminated (`regrouping.rs`), those with factors κ of the lowest degree first: m₂, which moves with
+//! l₁² and l₁, is regrouped with the inertia and the moment of mass of the link before it, as in the text, and nothing is
+//! divided by a length. All relations are then proved by the identity test, and the rank is compared with that of the columns at
+//! random values of the known parameters.
 
 use std::collections::BTreeMap;
 
@@ -32,12 +34,16 @@ type Rows = Vec<(usize, Vec<u64>)>;
 type Column = Vec<Expression>;
 
 impl BaseParameters {
-    /// Those of columns in their order: as many of the first ones as are independent.
+    /// Those of columns in the order of the degrees of their factors, and then in their own: as many of the first ones as are
+    /// independent.
     pub(crate) fn of(
         graph: &mut Graph,
         columns: &[(Monomial, Column)],
     ) -> Result<Self, NoRegressor> {
-        let parts = Parts::of(graph, columns)?;
+        let mut parts = Parts::of(graph, columns)?;
+        let order = parts.by_degree(columns.len());
+        let columns: Vec<_> = order.iter().map(|j| columns[*j].clone()).collect();
+        parts.renumber(&order);
         let functions: Vec<Column> = parts.functions.iter().map(|(y, _)| y.clone()).collect();
         let coordinates = coordinates(graph, &functions).ok_or(NoRegressor::UnknownRegrouping)?;
         let matrix = parts.matrix(graph, &coordinates, columns.len());
@@ -56,7 +62,7 @@ impl BaseParameters {
                 terms.push((graph.multiply(*factor, monomials[j]), Rational::ONE));
             }
             let sum = graph.sum(terms);
-            positions.push(*pivot);
+            positions.push(order[*pivot]);
             values.push(graph.simplest(sum));
         }
         let relations = relations(graph, &all, &regrouped);
@@ -125,6 +131,35 @@ impl Parts {
         Ok(Self {
             functions: functions.into_iter().collect(),
         })
+    }
+
+    /// The positions of the columns in the order of the highest degrees of their factors.
+    fn by_degree(&self, columns: usize) -> Vec<usize> {
+        let mut degrees = vec![0; columns];
+        for (j, factor) in self
+            .functions
+            .iter()
+            .flat_map(|(_, occurrences)| occurrences)
+        {
+            let degree: u64 = factor.iter().map(|(_, k)| k.unsigned_abs()).sum();
+            degrees[*j] = degree.max(degrees[*j]);
+        }
+        let mut order: Vec<usize> = (0..columns).collect();
+        order.sort_by_key(|j| degrees[*j]);
+        order
+    }
+
+    /// Numbers the columns as they stand in an order.
+    fn renumber(&mut self, order: &[usize]) {
+        let mut ranks = vec![0; order.len()];
+        for (rank, j) in order.iter().enumerate() {
+            ranks[*j] = rank;
+        }
+        for (_, occurrences) in &mut self.functions {
+            for (j, _) in occurrences {
+                *j = ranks[*j];
+            }
+        }
     }
 
     /// The coordinates of the columns in terms of independent functions.

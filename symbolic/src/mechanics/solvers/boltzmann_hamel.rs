@@ -98,6 +98,16 @@ impl BoltzmannHamel {
         self.kinematics.solve(graph, &self.rates)
     }
 
+    /// x in M x = Eᵀ W E x = r.
+    pub(crate) fn solution(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let mut torques = self.transposed.solve(graph, right);
+        for torque in &mut torques {
+            *torque = graph.simplest(*torque);
+        }
+        let rates = self.divided_by_inertia(graph, &torques);
+        self.kinematics.solve(graph, &rates)
+    }
+
     /// ∂q̈/∂x column by column, with the accelerations as symbols.
     pub(crate) fn derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
         let roots = [&*self.rates, &self.kinematics.matrix().concat()].concat();

@@ -159,6 +159,25 @@ impl Solution {
         Some(columns)
     }
 
+    /// x in M x = r, valid where all pivots are positive.
+    pub(crate) fn of_right_hand_side(
+        &self,
+        graph: &mut Graph,
+        right: &[Expression],
+    ) -> Vec<Expression> {
+        match &self.solver {
+            Solver::BoltzmannHamel(solver) => solver.solution(graph, right),
+            // M in its unit is what is factored.
+            Solver::ArticulatedBodies(solver) => {
+                let unit = solver.unit();
+                let right = right.iter().map(|x| graph.divide(*x, unit));
+                let right: Vec<_> = right.collect();
+                solver.solution(graph, &right)
+            }
+            solver => solver.solution(graph, right),
+        }
+    }
+
     /// The equations of motion in the form in which they are solved, with each of these residuals M q̈ − f that are for the
     /// same M, and with those in differences of angles; none where no matrix is factored.
     pub(crate) fn implicit_equations(

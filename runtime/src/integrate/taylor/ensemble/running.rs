@@ -171,7 +171,9 @@ where
         } else {
             dynamics.singularity_in_motion(times, states, min_pivot)
         };
-        if min_pivot <= 0.0 || found.is_none() {
+        let before = stepper.previous_states();
+        let pole = dynamics.singularity_between(None, before, (times, states));
+        if min_pivot <= 0.0 || (found.is_none() && pole.is_none()) {
             return;
         }
         for lane in 0..L {
@@ -179,9 +181,11 @@ where
             if self.motions[lane].is_none() || stepper.error(lane).is_some() || !finite {
                 continue;
             }
-            let states = stepper.states();
-            if let Some(singularity) = dynamics.singularity_in_lane(lane, times, states, min_pivot)
-            {
+            let (before, states) = (stepper.previous_states(), stepper.states());
+            let found = dynamics
+                .singularity_between(Some(lane), before, (times, states))
+                .or_else(|| dynamics.singularity_in_lane(lane, times, states, min_pivot));
+            if let Some(singularity) = found {
                 let error = IntegrationError::SingularConfiguration {
                     time: stepper.time(lane),
                     estimated_error: f64::EPSILON / singularity.relative_pivot(),
