@@ -78,8 +78,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for spin in [40.0, 50.0, 80.0, 160.0] {
         let (slow, fast) = match TOP.steady(spin, THETA) {
             SteadyPrecession::Two { slow, fast } => (slow, fast),
-            SteadyPrecession::None { discriminant } => {
-                let lack = least / spin - 1.0;
+            SteadyPrecession::None {
+                discriminant,
+                least_axial_velocity,
+            } => {
+                let lack = least_axial_velocity / spin - 1.0;
                 println!(
                     "{spin:5.0}   none: it spins too slowly by {:.1} %, Δ = {discriminant:.1e}",
                     100.0 * lack

@@ -201,7 +201,7 @@ fn steady_precession_where_there_are_not_two() {
     }
     // Too slow: |ω₃| < (2/I_s) √(I m g l cos θ).
     let least = 2.0 / i_s * (i * mgl * 0.5_f64.cos()).sqrt();
-    let SteadyPrecession::None { discriminant } = of_top(0.5, 0.999 * least) else {
+    let SteadyPrecession::None { discriminant, .. } = of_top(0.5, 0.999 * least) else {
         panic!("no rate");
     };
     assert!(discriminant < 0.0);

@@ -97,9 +97,21 @@ fn no_steady_precession() {
     let (theta, spin) = (0.5_f64, 5.0);
     let slope = -TOP.mgl * theta.sin();
     let closed = SteadyPrecession::of_top(TOP.i, TOP.i_s, spin, theta, slope);
-    let SteadyPrecession::None { discriminant } = closed else {
+    let SteadyPrecession::None {
+        discriminant,
+        least_axial_velocity,
+    } = closed
+    else {
         panic!("{closed:?}");
     };
+    // |ω₃| ≥ (2/Iₛ) √(I m g l cos θ), and with it both rates are the same.
+    let expected = 2.0 / TOP.i_s * (TOP.i * TOP.mgl * theta.cos()).sqrt();
+    assert_close(least_axial_velocity, expected, 1e-14);
+    for (factor, exists) in [(1.0 - 1e-9, false), (1.0 + 1e-9, true)] {
+        let spin = factor * least_axial_velocity;
+        let there = SteadyPrecession::of_top(TOP.i, TOP.i_s, spin, theta, slope);
+        assert_eq!(matches!(there, SteadyPrecession::Two { .. }), exists);
+    }
     let least = 4.0 * TOP.i * TOP.mgl * theta.cos() - (TOP.i_s * spin).powi(2);
     assert_close(-discriminant / theta.sin().powi(2), least, 1e-12);
     let error = EquilibriumSearch::of(&TOP)

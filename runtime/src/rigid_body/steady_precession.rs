@@ -13,6 +13,8 @@ pub enum SteadyPrecession<S = f64> {
     None {
         /// The discriminant (`I_s` ω₃ sin θ)² + 4 I sin θ cos θ dV/dθ, which is negative.
         discriminant: S,
+        /// The least magnitude of ω₃ with which there is one at this inclination; infinite where there is none with any.
+        least_axial_velocity: S,
     },
     /// One: the axis is horizontal.
     One {
@@ -60,17 +62,28 @@ impl<S: SingleNumber> SteadyPrecession<S> {
         let (sine, cosine) = inclination.sin_cos();
         let quadratic = transverse * sine * cosine;
         let linear = axial * axial_velocity * sine;
-        let discriminant = linear * linear + S::from_f64(4.0) * quadratic * potential_slope;
+        let is_zero = |x: S| x.abs().largest() <= 0.0;
+        // (I_s ω₃ sin θ)² has to be at least as large.
+        let least = S::from_f64(-4.0) * quadratic * potential_slope;
+        let discriminant = linear * linear - least;
+        let reach = (axial * sine).abs();
+        let none = Self::None {
+            discriminant,
+            least_axial_velocity: if is_zero(reach) {
+                S::from_f64(f64::INFINITY)
+            } else {
+                least.sqrt() / reach
+            },
+        };
         if discriminant.largest() < 0.0 {
-            return Self::None { discriminant };
+            return none;
         }
         let root = discriminant.sqrt();
         let signed = if linear.largest() < 0.0 { -root } else { root };
         let half = (linear + signed) * S::from_f64(0.5);
-        let is_zero = |x: S| x.abs().largest() <= 0.0;
         match (is_zero(quadratic), is_zero(half)) {
             (true, true) if is_zero(potential_slope) => Self::Any,
-            (true, true) => Self::None { discriminant },
+            (true, true) => none,
             (true, false) => Self::One {
                 rate: -potential_slope / half,
             },
