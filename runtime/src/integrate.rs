@@ -44,8 +44,8 @@ pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
 pub use event::{
-    Crossing, DeclaredEvents, Event, EventDynamics, MetConditions, Occurrence, Reaction,
-    SingleNumber, Watched, ZeroCrossing,
+    Crossing, DeclaredEvents, Event, EventDynamics, EventValues, MetConditions, Occurrence,
+    Reaction, SingleNumber, Watched, ZeroCrossing,
 };
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Progress, Unobserved};

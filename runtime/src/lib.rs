@@ -67,12 +67,13 @@ pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivat
 pub use integrate::{
     Advance, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint, ComponentName, Crossing,
     DeclaredEvents, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver, Dynamics, Event,
-    EventDynamics, InitialValue, IntegrationError, IntegrationMethod, Integrator, Interpolant,
-    MetConditions, ObservationKind, Observer, Occurrence, Outcome, Predicate, Progress, Reaction,
-    Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper, RunningIntegration, Sample, Series,
-    SetTypicalSizes, SingleNumber, Singularity, Statistics, Step, StepPolynomial, Stepper, Steps,
-    StopCondition, StopReason, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
-    TypicalSizes, Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
+    EventDynamics, EventValues, InitialValue, IntegrationError, IntegrationMethod, Integrator,
+    Interpolant, MetConditions, ObservationKind, Observer, Occurrence, Outcome, Predicate,
+    Progress, Reaction, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
+    RunningIntegration, Sample, Series, SetTypicalSizes, SingleNumber, Singularity, Statistics,
+    Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason, Taylor, TaylorCoefficients,
+    TaylorInterpolant, TaylorStepper, TypicalSizes, Unconditional, Unobserved, Watched, WithSizes,
+    ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};

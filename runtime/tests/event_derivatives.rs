@@ -2,7 +2,7 @@
 #![cfg(feature = "num-dual")]
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, SingleNumber};
+use lagrangian::{DoubleDouble, EquationsOfMotion, SingleNumber, StopCondition};
 use num_dual::{Dual2_64, Dual64, DualSVec64};
 
 #[track_caller]
@@ -51,11 +51,49 @@ fn bounces<T: Scalar>([height, g, restitution, rise]: [T; 4], end: f64) -> [T; 4
     ]
 }
 
-/// The same by integration.
-fn integrated<T, I>(method: &I, [height, g, restitution, rise]: [T; 4], end: f64) -> [T; 4]
+/// The same by integration, with the event that the model declares.
+fn integrated<T, I>(method: &I, parameters: [T; 4], end: f64) -> [T; 4]
 where
     T: SingleNumber,
-    I: IntegrationMethod + for<'a> Integrator<T, lagrangian::EquationsOfMotion<'a, Ball<T>, T, 1>>,
+    I: IntegrationMethod + for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
+{
+    let falling = [(Ball::<f64>::FLOOR, Event::falling())];
+    bounced(method.driver().declared_events(falling), parameters, end)
+}
+
+/// The same, with the event as a function.
+fn integrated_by_function<T, I>(method: &I, parameters: [T; 4], end: f64) -> [T; 4]
+where
+    T: SingleNumber,
+    I: IntegrationMethod + for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
+{
+    let rise = parameters[3];
+    let floor = move |t: T, x: &Phase<T, 1>| x.q[0] - rise * t;
+    let driver = method.driver().events(Event::falling(), floor);
+    bounced(driver, parameters, end)
+}
+
+/// The same, with the event as one of several functions.
+fn integrated_by_functions<T, I>(method: &I, parameters: [T; 4], end: f64) -> [T; 4]
+where
+    T: SingleNumber,
+    I: IntegrationMethod + for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
+{
+    let [height, _, _, rise] = parameters;
+    let functions = move |t: T, x: &Phase<T, 1>| [x.q[0] - rise * t, x.q[0] - height - height];
+    let driver = method.driver().events([Event::falling(); 2], functions);
+    bounced(driver, parameters, end)
+}
+
+fn bounced<T, I, C>(
+    driver: Driver<I, C>,
+    [height, g, restitution, rise]: [T; 4],
+    end: f64,
+) -> [T; 4]
+where
+    T: SingleNumber,
+    I: for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
+    C: for<'a> StopCondition<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
 {
     let ball = Ball {
         m: T::from_f64(0.4),
@@ -64,9 +102,6 @@ where
         top: height,
     };
     let zero = T::from_f64(0.0);
-    let driver = method
-        .driver()
-        .declared_events([(Ball::<f64>::FLOOR, Event::falling())]);
     let start = State::new(zero, [height], [zero]);
     let mut dynamics = ball.dynamics();
     let motion = driver
@@ -93,12 +128,30 @@ fn a_bouncing_ball_has_the_gradient_of_its_closed_form() {
         Dual::from_re(value).derivative(index - 1)
     });
     let expected = bounces(parameters, END);
+    let (taylor, dop853) = (Taylor::new(), Dop853::new());
+    let classical = RungeKutta::classical(1e-3);
     let methods = [
-        ("Taylor", integrated(&Taylor::new(), parameters, END), 1e-12),
-        ("DOP853", integrated(&Dop853::new(), parameters, END), 1e-9),
+        ("Taylor", integrated(&taylor, parameters, END), 1e-12),
+        ("DOP853", integrated(&dop853, parameters, END), 1e-9),
+        ("Runge-Kutta", integrated(&classical, parameters, END), 1e-9),
         (
-            "Runge-Kutta",
-            integrated(&RungeKutta::classical(1e-3), parameters, END),
+            "Taylor, a function",
+            integrated_by_function(&taylor, parameters, END),
+            1e-12,
+        ),
+        (
+            "Taylor, functions",
+            integrated_by_functions(&taylor, parameters, END),
+            1e-12,
+        ),
+        (
+            "DOP853, a function",
+            integrated_by_function(&dop853, parameters, END),
+            1e-9,
+        ),
+        (
+            "Runge-Kutta, functions",
+            integrated_by_functions(&classical, parameters, END),
             1e-9,
         ),
     ];
@@ -119,8 +172,10 @@ fn a_bouncing_ball_has_second_derivatives() {
         let mut parameters = BALL.map(Dual2_64::from_re);
         parameters[moving] = parameters[moving].derivative();
         let expected = bounces(parameters, END);
-        let found = integrated(&Taylor::new(), parameters, END);
-        for (found, expected) in found.iter().zip(&expected) {
+        let declared = integrated(&Taylor::new(), parameters, END);
+        let given = integrated_by_function(&Taylor::new(), parameters, END);
+        let pairs = declared.iter().zip(&expected);
+        for (found, expected) in pairs.chain(given.iter().zip(&expected)) {
             for part in 0..2 {
                 let [found, expected] = [found, expected].map(|x| x.derivative_part(part));
                 close("a derivative", found, expected, 1e-10);
@@ -135,8 +190,10 @@ fn events_have_the_digits_of_double_doubles() {
     let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
     let parameters = BALL.map(|value| DoubleDouble::from(value) + third);
     let expected = bounces(parameters, 2.5);
-    let found = integrated(&Taylor::order_40(), parameters, 2.5);
-    for (found, expected) in found.into_iter().zip(expected) {
+    let declared = integrated(&Taylor::order_40(), parameters, 2.5);
+    let given = integrated_by_function(&Taylor::order_40(), parameters, 2.5);
+    let pairs = declared.into_iter().zip(expected);
+    for (found, expected) in pairs.chain(given.into_iter().zip(expected)) {
         let error = (found - expected).to_f64().abs();
         assert!(error < 1e-28, "{error:e}");
     }

@@ -2,6 +2,7 @@
 
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
+use super::event::MetConditions;
 use super::integrator::Integrator;
 use crate::scalar::Scalar;
 
@@ -49,7 +50,7 @@ pub struct Checkpoint<M> {
     pub(super) events: Option<EventSigns>,
 }
 
-/// The signs of event functions at the end of a step: a bit for each event.
+/// What is known of event functions at the end of a step: a bit for each event.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct EventSigns {
@@ -57,22 +58,19 @@ pub(crate) struct EventSigns {
     pub(super) negative: u64,
     /// Whether time goes forwards; none before the first step.
     pub(super) forwards: Option<bool>,
+    /// The events whose functions touch zero there.
+    pub(super) touching: MetConditions,
 }
 
 impl EventSigns {
-    /// Of values of event functions, in the order of events.
-    pub(super) fn of(values: &[f64], forwards: Option<bool>) -> Self {
-        let bits = |sign: f64| {
+    /// Whether each value is positive, and whether it is negative.
+    pub(super) fn bits(values: &[f64]) -> [u64; 2] {
+        [1.0, -1.0].map(|sign| {
             let pairs = (0..u64::BITS).zip(values);
             pairs.fold(0, |bits, (i, value)| {
                 bits | u64::from(sign * value > 0.0) << i
             })
-        };
-        Self {
-            positive: bits(1.0),
-            negative: bits(-1.0),
-            forwards,
-        }
+        })
     }
 
     /// The sign of an event's function; 0 where it had none.

@@ -24,7 +24,7 @@ pub use declared::DeclaredEvents;
 pub(crate) use detection::{Detection, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
 pub(crate) use event_time::{Located, moved};
-pub use functions::{Watched, ZeroCrossing};
+pub use functions::{EventValues, Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
 pub(crate) use memory::Memory;
 pub use met_conditions::MetConditions;
@@ -140,8 +140,7 @@ pub enum Reaction {
 pub struct Occurrence<X, S = f64> {
     /// The index of the event.
     pub event: usize,
-    /// The time, of the scalar of the integration: of a declared event it has derivative parts and the digits of a
-    /// double-double.
+    /// The time, of the scalar of the integration: it has derivative parts and the digits of a double-double.
     pub t: S,
     /// The state at that time. Its derivative parts are those of the state at the event, whose time moves, too.
     pub x: X,

@@ -40,8 +40,9 @@ impl<I, C, O> Driver<I, C, O> {
         self.events(crossing, function)
     }
 
-    /// Watches for events, at which `function(t, x)` crosses zero. `events` is an [`Event`] or, for a function that
-    /// returns an array of values, an array of the same length. Each says in which direction the function crosses zero,
+    /// Watches for events, at which `function(t, x)` crosses zero. Time and value are of the scalar of the integration: with
+    /// dual numbers the time of an event has derivatives, and with double-doubles their digits. `events` is an [`Event`]
+    /// or, for a function that returns an array of values, an array of the same length. Each says in which direction the function crosses zero,
     /// and whether the integration stops there. The others are seen by the observer, are listed in a
     /// [`Trajectory`](crate::Trajectory), and may be reacted to ([`run_reacting`](Self::run_reacting)). A closure names
     /// the type of the state, as under [`stop_when`](Self::stop_when).
@@ -119,10 +120,9 @@ impl<I, C, O> Driver<I, C, O> {
     /// Where the reactions to an event come more and more often, as the bounces of a ball do before it is at rest, the
     /// integration ends with [`StopReason::Zeno`](crate::StopReason::Zeno).
     ///
-    /// With dual numbers, the time and the state of a [declared event](Self::declared_events) have derivative parts, and those
-    /// of the motion jump as a reaction changes the state or the dynamics (the saltation matrix: Leine & Nijmeijer 2004,
-    /// ch. 7). Of simultaneous events each sees what those before it have left. A function of [`events`](Self::events)
-    /// returns plain numbers: the time of its event has no derivative.
+    /// With dual numbers, the time and the state of an event have derivative parts, and those of the motion jump as a
+    /// reaction changes the state or the dynamics (the saltation matrix: Leine & Nijmeijer 2004, ch. 7). Of simultaneous
+    /// events each sees what those before it have left.
     ///
     /// # Errors
     ///

@@ -27,7 +27,7 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
     /// The values at a time and a state.
     fn values(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Values;
 
-    /// The event function of an index as a number of the scalar; none if it is a closure, which returns plain numbers.
+    /// The event function of an index as a number of the scalar; none where events have one time for several motions.
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
         let _ = (dynamics, t, x, event);
         None

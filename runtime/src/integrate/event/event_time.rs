@@ -27,11 +27,14 @@ pub(crate) struct Located<'a, D: Dynamics<S> + ?Sized, S: Scalar> {
 }
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Located<'_, D, S> {
-    /// By how much an event of that index is later than t. It is zero where `f64` has all of the scalar, and for functions
-    /// that return plain numbers.
+    /// By how much an event of that index is later than t. It is zero where `f64` has all of the scalar, and for events of
+    /// several motions at a time.
     ///
     /// Newton's method with a slope from differences: what that lacks of the slope is what an iteration leaves of the error.
     pub(crate) fn delay<G: Detection<S, D>>(&self, source: &mut G, event: usize) -> S {
+        if S::DERIVATIVES == 0 && S::machine_epsilon() >= f64::EPSILON {
+            return S::zero();
+        }
         let here = S::from_f64(self.t);
         let Some(value) = source.function(self.dynamics, here, self.x, event) else {
             return S::zero();

@@ -1,13 +1,81 @@
 //! Event functions that are closures.
 
+use super::event_dynamics::SingleNumber;
 use super::values::Values;
 use super::{Crossing, Detection, Event};
 use crate::integrate::dynamics::Dynamics;
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar};
+
+/// What an event function returns: a number of the scalar of the integration, or an array of them. On
+/// [lanes](crate::Lanes), whose motions go on together, it is a plain number, made of all lanes.
+#[diagnostic::on_unimplemented(
+    message = "an event function of an integration on `{S}` does not return `{Self}`",
+    note = "it returns a number of the scalar of the integration, `x.q[0]` say, or an array of them; on lanes a number `f64` \
+            that is made of all lanes"
+)]
+pub trait EventValues<S: Scalar> {
+    /// The numbers of which the signs are watched: `f64` or an array of it.
+    type Numbers: Values;
+
+    /// The numbers without their derivative parts, in `f64`.
+    fn numbers(&self) -> Self::Numbers;
+
+    /// The value of an index with all that the scalar has of it; none beyond the last, and where events have one time for
+    /// several motions.
+    fn value(&self, index: usize) -> Option<S>;
+}
+
+impl<S: SingleNumber> EventValues<S> for S {
+    type Numbers = f64;
+
+    fn numbers(&self) -> f64 {
+        self.smallest()
+    }
+
+    fn value(&self, index: usize) -> Option<S> {
+        (index == 0).then_some(*self)
+    }
+}
+
+impl<S: SingleNumber, const K: usize> EventValues<S> for [S; K] {
+    type Numbers = [f64; K];
+
+    fn numbers(&self) -> [f64; K] {
+        self.map(Scalar::smallest)
+    }
+
+    fn value(&self, index: usize) -> Option<S> {
+        self.get(index).copied()
+    }
+}
+
+impl<const L: usize> EventValues<Lanes<L>> for f64 {
+    type Numbers = Self;
+
+    fn numbers(&self) -> Self {
+        *self
+    }
+
+    fn value(&self, _: usize) -> Option<Lanes<L>> {
+        None
+    }
+}
+
+impl<const L: usize, const K: usize> EventValues<Lanes<L>> for [f64; K] {
+    type Numbers = Self;
+
+    fn numbers(&self) -> Self {
+        *self
+    }
+
+    fn value(&self, _: usize) -> Option<Lanes<L>> {
+        None
+    }
+}
 
 /// What is watched for: a direction or an [`Event`], or an array of them for an array of values.
 pub trait Watched {
-    /// The values of the event functions.
+    /// The numbers of which the signs are watched.
     type Values: Values;
 
     /// The event of an index; the last one beyond it.
@@ -51,17 +119,22 @@ pub struct ZeroCrossing<F, W = Crossing> {
     pub(crate) parts: Option<u32>,
 }
 
-impl<S, D, F, W> Detection<S, D> for ZeroCrossing<F, W>
+impl<S, D, F, W, R> Detection<S, D> for ZeroCrossing<F, W>
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
     W: Watched,
-    F: FnMut(f64, &D::State) -> W::Values,
+    F: FnMut(S, &D::State) -> R,
+    R: EventValues<S, Numbers = W::Values>,
 {
     type Values = W::Values;
 
     fn values(&mut self, _: &D, t: f64, x: &D::State) -> W::Values {
-        (self.function)(t, x)
+        (self.function)(S::from_f64(t), x).numbers()
+    }
+
+    fn function(&mut self, _: &D, t: S, x: &D::State, event: usize) -> Option<S> {
+        (self.function)(t, x).value(event)
     }
 
     fn event(&self, index: usize) -> Event {

@@ -93,7 +93,13 @@ impl<V: Values> Memory<V> {
 
     /// What a checkpoint has of it.
     pub(crate) fn event_signs(&self) -> EventSigns {
-        EventSigns::of(self.signs.as_slice(), self.forwards)
+        let [positive, negative] = EventSigns::bits(self.signs.as_slice());
+        EventSigns {
+            positive,
+            negative,
+            forwards: self.forwards,
+            touching: self.touching,
+        }
     }
 
     /// This memory of the functions at the time of a checkpoint, with what that has of them.
@@ -106,6 +112,7 @@ impl<V: Values> Memory<V> {
         }
         self.forwards = stored.forwards;
         self.is_leaving = stored.forwards.is_none();
+        self.touching = stored.touching;
         self
     }
 

@@ -2,6 +2,7 @@
 
 /// Which stop conditions are met, or which events occur: a set of indices below 64.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MetConditions(u64);
 
 impl MetConditions {
