@@ -268,7 +268,7 @@ fn orders_of<
         order += S::one();
         reciprocal_order = S::one() / order;
         t = S::zero();
-        let step = unit * reciprocal_order;
+        let step = unit / order;
         (q, v) = (velocities * step, rates * step);
     }
 }

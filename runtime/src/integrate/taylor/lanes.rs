@@ -11,7 +11,7 @@ use expansion::largest_ratios;
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
-use super::step_size::{limiting_component, power_of_two_near, too_small};
+use super::step_size::{limiting_component, too_small, unit_near};
 use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
@@ -246,7 +246,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             self.time[lane] = targets[lane];
             self.statistics[lane].steps += 1;
             if proposed[lane].is_normal() {
-                self.unit[lane] = power_of_two_near(proposed[lane]);
+                self.unit[lane] = unit_near(proposed[lane]);
             }
         }
     }
@@ -289,7 +289,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             };
             let usable = Some(time).filter(|time| time.is_normal());
             self.time_scale[lane] = usable.unwrap_or(1.0 / FIRST_UNIT);
-            self.unit[lane] = power_of_two_near(FIRST_UNIT * self.time_scale[lane]);
+            self.unit[lane] = unit_near(FIRST_UNIT * self.time_scale[lane]);
         }
     }
 

@@ -4,7 +4,7 @@ use super::coefficients::number;
 use super::interpolant::TaylorInterpolant;
 use super::residual::{Allowance, Point};
 use super::step_size::{
-    Proposal, limiting_component, power_of_two_near, too_small, weighted_norm, weights,
+    Proposal, limiting_component, too_small, unit_near, weighted_norm, weights,
 };
 use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
@@ -38,7 +38,7 @@ pub struct TaylorStepper<X, const HALF: usize> {
     polynomials: [TaylorInterpolant<X, HALF>; 2],
     /// Whether the second one is about the present time.
     exchanged: bool,
-    /// The unit of time of the next series, a power of two near the size of the step: the coefficients of a series
+    /// The unit of time of the next series, near the size of the step: the coefficients of a series
     /// then neither overflow nor underflow.
     unit: f64,
     /// What that polynomial says about the next step, once its coefficients are computed.
@@ -86,7 +86,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             method,
             polynomials: [polynomial.clone(), polynomial],
             exchanged: false,
-            unit: power_of_two_near(FIRST_UNIT * time_scale),
+            unit: unit_near(FIRST_UNIT * time_scale),
             proposal: None,
             length: 0.0,
             time_scale,
@@ -210,7 +210,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let mut next_proposal = None;
         if needed && h.is_normal() {
             let about_end = (next, &point.state);
-            let proposal = self.expand(dynamics, about_end, power_of_two_near(h), h);
+            let proposal = self.expand(dynamics, about_end, unit_near(h), h);
             next_proposal = proposal.ok();
         }
         let derivative = if next_proposal.is_some() {
@@ -348,7 +348,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
             match self.check(dynamics, end, proposal, !lands && rejected.is_none()) {
                 Ok(proposal) => {
                     if step.is_normal() {
-                        self.unit = power_of_two_near(step);
+                        self.unit = unit_near(step);
                     }
                     self.exchanged = !self.exchanged;
                     self.proposal = proposal;
