@@ -1,4 +1,4 @@
-//! Derivatives of event times, and of motions through impacts and switches, against closed forms and differences.
+//! Derivatives of event times, and of motions through impacts, against closed forms and differences.
 #![cfg(feature = "num-dual")]
 
 use lagrangian::prelude::*;
@@ -380,75 +380,5 @@ fn newtons_cradle_has_the_gradient_of_differences() {
             let expected = (8.0 * (one[i] - back[i]) - (two[i] - far_back[i])) / (12.0 * step);
             close("a derivative", found[i].eps, expected, 1e-6);
         }
-    }
-}
-
-/// A particle in one of two fields, which a switch at a place exchanges.
-#[derive(Lagrangian)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    kinetic = 0.5 * dot(x).powi(2),
-    potential = -field * x,
-    event(switch = x - place),
-)]
-struct Switched<T: Scalar> {
-    field: T,
-    place: T,
-}
-
-/// A reaction that changes the dynamics alone, and a part of the motion from where an event has stopped it.
-#[test]
-fn a_switch_has_the_gradient_of_its_closed_form() {
-    type Dual = DualSVec64<3>;
-    let [before, after, place] = [(2.0, 0), (-1.0, 1), (0.75, 2)]
-        .map(|(value, index)| Dual::from_re(value).derivative(index));
-    let number = Dual::from_re;
-    let switch = (number(2.0) * place / before).sqrt();
-    let speed = before * switch;
-    let end = number(1.5) - switch;
-    let expected = [
-        place + speed * end + number(0.5) * after * end * end,
-        speed + after * end,
-    ];
-    let mut dynamics = Switched {
-        field: before,
-        place,
-    }
-    .into_dynamics();
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Switched::<f64>::SWITCH, Event::rising())]);
-    let start = State::new(number(0.0), [number(0.0)], [number(0.0)]);
-    let motion = driver
-        .sample_reacting(&mut dynamics, start, &[1.5], |_, _, _, dynamics| {
-            dynamics.change(|model| model.field = after);
-            Reaction::Changed
-        })
-        .unwrap();
-    let last = motion.last().x;
-    for (found, expected) in [last.q[0], last.v[0]].iter().zip(&expected) {
-        close("a value", found.re, expected.re, 1e-14);
-        for part in 0..3 {
-            let [found, expected] = [found, expected].map(|x| x.derivative_part(part));
-            close("a derivative", found, expected, 1e-13);
-        }
-    }
-    // At the event, the place is where the switch is, whatever moves it.
-    let at_switch = &motion.events()[0];
-    for part in 0..3 {
-        let expected = if part == 2 { 1.0 } else { 0.0 };
-        close(
-            "the place",
-            at_switch.x.q[0].derivative_part(part),
-            expected,
-            1e-14,
-        );
-        close(
-            "the time",
-            at_switch.t.derivative_part(part),
-            switch.derivative_part(part),
-            1e-14,
-        );
     }
 }
