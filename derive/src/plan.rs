@@ -19,7 +19,7 @@ pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{
     AccelerationOutputs, Columns, DerivativeOutputs, InputJacobianOutputs, LowerTriangle,
-    MethodOutputs, OutputSlice, PivotOutputs, StateJacobian,
+    MethodOutputs, OutputSlice, PivotOutputs, Residuals, StateJacobian,
 };
 pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;

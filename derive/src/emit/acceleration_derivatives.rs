@@ -4,8 +4,9 @@ use lagrangian_symbolic::{Operand, Rational};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::emitter::Emitter;
 use super::writer::{Writer, joined};
-use crate::plan::{DerivativeOutputs, InputJacobianOutputs, OutputSlice, StateJacobian};
+use crate::plan::{DerivativeOutputs, InputJacobianOutputs, OutputSlice, Residuals, StateJacobian};
 
 /// Columns of derivatives, as a method returns them.
 pub(super) trait Columns {
@@ -85,7 +86,7 @@ impl Writer<'_> {
                     let accelerations = accelerations.unwrap_or_default();
                     return joined([statements, accelerations, more, derivatives]);
                 };
-                let (others, solved) = residuals.solved(self);
+                let (others, solved) = self.solved_beside(residuals);
                 let factors = self.factors_of_mass_matrix();
                 let root = &self.emitter.declaration.root;
                 let value = quote! {
@@ -110,6 +111,32 @@ impl Writer<'_> {
                 joined([statements, factors, accelerations, more, solved])
             }
         }
+    }
+
+    /// The statements before −M⁻¹ times the derivatives of M q̈ − f, and this, where `factors` are those of M.
+    fn solved_beside<C: Columns>(
+        &mut self,
+        residuals: &Residuals<C>,
+    ) -> (TokenStream, TokenStream) {
+        let variation = match residuals {
+            Residuals::Columns(columns) => return columns.solved(self),
+            Residuals::AlongVariation(variation) => variation,
+        };
+        let Emitter {
+            declaration,
+            scalar,
+            ..
+        } = self.emitter;
+        let root = &declaration.root;
+        let count = 2 * self.emitter.coordinates() + 1;
+        let (statements, column) = self.compute(variation);
+        let column = self.vector(&column);
+        let solved = quote! {
+            #root::__private::linearization_along(&factors, |variation: [#scalar; #count]| {
+                #statements #column
+            })
+        };
+        (TokenStream::new(), solved)
     }
 
     /// The derivatives of the accelerations by the inputs.

@@ -29,6 +29,7 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
             Symbol::Input(i) => field(&quantities.inputs, i),
             Symbol::Invariant(i) => element(&quote!(prepared), i),
+            Symbol::Variation(i) => element(&quote!(variation), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
             // Symbols of recurrences, which are read from their terms, of equations before they are solved, and of vectors
             // before they are resolved.

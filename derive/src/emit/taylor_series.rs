@@ -43,6 +43,7 @@ impl SymbolReader for TermSymbols {
             | Symbol::RightHandSide(i)
             | Symbol::PositionComponent(i)
             | Symbol::VelocityComponent(i)
+            | Symbol::Variation(i)
             | Symbol::QuasiVelocityRate(i) => element(&quote!(invariants), i),
         }
     }

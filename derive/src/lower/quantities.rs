@@ -193,6 +193,7 @@ impl Quantities {
             Symbol::PositionComponent(i) | Symbol::RightHandSide(i) => format!("r{i}"),
             Symbol::QuasiVelocityRate(i) => format!("w{i}_dot"),
             Symbol::QuasiVelocity(i) | Symbol::VelocityComponent(i) => format!("w{i}"),
+            Symbol::Variation(i) => format!("delta{i}"),
         }
     }
 }

@@ -3,7 +3,9 @@
 use lagrangian_symbolic::{Expression, Kinetics, Model, Solution, Symbol};
 
 use super::method::Method;
-use super::outputs::{DerivativeOutputs, InputJacobianOutputs, MethodOutputs, ProgramLayout};
+use super::outputs::{
+    DerivativeOutputs, InputJacobianOutputs, MethodOutputs, ProgramLayout, Residuals,
+};
 
 /// The derivatives of the accelerations, before they are scheduled.
 pub(super) struct Derivatives {
@@ -44,13 +46,23 @@ impl Derivatives {
     ) -> Self {
         let mut layout = ProgramLayout::new();
         if let Some((solution, derivatives)) = solved(model, kinetics, symbols) {
-            let residuals = residuals_beside(model, kinetics, solution, symbols);
+            let of_state = symbols.contains(&Symbol::Time) && !solution.pivots.is_empty();
+            let variation = of_state.then(|| kinetics.residual_variation(&mut model.graph));
+            let variation = variation.flatten();
+            let residuals = if variation.is_some() {
+                None
+            } else {
+                residuals_beside(model, kinetics, solution, symbols)
+            };
             let pivots = layout.add(&solution.pivots);
             let accelerations = layout.add(&solution.accelerations);
             layout.begin_group();
             let derivatives = add(&mut layout, &derivatives);
             layout.begin_group();
-            let residuals = residuals.map(|columns| add(&mut layout, &columns));
+            let residuals = match variation {
+                Some(variation) => Some(Residuals::AlongVariation(layout.add(&variation))),
+                None => residuals.map(|columns| Residuals::Columns(add(&mut layout, &columns))),
+            };
             return Self {
                 layout,
                 outputs: outputs(DerivativeOutputs::Symbolic {

@@ -14,8 +14,10 @@ pub(crate) struct Method {
 impl Method {
     pub(super) fn schedule(model: &Model, layout: &ProgramLayout, outputs: MethodOutputs) -> Self {
         let program = Program::schedule(&model.graph, &layout.groups());
+        // What is behind pivots that are not positive is not counted.
+        let counted = program.groups.len() - usize::from(outputs.is_along_variation());
         Self {
-            count: program.count(),
+            count: program.count_before(counted),
             program,
             outputs,
         }

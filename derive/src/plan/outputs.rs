@@ -114,7 +114,7 @@ pub(crate) enum DerivativeOutputs<C> {
         accelerations: OutputSlice,
         derivatives: C,
         /// The derivatives of M q̈ − f, where there are pivots that can fail.
-        residuals: Option<C>,
+        residuals: Option<Residuals<C>>,
     },
     /// M, f and the derivatives of M q̈ − f, up to a common factor.
     Numerical {
@@ -122,6 +122,15 @@ pub(crate) enum DerivativeOutputs<C> {
         forcing: OutputSlice,
         residuals: C,
     },
+}
+
+/// The derivatives of M q̈ − f beside those of q̈.
+#[derive(Clone, Debug)]
+pub(crate) enum Residuals<C> {
+    /// Their columns.
+    Columns(C),
+    /// Their sum along a variation of the state: one column at a time.
+    AlongVariation(OutputSlice),
 }
 
 /// By q, q̇ and t.
@@ -201,6 +210,17 @@ pub(crate) enum MethodOutputs {
 }
 
 impl MethodOutputs {
+    /// Whether derivatives of M q̈ − f are along a variation, outside of the way that is taken where all pivots are positive.
+    pub(crate) fn is_along_variation(&self) -> bool {
+        matches!(
+            self,
+            Self::Linearization(DerivativeOutputs::Symbolic {
+                residuals: Some(Residuals::AlongVariation(_)),
+                ..
+            })
+        )
+    }
+
     /// How many pivots there are, if accelerations or their derivatives were solved for symbolically.
     pub(crate) fn pivots(&self) -> Option<usize> {
         match self {

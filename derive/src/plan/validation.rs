@@ -53,6 +53,7 @@ impl Methods {
                 state,
                 inputs,
                 pivots,
+                is_along_variation: self.linearize.outputs.is_along_variation(),
             },
             None => LinearizationProgram::System { state, inputs },
         };

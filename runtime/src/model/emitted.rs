@@ -331,6 +331,20 @@ pub fn linearization<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
+/// The same from the column along a variation of q, q̇ and t.
+#[inline]
+pub fn linearization_along<S: Scalar, const N: usize, const K: usize>(
+    factors: &Factorization<S, N>,
+    residual: impl Fn([S; K]) -> SVector<S, N>,
+) -> Linearization<S, N> {
+    let mut columns = SMatrix::<S, N, K>::zeros();
+    for j in 0..K {
+        let variation = core::array::from_fn(|i| if i == j { S::one() } else { S::zero() });
+        columns.set_column(j, &residual(variation));
+    }
+    linearization(factors, &columns)
+}
+
 /// A pivot over the magnitude of the terms whose rounding errors it has; NaN where both are 0.
 #[inline]
 pub fn relative_pivot<S: Scalar>(pivot: S, magnitude: S) -> S {

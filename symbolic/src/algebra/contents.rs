@@ -37,9 +37,10 @@ impl Contents {
             Symbol::Time => Self::TIME,
             Symbol::Coordinate(_) => Self::COORDINATE,
             Symbol::Velocity(_) | Symbol::QuasiVelocity(_) => Self::VELOCITY,
-            Symbol::Acceleration(_) | Symbol::QuasiVelocityRate(_) | Symbol::RightHandSide(_) => {
-                Self::ACCELERATION
-            }
+            Symbol::Acceleration(_)
+            | Symbol::QuasiVelocityRate(_)
+            | Symbol::RightHandSide(_)
+            | Symbol::Variation(_) => Self::ACCELERATION,
             Symbol::Parameter(_) => Self::PARAMETER,
             Symbol::Input(_) => Self::INPUT,
             Symbol::Invariant(_) => Self::INVARIANT,

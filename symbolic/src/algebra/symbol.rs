@@ -37,6 +37,8 @@ pub enum Symbol {
     PositionComponent(u32),
     /// The same of a vector that depends on velocities.
     VelocityComponent(u32),
+    /// A component of a variation of the state: δq, then δq̇, then δt.
+    Variation(u32),
 }
 
 impl Symbol {
@@ -59,6 +61,7 @@ impl Symbol {
             Self::VelocityComponent(index) => (13, index),
             Self::QuasiVelocityRate(index) => (14, index),
             Self::RightHandSide(index) => (15, index),
+            Self::Variation(index) => (16, index),
         }
     }
 }

@@ -180,6 +180,22 @@ impl Kinetics {
         cheapest_derivatives(graph, links, &self.inverse_dynamics, symbols, beside).concat()
     }
 
+    /// δ(M q̈ − f) along a [variation](Symbol::Variation) of the state, where the derivatives of q̈ are found along the links of
+    /// a mechanism.
+    pub fn residual_variation(&self, graph: &mut Graph) -> Option<Vec<Expression>> {
+        let solution = self.solution.as_ref()?;
+        solution.differentiated_along_links(graph)?;
+        let coordinates = u32::try_from(self.mass.len()).ok()?;
+        let positions = (0..coordinates).map(Symbol::Coordinate);
+        let velocities = (0..coordinates).map(Symbol::Velocity);
+        let state = positions.chain(velocities).chain([Symbol::Time]);
+        let variation = (0..).map(Symbol::Variation);
+        let direction = state.zip(variation);
+        let direction = direction.map(|(symbol, change)| (symbol, graph.symbol(change)));
+        let direction = direction.collect();
+        Some(graph.directional_derivatives(&self.inverse_dynamics, &direction))
+    }
+
     /// The same of the [`system`](Self::system) for numerical solution.
     pub fn system_derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
         let system = &self.system;

@@ -142,6 +142,7 @@ impl Letters {
             Symbol::QuasiVelocity(index) => (find(&self.quasi_velocities, "w", index), 0),
             Symbol::QuasiVelocityRate(index) => (find(&self.quasi_velocities, "w", index), 1),
             Symbol::VelocityComponent(index) => (find(&[], "w", index), 0),
+            Symbol::Variation(index) => (find(&[], "delta", index), 0),
         }
     }
 }

@@ -103,7 +103,8 @@ pub(crate) fn symbol_rank(symbol: Symbol) -> (u8, u32) {
         | Symbol::QuasiVelocity(index) => (8, index),
         Symbol::Acceleration(index)
         | Symbol::QuasiVelocityRate(index)
-        | Symbol::RightHandSide(index) => (9, index),
+        | Symbol::RightHandSide(index)
+        | Symbol::Variation(index) => (9, index),
     }
 }
 

@@ -50,8 +50,15 @@ impl Program {
     /// The number of operations of each kind.
     #[must_use]
     pub fn count(&self) -> OperationCount {
+        self.count_before(self.groups.len())
+    }
+
+    /// The number of operations of each kind in so many groups.
+    #[must_use]
+    pub fn count_before(&self, groups: usize) -> OperationCount {
         let mut count = OperationCount::default();
-        for instruction in self.instructions() {
+        let groups = self.groups.iter().take(groups);
+        for instruction in groups.flat_map(|group| &group.instructions) {
             *match instruction.operation {
                 Operation::Add(..) | Operation::Subtract(..) | Operation::Negate(_) => {
                     &mut count.additions

@@ -306,7 +306,8 @@ fn moving(
         | Symbol::QuasiVelocityRate(_)
         | Symbol::RightHandSide(_)
         | Symbol::PositionComponent(_)
-        | Symbol::VelocityComponent(_) => {}
+        | Symbol::VelocityComponent(_)
+        | Symbol::Variation(_) => {}
     }
     number
 }

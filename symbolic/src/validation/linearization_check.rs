@@ -1,5 +1,7 @@
 //! The directional derivative of accelerations along a variation, by the programs for derivatives of q̈.
 
+use std::collections::BTreeMap;
+
 use crate::validation::lagrange::Variation;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::sum_with_size::SumWithSize;
@@ -10,6 +12,8 @@ pub(crate) enum LinearizationOutputs {
     /// Pivots in this number, q̈ (by the state only), columns of ∂q̈/∂x, and columns of ∂(M q̈ − f)/∂x if there
     /// are pivots.
     Solved(usize),
+    /// The same, but by the state δ(M q̈ − f) along a variation in place of the last columns.
+    SolvedAlongVariation(usize),
     /// The lower triangle of M, f (by the state only), and columns of ∂(M q̈ − f)/∂x.
     System,
 }
@@ -34,7 +38,8 @@ impl LinearizationCheck {
         let n = variations.len();
         let triangle = n * (n + 1) / 2;
         match self.linearization_outputs {
-            LinearizationOutputs::Solved(pivots) => {
+            LinearizationOutputs::Solved(pivots)
+            | LinearizationOutputs::SolvedAlongVariation(pivots) => {
                 let columns = n * variation.state.len();
                 let changes = self.sum(n, [pivots + n, pivots], variation);
                 let mut balances = balance(mass, &changes, variations);
@@ -42,7 +47,7 @@ impl LinearizationCheck {
                 balances.extend(differences(found, accelerations));
                 if pivots > 0 {
                     let starts = [pivots + n + columns, pivots + n * variation.inputs.len()];
-                    let residuals = self.sum(n, starts, variation);
+                    let residuals = self.residuals(n, starts, variation);
                     for (mut balance, expected) in residuals.into_iter().zip(variations) {
                         balance.total -= expected.total;
                         balance.size += expected.size;
@@ -74,6 +79,24 @@ impl LinearizationCheck {
                 equations
             }
         }
+    }
+
+    /// δ(M q̈ − f), from what begins by the state and by the inputs.
+    fn residuals(&self, n: usize, starts: [usize; 2], variation: &Variation) -> Vec<SumWithSize> {
+        if let LinearizationOutputs::Solved(_) = self.linearization_outputs {
+            return self.sum(n, starts, variation);
+        }
+        let by_inputs = Variation {
+            state: Vec::new(),
+            inputs: variation.inputs.clone(),
+            velocities: Vec::new(),
+            parameters: BTreeMap::new(),
+        };
+        let mut residuals = self.sum(n, starts, &by_inputs);
+        for (residual, value) in residuals.iter_mut().zip(&self.state[starts[0]..]) {
+            residual.add(*value);
+        }
+        residuals
     }
 
     /// Σ column·weight, where the columns begin by the state and by the inputs.

@@ -90,6 +90,8 @@ pub enum LinearizationProgram<'a> {
         inputs: &'a Program,
         /// The number of pivots.
         pivots: usize,
+        /// Whether `state` computes δ(M q̈ − f) along a [variation](Symbol::Variation) in place of the columns of ∂(M q̈ − f)/∂x.
+        is_along_variation: bool,
     },
     /// The lower triangle of M and f, and the columns of ∂(M q̈ − f)/∂x, up to a common factor; by the inputs
     /// the same without f.
@@ -176,7 +178,15 @@ impl Tapes {
                 state,
                 inputs,
                 pivots,
-            } => ([state, inputs], LinearizationOutputs::Solved(pivots)),
+                is_along_variation,
+            } => {
+                let outputs = if is_along_variation {
+                    LinearizationOutputs::SolvedAlongVariation(pivots)
+                } else {
+                    LinearizationOutputs::Solved(pivots)
+                };
+                ([state, inputs], outputs)
+            }
             LinearizationProgram::System { state, inputs } => {
                 ([state, inputs], LinearizationOutputs::System)
             }

@@ -209,6 +209,7 @@ impl Reference<'_> {
     fn value(&self, accelerations: &[f64]) -> impl Fn(Symbol) -> f64 {
         move |symbol| match symbol {
             Symbol::Acceleration(i) => accelerations[i as usize],
+            Symbol::Variation(i) => self.variation.state[i as usize],
             _ => self.point.value(symbol),
         }
     }

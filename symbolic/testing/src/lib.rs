@@ -84,7 +84,8 @@ pub fn value(symbol: Symbol) -> f64 {
         | Symbol::QuasiVelocityRate(_)
         | Symbol::RightHandSide(_)
         | Symbol::PositionComponent(_)
-        | Symbol::VelocityComponent(_) => 0.2,
+        | Symbol::VelocityComponent(_)
+        | Symbol::Variation(_) => 0.2,
     }
 }
 

@@ -25,6 +25,16 @@ impl Turn {
         }
     }
 
+    /// From the axes of the link before to those of the link.
+    pub(crate) fn inverse(&self) -> Self {
+        let factor = match *self {
+            Self::Identity => return Self::Identity,
+            Self::Elementary(rotation) => MatrixFactor::Elementary(rotation),
+            Self::General(elements) => MatrixFactor::Rotation(elements),
+        };
+        Self::of(factor.transpose()).unwrap_or(*self)
+    }
+
     /// Whether it does not change.
     pub(crate) fn is_constant(&self, graph: &Graph) -> bool {
         match self {

@@ -9,17 +9,18 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Turn, Vector, kept, total};
+use crate::mechanics::mechanism::{Turn, Vector};
 use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::newton_euler::Joint;
 use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, TwistElimination, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, TwistElimination, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
 
 /// One step of the factorization.
-enum Step {
+pub(crate) enum Step {
     /// x := x + e q̈ of three unknowns.
     SplitOff([Unknown; 3], usize, Vector),
     Eliminate(EliminatedRow),
@@ -28,10 +29,23 @@ enum Step {
     Shift(usize, Option<usize>, Vector),
 }
 
+/// The rows of the quadratic form at what a joint moves, before it is passed and on the way.
+#[derive(Clone, Default)]
+pub(crate) struct PassedInertia {
+    /// At the acceleration of the link, along its axes.
+    pub(crate) before_turning: [InertiaRow; 6],
+    /// At the acceleration of its origin, along the axes of the link before.
+    pub(crate) before_sliding: [InertiaRow; 3],
+    /// The same, behind what slides.
+    pub(crate) before_shift: [InertiaRow; 3],
+}
+
 /// The factored equations of a mechanism.
 pub(crate) struct ArticulatedLinks {
-    equations: LinkEquations,
-    steps: Vec<Step>,
+    pub(crate) equations: LinkEquations,
+    pub(crate) steps: Vec<Step>,
+    /// One for each link.
+    pub(crate) inertias: Vec<PassedInertia>,
     /// The expressions that must be positive.
     pub(crate) pivots: Vec<Expression>,
 }
@@ -49,6 +63,7 @@ impl ArticulatedLinks {
         }
         let mut elimination = TwistElimination::of_coordinates(graph, &equations.other_mass);
         let mut steps = Vec::new();
+        let mut inertias = vec![PassedInertia::default(); equations.joints.len()];
         // What moves no link.
         for coordinate in (0..uses.len()).filter(|i| uses[*i] == 0) {
             steps.push(Step::Eliminate(elimination.eliminate(graph, coordinate)?));
@@ -56,6 +71,10 @@ impl ArticulatedLinks {
         let links = equations.mechanism.links.iter().zip(&equations.joints);
         for (i, (link, joint)) in links.enumerate().rev() {
             elimination.add_inertia(graph, i, &link.inertia);
+            let inertia = &mut inertias[i];
+            let [a, b, c] = elimination.rows(angular(i));
+            let [d, e, f] = elimination.rows(linear(i));
+            inertia.before_turning = [a, b, c, d, e, f];
             let mut passage = Passage {
                 elimination: &mut elimination,
                 steps: &mut steps,
@@ -64,7 +83,9 @@ impl ArticulatedLinks {
             passage.split_off(graph, angular(i), &joint.turning)?;
             passage.elimination.turn(graph, i, &link.turn);
             passage.steps.push(Step::Turn(i, link.turn));
+            inertia.before_sliding = passage.elimination.rows(linear(i));
             passage.split_off(graph, linear(i), &joint.sliding)?;
+            inertia.before_shift = passage.elimination.rows(linear(i));
             passage.elimination.shift(graph, i, link.place);
             passage.elimination.merge(graph, i, link.parent);
             let step = Step::Shift(i, link.parent, link.place);
@@ -82,6 +103,7 @@ impl ArticulatedLinks {
         Some(Self {
             equations,
             steps,
+            inertias,
             pivots,
         })
     }
@@ -180,168 +202,5 @@ impl Passage<'_> {
             }
         }
         Some(())
-    }
-}
-
-/// The right-hand side h of ½ xᵀ H x − hᵀ x.
-struct RightHandSide(BTreeMap<Unknown, Expression>);
-
-impl RightHandSide {
-    fn of(forces: &[Expression]) -> Self {
-        let forces = forces.iter().enumerate();
-        Self(forces.map(|(i, x)| (Unknown::Coordinate(i), *x)).collect())
-    }
-
-    fn get(&self, graph: &Graph, unknown: Unknown) -> Expression {
-        self.0.get(&unknown).copied().unwrap_or(graph.zero())
-    }
-
-    fn vector(&self, graph: &Graph, unknowns: [Unknown; 3]) -> Vector {
-        unknowns.map(|u| self.get(graph, u))
-    }
-
-    fn set(&mut self, unknowns: [Unknown; 3], values: Vector) {
-        self.0.extend(unknowns.into_iter().zip(values));
-    }
-
-    fn split_off(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let own = Unknown::Coordinate(coordinate);
-        let pairs = slope.into_iter().zip(self.vector(graph, unknowns));
-        let change = graph.sum_of_products(pairs);
-        let sum = graph.add(self.get(graph, own), change);
-        self.0.insert(own, sum);
-    }
-
-    /// The right-hand side over the pivot.
-    fn eliminate(&mut self, graph: &mut Graph, row: &EliminatedRow) -> Expression {
-        let own = self.get(graph, Unknown::Coordinate(row.coordinate));
-        let force = kept(graph, own);
-        let quotient = graph.multiply(force, row.reciprocal);
-        let quotient = kept(graph, quotient);
-        for (v, entry, _) in &row.others {
-            let change = if *entry == row.pivot {
-                own
-            } else {
-                graph.multiply(*entry, quotient)
-            };
-            let change = graph.subtract(self.get(graph, *v), change);
-            let change = kept(graph, change);
-            self.0.insert(*v, change);
-        }
-        quotient
-    }
-
-    fn turn(&mut self, graph: &mut Graph, link: usize, turn: &Turn) {
-        for unknowns in [angular(link), linear(link)] {
-            let vector = self.vector(graph, unknowns);
-            let vector = turn.outward(graph, vector);
-            self.set(unknowns, vector);
-        }
-    }
-
-    fn shift(&mut self, graph: &mut Graph, link: usize, parent: Option<usize>, place: Vector) {
-        let Some(parent) = parent else {
-            return;
-        };
-        let force = self.vector(graph, linear(link));
-        let moment = self.vector(graph, angular(link));
-        let lever = graph.cross(place, force);
-        let before = self.vector(graph, angular(parent));
-        let sum = [0, 1, 2].map(|i| total(graph, &[before[i], moment[i], lever[i]]));
-        self.set(angular(parent), sum);
-        let before = self.vector(graph, linear(parent));
-        let sum = [0, 1, 2].map(|i| total(graph, &[before[i], force[i]]));
-        self.set(linear(parent), sum);
-    }
-}
-
-/// The accelerations found so far.
-struct Accelerations {
-    values: BTreeMap<Unknown, Expression>,
-}
-
-impl Accelerations {
-    fn vector(&self, graph: &Graph, unknowns: [Unknown; 3]) -> Vector {
-        let value = |u: Unknown| self.values.get(&u).copied();
-        unknowns.map(|u| value(u).unwrap_or(graph.zero()))
-    }
-
-    fn set(&mut self, unknowns: [Unknown; 3], values: Vector) {
-        self.values.extend(unknowns.into_iter().zip(values));
-    }
-
-    /// Undoes a step with the values that are known then.
-    fn substitute(
-        &mut self,
-        graph: &mut Graph,
-        step: &Step,
-        quotients: &BTreeMap<usize, Expression>,
-    ) {
-        match step {
-            Step::Shift(link, parent, place) => {
-                let Some(parent) = parent else {
-                    return;
-                };
-                let turning = self.vector(graph, angular(*parent));
-                let before = self.vector(graph, linear(*parent));
-                let lever = graph.cross(turning, *place);
-                let moved = [0, 1, 2].map(|i| total(graph, &[before[i], lever[i]]));
-                self.set(angular(*link), turning);
-                self.set(linear(*link), moved);
-            }
-            Step::Turn(link, turn) => {
-                for unknowns in [angular(*link), linear(*link)] {
-                    let vector = self.vector(graph, unknowns);
-                    let vector = turn.inward(graph, vector);
-                    self.set(unknowns, vector);
-                }
-            }
-            Step::Eliminate(row) => self.eliminate(graph, row, quotients),
-            Step::SplitOff(unknowns, coordinate, slope) => {
-                let rate = self.values.get(&Unknown::Coordinate(*coordinate)).copied();
-                let rate = rate.unwrap_or(graph.zero());
-                let vector = self.vector(graph, *unknowns);
-                let changed = [0, 1, 2].map(|i| {
-                    let change = graph.multiply(slope[i], rate);
-                    let sum = graph.add(vector[i], change);
-                    kept(graph, sum)
-                });
-                self.set(*unknowns, changed);
-            }
-        }
-    }
-
-    /// q̈ = h/D − Σ entries/D · x, with what has the coefficient 1 subtracted last: the sum before it is the total
-    /// acceleration about the axis.
-    fn eliminate(
-        &mut self,
-        graph: &mut Graph,
-        row: &EliminatedRow,
-        quotients: &BTreeMap<usize, Expression>,
-    ) {
-        let zero = graph.zero();
-        let value = |u: &Unknown| self.values.get(u).copied().unwrap_or(zero);
-        let quotient = quotients.get(&row.coordinate).copied().unwrap_or(zero);
-        let mut terms = vec![(quotient, Rational::ONE)];
-        let mut units = Vec::new();
-        for (u, entry, ratio) in &row.others {
-            if *entry == row.pivot {
-                units.push((value(u), Rational::MINUS_ONE));
-            } else {
-                let product = graph.multiply(*ratio, value(u));
-                terms.push((product, Rational::MINUS_ONE));
-            }
-        }
-        let sum = graph.sum(terms);
-        units.push((kept(graph, sum), Rational::ONE));
-        let acceleration = graph.sum(units);
-        self.values
-            .insert(Unknown::Coordinate(row.coordinate), acceleration);
     }
 }

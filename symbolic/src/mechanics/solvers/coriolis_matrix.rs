@@ -46,6 +46,15 @@ impl CoriolisMatrix {
         }
     }
 
+    /// The coefficients of 2 δω in the moment and in the force.
+    pub(crate) fn rows(&self, graph: &mut Graph) -> [[Vector; 3]; 2] {
+        let zero = graph.zero();
+        let [x, y, z] = self.force;
+        let [minus_x, minus_y, minus_z] = self.force.map(|x| graph.negate(x));
+        let force = [[zero, minus_z, y], [z, zero, minus_x], [minus_y, x, zero]];
+        [self.moment, force]
+    }
+
     /// The same along the axes of the link before.
     pub(crate) fn turned(&self, graph: &mut Graph, turn: &Turn) -> Self {
         Self {

@@ -19,6 +19,19 @@ pub(crate) enum Unknown {
     Twist(usize, usize),
 }
 
+impl Unknown {
+    /// The same unknown of another link, where it is one of a link.
+    pub(crate) fn moved(self, from: usize, to: usize) -> Self {
+        match self {
+            Self::Twist(link, i) if link == from => Self::Twist(to, i),
+            other => other,
+        }
+    }
+}
+
+/// A row of H, without zeros.
+pub(crate) type InertiaRow = BTreeMap<Unknown, Expression>;
+
 /// The three unknowns of an angular acceleration.
 pub(crate) const fn angular(link: usize) -> [Unknown; 3] {
     [
@@ -51,7 +64,7 @@ pub(crate) struct EliminatedRow {
 /// H, both triangles, without zeros.
 #[derive(Default)]
 pub(crate) struct TwistElimination {
-    rows: BTreeMap<Unknown, BTreeMap<Unknown, Expression>>,
+    rows: BTreeMap<Unknown, InertiaRow>,
 }
 
 impl TwistElimination {
@@ -91,6 +104,11 @@ impl TwistElimination {
         let sum = graph.add(self.entry(graph, u, v), change);
         let sum = kept(graph, sum);
         self.set(graph, u, v, sum);
+    }
+
+    /// The rows of three unknowns.
+    pub(crate) fn rows(&self, unknowns: [Unknown; 3]) -> [InertiaRow; 3] {
+        unknowns.map(|u| self.rows.get(&u).cloned().unwrap_or_default())
     }
 
     /// A block of three by three.

@@ -1,0 +1,235 @@
+//! The derivatives of q̈ by positions and velocities along the links, without the solution of M x = r for each of them (Jain and
+//! Rodriguez, Linearization of manipulator dynamics using spatial operators, 1993; Carpentier and Mansard, Analytical
+//! derivatives of rigid body dynamics algorithms, 2018).
+//!
+//! A change of one coordinate perturbs the motion of the first link that it moves. What is behind gives way like an articulated
+//! body, so that the force that the perturbation takes there is that of one articulated-body inertia and one
+//! [matrix for the velocities](crate::mechanics::solvers::articulated_coriolis). The coordinates behind respond to the motion of
+//! the link: a row for each goes towards the root. All others respond to the force: the [response of the
+//! link](crate::mechanics::solvers::link_responses) to a unit force at each of them comes from the root. So an entry takes two
+//! products of vectors, however many links are between.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::mechanics::mechanism::kept;
+use crate::mechanics::solvers::articulated_links::{ArticulatedLinks, Step};
+use crate::mechanics::solvers::link_responses::LinkResponses;
+use crate::mechanics::solvers::link_vectors::Accelerations;
+use crate::mechanics::solvers::perturbation_forces::{
+    Column, Forces, JointSteps, Meeting, PassedJoint, coordinates_before, steps_of_joints,
+};
+use crate::mechanics::solvers::twist_elimination::Unknown;
+use crate::{Expression, Graph, Rational, Symbol};
+
+impl ArticulatedLinks {
+    /// Whether each elimination is at the acceleration of one link.
+    pub(crate) fn follows_links(&self) -> bool {
+        let steps = steps_of_joints(self);
+        steps.is_some_and(|steps| coordinates_before(self, &steps).is_some())
+    }
+
+    /// The derivatives of q̈, column by column; none where eliminations do not follow the links. Those by inputs are taken from
+    /// M⁻¹ where that costs less than a solution for each.
+    pub(crate) fn derivatives(
+        &self,
+        graph: &mut Graph,
+        symbols: &[Symbol],
+    ) -> Option<Vec<Expression>> {
+        let are_inputs = symbols.iter().all(|x| matches!(x, Symbol::Input(_)));
+        let entries = Entries::new(graph, self, !are_inputs)?;
+        let columns = self.columns(graph, symbols, &entries).concat();
+        if are_inputs {
+            let solved = self.solved_columns(graph, symbols).concat();
+            if graph.cost(&solved) <= graph.cost(&columns) {
+                return Some(solved);
+            }
+        }
+        Some(columns)
+    }
+
+    /// From the entries for the state and M⁻¹; by what links depend on otherwise, a solution.
+    fn columns(
+        &self,
+        graph: &mut Graph,
+        symbols: &[Symbol],
+        entries: &Entries,
+    ) -> Vec<Vec<Expression>> {
+        let others = self.equations.residuals_of_others(graph);
+        let slopes = graph.jacobian(&others, symbols);
+        let mut columns = Vec::with_capacity(symbols.len());
+        for (symbol, slopes) in symbols.iter().zip(slopes) {
+            let place = match *symbol {
+                Symbol::Coordinate(i) => Some((0, i as usize)),
+                Symbol::Velocity(i) => Some((1, i as usize)),
+                Symbol::Input(_) => None,
+                _ => {
+                    columns.extend(self.solved_columns(graph, &[*symbol]));
+                    continue;
+                }
+            };
+            let column = (0..slopes.len()).map(|row| entries.sum(graph, place, row, &slopes));
+            columns.push(column.collect());
+        }
+        columns
+    }
+
+    /// −M⁻¹ ∂(M q̈ − f)/∂x.
+    fn solved_columns(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Vec<Expression>> {
+        let residuals = self.equations.inverse_dynamics(graph);
+        let slopes = graph.jacobian(&residuals, symbols);
+        let columns = slopes.into_iter().map(|slopes| {
+            let right: Vec<_> = slopes.into_iter().map(|x| graph.negate(x)).collect();
+            self.solution(graph, &right)
+        });
+        columns.collect()
+    }
+}
+
+/// The terms of the derivatives.
+struct Entries {
+    size: usize,
+    /// Of each coordinate, by each coordinate and then each velocity.
+    terms: Vec<Vec<(Expression, Rational)>>,
+    /// Entries of M⁻¹, on one side of the diagonal.
+    inverse: BTreeMap<(usize, usize), Expression>,
+}
+
+impl Entries {
+    /// The entries, of M⁻¹ alone unless `with_state`.
+    fn new(graph: &mut Graph, solver: &ArticulatedLinks, with_state: bool) -> Option<Self> {
+        let size = solver.equations.forces.len();
+        let steps = steps_of_joints(solver)?;
+        let needed = coordinates_before(solver, &steps)?;
+        let joints = Forces::new(graph, solver, with_state).joints(graph, &steps);
+        let mut entries = Self {
+            size,
+            terms: vec![Vec::new(); 2 * size * size],
+            inverse: BTreeMap::new(),
+        };
+        entries.collect(graph, solver, &steps, &needed, &joints);
+        Some(entries)
+    }
+
+    /// ∂q̈/∂x of a coordinate, where the links depend on x by terms at a place, and what no link has by these derivatives of
+    /// M q̈ − f.
+    fn sum(
+        &self,
+        graph: &mut Graph,
+        place: Option<(usize, usize)>,
+        row: usize,
+        others: &[Expression],
+    ) -> Expression {
+        let terms = place.map(|(kind, column)| {
+            let position = (kind * self.size + column) * self.size + row;
+            self.terms[position].clone()
+        });
+        let mut terms = terms.unwrap_or_default();
+        for (coordinate, slope) in others.iter().enumerate() {
+            if graph.is_zero(*slope) {
+                continue;
+            }
+            let entry = self.inverse.get(&(row, coordinate));
+            let entry = entry.or_else(|| self.inverse.get(&(coordinate, row)));
+            if let Some(entry) = entry {
+                let entry = kept(graph, *entry);
+                terms.push((graph.multiply(entry, *slope), Rational::MINUS_ONE));
+            }
+        }
+        graph.sum(terms)
+    }
+
+    fn enter(&mut self, column: &Column, row: usize, value: Expression) {
+        let position = (column.kind * self.size + column.coordinate) * self.size + row;
+        self.terms[position].push((value, Rational::MINUS_ONE));
+    }
+
+    /// Goes from the root to the leaves, with the responses of each link.
+    fn collect(
+        &mut self,
+        graph: &mut Graph,
+        solver: &ArticulatedLinks,
+        steps: &[JointSteps<'_>],
+        needed: &[BTreeSet<usize>],
+        joints: &[PassedJoint],
+    ) {
+        let mechanism = &solver.equations.mechanism;
+        let mut all: Vec<LinkResponses> = Vec::with_capacity(steps.len());
+        for (i, joint) in steps.iter().enumerate() {
+            let parent = mechanism.links[i].parent;
+            let mut responses = parent.map_or_else(LinkResponses::default, |p| all[p].clone());
+            // Coordinates behind the link before, and not behind this one.
+            let own = |coordinate| {
+                joints[i]
+                    .passed
+                    .iter()
+                    .any(|row| row.coordinate == coordinate)
+            };
+            responses
+                .to_coordinates
+                .retain(|coordinate, _| !own(*coordinate));
+            responses.undo(graph, joint.shift);
+            responses.retain(i, &needed[i]);
+            for step in joint.sliding.iter().rev() {
+                responses.undo(graph, step);
+                self.enter_inverse(step, &responses);
+            }
+            self.meet(graph, &joints[i].sliding, &responses);
+            responses.undo(graph, joint.turn);
+            for step in joint.turning.iter().rev() {
+                responses.undo(graph, step);
+                self.enter_inverse(step, &responses);
+            }
+            self.meet(graph, &joints[i].turning, &responses);
+            let is_next = |j: &usize| mechanism.links[*j].parent == Some(i);
+            let next: Vec<_> = (i + 1..steps.len()).filter(is_next).collect();
+            if next.len() > 1 {
+                for row in next.iter().flat_map(|j| &joints[*j].passed) {
+                    responses.begin_behind(graph, row.coordinate, &row.forces);
+                }
+            }
+            all.push(responses);
+        }
+    }
+
+    /// The accelerations of a coordinate under unit forces at others.
+    fn enter_inverse(&mut self, step: &Step, responses: &LinkResponses) {
+        let Step::Eliminate(row) = step else {
+            return;
+        };
+        let own = Unknown::Coordinate(row.coordinate);
+        for (coordinate, response) in &responses.to_coordinates {
+            if let Some(value) = response.values.get(&own) {
+                self.inverse.insert((*coordinate, row.coordinate), *value);
+            }
+        }
+    }
+
+    /// Columns meet the rows of coordinates behind the joint, and the responses to forces at others.
+    fn meet(&mut self, graph: &mut Graph, meeting: &Meeting, responses: &LinkResponses) {
+        for column in &meeting.columns {
+            for (coordinate, response) in &responses.to_coordinates {
+                let value = column.forces.power(graph, response);
+                self.enter(column, *coordinate, value);
+            }
+            if meeting.rows.is_empty() {
+                continue;
+            }
+            let mut motion = Accelerations {
+                values: responses.to_forces(graph, &column.forces.0),
+            };
+            for (unknown, value) in &mut motion.values {
+                let change = column.perturbation.values.get(unknown);
+                let change = change.copied().unwrap_or(graph.zero());
+                let difference = graph.subtract(change, *value);
+                *value = kept(graph, difference);
+            }
+            for row in &meeting.rows {
+                let motion = row.forces.power(graph, &motion);
+                let turning = row.of_turning.into_iter().zip(column.turning);
+                let turning = graph.sum_of_products(turning);
+                let value = graph.add(motion, turning);
+                self.enter(column, row.coordinate, value);
+            }
+        }
+    }
+}
