@@ -4,7 +4,10 @@
 //! each other, recursions along them take fewer operations. Here the solvers for q̈ that apply are set up; [`Solution::cheapest`] chooses among them.
 //! Where none applies, the emitted code factors M numerically.
 
-use crate::limits::{MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS, SCHEDULING_MARGIN};
+use crate::limits::{
+    FEWEST_DIFFERENTIATED_ALONG_LINKS, MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS,
+    MOST_SOLVED_BY_COLUMNS, SCHEDULING_MARGIN,
+};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
@@ -36,6 +39,8 @@ pub struct Kinetics {
     pub solution: Option<Solution>,
     /// The equations along the links, where the model is a mechanism.
     links: Option<LinkEquations>,
+    /// Whether the derivatives of q̈ by the state are taken along the links.
+    differentiates_along_links: bool,
     /// By what M and f of `system` are divided.
     unit: Expression,
     /// The choices of as many quasi-velocities as there are coordinates.
@@ -56,11 +61,11 @@ pub struct LinearSystem {
 impl Kinetics {
     /// The kinetics of `model`.
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
-        let (kinetics, solvers) = Self::with_solvers(model, equations);
-        Self {
-            solution: Solution::cheapest(&mut model.graph, solvers),
-            ..kinetics
-        }
+        let (mut kinetics, solvers) = Self::with_solvers(model, equations);
+        let graph = &mut model.graph;
+        kinetics.solution = Solution::cheapest(graph, solvers);
+        kinetics.differentiates_along_links = kinetics.costs_less_along_links(graph);
+        kinetics
     }
 
     /// The accelerations by each solver that applies, to compare them.
@@ -130,6 +135,7 @@ impl Kinetics {
             inverse_dynamics: cheaper.inverse_dynamics,
             system,
             links,
+            differentiates_along_links: false,
             unit,
             boltzmann_hamel,
         };
@@ -144,6 +150,10 @@ impl Kinetics {
         symbols: &[Symbol],
     ) -> Option<Vec<Expression>> {
         let solution = self.solution.as_ref()?;
+        let is_parameter = |symbol: &Symbol| matches!(symbol, Symbol::Parameter(_));
+        if self.differentiates_along_links && !symbols.iter().any(is_parameter) {
+            return solution.derivatives_along_links(graph, symbols);
+        }
         let links = self.links.as_ref();
         solution.derivatives(graph, &self.inverse_dynamics, links, symbols)
     }
@@ -169,6 +179,38 @@ impl Kinetics {
         Some(solution.of_right_hand_side(graph, &right))
     }
 
+    /// Whether the derivatives of q̈ by the state cost less along the links than by a numerical solution for their columns.
+    fn costs_less_along_links(&self, graph: &mut Graph) -> bool {
+        let n = self.mass.len();
+        let Some(solution) = self.solution.as_ref() else {
+            return false;
+        };
+        if n < FEWEST_DIFFERENTIATED_ALONG_LINKS {
+            return false;
+        }
+        let symbols = |of: fn(u32) -> Symbol| (0..).map(of).take(n);
+        let symbols = symbols(Symbol::Coordinate).chain(symbols(Symbol::Velocity));
+        let symbols: Vec<_> = symbols.collect();
+        let Some(mut columns) = solution.derivatives_along_links(graph, &symbols) else {
+            return false;
+        };
+        if n > MOST_SOLVED_BY_COLUMNS {
+            return true;
+        }
+        columns.extend(solution.pivots.iter().chain(&solution.accelerations));
+        let mut system = self.system_derivatives(graph, &symbols);
+        system.extend(
+            self.system
+                .mass
+                .iter()
+                .flatten()
+                .chain(&self.system.forcing),
+        );
+        // The factors, and two triangles for each of 2 n + 1 columns.
+        let numerical = 4 * n * n * n + 2 * n * n + n * n * n / 3;
+        graph.cost(&columns) < graph.cost(&system) + numerical
+    }
+
     /// The derivatives of M q̈ − f, column by column, beside other expressions of the same program.
     pub fn residual_derivatives(
         &self,
@@ -183,8 +225,9 @@ impl Kinetics {
     /// δ(M q̈ − f) along a [variation](Symbol::Variation) of the state, where the derivatives of q̈ are found along the links of
     /// a mechanism.
     pub fn residual_variation(&self, graph: &mut Graph) -> Option<Vec<Expression>> {
-        let solution = self.solution.as_ref()?;
-        solution.differentiated_along_links(graph)?;
+        if !self.differentiates_along_links {
+            return None;
+        }
         let coordinates = u32::try_from(self.mass.len()).ok()?;
         let positions = (0..coordinates).map(Symbol::Coordinate);
         let velocities = (0..coordinates).map(Symbol::Velocity);

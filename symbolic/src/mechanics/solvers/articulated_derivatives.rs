@@ -22,12 +22,6 @@ use crate::mechanics::solvers::twist_elimination::Unknown;
 use crate::{Expression, Graph, Rational, Symbol};
 
 impl ArticulatedLinks {
-    /// Whether each elimination is at the acceleration of one link.
-    pub(crate) fn follows_links(&self) -> bool {
-        let steps = steps_of_joints(self);
-        steps.is_some_and(|steps| coordinates_before(self, &steps).is_some())
-    }
-
     /// The derivatives of q̈, column by column; none where eliminations do not follow the links. Those by inputs are taken from
     /// M⁻¹ where that costs less than a solution for each.
     pub(crate) fn derivatives(

@@ -8,10 +8,7 @@
 
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
-use crate::limits::{
-    COST_OF_PAIR_OF_RESPONSES, COST_OF_RESPONSES, MOST_DIFFERENTIATED_COORDINATES,
-    SCHEDULING_MARGIN,
-};
+use crate::limits::{MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
@@ -145,22 +142,6 @@ impl Solution {
         }
     }
 
-    /// The articulated bodies along which the derivatives of q̈ by the state are found, if they are: where that costs less than
-    /// a numerical solution for all columns.
-    pub(crate) fn differentiated_along_links(&self, graph: &Graph) -> Option<&ArticulatedLinks> {
-        let Solver::ArticulatedLinks(solver) = &self.solver else {
-            return None;
-        };
-        let n = self.accelerations.len();
-        let of_accelerations = graph.cost(&[&*self.pivots, &self.accelerations].concat());
-        let (part, of_whole) = COST_OF_RESPONSES;
-        let along_links = (of_accelerations + COST_OF_PAIR_OF_RESPONSES * n * n) * part / of_whole;
-        // Two triangles for each of 2 n + 1 columns, and the factors.
-        let numerical = 4 * n * n * n + 2 * n * n + n * n * n / 3;
-        let is_cheaper = n > MOST_DIFFERENTIATED_COORDINATES && along_links < numerical;
-        Some(solver).filter(|solver| is_cheaper && solver.follows_links())
-    }
-
     /// The derivatives ∂q̈/∂x, column by column, with the accelerations as symbols; none where the
     /// columns are so many and long that a numerical factorization is better.
     pub(crate) fn derivatives(
@@ -172,10 +153,6 @@ impl Solution {
     ) -> Option<Vec<Expression>> {
         if let Solver::BoltzmannHamel(solver) = &self.solver {
             return Some(solver.derivatives(graph, symbols));
-        }
-        let are_of_parameters = symbols.iter().any(|x| matches!(x, Symbol::Parameter(_)));
-        if !are_of_parameters && let Some(solver) = self.differentiated_along_links(graph) {
-            return solver.derivatives(graph, symbols);
         }
         if inverse_dynamics.len() > MOST_DIFFERENTIATED_COORDINATES {
             return None;
