@@ -4,6 +4,8 @@
 //! each other, recursions along them take fewer operations. Here the solvers for q̈ that apply are set up; [`Solution::cheapest`] chooses among them.
 //! Where none applies, the emitted code factors M numerically.
 
+use std::cell::OnceCell;
+
 use crate::limits::{
     FEWEST_DIFFERENTIATED_ALONG_LINKS, MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS,
     MOST_SOLVED_BY_COLUMNS, SCHEDULING_MARGIN,
@@ -40,7 +42,7 @@ pub struct Kinetics {
     /// The equations along the links, where the model is a mechanism.
     links: Option<LinkEquations>,
     /// Whether the derivatives of q̈ by the state are taken along the links.
-    differentiates_along_links: bool,
+    differentiates_along_links: OnceCell<bool>,
     /// By what M and f of `system` are divided.
     unit: Expression,
     /// The choices of as many quasi-velocities as there are coordinates.
@@ -62,9 +64,7 @@ impl Kinetics {
     /// The kinetics of `model`.
     pub fn cheapest(model: &mut Model, equations: &Equations) -> Self {
         let (mut kinetics, solvers) = Self::with_solvers(model, equations);
-        let graph = &mut model.graph;
-        kinetics.solution = Solution::cheapest(graph, solvers);
-        kinetics.differentiates_along_links = kinetics.costs_less_along_links(graph);
+        kinetics.solution = Solution::cheapest(&mut model.graph, solvers);
         kinetics
     }
 
@@ -135,7 +135,7 @@ impl Kinetics {
             inverse_dynamics: cheaper.inverse_dynamics,
             system,
             links,
-            differentiates_along_links: false,
+            differentiates_along_links: OnceCell::new(),
             unit,
             boltzmann_hamel,
         };
@@ -151,7 +151,7 @@ impl Kinetics {
     ) -> Option<Vec<Expression>> {
         let solution = self.solution.as_ref()?;
         let is_parameter = |symbol: &Symbol| matches!(symbol, Symbol::Parameter(_));
-        if self.differentiates_along_links && !symbols.iter().any(is_parameter) {
+        if !symbols.iter().any(is_parameter) && self.differentiates_along_links(graph) {
             return solution.derivatives_along_links(graph, symbols);
         }
         let links = self.links.as_ref();
@@ -177,6 +177,12 @@ impl Kinetics {
             right.push(graph.subtract(momentum, offset));
         }
         Some(solution.of_right_hand_side(graph, &right))
+    }
+
+    /// Whether the derivatives of q̈ by the state are taken along the links, which is decided once.
+    fn differentiates_along_links(&self, graph: &mut Graph) -> bool {
+        let decision = &self.differentiates_along_links;
+        *decision.get_or_init(|| self.costs_less_along_links(graph))
     }
 
     /// Whether the derivatives of q̈ by the state cost less along the links than by a numerical solution for their columns.
@@ -225,7 +231,7 @@ impl Kinetics {
     /// δ(M q̈ − f) along a [variation](Symbol::Variation) of the state, where the derivatives of q̈ are found along the links of
     /// a mechanism.
     pub fn residual_variation(&self, graph: &mut Graph) -> Option<Vec<Expression>> {
-        if !self.differentiates_along_links {
+        if !self.differentiates_along_links(graph) {
             return None;
         }
         let coordinates = u32::try_from(self.mass.len()).ok()?;
