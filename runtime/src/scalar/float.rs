@@ -79,11 +79,9 @@ macro_rules! float_scalar {
             fn floor(self) -> Self {
                 // From here on all numbers are whole, so that adding it rounds a lesser one to a whole number.
                 const ALL_WHOLE: $float = 1.0 / $float::EPSILON;
-                if !(self.abs() < ALL_WHOLE) {
-                    return self;
-                }
                 let rounded = ((self.abs() + ALL_WHOLE) - ALL_WHOLE).copysign(self);
-                rounded - if rounded > self { 1.0 } else { 0.0 }
+                let floor = rounded - if rounded > self { 1.0 } else { 0.0 };
+                if self.abs() < ALL_WHOLE { floor } else { self }
             }
 
             #[inline]
