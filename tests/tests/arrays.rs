@@ -374,3 +374,31 @@ fn inputs_are_vectors_too() {
     assert_eq!(other.outputs(&state).thrust, Vector3::new(0.5, 0.0, 0.0));
     assert_close("power", &[craft.outputs(&state).power], &[1.0], 1e-15);
 }
+
+/// Masses in a ring, each on springs to both neighbours.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(u[5]),
+    kinetic = (0..5).map(|i| 0.5 * m * dot(u[i]).powi(2)).sum(),
+    potential = (0..5).map(|i| 0.5 * k[i * 2 % 5] * (u[(i + 1) % 5] - u[i]).powi(2)).sum(),
+)]
+struct Ring {
+    m: f64,
+    k: [f64; 5],
+}
+
+#[test]
+fn indices_go_round_a_ring() {
+    let ring = Ring {
+        m: 0.7,
+        k: [1.0, 2.0, 3.0, 5.0, 7.0],
+    };
+    let q = [0.3, -0.2, 0.5, 0.9, -0.4];
+    let found = ring.accelerations(&State::new(0.0, q, [0.0; 5]));
+    for i in 0..5 {
+        let (after, before) = ((i + 1) % 5, (i + 4) % 5);
+        let ahead = ring.k[i * 2 % 5] * (q[after] - q[i]);
+        let behind = ring.k[before * 2 % 5] * (q[i] - q[before]);
+        assert!((found[i] - (ahead - behind) / ring.m).abs() < 1e-14);
+    }
+}

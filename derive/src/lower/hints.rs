@@ -51,7 +51,9 @@ pub(crate) fn unsupported_operator(operator: &BinOp) -> Option<&'static str> {
             "`^` is no power in Rust, where `a * b ^ 2` means `(a * b) ^ 2`: \
              write `x.powi(2)`, or `x.powf(1.5)`",
         ),
-        BinOp::Rem(_) => Some("there is no remainder here: angles need no reduction"),
+        BinOp::Rem(_) => Some(
+            "a remainder belongs in an index, as in `q[(i + 1) % 3]`: angles need no reduction",
+        ),
         BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_) => {
             Some(
                 "there are no conditions here: write one formula, with `abs`, `signum`, `min` and `max` where \

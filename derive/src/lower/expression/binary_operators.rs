@@ -1,4 +1,4 @@
-//! Chains of `+ - * /`, left-associative: loops, not recursion.
+//! Chains of `+ - * /`, and of `%` in indices, left-associative: loops, not recursion.
 
 use lagrangian_symbolic::{Graph, Rational};
 use syn::{BinOp, Expr, ExprBinary};
@@ -92,11 +92,14 @@ impl Lowerer<'_> {
         operand: &Expr,
         context: ExpressionContext,
     ) -> Option<Value> {
-        if let Some(hint) = hints::unsupported_operator(operator) {
+        let is_remainder = self.within_index && matches!(operator, BinOp::Rem(_));
+        if let Some(hint) = hints::unsupported_operator(operator)
+            && !is_remainder
+        {
             return self.reject(operator, hint);
         }
         let value = self.lower(operand, context)?;
-        if matches!(operator, BinOp::Div(_)) && self.vanishes(&value) {
+        if matches!(operator, BinOp::Div(_) | BinOp::Rem(_)) && self.vanishes(&value) {
             return self.reject(
                 operand,
                 "this divisor is zero: the quotient has no value anywhere",
@@ -120,6 +123,9 @@ impl Lowerer<'_> {
         operator: &BinOp,
         value: Value,
     ) -> Option<OperatorChain> {
+        if matches!(operator, BinOp::Rem(_)) {
+            return self.remainder(chain, operator, &value);
+        }
         let right = value.shape();
         match chain.extend(&mut self.graph, operator, value) {
             Ok(chain) if self.within_index && matches!(operator, BinOp::Div(_)) => {
@@ -128,6 +134,33 @@ impl Lowerer<'_> {
             Ok(chain) => Some(chain),
             Err(left) => self.reject(operator, hints::incompatible_shapes(operator, left, right)),
         }
+    }
+
+    /// A remainder of integers, with the sign of the dividend, as in Rust.
+    fn remainder(
+        &mut self,
+        chain: OperatorChain,
+        operator: &BinOp,
+        divisor: &Value,
+    ) -> Option<OperatorChain> {
+        let dividend = chain.value(&mut self.graph);
+        let integers = [&dividend, divisor].map(|value| match value {
+            Value::Scalar(value) => self.graph.as_constant(*value)?.to_integer(),
+            Value::EmptySum => Some(0),
+            Value::Array(_) => None,
+        });
+        let remainder = match integers {
+            [Some(dividend), Some(divisor)] => dividend.checked_rem(divisor),
+            _ => None,
+        };
+        let Some(remainder) = remainder else {
+            return self.reject(operator, "a remainder in an index is one of integers");
+        };
+        let mut sum = Sum::default();
+        let remainder = self.graph.constant(&Rational::integer(remainder));
+        // The first term fits any sum.
+        let _ = sum.add(Value::Scalar(remainder), Rational::ONE);
+        Some(OperatorChain::Sum(sum))
     }
 
     /// Division is exact: in an index `5 / 4` would be five quarters, and 1 in Rust.
