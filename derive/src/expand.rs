@@ -17,7 +17,7 @@ use crate::emit::{
 use crate::limits::MethodLimits;
 use crate::lower::{Lowered, lower};
 use crate::plan::{
-    EventSeries, Methods, ReducedMethods, Requested, TaylorMethod, branches_of_events,
+    EventSeries, Methods, ReducedMethods, Requested, TaylorMethod, ValueSeries, branches_of_events,
 };
 use crate::reduce::{ReducedDeclaration, Split, reduce, without_half_angles};
 use crate::syntax::declaration::Declaration;
@@ -197,6 +197,7 @@ struct Derived {
     methods: Methods,
     taylor: Option<TaylorMethod>,
     event_series: Option<EventSeries>,
+    branch_series: Option<ValueSeries>,
     listing: Listing,
     /// The methods that had to be derived again.
     disagreements: BTreeSet<Method>,
@@ -250,13 +251,16 @@ impl Derived {
             defects::report_at_energy(declaration, message, diagnostics);
             return None;
         }
-        let (mut taylor, mut event_series) = (None, None);
+        let (mut taylor, mut event_series, mut branch_series) = (None, None, None);
         if let Some(clause) = &declaration.clauses.taylor {
             let series = methods.taylor_method(&mut model, &equations);
-            match series
-                .and_then(|series| Ok((series, methods.event_series(&model.graph, branches)?)))
-            {
-                Ok((series, events)) => (taylor, event_series) = (Some(series), events),
+            let all = series.and_then(|series| {
+                let of_events = methods.event_series(&model.graph, branches)?;
+                let of_branches = ValueSeries::of_branches(&mut model, &equations)?;
+                Ok((Some(series), of_events, of_branches))
+            });
+            match all {
+                Ok(all) => (taylor, event_series, branch_series) = all,
                 Err(reason) => {
                     defects::report_no_series(reason, clause, declaration, diagnostics);
                     return None;
@@ -273,6 +277,7 @@ impl Derived {
             methods,
             taylor,
             event_series,
+            branch_series,
             listing,
             disagreements,
         })
@@ -290,7 +295,11 @@ impl Derived {
             &self.model,
             (&self.equations, &self.listing),
             &self.methods,
-            (self.taylor.as_ref(), self.event_series.as_ref()),
+            (
+                self.taylor.as_ref(),
+                self.event_series.as_ref(),
+                self.branch_series.as_ref(),
+            ),
             limits,
         )
     }

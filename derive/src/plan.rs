@@ -27,4 +27,4 @@ pub(crate) use table::{
     Argument, EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant,
     is_method,
 };
-pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, Rates, TaylorMethod};
+pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, Rates, TaylorMethod, ValueSeries};

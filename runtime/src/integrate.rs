@@ -61,9 +61,12 @@ pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
 pub use taylor::recurrences;
+
+pub use taylor::{
+    BranchVisitor, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
+};
 pub(crate) use taylor::{Convolutions, OnlineConvolutions, PairedConvolutions};
 pub use taylor::{Ensemble, TaylorLanes};
-pub use taylor::{Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper};
 #[cfg(feature = "alloc")]
 pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};

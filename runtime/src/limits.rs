@@ -215,6 +215,9 @@ pub(crate) mod taylor {
     /// The number of times within a long step. A force that acts for a sixteenth of a long step is noticed.
     pub(crate) const INNER_CHECKS: u32 = 16;
 
+    /// Passages to other branches of the equations that are looked for in a step.
+    pub(crate) const MOST_CROSSINGS: usize = 16;
+
     /// The least default of the singularity tolerance, that of the other methods.
     pub(crate) const SINGULARITY_TOLERANCE: f64 = super::dormand_prince::TOLERANCE;
 

@@ -8,7 +8,7 @@ use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::limits::MethodLimits;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, EventSeries, Methods, TaylorMethod};
+use crate::plan::{EmittedMethod, EventSeries, Methods, TaylorMethod, ValueSeries};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -25,6 +25,8 @@ pub(crate) struct Emitter<'a> {
     pub(crate) taylor: Option<&'a TaylorMethod>,
     /// The same for its events, if they have series.
     pub(crate) event_series: Option<&'a EventSeries>,
+    /// The same for the arguments of branches of the equations of motion, if there are some.
+    pub(crate) branch_series: Option<&'a ValueSeries>,
     /// The coordinates of a reduced model at whose poles it has no value.
     pub(crate) poles: Vec<u32>,
     pub(crate) scalar: Scalar<'a>,
@@ -38,7 +40,11 @@ impl<'a> Emitter<'a> {
         model: &'a Model,
         (equations, listing): (&'a Equations, &'a Listing),
         methods: &'a Methods,
-        (taylor, event_series): (Option<&'a TaylorMethod>, Option<&'a EventSeries>),
+        (taylor, event_series, branch_series): (
+            Option<&'a TaylorMethod>,
+            Option<&'a EventSeries>,
+            Option<&'a ValueSeries>,
+        ),
         limits: MethodLimits,
     ) -> Self {
         Self {
@@ -50,6 +56,7 @@ impl<'a> Emitter<'a> {
             listing,
             taylor,
             event_series,
+            branch_series,
             poles: Vec::new(),
             scalar: Scalar::of(declaration),
             limits,

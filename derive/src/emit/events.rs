@@ -8,7 +8,7 @@ use quote::quote;
 use super::emitter::Emitter;
 use super::signatures::InputsFrom;
 use super::taylor_series::indices_of;
-use crate::plan::{EventSeries, Interface};
+use crate::plan::{Interface, ValueSeries};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 use crate::syntax::shape::Shape;
@@ -56,7 +56,7 @@ impl Emitter<'_> {
         let series = self.event_series?;
         let signature = self.parameters_of_series();
         let result = self.result_of_series();
-        let body = self.body_of_series(series, inputs);
+        let body = self.body_of_series(&series.series, inputs);
         if inputs == InputsFrom::Fields {
             return Some(quote! {
                 fn event_series<const HALF: usize>(&self, #signature) -> #result {
@@ -108,7 +108,7 @@ impl Emitter<'_> {
         quote!(::core::option::Option<#root::TaylorCoefficients<Self::EventValues, HALF>>)
     }
 
-    pub(super) fn body_of_series(&self, series: &EventSeries, inputs: InputsFrom) -> TokenStream {
+    pub(super) fn body_of_series(&self, series: &ValueSeries, inputs: InputsFrom) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let next_inputs = (inputs == InputsFrom::Argument)
             .then(|| quote!(let term_of_inputs = higher_inputs.next();));

@@ -66,14 +66,17 @@ impl Emitter<'_> {
         let interface = quote!(#root::MotionSeries<#n, #scalar>);
         if !self.has_inputs() {
             let body = self.series(method, InputsFrom::Fields);
+            let branches = self.branches(InputsFrom::Fields);
             let items = quote! {
                 fn taylor_series<const HALF: usize>(&self, state: #state, #signature) { #body }
+                #branches
             };
             return self.implement(&interface, &items);
         }
         let (u, inputs) = (self.model.inputs as usize, signatures.inputs());
         let taking_inputs = quote!(#root::MotionSeriesWith<#n, #u, #scalar>);
         let body = self.series(method, InputsFrom::Argument);
+        let branches = self.branches(InputsFrom::Argument);
         let with_inputs = quote! {
             fn taylor_series_with<const HALF: usize>(
                 &self, state: #state, series_of_inputs: &[#inputs], #signature
@@ -82,7 +85,9 @@ impl Emitter<'_> {
                 let inputs = &inputs;
                 #body
             }
+            #branches
         };
+        let held_branches = self.branches_of_held_inputs(&taking_inputs);
         let held = quote! {
             fn taylor_series<const HALF: usize>(&self, state: #state, #signature) {
                 let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
@@ -90,10 +95,52 @@ impl Emitter<'_> {
                     self, state, &held, prepared, unit, coefficients,
                 );
             }
+            #held_branches
         };
         let with_inputs = self.implement(&taking_inputs, &with_inputs);
         let held = self.implement(&interface, &held);
         quote!(#with_inputs #held)
+    }
+
+    /// The method that visits the series of the arguments of branches, for equations that have some.
+    fn branches(&self, inputs: InputsFrom) -> Option<TokenStream> {
+        let series = self.branch_series?;
+        let (root, scalar) = (&self.declaration.root, &self.scalar);
+        let signature = self.parameters_of_series();
+        let body = self.body_of_series(series, inputs);
+        let visit = quote!(visit: &mut #root::BranchVisitor<'_, #scalar>);
+        let visited = quote!(#root::__private::visit_branches(&{ #body }, visit););
+        if inputs == InputsFrom::Fields {
+            return Some(quote! {
+                fn branch_series<const HALF: usize>(&self, #signature #visit) { #visited }
+            });
+        }
+        let vector = self.signatures().inputs();
+        Some(quote! {
+            fn branch_series_with<const HALF: usize>(
+                &self, series_of_inputs: &[#vector], #signature #visit
+            ) {
+                let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
+                let inputs = &inputs;
+                #visited
+            }
+        })
+    }
+
+    /// The same at the inputs of the fields.
+    fn branches_of_held_inputs(&self, taking_inputs: &TokenStream) -> Option<TokenStream> {
+        self.branch_series?;
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let u = self.model.inputs as usize;
+        let signature = self.parameters_of_series();
+        Some(quote! {
+            fn branch_series<const HALF: usize>(
+                &self, #signature visit: &mut #root::BranchVisitor<'_, #scalar>
+            ) {
+                let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
+                <Self as #taking_inputs>::branch_series_with(self, &held, state, unit, motion, visit);
+            }
+        })
     }
 
     fn series(&self, method: &TaylorMethod, inputs: InputsFrom) -> TokenStream {

@@ -4,14 +4,14 @@ use lagrangian_symbolic::{Reduction, SeriesOutputs, TaylorProgram, ValueSeriesCh
 
 use super::method::Method;
 use super::outputs::{MethodOutputs, OutputSlice};
-use super::taylor_method::{EventSeries, NoTaylorSeries};
+use super::taylor_method::{NoTaylorSeries, ValueSeries};
 
 /// The programs of the effective potential and of the velocities of the ignorable coordinates.
 pub(crate) struct ReducedMethods {
     pub(crate) effective_potential: Method,
     pub(crate) ignorable_velocities: Method,
     /// Their Taylor series along a motion, with the clause `taylor`.
-    pub(crate) series: Option<EventSeries>,
+    pub(crate) series: Option<ValueSeries>,
 }
 
 impl ReducedMethods {
@@ -38,8 +38,7 @@ impl ReducedMethods {
         if !ValueSeriesCheck::new(graph, program, &taylor).agrees() {
             return Err(NoTaylorSeries::Wrong);
         }
-        self.series = Some(EventSeries {
-            branches: Vec::new(),
+        self.series = Some(ValueSeries {
             invariants: OutputSlice::of_last_group(&taylor.initial),
             initial: Method::initial(&taylor, MethodOutputs::Vector(values.clone())),
             values,

@@ -168,7 +168,10 @@ fn checked_sizes<S: Scalar, D: Dynamics<S> + ?Sized>(
     };
     let allowed = dynamics.allowed_error(x, &one);
     let sizes = allowed.components().map(|size| size.smallest());
-    match sizes.enumerate().find(|(_, size)| !(*size >= 0.0)) {
+    match sizes
+        .enumerate()
+        .find(|(_, size)| size.is_nan() || *size < 0.0)
+    {
         None => Ok(()),
         Some((index, size)) => Err(IntegrationError::InvalidSize {
             component: dynamics.component_name(index),

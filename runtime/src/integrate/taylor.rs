@@ -3,6 +3,7 @@
 //! R. E. Moore, *Interval Analysis* (1966), chapter 11; À. Jorba & M. Zou, *A Software Package for the Numerical
 //! Integration of ODEs by Means of High-Order Taylor Methods*, Experimental Mathematics **14** (2005) 99–117.
 
+mod branch_crossings;
 pub(super) mod coefficients;
 mod convolutions;
 mod interpolant;
@@ -15,6 +16,7 @@ mod series;
 mod step_size;
 mod stepper;
 
+pub use branch_crossings::BranchVisitor;
 pub use coefficients::TaylorCoefficients;
 pub(crate) use convolutions::{Convolutions, OnlineConvolutions};
 pub use ensemble::Ensemble;

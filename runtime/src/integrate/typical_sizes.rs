@@ -2,7 +2,7 @@
 
 use super::dynamics::{ComponentName, Dynamics};
 use super::singularity::Singularity;
-use super::taylor::{Series, TaylorCoefficients};
+use super::taylor::{BranchVisitor, Series, TaylorCoefficients};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -154,5 +154,16 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for WithSizes<'_, D, D::State> 
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
         self.dynamics.series(t, x, unit, coefficients);
+    }
+
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        self.dynamics.branches(t, x, unit, motion, visit);
     }
 }

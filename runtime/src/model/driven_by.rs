@@ -8,7 +8,7 @@ use super::motion_series::MotionSeriesWith;
 use super::phase::Phase;
 use super::signals::Signals;
 use super::state::State;
-use crate::integrate::{Dynamics, Series, TaylorCoefficients};
+use crate::integrate::{BranchVisitor, Dynamics, Series, TaylorCoefficients};
 use crate::scalar::Scalar;
 
 /// A system under inputs u(t) that are [`Signals`]; made by [`Inputs::driven_by`].
@@ -92,5 +92,20 @@ where
         self.signals.series::<HALF>(t, unit, inputs);
         self.model
             .taylor_series_with(&state, inputs, &self.prepared, unit, coefficients);
+    }
+
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Phase<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let mut inputs = [[SVector::from_element(S::zero()); 2]; HALF];
+        let inputs = inputs.as_flattened_mut();
+        self.signals.series::<HALF>(t, unit, inputs);
+        self.model
+            .branch_series_with(inputs, &x.at(t), unit, motion, visit);
     }
 }

@@ -10,7 +10,9 @@ pub use super::by_columns::{
 use super::linearization::Linearization;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{Convolutions, OnlineConvolutions, PairedConvolutions, TaylorCoefficients};
+use crate::integrate::{
+    BranchVisitor, Convolutions, OnlineConvolutions, PairedConvolutions, TaylorCoefficients,
+};
 use crate::limits::taylor::LARGEST_PAIRED_CONVOLUTIONS;
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
@@ -310,6 +312,18 @@ pub fn event_series<
         t = S::zero();
     }
     series
+}
+
+/// Visits the series of arguments of branches.
+#[inline]
+pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
+    series: &TaylorCoefficients<[S; B], HALF>,
+    visit: &mut BranchVisitor<'_, S>,
+) {
+    for index in 0..B {
+        let values = core::iter::once(series.initial()).chain(series.higher());
+        visit(&mut values.map(|values| values[index]));
+    }
 }
 
 /// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.

@@ -8,7 +8,7 @@ use super::lagrangian::Lagrangian;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{Series, TaylorCoefficients};
+use crate::integrate::{BranchVisitor, Series, TaylorCoefficients};
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `taylor`: recurrences for the Taylor coefficients of its motions.
@@ -29,6 +29,18 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         unit: S,
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     );
+
+    /// The Taylor coefficients of each argument whose sign distinguishes branches of the equations of motion, along a motion
+    /// through a state ([`Series::branches`]).
+    fn branch_series<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let _ = (state, unit, motion, visit);
+    }
 }
 
 /// A model with inputs whose declaration has the clause `taylor`: the same recurrences, in which the inputs are functions
@@ -50,6 +62,18 @@ pub trait MotionSeriesWith<const N: usize, const U: usize, S: Scalar = f64>:
         unit: S,
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     );
+
+    /// The same as [`branch_series`](MotionSeries::branch_series), under inputs with these coefficients.
+    fn branch_series_with<const HALF: usize>(
+        &self,
+        inputs: &[SVector<S, U>],
+        state: &State<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let _ = (inputs, state, unit, motion, visit);
+    }
 }
 
 /// Under inputs that are held.
@@ -70,6 +94,18 @@ where
         self.model
             .taylor_series_with(state, &held, prepared, unit, coefficients);
     }
+
+    fn branch_series<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let held = [self.inputs];
+        self.model
+            .branch_series_with(&held, state, unit, motion, visit);
+    }
 }
 
 /// The series of equations of motion, of a model that they own or refer to.
@@ -85,6 +121,17 @@ macro_rules! series_of_the_model {
         ) {
             self.model
                 .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
+        }
+
+        fn branches<const HALF: usize>(
+            &self,
+            t: S,
+            x: &Phase<S, N>,
+            unit: S,
+            motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+            visit: &mut BranchVisitor<'_, S>,
+        ) {
+            self.model.branch_series(&x.at(t), unit, motion, visit);
         }
     };
 }

@@ -13,7 +13,7 @@ use super::singular_configuration::{
     vanishing_inertia, vanishing_inertia_in_lane,
 };
 use crate::integrate::{
-    ComponentName, Dynamics, EventDynamics, Series, Singularity, TaylorCoefficients,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, Singularity, TaylorCoefficients,
 };
 use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;
@@ -180,6 +180,30 @@ where
             *term = joined(*of_motion, SVector::from(*rate).map(|rate| rate * scale));
         }
     }
+
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let of_phase = of_phase(motion);
+        self.model.branch_series(&x.at(t), unit, &of_phase, visit);
+    }
+}
+
+/// The coefficients of the motion of the reduced model.
+fn of_phase<S: Scalar, const N: usize, const K: usize, const HALF: usize>(
+    motion: &TaylorCoefficients<ReconstructedPhase<S, N, K>, HALF>,
+) -> TaylorCoefficients<Phase<S, N>, HALF> {
+    let mut of_phase = TaylorCoefficients::new(motion.initial().phase());
+    let terms = of_phase.higher_mut().iter_mut().zip(motion.higher());
+    for (term, with_ignorable) in terms {
+        *term = with_ignorable.phase();
+    }
+    of_phase
 }
 
 /// The events of the reduced model: they depend on its state alone.
@@ -207,11 +231,6 @@ where
         unit: S,
         motion: &TaylorCoefficients<Self::State, HALF>,
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-        let mut of_phase = TaylorCoefficients::<Phase<S, N>, HALF>::new(motion.initial().phase());
-        let terms = of_phase.higher_mut().iter_mut().zip(motion.higher());
-        for (term, with_ignorable) in terms {
-            *term = with_ignorable.phase();
-        }
-        self.model.event_series(&x.at(t), unit, &of_phase)
+        self.model.event_series(&x.at(t), unit, &of_phase(motion))
     }
 }

@@ -198,6 +198,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
         loop {
             let proposed = self.limited(control.step());
             // A step from which the time is rounded to the target has not arrived there.
+            #[allow(clippy::float_cmp)] // The same number, or not.
             let is_near = self.clock.after(proposed.copysign(remaining)) == target;
             let lands = is_near || limits::LANDING * proposed >= remaining.abs();
             let h = if lands {

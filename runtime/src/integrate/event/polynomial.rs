@@ -17,7 +17,7 @@ use crate::scalar::DoubleDouble;
 
 /// The polynomial Σ aₖ uᵏ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Polynomial {
+pub(crate) struct Polynomial {
     coefficients: [DoubleDouble; MOST_COEFFICIENTS],
     /// How many of them there are.
     count: usize,
@@ -27,15 +27,15 @@ pub(super) struct Polynomial {
 
 /// A root.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Root {
+pub(crate) struct Root {
     /// Where it is; the upper of two neighbouring numbers.
-    pub(super) at: f64,
+    pub(crate) at: f64,
     /// The sign before it.
-    pub(super) before: f64,
+    pub(crate) before: f64,
     /// The sign behind it: the same where the polynomial touches zero.
-    pub(super) behind: f64,
+    pub(crate) behind: f64,
     /// From where on that sign is certain.
-    pub(super) until: f64,
+    pub(crate) until: f64,
 }
 
 /// The changes of sign in a sequence.
@@ -66,7 +66,7 @@ impl Variations {
 impl Polynomial {
     /// The polynomial with these coefficients, which have relative errors of this machine epsilon; none if there are too
     /// many, or one is not finite.
-    pub(super) fn new(
+    pub(crate) fn new(
         coefficients: impl Iterator<Item = DoubleDouble>,
         epsilon: f64,
     ) -> Option<Self> {
@@ -115,7 +115,7 @@ impl Polynomial {
     }
 
     /// Whether the constant exceeds all that the other terms are in the unit interval.
-    pub(super) fn has_one_sign(&self) -> bool {
+    pub(crate) fn has_one_sign(&self) -> bool {
         let mut sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
         let constant = sizes.next().unwrap_or(0.0);
         constant > sizes.sum::<f64>() * (1.0 + UNCERTAINTY * self.epsilon)
@@ -204,7 +204,7 @@ impl Polynomial {
     }
 
     /// The first root behind `from`, up to 1. The sign behind `from` is given where it is that behind another root.
-    pub(super) fn next_root(&self, from: f64, mut sign: f64) -> Option<Root> {
+    pub(crate) fn next_root(&self, from: f64, mut sign: f64) -> Option<Root> {
         if self.has_one_sign() {
             return None;
         }

@@ -219,7 +219,7 @@ fn first_change(polynomial: &Polynomial) -> Option<Root> {
 }
 
 /// A number with its digits beyond those of `f64`.
-fn double_double<S: Scalar>(value: S) -> DoubleDouble {
+pub(crate) fn double_double<S: Scalar>(value: S) -> DoubleDouble {
     let high = value.smallest();
     let low = (value - S::from_f64(high)).smallest();
     DoubleDouble::new(high, if low.is_finite() { low } else { 0.0 })

@@ -1,5 +1,6 @@
 //! Systems whose motions have Taylor series.
 
+use super::branch_crossings::BranchVisitor;
 use super::coefficients::TaylorCoefficients;
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::Scalar;
@@ -22,4 +23,20 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     );
+
+    /// The Taylor coefficients, along the motion through (t, x) with these coefficients, of each argument whose sign
+    /// distinguishes branches of the equations, such as u for |u| and u − v for max(u, v). Where one changes its sign within a
+    /// step, the series is compared with the equations behind it.
+    ///
+    /// Without this method the equations are taken for smooth: a contact within a step may then be passed over.
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let _ = (t, x, unit, motion, visit);
+    }
 }

@@ -1,5 +1,6 @@
 //! The steps of the Taylor series method.
 
+use super::branch_crossings::BranchCrossings;
 use super::coefficients::number;
 use super::interpolant::TaylorInterpolant;
 use super::residual::{Allowance, Point};
@@ -10,6 +11,7 @@ use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::event::double_double;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
@@ -225,6 +227,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         if h > LONG_STEP * self.length || proposal.is_of_low_degree(largest, HALF) {
             self.check_within(dynamics, end, &allowance)?;
         }
+        self.check_branches(dynamics, end, largest.copysign(tau.smallest()), &allowance)?;
         Ok(next_proposal)
     }
 
@@ -266,19 +269,61 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     where
         X: VectorSpace<S>,
     {
-        let polynomial = &self.polynomials[usize::from(self.exchanged)];
-        let begin = polynomial.time;
         for i in 1..=INNER_CHECKS {
-            let t = begin + (end - begin) * (f64::from(i) / f64::from(INNER_CHECKS + 1));
-            let (state, slope) = polynomial.state_and_derivative(polynomial.argument(t));
-            let point = Point {
-                t: S::from_f64(t),
-                state: state.reduced(dynamics),
-                slope,
-            };
-            self.statistics.evaluations += 1;
-            let derivative = dynamics.derivative(point.t, &point.state);
-            allowance.check(dynamics, &point, &derivative)?;
+            let part = f64::from(i) / f64::from(INNER_CHECKS + 1);
+            self.check_at(dynamics, (end, part), allowance)?;
+        }
+        Ok(())
+    }
+
+    /// The check at a part of a step.
+    fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        (end, part): (f64, f64),
+        allowance: &Allowance<S>,
+    ) -> Result<(), usize>
+    where
+        X: VectorSpace<S>,
+    {
+        let polynomial = &self.polynomials[usize::from(self.exchanged)];
+        let t = polynomial.time + (end - polynomial.time) * part;
+        let (state, slope) = polynomial.state_and_derivative(polynomial.argument(t));
+        let point = Point {
+            t: S::from_f64(t),
+            state: state.reduced(dynamics),
+            slope,
+        };
+        self.statistics.evaluations += 1;
+        let derivative = dynamics.derivative(point.t, &point.state);
+        allowance.check(dynamics, &point, &derivative)
+    }
+
+    /// The check behind each time within a step at which the motion passes to another branch of the equations.
+    fn check_branches<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        end: f64,
+        length: f64,
+        allowance: &Allowance<S>,
+    ) -> Result<(), usize>
+    where
+        X: VectorSpace<S>,
+    {
+        let polynomial = &self.polynomials[usize::from(self.exchanged)];
+        let (t, unit) = (S::from_f64(polynomial.time), S::from_f64(polynomial.unit));
+        let mut crossings = BranchCrossings::NONE;
+        dynamics.branches(
+            t,
+            &polynomial.from.reduced(dynamics),
+            unit,
+            &polynomial.coefficients,
+            &mut |argument| {
+                crossings.add(argument.map(double_double), length, S::machine_epsilon());
+            },
+        );
+        for part in crossings.middles() {
+            self.check_at(dynamics, (end, part), allowance)?;
         }
         Ok(())
     }

@@ -2,8 +2,10 @@
 
 use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
+use crate::integrate::taylor::branch_crossings::BranchCrossings;
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::step_size::power;
+use crate::limits::events::MOST_COEFFICIENTS;
 use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, NEGLIGIBLE_TERM};
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
@@ -34,6 +36,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
             pending[lane] && beyond[lane].is_none() && (is_long || low_degree[lane])
         });
+        self.check_branches(dynamics, h, (reached.tau, pending), &mut beyond);
         for i in 1..=INNER_CHECKS {
             if !any(&inner) {
                 break;
@@ -48,6 +51,48 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             }
         }
         beyond
+    }
+
+    /// The check behind each time within a step at which a motion passes to another branch of the equations.
+    fn check_branches<D>(
+        &mut self,
+        dynamics: &D,
+        h: Lanes<L>,
+        (tau, pending): (Lanes<L>, &[bool; L]),
+        beyond: &mut Beyond<L>,
+    ) where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let (t, unit) = (Lanes(self.time), Lanes(self.unit));
+        let mut crossings = [BranchCrossings::NONE; L];
+        let from = self.state.reduced(dynamics);
+        dynamics.branches(t, &from, unit, &self.coefficients, &mut |argument| {
+            let mut coefficients = [Lanes::from_f64(0.0); MOST_COEFFICIENTS];
+            let mut count = 0;
+            for (slot, coefficient) in coefficients.iter_mut().zip(argument) {
+                *slot = coefficient;
+                count += 1;
+            }
+            for (lane, crossings) in crossings.iter_mut().enumerate() {
+                let of_lane = coefficients[..count].iter().map(|x| x.0[lane].into());
+                crossings.add(of_lane, tau.0[lane], f64::EPSILON);
+            }
+        });
+        let mut middles = crossings.each_ref().map(BranchCrossings::middles);
+        loop {
+            let parts = middles.each_mut().map(Iterator::next);
+            let asked = core::array::from_fn(|lane| {
+                pending[lane] && beyond[lane].is_none() && parts[lane].is_some()
+            });
+            if !any(&asked) {
+                return;
+            }
+            let t = t + h * Lanes(parts.map(|part| part.unwrap_or(1.0)));
+            let found = self.check_at(dynamics, (t, &self.at(&t.0)), h.abs(), &asked);
+            for lane in lanes(&asked) {
+                beyond[lane] = beyond[lane].or(found[lane]);
+            }
+        }
     }
 
     /// The check at one time in each lane, for steps of the lengths `h`. Rounding explains a difference, and the tolerance

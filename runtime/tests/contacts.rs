@@ -1,0 +1,137 @@
+//! Contacts that begin and end within a step of the Taylor series method.
+
+use core::f64::consts::PI;
+
+use lagrangian::Polynomial;
+use lagrangian::prelude::*;
+
+/// A spring, and another one behind a gap.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * x.powi(2) + 0.5 * k * max(x - gap, 0).powi(2),
+    force(x = u),
+)]
+struct Contact {
+    k: f64,
+    gap: f64,
+    #[lagrangian(input)]
+    u: f64,
+}
+
+/// From x = 0 with the velocity 1: arcs of sines, about 0 and in contact about k gap/(1 + k), in turn.
+fn exact(k: f64, gap: f64, t: f64) -> f64 {
+    let omega = (1.0 + k).sqrt();
+    let center = k * gap / (1.0 + k);
+    let first = gap.asin();
+    let speed = first.cos();
+    let amplitude = (gap - center).hypot(speed / omega);
+    let phase = (omega * (gap - center)).atan2(speed);
+    let in_contact = (PI - 2.0 * phase) / omega;
+    let since = (t - first).rem_euclid(in_contact + PI + 2.0 * first);
+    if since <= in_contact {
+        center + amplitude * (omega * since + phase).sin()
+    } else {
+        (PI - first + since - in_contact).sin()
+    }
+}
+
+#[test]
+fn no_contact_is_passed_over() {
+    for k in [0.1, 1.0, 10.0, 100.0] {
+        for gap in [0.0, 0.05, 0.27, 0.5, 0.77, 0.9, 0.99, 0.999_9] {
+            let model = Contact { k, gap, u: 0.0 };
+            let dynamics = model.dynamics();
+            let start = State::new(0.0, [0.0], [1.0]);
+            for t in [3.0, 12.0, 20.0] {
+                let end = Taylor::new().integrate_to(&dynamics, start, t).unwrap();
+                let expected = exact(k, gap, t);
+                assert!(
+                    (end.x.q[0] - expected).abs() < 1e-9,
+                    "{k} {gap} {t}: {} {expected}",
+                    end.x.q[0]
+                );
+            }
+        }
+    }
+}
+
+/// Under inputs that are functions of time, and backwards.
+#[test]
+fn contacts_of_driven_and_backward_motions() {
+    let model = Contact {
+        k: 10.0,
+        gap: 0.9,
+        u: 0.0,
+    };
+    let held = model.with_inputs([0.0]);
+    let end = Taylor::new().integrate_to(&held.dynamics(), State::new(0.0, [0.0], [1.0]), 3.0);
+    assert!((end.unwrap().x.q[0] - exact(10.0, 0.9, 3.0)).abs() < 1e-9);
+    let signals = [Polynomial([0.0])];
+    let driven = model.driven_by(signals);
+    let start = State::new(0.0, [0.0], [1.0]);
+    let end = Taylor::new().integrate_to(&driven, start, 3.0).unwrap();
+    assert!((end.x.q[0] - exact(10.0, 0.9, 3.0)).abs() < 1e-9);
+    let back = Taylor::new()
+        .integrate_to(&driven, end.state(), 0.0)
+        .unwrap();
+    assert!(back.x.q[0].abs() < 1e-8);
+}
+
+/// The same on all scalars, since it has no parameters.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * x.powi(2) + 5 * max(x - 0.9, 0).powi(2),
+)]
+struct FixedContact;
+
+#[test]
+fn contacts_in_lanes() {
+    let motions = [3.0, 0.5, 12.0, 7.0, -3.0].map(|t| (State::new(0.0, [0.0], [1.0]), t));
+    let found = Taylor::new()
+        .ensemble::<4>()
+        .collect(&FixedContact.dynamics(), motions);
+    for (result, (start, t)) in found.into_iter().zip(motions) {
+        let alone = Taylor::new()
+            .integrate_to(&FixedContact.dynamics(), start, t)
+            .unwrap();
+        let x = result.unwrap().last.x.q[0];
+        assert!((x - alone.x.q[0]).abs() < 1e-9, "{t}: {x} {}", alone.x.q[0]);
+        if t > 0.0 {
+            assert!((x - exact(10.0, 0.9, t)).abs() < 1e-9);
+        }
+    }
+}
+
+/// A force that saturates where x y exceeds 0.1.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x, y),
+    kinetic = 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = 0.5 * (x.powi(2) + y.powi(2)),
+    force(x = c * (max(abs(x), abs(y)) - min(x * y, 0.1))),
+)]
+struct Saturated {
+    c: f64,
+}
+
+#[test]
+fn both_corners_of_a_saturation_are_seen() {
+    let model = Saturated { c: -0.3 };
+    let dynamics = model.dynamics();
+    let start = State::new(0.0, [0.0, 0.0], [0.4, 0.3]);
+    for t in [1.3, 1.5, 3.0] {
+        let found = Taylor::new().integrate_to(&dynamics, start, t).unwrap();
+        let precise = Dop853::new()
+            .relative_tolerance(1e-13)
+            .absolute_tolerance(1e-13);
+        let expected = precise.integrate_to(&dynamics, start, t).unwrap();
+        assert!((found.x.q - expected.x.q).norm() < 1e-10);
+    }
+}
