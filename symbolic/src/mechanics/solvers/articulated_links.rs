@@ -33,11 +33,11 @@ pub(crate) enum Step {
 #[derive(Clone, Default)]
 pub(crate) struct PassedInertia {
     /// At the acceleration of the link, along its axes.
-    pub(crate) before_turning: [InertiaRow; 6],
+    pub(crate) turning: [InertiaRow; 6],
     /// At the acceleration of its origin, along the axes of the link before.
-    pub(crate) before_sliding: [InertiaRow; 3],
+    pub(crate) sliding: [InertiaRow; 3],
     /// The same, behind what slides.
-    pub(crate) before_shift: [InertiaRow; 3],
+    pub(crate) shift: [InertiaRow; 3],
 }
 
 /// The factored equations of a mechanism.
@@ -74,7 +74,7 @@ impl ArticulatedLinks {
             let inertia = &mut inertias[i];
             let [a, b, c] = elimination.rows(angular(i));
             let [d, e, f] = elimination.rows(linear(i));
-            inertia.before_turning = [a, b, c, d, e, f];
+            inertia.turning = [a, b, c, d, e, f];
             let mut passage = Passage {
                 elimination: &mut elimination,
                 steps: &mut steps,
@@ -83,9 +83,9 @@ impl ArticulatedLinks {
             passage.split_off(graph, angular(i), &joint.turning)?;
             passage.elimination.turn(graph, i, &link.turn);
             passage.steps.push(Step::Turn(i, link.turn));
-            inertia.before_sliding = passage.elimination.rows(linear(i));
+            inertia.sliding = passage.elimination.rows(linear(i));
             passage.split_off(graph, linear(i), &joint.sliding)?;
-            inertia.before_shift = passage.elimination.rows(linear(i));
+            inertia.shift = passage.elimination.rows(linear(i));
             passage.elimination.shift(graph, i, link.place);
             passage.elimination.merge(graph, i, link.parent);
             let step = Step::Shift(i, link.parent, link.place);

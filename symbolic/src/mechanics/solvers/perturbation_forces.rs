@@ -187,7 +187,7 @@ impl<'a> Forces<'a> {
             rows: rows.clone(),
             columns: self.turning_columns(graph, index, &coriolis),
         };
-        self.eliminate(graph, steps.turning, &mut rows, &mut coriolis);
+        Self::eliminate(graph, steps.turning, &mut rows, &mut coriolis);
         coriolis.turn(graph, index, &link.turn);
         for row in &mut rows {
             row.forces.turn(graph, index, &link.turn);
@@ -202,7 +202,7 @@ impl<'a> Forces<'a> {
             rows: rows.clone(),
             columns: self.sliding_columns(graph, index, wrench.force),
         };
-        self.eliminate(graph, steps.sliding, &mut rows, &mut coriolis);
+        Self::eliminate(graph, steps.sliding, &mut rows, &mut coriolis);
         let Some(parent) = link.parent else {
             return PassedJoint {
                 turning,
@@ -214,7 +214,7 @@ impl<'a> Forces<'a> {
         for row in &mut rows {
             row.shift(graph, [index, parent], link.place, speed);
         }
-        let masses = &self.solver.inertias[index].before_shift;
+        let masses = &self.solver.inertias[index].shift;
         coriolis.shift(graph, index, link.place, speed, masses);
         let coriolis = coriolis.at(index, parent);
         self.coriolis[parent].add(graph, coriolis);
@@ -230,7 +230,6 @@ impl<'a> Forces<'a> {
 
     /// Passes a part of a joint.
     fn eliminate(
-        &self,
         graph: &mut Graph,
         steps: &[Step],
         rows: &mut Vec<Row>,
@@ -276,7 +275,7 @@ impl<'a> Forces<'a> {
             return Vec::new();
         }
         let slopes = &self.solver.equations.joints[index].turning;
-        let inertia = &self.solver.inertias[index].before_turning;
+        let inertia = &self.solver.inertias[index].turning;
         let wrench = self.wrenches[index];
         let mut columns = Vec::new();
         for (coordinate, slope) in slopes {
@@ -323,7 +322,7 @@ impl<'a> Forces<'a> {
             return Vec::new();
         }
         let slopes = &self.solver.equations.joints[index].sliding;
-        let inertia = &self.solver.inertias[index].before_sliding;
+        let inertia = &self.solver.inertias[index].sliding;
         let mut columns = Vec::new();
         for (coordinate, slope) in slopes {
             let changes = self.perturbations.moved(graph, index, *coordinate, *slope);
