@@ -237,10 +237,33 @@ fn a_lagrangian_that_is_not_quadratic_is_transformed_by_newtons_method() {
     }
     let nowhere = CanonicalPhase::new([0.0; 2], [f64::NAN, 0.0]);
     let error = particle.velocities(0.0, &nowhere).unwrap_err();
-    assert!(!error.change.is_finite());
+    assert!(
+        matches!(error, NoVelocities::NotFound { change } if !change.is_finite()),
+        "{error}"
+    );
     assert!(error.to_string().contains("singular"), "{error}");
-    let slow = NoVelocities { change: 0.5 };
+    let slow = NoVelocities::NotFound { change: 0.5 };
     assert!(slow.to_string().contains("Newton"), "{slow}");
+}
+
+/// Its momentum ẋ³ − ẋ belongs to three velocities where it is small.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x),
+    lagrangian = 0.25 * dot(x).powi(4) - 0.5 * dot(x).powi(2) - 0.5 * x.powi(2),
+    hamiltonian,
+)]
+struct Branched;
+
+#[test]
+fn momenta_of_several_velocities_have_none() {
+    for v in [0.9, -0.6, 0.3] {
+        let state = State::new(0.0, [0.0], [v]);
+        let phase = Branched.canonical_equations().canonical(&state).x;
+        let error = Branched.velocities(0.0, &phase).unwrap_err();
+        assert_eq!(error, NoVelocities::NotConvex);
+        assert!(error.to_string().contains("not convex"), "{error}");
+    }
 }
 
 /// dh/dt by the chain rule along the motion, on dual numbers.

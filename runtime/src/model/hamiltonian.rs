@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
@@ -64,11 +64,12 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     ///
     /// Where L is quadratic in the velocities they are [`solved_velocities`](Self::solved_velocities), or M(q, t) q̇ =
     /// p − p(q, 0, t) is factored here, and solved once more for the rounding errors that are left; else Newton's method goes
-    /// on until the velocities stay, with steps that are halved where they miss.
+    /// on until the velocities stay, with steps that are halved where they miss. Velocities are unique where L is convex in them.
     ///
     /// # Errors
     ///
-    /// [`NoVelocities`] where M is singular, or where Newton's method does not converge.
+    /// [`NoVelocities`] where M is singular, where Newton's method does not converge, or where L is not quadratic and not convex
+    /// at what it finds: M is not positive definite there, and other velocities may have the same momenta.
     fn velocities(
         &self,
         t: S,
@@ -110,18 +111,18 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
             // What is left are rounding errors.
             let rounding = S::machine_epsilon() * largest(&state.v);
             if change <= LEGENDRE_ROUNDING * rounding {
-                return Ok(state.v);
+                return unique(self, &state);
             }
             if !reached {
                 let is_small = change <= S::machine_epsilon().sqrt() * largest(&state.v);
                 return if is_small {
-                    Ok(state.v)
+                    unique(self, &state)
                 } else {
-                    Err(NoVelocities { change })
+                    Err(NoVelocities::NotFound { change })
                 };
             }
         }
-        Err(NoVelocities { change })
+        Err(NoVelocities::NotFound { change })
     }
 
     /// The Hamiltonian function H(q, p, t) = Σ pᵢ q̇ᵢ − L.
@@ -143,6 +144,44 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     }
 }
 
+/// The velocities of a state, unless L is not quadratic in the velocities and not convex there.
+fn unique<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+) -> Result<SVector<S, N>, NoVelocities>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let mass = model.mass_matrix(state);
+    let v = SVector::zeros();
+    let is_quadratic = mass == model.mass_matrix(&State { v, ..*state });
+    if is_quadratic || is_positive_definite(mass) {
+        Ok(state.v)
+    } else {
+        Err(NoVelocities::NotConvex)
+    }
+}
+
+/// Whether all pivots are positive.
+fn is_positive_definite<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> bool {
+    for j in 0..N {
+        let pivot = matrix[(j, j)];
+        let least = pivot.smallest();
+        if least.is_nan() || least <= 0.0 {
+            return false;
+        }
+        for i in j + 1..N {
+            let factor = matrix[(i, j)] / pivot;
+            for k in j + 1..=i {
+                let change = factor * matrix[(k, j)];
+                matrix[(i, k)] -= change;
+            }
+        }
+    }
+    true
+}
+
 /// The largest magnitude of a component, in any lane.
 fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
     let sizes = vector.iter().map(|component| component.abs().largest());
@@ -152,23 +191,31 @@ fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
 
 /// There are no velocities that have some momenta, or none was found.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct NoVelocities {
-    /// The last change of a velocity by Newton's method; not finite where the mass matrix is singular.
-    pub change: f64,
+#[non_exhaustive]
+pub enum NoVelocities {
+    /// Newton's method does not converge, or the mass matrix is singular.
+    NotFound {
+        /// The last change of a velocity; not finite where the mass matrix is singular.
+        change: f64,
+    },
+    /// The Lagrangian function is not convex in the velocities, so that others may have the same momenta.
+    NotConvex,
 }
 
 impl fmt::Display for NoVelocities {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.change.is_finite() {
-            write!(
+        match self {
+            Self::NotFound { change } if change.is_finite() => write!(
                 f,
-                "no velocities with these momenta were found: Newton's method still changes them by {:e}",
-                self.change
-            )
-        } else {
-            f.write_str(
+                "no velocities with these momenta were found: Newton's method still changes them by {change:e}"
+            ),
+            Self::NotFound { .. } => f.write_str(
                 "there are no velocities with these momenta: the mass matrix is singular, or a momentum is not finite",
-            )
+            ),
+            Self::NotConvex => f.write_str(
+                "several velocities may have these momenta: the Lagrangian function is not convex in the velocities, since the \
+                 mass matrix is not positive definite where they were found; integrate Lagrange's equations, `dynamics()`",
+            ),
         }
     }
 }
