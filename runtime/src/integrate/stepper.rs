@@ -167,7 +167,7 @@ fn checked_sizes<S: Scalar, D: Dynamics<S> + ?Sized>(
         rate: S::one(),
     };
     let allowed = dynamics.allowed_error(x, &one);
-    let sizes = allowed.components().map(|size| size.smallest());
+    let sizes = allowed.components().map(Scalar::smallest);
     match sizes
         .enumerate()
         .find(|(_, size)| size.is_nan() || *size < 0.0)

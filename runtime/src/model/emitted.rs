@@ -61,6 +61,7 @@ pub fn scatter<S: Scalar, const K: usize>(values: &mut [S], elements: [usize; K]
 }
 
 /// Velocities that are not numbers: what emitted code has where it does not solve for them.
+#[must_use]
 pub fn no_velocities<S: Scalar, const N: usize>() -> SVector<S, N> {
     SVector::repeat(S::from_f64(f64::NAN))
 }

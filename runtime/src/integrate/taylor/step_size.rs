@@ -68,9 +68,9 @@ const DIVISIBLE: f64 = 45_045.0 / 32_768.0;
 ///
 /// The coefficients of order k are those of order k − 1 of the rates times unit/k. That is a number for k up to 16, since the
 /// unit is a power of two times the least common multiple of those k. Of a unit that is a power of two, unit/k would be
-/// rounded in the same way in every step, and the energy grow in proportion to the time, not like its root (E. Hairer, R. I.
-/// McLachlan & A. Razakarivony, *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT **48** (2008) 231–243, on
-/// the rounding of the coefficients of a method). Terms of higher orders are too small for it.
+/// rounded in the same way in every step, and the energy grow in proportion to the time, not like its root (E. Hairer et
+/// al., *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT **48** (2008) 231–243, on the rounding of the
+/// coefficients of a method). Terms of higher orders are too small for it.
 pub(super) fn unit_near(x: f64) -> f64 {
     let power = if x.is_normal() {
         f64::from_bits(x.to_bits() & EXPONENT).clamp(LEAST_UNIT, 1.0 / LEAST_UNIT)
