@@ -115,9 +115,9 @@ fn every_parameter_is_unknown_where_none_is_named() {
     let found = base_parameters(&mut model, UnknownParameters::Every, &TWO_LINKS);
     let expected = [
         "zz₁ + m₂ l²",
-        "zz₂",
         "g (mx₁ + m₂ l)",
         "my₁·g",
+        "zz₂",
         "mx₂·l",
         "mx₂·g",
         "my₂·l",
