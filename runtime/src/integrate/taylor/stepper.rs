@@ -1,9 +1,8 @@
 //! The steps of the Taylor series method.
 
-use super::branch_crossings::BranchCrossings;
-use super::coefficients::number;
+mod checks;
+
 use super::interpolant::TaylorInterpolant;
-use super::residual::{Allowance, Point};
 use super::step_size::{
     Proposal, limiting_component, too_small, unit_near, weighted_norm, weights,
 };
@@ -11,13 +10,10 @@ use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::double_double;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{
-    FIRST_UNIT, INNER_CHECKS, LANDING, LONG_STEP, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES,
-};
+use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -181,56 +177,6 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         })
     }
 
-    /// Whether the polynomial is the motion until the time `end`: an error with the component at which its derivative
-    /// is not that of the motion there, or at times within a step that is long or for which a polynomial of low degree
-    /// is enough. The polynomial about `end`, whose first coefficient is the derivative there, becomes the other one;
-    /// unless it is `needed`, its coefficients are left for later. What it says about the next step, if they are not.
-    fn check<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        end: f64,
-        proposal: Proposal,
-        needed: bool,
-    ) -> Result<Option<Proposal>, usize>
-    where
-        X: VectorSpace<S>,
-    {
-        let [present, next] = [self.exchanged, !self.exchanged].map(usize::from);
-        let tau: S = self.polynomials[present].argument(end);
-        let (state, slope) = self.polynomials[present].state_and_derivative(tau);
-        if let Some((index, _)) = state.value().first_non_finite() {
-            return Err(index);
-        }
-        let point = Point {
-            t: S::from_f64(end),
-            state: state.reduced(dynamics),
-            slope,
-        };
-        let h = (end - self.polynomials[present].time).abs();
-        self.polynomials[next].time = end;
-        self.polynomials[next].from = state;
-        let mut next_proposal = None;
-        if needed && h.is_normal() {
-            let about_end = (next, &point.state);
-            let proposal = self.expand(dynamics, about_end, unit_near(h), h);
-            next_proposal = proposal.ok();
-        }
-        let derivative = if next_proposal.is_some() {
-            self.polynomials[next].first_derivative()
-        } else {
-            self.statistics.evaluations += 1;
-            dynamics.derivative(point.t, &point.state)
-        };
-        let allowance = self.allowance(h);
-        allowance.check(dynamics, &point, &derivative)?;
-        let largest = tau.abs().largest();
-        if h > LONG_STEP * self.length || proposal.is_of_low_degree(largest, HALF) {
-            self.check_within(dynamics, end, &allowance)?;
-        }
-        self.check_branches(dynamics, end, largest.copysign(tau.smallest()), &allowance)?;
-        Ok(next_proposal)
-    }
-
     /// The component that limits the step from the present time.
     fn limiting_component<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &self,
@@ -245,87 +191,10 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         limiting_component(&polynomial.coefficients, &weights, Scalar::largest)
     }
 
-    fn allowance<S: Scalar>(&self, h: f64) -> Allowance<S> {
-        Allowance {
-            h: S::from_f64(h),
-            order: number(2 * HALF),
-            tolerance: self.tolerance(h),
-        }
-    }
-
     /// The tolerances, by which an error of a velocity counts by the displacement that it causes in some time scales.
     fn tolerance<S: Scalar>(&self, length: f64) -> ErrorTolerance<S> {
         let time_scale = S::from_f64(self.time_scale.max(length));
         self.method.tolerance::<S>().over(time_scale)
-    }
-
-    /// The check at times within a step.
-    fn check_within<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        end: f64,
-        allowance: &Allowance<S>,
-    ) -> Result<(), usize>
-    where
-        X: VectorSpace<S>,
-    {
-        for i in 1..=INNER_CHECKS {
-            let part = f64::from(i) / f64::from(INNER_CHECKS + 1);
-            self.check_at(dynamics, (end, part), allowance)?;
-        }
-        Ok(())
-    }
-
-    /// The check at a part of a step.
-    fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        (end, part): (f64, f64),
-        allowance: &Allowance<S>,
-    ) -> Result<(), usize>
-    where
-        X: VectorSpace<S>,
-    {
-        let polynomial = &self.polynomials[usize::from(self.exchanged)];
-        let t = polynomial.time + (end - polynomial.time) * part;
-        let (state, slope) = polynomial.state_and_derivative(polynomial.argument(t));
-        let point = Point {
-            t: S::from_f64(t),
-            state: state.reduced(dynamics),
-            slope,
-        };
-        self.statistics.evaluations += 1;
-        let derivative = dynamics.derivative(point.t, &point.state);
-        allowance.check(dynamics, &point, &derivative)
-    }
-
-    /// The check behind each time within a step at which the motion passes to another branch of the equations.
-    fn check_branches<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        end: f64,
-        length: f64,
-        allowance: &Allowance<S>,
-    ) -> Result<(), usize>
-    where
-        X: VectorSpace<S>,
-    {
-        let polynomial = &self.polynomials[usize::from(self.exchanged)];
-        let (t, unit) = (S::from_f64(polynomial.time), S::from_f64(polynomial.unit));
-        let mut crossings = BranchCrossings::NONE;
-        dynamics.branches(
-            t,
-            &polynomial.from.reduced(dynamics),
-            unit,
-            &polynomial.coefficients,
-            &mut |argument| {
-                crossings.add(argument.map(double_double), length, S::machine_epsilon());
-            },
-        );
-        for part in crossings.middles() {
-            self.check_at(dynamics, (end, part), allowance)?;
-        }
-        Ok(())
     }
 }
 
