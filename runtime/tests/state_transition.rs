@@ -142,9 +142,15 @@ fn kepler_over_a_period() {
     let by_steps = StateTransition::over(&explicit, &dynamics, &start, period);
     let fixed = RungeKutta::classical(1e-3);
     let by_fixed_steps = StateTransition::over(&fixed, &dynamics, &start, period);
-    for (transition, tolerance) in [(by_series, 3e-11), (by_steps, 1e-8), (by_fixed_steps, 1e-3)] {
+    // In relation to the largest element, 736, since errors are turned and stretched as perturbations are.
+    for (transition, tolerance) in [
+        (by_series, 1e-13),
+        (by_steps, 1e-11),
+        (by_fixed_steps, 1e-6),
+    ] {
         let found = transition.unwrap().matrix::<4>();
-        assert!((found - expected).amax() < tolerance, "{found} {expected}");
+        let error = (found - expected).amax() / expected.amax();
+        assert!(error < tolerance, "{error:e}: {found} {expected}");
     }
 }
 
