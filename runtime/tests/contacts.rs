@@ -135,3 +135,30 @@ fn both_corners_of_a_saturation_are_seen() {
         assert!((found.x.q - expected.x.q).norm() < 1e-10);
     }
 }
+
+/// Two masses on springs of their own, between which a third one acts where they overlap.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x, y),
+    kinetic = 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = 0.5 * (x.powi(2) + y.powi(2)) + 5 * max(x - y, 0).powi(2) + abs(sin(x - y)).powi(3),
+)]
+struct Touching;
+
+/// Arguments of branches that stay zero to rounding do not stop the motion.
+#[test]
+fn masses_that_touch_all_the_time() {
+    let dynamics = Touching.dynamics();
+    let start = State::new(0.0, [0.5, 0.5], [0.3, 0.3]);
+    let driver = Taylor::new().driver().max_steps(200);
+    let end = driver.run_until(&dynamics, start, 20.0).unwrap().last;
+    assert_eq!(end.t.to_bits(), 20.0_f64.to_bits());
+    let expected = 0.5 * 20.0_f64.cos() + 0.3 * 20.0_f64.sin();
+    assert!(
+        (end.x.q[0] - expected).abs() < 1e-11,
+        "{}",
+        end.x.q[0] - expected
+    );
+    assert!((end.x.q[0] - end.x.q[1]).abs() < 1e-13);
+}
