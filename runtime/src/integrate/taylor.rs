@@ -46,8 +46,10 @@ use crate::scalar::Scalar;
 ///
 /// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative
 /// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial
-/// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that
-/// acts for a shorter time, such as a pulse, set [`max_step`](Self::max_step) to less than its duration. With dual
+/// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. The corners of |u|,
+/// sgn u, min, max and atan2 in a declaration are found by the series of their arguments ([`Series::branches`]), however short a
+/// contact is. For another force that acts for a shorter time, such as a pulse of an external function, set
+/// [`max_step`](Self::max_step) to less than its duration. With dual
 /// numbers the derivative parts count, too, relative to their largest component, so that a derivative is as accurate
 /// where the value rests.
 ///
