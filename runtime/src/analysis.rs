@@ -24,6 +24,7 @@ mod spectrum;
 mod oscillation_error;
 mod small_oscillations;
 mod normal_modes;
+mod null_vector;
 mod damped_modes;
 mod stability;
 mod controllability;

@@ -61,7 +61,6 @@ pub use stepper::{Advance, Statistics, Stepper};
 pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
 pub use taylor::recurrences;
-
 pub use taylor::{
     BranchVisitor, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
 };

@@ -215,7 +215,7 @@ pub(crate) mod taylor {
     /// The number of times within a long step. A force that acts for a sixteenth of a long step is noticed.
     pub(crate) const INNER_CHECKS: u32 = 16;
 
-    /// Passages to other branches of the equations that are looked for in a step.
+    /// Passages to other branches of the equations that are checked in a step; a step with more of them is shortened.
     pub(crate) const MOST_CROSSINGS: usize = 16;
 
     /// The least default of the singularity tolerance, that of the other methods.

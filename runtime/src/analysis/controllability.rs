@@ -7,8 +7,8 @@
 
 use nalgebra::{Complex, SMatrix};
 
-use super::damped_modes::null_vector;
 use super::eigenvalues::eigenvalues;
+use super::null_vector::null_vector;
 use super::spectrum::{Spectrum, modulus};
 use crate::limits::analysis::UNREACHED;
 use crate::scalar::Scalar;

@@ -1,16 +1,17 @@
 //! Modes of small oscillations with damping and gyroscopic forces.
 //!
 //! (λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q) φ = 0, a quadratic eigenvalue problem: F. Tisseur and K. Meerbergen, *The quadratic eigenvalue
-//! problem*, SIAM Review **43** (2001) 235–286. Eigenvalues are those of the first-order system; a shape is found from its
-//! eigenvalue by inverse iteration: J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 9.
+//! problem*, SIAM Review **43** (2001) 235–286. Eigenvalues are those of the first-order system; a shape is a null vector of the
+//! matrix of its eigenvalue.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
+use super::null_vector::null_vector;
 use super::oscillation_error::OscillationError;
 use super::small_oscillations::{Part, SmallOscillations, negligible};
 use super::spectrum::modulus;
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::{INVERSE_ITERATIONS, ROOM_FOR_SHAPES as ROOM};
+use crate::limits::analysis::ROOM_FOR_SHAPES as ROOM;
 
 type C = Complex<f64>;
 
@@ -136,20 +137,11 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let left = self.quadratic(eigenvalue) * vector;
         let size = modulus(eigenvalue);
         let errors = (0..N).map(|i| {
-            let terms = (0..N).map(|j| match (self.parts[i], self.parts[j]) {
-                (Part::Eliminated, _) | (_, Part::Eliminated) => 0.0,
-                (_, Part::Moving) => self.velocity[(i, j)].abs().largest(),
-                (_, Part::Oscillating) => {
-                    size * self.velocity[(i, j)].abs().largest()
-                        + self.position[(i, j)].abs().largest()
-                }
+            let terms = (0..N).map(|j| {
+                let [c0, c1, c2] = self.coefficients(i, j).map(f64::abs);
+                c0 + size * (c1 + size * c2)
             });
-            let own = match self.parts[i] {
-                Part::Eliminated => 1.0,
-                Part::Moving => size,
-                Part::Oscillating => size * size,
-            };
-            let scale = most * (terms.sum::<f64>() + own);
+            let scale = most * terms.sum::<f64>();
             if scale > 0.0 {
                 modulus(left[i]) / scale
             } else {
@@ -162,22 +154,21 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     /// The matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the coordinates that oscillate; the columns of velocities that are left are
     /// those of λ − ∂q̈/∂q̇. Diagonal entries of what is not there are 1.
     fn quadratic(&self, eigenvalue: C) -> SMatrix<C, N, N> {
-        let real = |x: S| C::new(x.largest(), 0.0);
         SMatrix::from_fn(|i, j| {
-            let unit = if i == j {
-                C::new(1.0, 0.0)
-            } else {
-                C::new(0.0, 0.0)
-            };
-            match (self.parts[i], self.parts[j]) {
-                (Part::Eliminated, _) | (_, Part::Eliminated) => unit,
-                (_, Part::Moving) => eigenvalue * unit - real(self.velocity[(i, j)]),
-                (_, Part::Oscillating) => {
-                    eigenvalue * (eigenvalue * unit - real(self.velocity[(i, j)]))
-                        - real(self.position[(i, j)])
-                }
-            }
+            let [c0, c1, c2] = self.coefficients(i, j);
+            (eigenvalue * c2 + c1) * eigenvalue + c0
         })
+    }
+
+    /// An entry of [`quadratic`](Self::quadratic): its coefficients of 1, λ and λ².
+    fn coefficients(&self, i: usize, j: usize) -> [f64; 3] {
+        let unit = if i == j { 1.0 } else { 0.0 };
+        let by_velocity = -self.velocity[(i, j)].largest();
+        match (self.parts[i], self.parts[j]) {
+            (Part::Eliminated, _) | (_, Part::Eliminated) => [unit, 0.0, 0.0],
+            (_, Part::Moving) => [by_velocity, unit, 0.0],
+            (_, Part::Oscillating) => [-self.position[(i, j)].largest(), by_velocity, unit],
+        }
     }
 
     /// The amplitudes of all coordinates, from those of coordinates that oscillate and of velocities that are left.
@@ -205,94 +196,6 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             });
             sum / eigenvalue
         })
-    }
-}
-
-/// A unit vector that a singular matrix takes nearly to zero, orthogonal to others.
-pub(super) fn null_vector<const N: usize>(
-    matrix: &SMatrix<C, N, N>,
-    others: impl Iterator<Item = SVector<C, N>> + Clone,
-) -> SVector<C, N> {
-    let size = matrix.iter().fold(0.0, |most, x| modulus(*x).max(most));
-    // Of a matrix of zeros, every vector is one.
-    let least = if size > 1e-100 {
-        f64::EPSILON * size
-    } else {
-        1.0
-    };
-    let mut factors = *matrix;
-    let mut rows: [usize; N] = core::array::from_fn(|i| i);
-    for j in 0..N {
-        let pivot = (j..N).fold(j, |best, i| {
-            if modulus(factors[(i, j)]) > modulus(factors[(best, j)]) {
-                i
-            } else {
-                best
-            }
-        });
-        factors.swap_rows(j, pivot);
-        rows.swap(j, pivot);
-        if modulus(factors[(j, j)]) <= least {
-            factors[(j, j)] = C::new(least, 0.0);
-        }
-        for i in j + 1..N {
-            let multiplier = factors[(i, j)] / factors[(j, j)];
-            factors[(i, j)] = multiplier;
-            for k in j + 1..N {
-                let change = multiplier * factors[(j, k)];
-                factors[(i, k)] -= change;
-            }
-        }
-    }
-    // No component of a start without a pattern is near zero.
-    let mut x = SVector::<C, N>::from_fn(|i, _| {
-        #[allow(clippy::cast_precision_loss)] // An index.
-        let phase = 1.0 + 2.4 * i as f64;
-        C::new(libm::sin(phase) + 1.5, libm::cos(phase))
-    });
-    for _ in 0..INVERSE_ITERATIONS {
-        orthogonalize(&mut x, others.clone());
-        let right = x;
-        x = SVector::from_fn(|i, _| right[rows[i]]);
-        for i in 0..N {
-            for k in 0..i {
-                let change = factors[(i, k)] * x[k];
-                x[i] -= change;
-            }
-        }
-        for i in (0..N).rev() {
-            for k in i + 1..N {
-                let change = factors[(i, k)] * x[k];
-                x[i] -= change;
-            }
-            x[i] /= factors[(i, i)];
-        }
-    }
-    orthogonalize(&mut x, others);
-    x
-}
-
-/// Takes from a vector its components along unit vectors, and makes it a unit vector.
-fn orthogonalize<const N: usize>(
-    x: &mut SVector<C, N>,
-    others: impl Iterator<Item = SVector<C, N>>,
-) {
-    scale(x);
-    for other in others {
-        let products = other.iter().zip(x.iter());
-        let component: C = products.map(|(y, x)| y.conj() * x).sum();
-        *x -= other * component;
-    }
-    scale(x);
-}
-
-/// Makes a vector one of length 1, without overflow.
-fn scale<const N: usize>(x: &mut SVector<C, N>) {
-    let most = x.iter().fold(0.0, |most, x| modulus(*x).max(most));
-    if most > 0.0 && most.is_finite() {
-        *x /= C::new(most, 0.0);
-        let squares: f64 = x.iter().map(C::norm_sqr).sum();
-        *x /= C::new(libm::sqrt(squares), 0.0);
     }
 }
 

@@ -112,7 +112,7 @@ impl<S: SingleNumber> Modulus<S> {
     /// ```
     /// use lagrangian::elliptic::Modulus;
     ///
-    /// // For a small v it is v/((1 − n sn²u)).
+    /// // For a small v it is v/(1 − n sn²u).
     /// let modulus = Modulus::new(0.3, 0.7);
     /// let (sn, _, _) = modulus.jacobi(0.8);
     /// let found: f64 = modulus.third_between(-2.0, 0.8, 1e-20);

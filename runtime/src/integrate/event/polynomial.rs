@@ -84,6 +84,27 @@ impl Polynomial {
         Some(polynomial)
     }
 
+    /// The polynomial whose argument is a part of a length, from its coefficients in powers of the argument over which the
+    /// length is given; none as [`new`](Self::new), or if a term is too large for a number.
+    pub(crate) fn over(
+        coefficients: impl Iterator<Item = DoubleDouble>,
+        length: f64,
+        epsilon: f64,
+    ) -> Option<Self> {
+        let mut power = DoubleDouble::from(1.0);
+        let scaled = coefficients.map(|coefficient| {
+            // A high power may be infinite.
+            let term = if coefficient == DoubleDouble::ZERO {
+                coefficient
+            } else {
+                coefficient * power
+            };
+            power *= DoubleDouble::from(length);
+            term
+        });
+        Self::new(scaled, epsilon)
+    }
+
     /// The polynomial 0.
     pub(super) const ZERO: Self = Self {
         coefficients: [DoubleDouble::ZERO; MOST_COEFFICIENTS],

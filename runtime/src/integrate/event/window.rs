@@ -196,14 +196,11 @@ where
     V: AsRef<[S]> + Clone,
 {
     let values = core::iter::once(series.initial()).chain(series.higher());
-    let mut power = DoubleDouble::from(1.0);
     let coefficients = values.map(|values| {
-        let value = values.as_ref().get(index).copied().unwrap_or(S::zero());
-        let coefficient = double_double(value) * power;
-        power *= DoubleDouble::from(length);
-        coefficient
+        let value = values.as_ref().get(index).copied();
+        double_double(value.unwrap_or(S::zero()))
     });
-    Polynomial::new(coefficients, S::machine_epsilon())
+    Polynomial::over(coefficients, length, S::machine_epsilon())
 }
 
 /// The first root at which a polynomial changes its sign.

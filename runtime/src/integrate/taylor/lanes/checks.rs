@@ -29,6 +29,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let time = self.time;
         let h = Lanes(*targets) - Lanes(time);
         let mut beyond = self.check_at(dynamics, (Lanes(*targets), reached), h.abs(), pending);
+        self.check_branches(dynamics, h, (reached.tau, pending), &mut beyond);
         // The terms of half the order hardly count there.
         let middle = middle * power(reached.tau.abs(), HALF);
         let low_degree = middle.0.map(|ratio| ratio < NEGLIGIBLE_TERM);
@@ -36,7 +37,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
             pending[lane] && beyond[lane].is_none() && (is_long || low_degree[lane])
         });
-        self.check_branches(dynamics, h, (reached.tau, pending), &mut beyond);
         for i in 1..=INNER_CHECKS {
             if !any(&inner) {
                 break;
@@ -53,7 +53,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         beyond
     }
 
-    /// The check behind each time within a step at which a motion passes to another branch of the equations.
+    /// The check behind each time within a step at which a motion passes to another branch of the equations. With too many of
+    /// them, the first component is taken to be beyond, so that the step is shortened.
     fn check_branches<D>(
         &mut self,
         dynamics: &D,
@@ -78,9 +79,12 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 crossings.add(of_lane, tau.0[lane], f64::EPSILON);
             }
         });
-        let mut middles = crossings.each_ref().map(BranchCrossings::middles);
+        for (beyond, crossings) in beyond.iter_mut().zip(&crossings) {
+            *beyond = beyond.or(crossings.overflows().then_some(0));
+        }
+        let mut times = crossings.each_ref().map(BranchCrossings::times_between);
         loop {
-            let parts = middles.each_mut().map(Iterator::next);
+            let parts = times.each_mut().map(Iterator::next);
             let asked = core::array::from_fn(|lane| {
                 pending[lane] && beyond[lane].is_none() && parts[lane].is_some()
             });

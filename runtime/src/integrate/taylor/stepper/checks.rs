@@ -110,7 +110,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         allowance.check(dynamics, &point, &derivative)
     }
 
-    /// The check behind each time within a step at which the motion passes to another branch of the equations.
+    /// The check behind each time within a step at which the motion passes to another branch of the equations. A step with
+    /// too many of them is to be shortened: an error with the first component.
     fn check_branches<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -133,7 +134,10 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
                 crossings.add(argument.map(double_double), length, S::machine_epsilon());
             },
         );
-        for part in crossings.middles() {
+        if crossings.overflows() {
+            return Err(0);
+        }
+        for part in crossings.times_between() {
             self.check_at(dynamics, (end, part), allowance)?;
         }
         Ok(())
