@@ -1,14 +1,13 @@
 //! The whole macro: parse, check, lower, derive the equations, schedule, emit.
 
-use std::collections::BTreeSet;
-
-use lagrangian_symbolic::{Equations, Kinetics, Listing, Method, Model, Reduction, Validator};
+use lagrangian_symbolic::{Equations, Kinetics, Listing, Model, Reduction};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::DeriveInput;
 
 use crate::check::{check, check_whole};
 use crate::defects;
+use crate::derived::Derived;
 use crate::diagnostics::Diagnostics;
 use crate::emit::{
     Emitter, items, items_without_equations, listing, reduced_struct, reduced_without_equations,
@@ -16,9 +15,7 @@ use crate::emit::{
 };
 use crate::limits::MethodLimits;
 use crate::lower::{Lowered, lower};
-use crate::plan::{
-    EventSeries, Methods, ReducedMethods, Requested, TaylorMethod, ValueSeries, branches_of_events,
-};
+use crate::plan::ReducedMethods;
 use crate::reduce::{ReducedDeclaration, Split, reduce, without_half_angles};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::routhian::RouthianClause;
@@ -187,120 +184,5 @@ fn derive_reduced(
             defects::report_no_series(reason, taylor, declaration, diagnostics);
             None
         }
-    }
-}
-
-/// What is derived from a model.
-struct Derived {
-    model: Model,
-    equations: Equations,
-    methods: Methods,
-    taylor: Option<TaylorMethod>,
-    event_series: Option<EventSeries>,
-    branch_series: Option<ValueSeries>,
-    listing: Listing,
-    /// The methods that had to be derived again.
-    disagreements: BTreeSet<Method>,
-}
-
-impl Derived {
-    fn of(
-        declaration: &Declaration,
-        lowered: &Lowered,
-        mut model: Model,
-        limits: MethodLimits,
-        diagnostics: &mut Diagnostics,
-    ) -> Option<Self> {
-        let has_series = declaration.clauses.taylor.is_some();
-        let branches = has_series.then(|| branches_of_events(&mut model, &lowered.outputs));
-        let branches = branches.unwrap_or_default();
-        let validator = Validator::new(&model);
-        let mut equations = match Equations::derive(&mut model) {
-            Ok(equations) => equations,
-            Err(defect) => {
-                defects::report(&defect, declaration, lowered, &model, diagnostics);
-                return None;
-            }
-        };
-        let requested =
-            match Requested::derive(declaration, &lowered.quantities, &mut model, limits) {
-                Ok(requested) => requested,
-                Err(reason) => {
-                    defects::report_no_regressor(
-                        &reason,
-                        declaration,
-                        lowered,
-                        &model,
-                        diagnostics,
-                    );
-                    return None;
-                }
-            };
-        let shapes = &lowered.outputs;
-        let mut methods = Methods::schedule(&mut model, &equations, shapes, &requested);
-        let disagreements =
-            methods.validate(&validator, &mut model, &mut equations, (shapes, &requested));
-        let undeclared = methods.undeclared(&model.graph);
-        if !undeclared.is_empty() {
-            defects::report_undeclared(&undeclared, declaration, diagnostics);
-            return None;
-        }
-        if methods.unrepresentable().is_some() {
-            let message = "a constant of the equations of motion is outside of the range of `f64`, though those \
-                           written here are not: choose units in which numbers are nearer to 1";
-            defects::report_at_energy(declaration, message, diagnostics);
-            return None;
-        }
-        let (mut taylor, mut event_series, mut branch_series) = (None, None, None);
-        if let Some(clause) = &declaration.clauses.taylor {
-            let series = methods.taylor_method(&mut model, &equations);
-            let all = series.and_then(|series| {
-                let of_events = methods.event_series(&model.graph, branches)?;
-                let of_branches = ValueSeries::of_branches(&mut model, &equations)?;
-                Ok((Some(series), of_events, of_branches))
-            });
-            match all {
-                Ok(all) => (taylor, event_series, branch_series) = all,
-                Err(reason) => {
-                    defects::report_no_series(reason, clause, declaration, diagnostics);
-                    return None;
-                }
-            }
-        }
-        let solved = methods.solved_form(&mut model, &equations);
-        let operations = methods.accelerations.count.total();
-        let solved = (&solved, operations);
-        let listing = listing(&mut model, &equations, (declaration, lowered), solved);
-        Some(Self {
-            model,
-            equations,
-            methods,
-            taylor,
-            event_series,
-            branch_series,
-            listing,
-            disagreements,
-        })
-    }
-
-    fn emitter<'a>(
-        &'a self,
-        declaration: &'a Declaration,
-        lowered: &'a Lowered,
-        limits: MethodLimits,
-    ) -> Emitter<'a> {
-        Emitter::new(
-            declaration,
-            lowered,
-            &self.model,
-            (&self.equations, &self.listing),
-            &self.methods,
-            (
-                self.taylor.as_ref(),
-                self.event_series.as_ref(),
-                self.branch_series.as_ref(),
-            ),
-            limits,
-        )
     }
 }

@@ -1,6 +1,7 @@
 //! The derive macro of the `lagrangian` crate: Rust tokens in, Rust tokens out.
 
 mod expand;
+mod derived;
 mod syntax;
 mod check;
 mod lower;

@@ -8,6 +8,8 @@ mod by_columns;
 mod requested;
 mod table;
 mod taylor_method;
+mod value_series;
+mod series_methods;
 mod reduced_methods;
 mod branches;
 mod undeclared;
@@ -23,8 +25,10 @@ pub(crate) use outputs::{
 };
 pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;
+pub(crate) use series_methods::SeriesMethods;
 pub(crate) use table::{
     Argument, EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant,
     is_method,
 };
-pub(crate) use taylor_method::{EventSeries, NoTaylorSeries, Rates, TaylorMethod, ValueSeries};
+pub(crate) use taylor_method::{NoTaylorSeries, Rates, TaylorMethod};
+pub(crate) use value_series::{EventSeries, ValueSeries};

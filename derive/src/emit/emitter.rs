@@ -8,7 +8,7 @@ use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::limits::MethodLimits;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, EventSeries, Methods, TaylorMethod, ValueSeries};
+use crate::plan::{EmittedMethod, Methods, SeriesMethods};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -22,11 +22,7 @@ pub(crate) struct Emitter<'a> {
     /// The equations in print.
     pub(crate) listing: &'a Listing,
     /// With the clause `taylor`.
-    pub(crate) taylor: Option<&'a TaylorMethod>,
-    /// The same for its events, if they have series.
-    pub(crate) event_series: Option<&'a EventSeries>,
-    /// The same for the arguments of branches of the equations of motion, if there are some.
-    pub(crate) branch_series: Option<&'a ValueSeries>,
+    pub(crate) series: Option<&'a SeriesMethods>,
     /// The coordinates of a reduced model at whose poles it has no value.
     pub(crate) poles: Vec<u32>,
     pub(crate) scalar: Scalar<'a>,
@@ -40,11 +36,7 @@ impl<'a> Emitter<'a> {
         model: &'a Model,
         (equations, listing): (&'a Equations, &'a Listing),
         methods: &'a Methods,
-        (taylor, event_series, branch_series): (
-            Option<&'a TaylorMethod>,
-            Option<&'a EventSeries>,
-            Option<&'a ValueSeries>,
-        ),
+        series: Option<&'a SeriesMethods>,
         limits: MethodLimits,
     ) -> Self {
         Self {
@@ -54,9 +46,7 @@ impl<'a> Emitter<'a> {
             equations,
             methods,
             listing,
-            taylor,
-            event_series,
-            branch_series,
+            series,
             poles: Vec::new(),
             scalar: Scalar::of(declaration),
             limits,

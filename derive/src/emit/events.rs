@@ -8,7 +8,7 @@ use quote::quote;
 use super::emitter::Emitter;
 use super::signatures::InputsFrom;
 use super::taylor_series::indices_of;
-use crate::plan::{Interface, ValueSeries};
+use crate::plan::{EventSeries, Interface, ValueSeries};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 use crate::syntax::shape::Shape;
@@ -25,8 +25,9 @@ impl Emitter<'_> {
             const EVENTS: &'static [&'static str] = &Self::EVENTS;
             type EventValues = [#scalar; #count];
         };
-        let branches = self.event_series.map(|series| series.branches.as_slice());
-        let branches = branches.unwrap_or_default();
+        let branches = self
+            .event_series()
+            .map_or(&[][..], |series| &series.branches);
         let types = if branches.iter().any(|branches| !branches.is_empty()) {
             let lists = branches.iter().map(|branches| quote!(&[#(#branches),*]));
             quote!(#types const BRANCHES: &'static [&'static [usize]] = &[#(#lists),*];)
@@ -51,9 +52,14 @@ impl Emitter<'_> {
         quote!(#with_inputs #held)
     }
 
+    /// The series of the events, if they have some.
+    fn event_series(&self) -> Option<&EventSeries> {
+        self.series?.events.as_ref()
+    }
+
     /// The method that computes the series of the events, if they have series.
     fn series_of_events(&self, inputs: InputsFrom) -> Option<TokenStream> {
-        let series = self.event_series?;
+        let series = self.event_series()?;
         let signature = self.parameters_of_series();
         let result = self.result_of_series();
         let body = self.body_of_series(&series.series, inputs);
@@ -78,7 +84,7 @@ impl Emitter<'_> {
 
     /// The method that computes the series of the events at the inputs of the fields, if they have series.
     fn series_of_held_inputs(&self) -> Option<TokenStream> {
-        self.event_series?;
+        self.event_series()?;
         let (root, scalar) = (&self.declaration.root, &self.scalar);
         let (n, u) = (self.coordinates(), self.model.inputs as usize);
         let signature = self.parameters_of_series();

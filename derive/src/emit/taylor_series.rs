@@ -13,7 +13,7 @@ use super::locals::Locals;
 use super::model_symbols::element;
 use super::signatures::InputsFrom;
 use super::writer::Writer;
-use crate::plan::{AccelerationOutputs, Rates, TaylorMethod};
+use crate::plan::{AccelerationOutputs, Rates, TaylorMethod, ValueSeries};
 
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
@@ -52,30 +52,36 @@ impl SymbolReader for TermSymbols {
 impl Emitter<'_> {
     /// The impl of `MotionSeries`, for a model with the clause `taylor`.
     pub(super) fn taylor_series(&self) -> TokenStream {
-        let Some(method) = self.taylor else {
+        let Some(series) = self.series else {
             return TokenStream::new();
         };
+        if self.has_inputs() {
+            return self.taylor_series_with_inputs(&series.motion);
+        }
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let state = self.signatures().state();
+        let signature = self.parameters_of_motion();
+        let body = self.series(&series.motion, InputsFrom::Fields);
+        let branches = self.branches(InputsFrom::Fields);
+        let items = quote! {
+            fn taylor_series<const HALF: usize>(&self, state: #state, #signature) { #body }
+            #branches
+        };
+        self.implement(&quote!(#root::MotionSeries<#n, #scalar>), &items)
+    }
+
+    /// The impl of `MotionSeriesWith` inputs, and that of `MotionSeries` at the inputs of the fields.
+    fn taylor_series_with_inputs(&self, motion: &TaylorMethod) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let signatures = self.signatures();
-        let (state, prepared) = (signatures.state(), &signatures.prepared);
-        let signature = quote! {
-            prepared: &#prepared,
-            unit: #scalar,
-            coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
-        };
-        let interface = quote!(#root::MotionSeries<#n, #scalar>);
-        if !self.has_inputs() {
-            let body = self.series(method, InputsFrom::Fields);
-            let branches = self.branches(InputsFrom::Fields);
-            let items = quote! {
-                fn taylor_series<const HALF: usize>(&self, state: #state, #signature) { #body }
-                #branches
-            };
-            return self.implement(&interface, &items);
-        }
-        let (u, inputs) = (self.model.inputs as usize, signatures.inputs());
+        let (state, u, inputs) = (
+            signatures.state(),
+            self.model.inputs as usize,
+            signatures.inputs(),
+        );
+        let signature = self.parameters_of_motion();
         let taking_inputs = quote!(#root::MotionSeriesWith<#n, #u, #scalar>);
-        let body = self.series(method, InputsFrom::Argument);
+        let body = self.series(motion, InputsFrom::Argument);
         let branches = self.branches(InputsFrom::Argument);
         let with_inputs = quote! {
             fn taylor_series_with<const HALF: usize>(
@@ -87,7 +93,7 @@ impl Emitter<'_> {
             }
             #branches
         };
-        let held_branches = self.branches_of_held_inputs(&taking_inputs);
+        let branches = self.branches_of_held_inputs(&taking_inputs);
         let held = quote! {
             fn taylor_series<const HALF: usize>(&self, state: #state, #signature) {
                 let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
@@ -95,16 +101,32 @@ impl Emitter<'_> {
                     self, state, &held, prepared, unit, coefficients,
                 );
             }
-            #held_branches
+            #branches
         };
         let with_inputs = self.implement(&taking_inputs, &with_inputs);
-        let held = self.implement(&interface, &held);
+        let held = self.implement(&quote!(#root::MotionSeries<#n, #scalar>), &held);
         quote!(#with_inputs #held)
+    }
+
+    /// The parameters of the methods that compute the series of a motion, behind the state and the inputs.
+    fn parameters_of_motion(&self) -> TokenStream {
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let prepared = &self.signatures().prepared;
+        quote! {
+            prepared: &#prepared,
+            unit: #scalar,
+            coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+        }
+    }
+
+    /// The series of the arguments of branches, for equations that have some.
+    fn branch_series(&self) -> Option<&ValueSeries> {
+        self.series?.branches.as_ref()
     }
 
     /// The method that visits the series of the arguments of branches, for equations that have some.
     fn branches(&self, inputs: InputsFrom) -> Option<TokenStream> {
-        let series = self.branch_series?;
+        let series = self.branch_series()?;
         let (root, scalar) = (&self.declaration.root, &self.scalar);
         let signature = self.parameters_of_series();
         let body = self.body_of_series(series, inputs);
@@ -129,7 +151,7 @@ impl Emitter<'_> {
 
     /// The same at the inputs of the fields.
     fn branches_of_held_inputs(&self, taking_inputs: &TokenStream) -> Option<TokenStream> {
-        self.branch_series?;
+        self.branch_series()?;
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let u = self.model.inputs as usize;
         let signature = self.parameters_of_series();

@@ -4,7 +4,8 @@ use lagrangian_symbolic::{Reduction, SeriesOutputs, TaylorProgram, ValueSeriesCh
 
 use super::method::Method;
 use super::outputs::{MethodOutputs, OutputSlice};
-use super::taylor_method::{NoTaylorSeries, ValueSeries};
+use super::taylor_method::NoTaylorSeries;
+use super::value_series::ValueSeries;
 
 /// The programs of the effective potential and of the velocities of the ignorable coordinates.
 pub(crate) struct ReducedMethods {

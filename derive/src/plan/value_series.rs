@@ -1,0 +1,88 @@
+//! The Taylor series of values along a motion.
+
+use lagrangian_symbolic::{
+    Equations, Graph, Model, Program, SeriesOutputs, TaylorProgram, ValueSeriesCheck,
+};
+
+use super::method::Method;
+use super::methods::Methods;
+use super::outputs::{MethodOutputs, OutputSlice, ProgramLayout};
+use super::taylor_method::NoTaylorSeries;
+
+/// The program for the Taylor coefficients of the event functions along a motion.
+pub(crate) struct EventSeries {
+    pub(crate) series: ValueSeries,
+    /// For each event the indices of the values at whose zeros it has another branch.
+    pub(crate) branches: Vec<Vec<usize>>,
+}
+
+/// The program for the Taylor coefficients of values along a motion.
+pub(crate) struct ValueSeries {
+    /// The values, and the invariants of the recurrence.
+    pub(crate) initial: Method,
+    pub(crate) values: OutputSlice,
+    pub(crate) invariants: OutputSlice,
+    pub(crate) program: TaylorProgram,
+}
+
+impl Methods {
+    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions
+    /// without series.
+    pub(crate) fn event_series(
+        &self,
+        graph: &Graph,
+        branches: Vec<Vec<usize>>,
+    ) -> Result<Option<EventSeries>, NoTaylorSeries> {
+        let Some(method) = &self.event_functions else {
+            return Ok(None);
+        };
+        let MethodOutputs::Events(values) = &method.outputs else {
+            return Err(NoTaylorSeries::Wrong);
+        };
+        let series = ValueSeries::of(graph, &method.program, values)?;
+        Ok(series.map(|series| EventSeries { series, branches }))
+    }
+}
+
+impl ValueSeries {
+    /// The series of the values of a program; none where it applies external functions without series.
+    fn of(
+        graph: &Graph,
+        program: &Program,
+        values: &OutputSlice,
+    ) -> Result<Option<Self>, NoTaylorSeries> {
+        let operands = SeriesOutputs::Values(values.operands(program));
+        let Ok(taylor) = TaylorProgram::of(graph, program, operands) else {
+            return Ok(None);
+        };
+        if !ValueSeriesCheck::new(graph, program, &taylor).agrees() {
+            return Err(NoTaylorSeries::Wrong);
+        }
+        Ok(Some(Self {
+            values: values.clone(),
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, MethodOutputs::Events(values.clone())),
+            program: taylor,
+        }))
+    }
+
+    /// The series of the arguments whose signs distinguish branches of the equations of motion; none where there are no
+    /// branches.
+    pub(crate) fn of_branches(
+        model: &mut Model,
+        equations: &Equations,
+    ) -> Result<Option<Self>, NoTaylorSeries> {
+        let mass = equations.mass.iter().flatten();
+        let of_equations: Vec<_> = mass.chain(&equations.forcing).copied().collect();
+        let mut roots = vec![equations.lagrangian, model.dissipation];
+        roots.extend(model.forces.iter().chain(&of_equations));
+        let arguments = model.graph.branch_arguments(&roots);
+        if arguments.is_empty() {
+            return Ok(None);
+        }
+        let mut layout = ProgramLayout::new();
+        let values = layout.add(&arguments);
+        let program = Program::schedule(&model.graph, &layout.groups());
+        Self::of(&model.graph, &program, &values)
+    }
+}
