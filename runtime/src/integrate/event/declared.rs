@@ -3,6 +3,8 @@
 //! Where a step is a Taylor polynomial, the series of an event function is one, too, and no root of it is missed. By other
 //! methods the functions are sampled.
 
+use core::ops::ControlFlow;
+
 use super::detection::Detection;
 use super::memory::Memory;
 use super::polynomial::{Polynomial, Root};
@@ -177,12 +179,13 @@ impl<const K: usize> DeclaredEvents<K> {
                 let known = (from, memory.resume[event]);
                 memory.signs[event] = window.last_sign(polynomial, known, memory.signs[event]);
             }
-            let touches = polynomials.iter().zip(memory.resume);
-            let touches = MetConditions::of(
-                touches.map(|(polynomial, resume)| resume < 1.0 && polynomial.is_uncertain(1.0)),
-            );
+            let touches = |(polynomial, resume): (&Polynomial, f64)| {
+                resume < 1.0 && polynomial.is_uncertain(1.0)
+            };
+            let touching = polynomials.iter().zip(memory.resume).map(touches);
+            let touching = MetConditions::of(touching);
             memory.arrive(window.end);
-            memory.touching = touches;
+            memory.touching = touching;
             (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             memory.window = window.end;
             return None;
@@ -239,32 +242,10 @@ impl<const K: usize> DeclaredEvents<K> {
         };
         let mut next = polynomial.next_root(from.max(memory.resume[event]), sign);
         if from <= 0.0 && !memory.is_leaving {
-            // The last step may have ended before a root that is now behind, to rounding.
-            let before = memory.signs[event];
-            let behind = polynomial.sign_behind(from, next);
-            // A zero at the end of the last step, whether or not the sign changes there.
-            if memory.touching.contains(event)
-                && before * behind > 0.0
-                && crossing.between(before, 0.0)
-            {
-                return Some(Root {
-                    at: 0.0,
-                    before,
-                    behind,
-                    until: 0.0,
-                });
-            }
-            let returns = next.is_some_and(|root| root.at <= near && root.behind * before > 0.0);
-            if returns {
-                next = next.and_then(|root| polynomial.next_root(root.until, root.behind));
-            } else if crossing.between(before, behind) && behind != 0.0 {
-                return Some(Root {
-                    at: 0.0,
-                    before,
-                    behind,
-                    until: 0.0,
-                });
-            }
+            next = match self.at_last_end(event, &polynomial, memory, (from, near, next)) {
+                ControlFlow::Continue(next) => next,
+                ControlFlow::Break(root) => return Some(root),
+            };
         }
         for _ in 0..MOST_COEFFICIENTS {
             let root = window.behind(event, next?);
@@ -283,6 +264,37 @@ impl<const K: usize> DeclaredEvents<K> {
             next = polynomial.next_root(root.until, root.behind);
         }
         None
+    }
+
+    /// An event at the beginning of a step: the last step may have ended before a root that is now behind, to rounding, or at a
+    /// zero, whether or not the sign changes there. Otherwise the next root that is not the last one again.
+    fn at_last_end(
+        &self,
+        event: usize,
+        polynomial: &Polynomial,
+        memory: &Memory<[f64; K]>,
+        (from, near, next): (f64, f64, Option<Root>),
+    ) -> ControlFlow<Root, Option<Root>> {
+        let crossing = self.event(event).crossing();
+        let before = memory.signs[event];
+        let behind = polynomial.sign_behind(from, next);
+        let touches = memory.touching.contains(event)
+            && before * behind > 0.0
+            && crossing.between(before, 0.0);
+        let returns = next.filter(|root| root.at <= near && root.behind * before > 0.0);
+        let crosses = crossing.between(before, behind) && behind != 0.0;
+        match returns {
+            Some(root) if !touches => {
+                ControlFlow::Continue(polynomial.next_root(root.until, root.behind))
+            }
+            _ if touches || crosses => ControlFlow::Break(Root {
+                at: 0.0,
+                before,
+                behind,
+                until: 0.0,
+            }),
+            _ => ControlFlow::Continue(next),
+        }
     }
 
     /// The time of an event, moved by rounding errors until its function is not before the zero any more.

@@ -38,6 +38,18 @@ pub(crate) struct Root {
     pub(crate) until: f64,
 }
 
+/// What the Bernstein coefficients of an interval say.
+enum Finding {
+    /// Its first root.
+    Root(Root),
+    /// That it is to be halved.
+    Unclear,
+    /// That the polynomial has no certain sign at its end, which is to be another one.
+    UncertainEnd,
+    /// That it has no root; the sign at its end, or 0 if that is uncertain.
+    NoRoot { last: f64 },
+}
+
 /// The changes of sign in a sequence.
 #[derive(Clone, Copy, Default)]
 struct Variations {
@@ -239,68 +251,68 @@ impl Polynomial {
             }
             let right = (left + width).min(1.0);
             width = right - left;
-            let [values, slopes] = self.variations(left, right);
-            let settled =
-                width <= LEAST_WIDTH || self.uncertainty(right) <= 2.0 * self.uncertainty(left);
-            if values.is_uncertain && !settled {
-                width *= 0.5;
-                continue;
-            }
-            // A zero at the end would be seen from neither side.
-            if values.is_uncertain
-                && right < 1.0
-                && displaced < DISPLACEMENTS
-                && self.is_uncertain(right)
-            {
-                (width, displaced) = (0.7 * width, displaced + 1);
-                continue;
-            }
-            if sign * values.first < 0.0 {
-                let middle = 0.5 * (left + right);
-                let opposite = |u: &f64| sign * self.value(*u) < 0.0;
-                if values.count > 0 && width > LEAST_WIDTH && !opposite(&left) {
-                    width *= 0.5;
-                    continue;
-                }
-                let end = [left, middle].into_iter().find(opposite);
-                return Some(self.crossing(until, end.unwrap_or(right), right, sign));
-            }
-            if values.count == 1 {
-                return Some(self.crossing(left, right, right, values.first));
-            }
-            if values.count > 1 {
-                if slopes.count == 1 {
-                    let root = self.at_extremum(left, right, values.first, slopes.first);
-                    if root.is_some() {
-                        return root;
+            let may_displace = displaced < DISPLACEMENTS;
+            match self.look_between((left, right), (sign, until), may_displace) {
+                Finding::Root(root) => return Some(root),
+                Finding::Unclear => width *= 0.5,
+                Finding::UncertainEnd => (width, displaced) = (0.7 * width, displaced + 1),
+                Finding::NoRoot { last } => {
+                    if last != 0.0 {
+                        (sign, until) = (last, right);
                     }
-                } else if width > LEAST_WIDTH {
-                    width *= 0.5;
-                    continue;
-                } else {
-                    return Some(Root {
-                        at: right,
-                        before: values.first,
-                        behind: values.last,
-                        until: right,
-                    });
+                    (left, width) = (right, 2.0 * width);
                 }
             }
-            let turns = values.first * slopes.first < 0.0 && values.first * slopes.last > 0.0;
-            if values.count == 0 && values.is_uncertain && turns && !self.is_uncertain(right) {
-                // A zero of a higher even order, around which no coefficient is certain.
-                let root = self.at_extremum(left, right, values.first, slopes.first);
-                if root.is_some() {
-                    return root;
-                }
-            }
-            if values.last != 0.0 {
-                (sign, until) = (values.last, right);
-            }
-            left = right;
-            width *= 2.0;
         }
         None
+    }
+
+    /// The first root in an interval, with the sign before it and up to where that was certain.
+    fn look_between(
+        &self,
+        (left, right): (f64, f64),
+        (sign, until): (f64, f64),
+        may_displace: bool,
+    ) -> Finding {
+        let is_least = right - left <= LEAST_WIDTH;
+        let [values, slopes] = self.variations(left, right);
+        if values.is_uncertain {
+            let settled = is_least || self.uncertainty(right) <= 2.0 * self.uncertainty(left);
+            if !settled {
+                return Finding::Unclear;
+            }
+            // A zero at the end would be seen from neither side.
+            if right < 1.0 && may_displace && self.is_uncertain(right) {
+                return Finding::UncertainEnd;
+            }
+        }
+        if sign * values.first < 0.0 {
+            let opposite = |u: &f64| sign * self.value(*u) < 0.0;
+            if values.count > 0 && !is_least && !opposite(&left) {
+                return Finding::Unclear;
+            }
+            let end = [left, 0.5 * (left + right)].into_iter().find(opposite);
+            return Finding::Root(self.crossing(until, end.unwrap_or(right), right, sign));
+        }
+        let extremum = || self.at_extremum(left, right, values.first, slopes.first);
+        let root = match values.count {
+            0 => {
+                // A zero of a higher even order, around which no coefficient is certain.
+                let turns = values.first * slopes.first < 0.0 && values.first * slopes.last > 0.0;
+                let touches = values.is_uncertain && turns && !self.is_uncertain(right);
+                touches.then(extremum).flatten()
+            }
+            1 => Some(self.crossing(left, right, right, values.first)),
+            _ if slopes.count == 1 => extremum(),
+            _ if !is_least => return Finding::Unclear,
+            _ => Some(Root {
+                at: right,
+                before: values.first,
+                behind: values.last,
+                until: right,
+            }),
+        };
+        root.map_or(Finding::NoRoot { last: values.last }, Finding::Root)
     }
 
     /// The first root in an interval that has one extremum, by its value: two roots, one that is double to within the
