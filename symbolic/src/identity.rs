@@ -4,6 +4,7 @@ pub(crate) mod residue;
 pub(crate) mod modular_matrix;
 pub(crate) mod row_echelon;
 pub(crate) mod rational_reconstruction;
+pub(crate) mod homomorphic_image;
 pub(crate) mod modular_point;
 pub(crate) mod incremental_evaluation;
 pub(crate) mod identity_testing;

@@ -5,6 +5,7 @@ mod bodies;
 mod declarations;
 mod derivatives;
 mod kane;
+mod mechanisms;
 mod ordering;
 mod printed;
 mod recursions;
@@ -19,8 +20,9 @@ use crate::plan::Method;
 use crate::tests::derived::{Derived, derive};
 use bodies::arm_of_bodies;
 pub(super) use declarations::arm;
-use declarations::{others, parallel_joints};
+use declarations::parallel_joints;
 use kane::{Arm, Numbers, solve};
+use mechanisms::others;
 use spellings::spellings;
 
 /// Additions, multiplications and divisions.

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use crate::identity::homomorphic_image::Images;
 use crate::identity::identity_testing::IdentityTest;
-use crate::identity::modular_point::Images;
 use crate::identity::real_point::RealPoint;
 use crate::limits::{REAL_POINTS, ROUNDED_CONSTANT};
 use crate::{Expression, Graph, Symbol};

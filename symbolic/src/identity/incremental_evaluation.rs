@@ -1,7 +1,8 @@
 //! Incremental evaluation of expressions at a modular point: when one symbol changes, only the expressions that
 //! contain it are evaluated again.
 
-use crate::identity::modular_point::{Images, ModularPoint};
+use crate::identity::homomorphic_image::Images;
+use crate::identity::modular_point::ModularPoint;
 use crate::{Expression, Graph, Symbol};
 
 impl ModularPoint {

@@ -8,7 +8,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::identity::modular_point::{Images, ModularPoint};
+use crate::identity::homomorphic_image::Images;
+use crate::identity::modular_point::ModularPoint;
 use crate::identity::rational_reconstruction::rational;
 use crate::identity::residue;
 use crate::limits::MOST_PATTERNS;
