@@ -5,6 +5,7 @@ mod generalized_coordinates;
 mod state;
 mod vector_pair;
 mod phase;
+mod named_singularity;
 mod poles;
 mod linearization;
 #[cfg(feature = "num-dual")]

@@ -8,7 +8,7 @@ use core::f64::consts::{FRAC_1_PI, PI};
 use nalgebra::SVector;
 
 use super::lagrangian::Lagrangian;
-use super::singular_configuration::named;
+use super::named_singularity::named;
 use super::state::State;
 use crate::integrate::Singularity;
 use crate::scalar::Scalar;

@@ -1,11 +1,10 @@
 //! States at which the mass matrix is singular, and what is said of them.
 
-use core::marker::PhantomData;
-
 use nalgebra::{SMatrix, SVector};
 
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::lagrangian::Lagrangian;
+use super::named_singularity::named;
 use super::poles::{at_pole, pole_between};
 use super::state::State;
 use crate::integrate::Singularity;
@@ -117,29 +116,6 @@ where
     named::<M, S, N>(coordinate, least, state)
 }
 
-/// The report of a coordinate, with those that make its block of the mass matrix singular.
-pub(super) fn named<M, S, const N: usize>(
-    coordinate: usize,
-    relative_pivot: f64,
-    state: &State<S, N>,
-) -> Singularity
-where
-    M: GeneralizedCoordinates<N> + ?Sized,
-    S: Scalar,
-{
-    let dependencies = StaticNames::<M, N>::SINGULARITIES
-        .get(coordinate)
-        .copied()
-        .unwrap_or_default();
-    Singularity::new(
-        relative_pivot,
-        coordinate,
-        StaticNames::<M, N>::COORDINATES,
-        dependencies,
-        |i| state.q.get(i).map_or(f64::NAN, |value| value.smallest()),
-    )
-}
-
 /// The coordinate whose inertia is the smallest relative to that elsewhere, if it has nearly vanished.
 #[cold]
 pub(crate) fn vanishing_inertia<M, S, const N: usize>(
@@ -215,12 +191,4 @@ where
     let unit = SMatrix::<S, N, N>::from_fn(|i, j| if i == j { S::one() } else { S::zero() });
     let inverse = Factorization::new(model.mass_matrix(state)).solve(&unit);
     SVector::from_fn(|i, _| S::one() / inverse[(i, i)].abs())
-}
-
-/// The constants of a system as `'static` slices.
-struct StaticNames<M: ?Sized, const N: usize>(PhantomData<M>);
-
-impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> StaticNames<M, N> {
-    const COORDINATES: &'static [&'static str] = &M::COORDINATES;
-    const SINGULARITIES: &'static [&'static [usize]] = &M::SINGULARITIES;
 }
