@@ -79,6 +79,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         coordinates,
         inputs: count(quantities.inputs.len()),
         energies: parts.energies,
+        evaluated: None,
         dissipation: parts.dissipation,
         forces: parts.forces,
         outputs: components(&mut graph, &[parts.outputs, parts.events].concat()),

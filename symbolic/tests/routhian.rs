@@ -64,6 +64,12 @@ fn a_wrong_reduction_is_found() {
     };
     wrong.effective_potential = wrong.model.graph.negate(potential);
     assert!(!agrees(&wrong));
+    let mut wrong = right.clone();
+    wrong.model.evaluated = Some(Energies::Natural {
+        kinetic,
+        potential: kinetic,
+    });
+    assert!(!agrees(&wrong));
     let mut wrong = right;
     wrong.model.forces[0] = kinetic;
     assert!(!agrees(&wrong));

@@ -117,7 +117,7 @@ impl Methods {
         let pivots = PivotExpressions::of(model, equations, &kinetics);
         let stays_regular = stays_regular(model, &kinetics);
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
-        let energies = kinetics.energies.clone();
+        let energies = kinetics.energies.evaluated(model);
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);

@@ -1,5 +1,7 @@
 //! L, the energy function, T and the momenta, along the links of a mechanism where that costs less.
 
+use std::mem;
+
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::{Energies, Equations, Expression, Graph, Model, Rational};
 
@@ -34,6 +36,23 @@ impl EnergyFunctions {
         };
         if let Some(links) = links {
             functions.along(&mut model.graph, links);
+        }
+        functions
+    }
+
+    /// The same as they are evaluated, where the model has another form of its energies for that.
+    #[must_use]
+    pub fn evaluated(&self, model: &mut Model) -> Self {
+        let mut functions = self.clone();
+        let Some(evaluated) = model.evaluated else {
+            return functions;
+        };
+        let differentiated = mem::replace(&mut model.energies, evaluated);
+        functions.lagrangian = model.lagrangian();
+        functions.energy = model.energy(functions.lagrangian, &self.momenta);
+        model.energies = differentiated;
+        if let Energies::Natural { kinetic, potential } = evaluated {
+            functions.natural = Some([kinetic, potential]);
         }
         functions
     }

@@ -16,6 +16,9 @@ pub struct Model {
     pub inputs: u32,
     /// What the Lagrangian is made of.
     pub energies: Energies,
+    /// The same energies in the form in which their values keep most digits; none where it is the one above, which is
+    /// differentiated.
+    pub evaluated: Option<Energies>,
     /// Rayleigh's function D: Q gains −∂D/∂q̇. Zero if there is none.
     pub dissipation: Expression,
     /// The declared generalized force of each coordinate.

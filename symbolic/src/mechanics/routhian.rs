@@ -18,6 +18,7 @@ mod system;
 
 use std::collections::BTreeMap;
 
+use crate::algebra::half_angles::HalfAngleForm;
 use crate::mechanics::conservation::independent_of;
 use crate::{Energies, Equations, Expression, Graph, Model, Symbol};
 use elimination::Elimination;
@@ -90,32 +91,30 @@ impl Reduction {
         };
         let mut outputs = split.outputs(model, &mut graph, &reduced.velocities);
         split.renumber(&mut graph, &mut reduced, &mut system.forces, &mut outputs);
-        let (written, mut poles) = in_half_angles(&mut graph, &[reduced.effective_potential]);
+        let direct = reduced.effective_potential;
+        let (written, mut poles) = in_half_angles(&mut graph, &[direct], HalfAngleForm::Squares);
         reduced.effective_potential = written[0];
+        let mut evaluated = None;
         if form == PoleForm::HalfAngles {
             poles.clear();
-            reduced.velocities = in_half_angles(&mut graph, &reduced.velocities).0;
-            reduced.energies = match reduced.energies {
-                Energies::Natural { kinetic, potential } => {
-                    let (written, _) = in_half_angles(&mut graph, &[kinetic, potential]);
-                    Energies::Natural {
-                        kinetic: written[0],
-                        potential: written[1],
-                    }
-                }
-                Energies::General(lagrangian) => {
-                    Energies::General(in_half_angles(&mut graph, &[lagrangian]).0[0])
-                }
+            evaluated = Some(reduced.energies.evaluated(&mut graph, direct, written[0]));
+            reduced.energies = reduced.energies.differentiated(&mut graph);
+            let evaluate = |graph: &mut Graph, expressions: &[Expression]| {
+                in_half_angles(graph, expressions, HalfAngleForm::Squares).0
             };
-            system.forces = in_half_angles(&mut graph, &system.forces).0;
+            for velocity in &mut reduced.velocities {
+                *velocity = evaluate(&mut graph, &[*velocity])[0];
+            }
+            system.forces = evaluate(&mut graph, &system.forces);
             for output in outputs.iter_mut().flatten() {
-                *output = in_half_angles(&mut graph, &[*output]).0[0];
+                *output = evaluate(&mut graph, &[*output])[0];
             }
         }
         let model = Model {
             coordinates: count(split.remaining.len()),
             inputs: model.inputs,
             energies: reduced.energies,
+            evaluated,
             dissipation: graph.zero(),
             forces: system.forces,
             outputs: Vec::new(),
@@ -141,17 +140,64 @@ impl Reduction {
 }
 
 /// Expressions in half angles of each coordinate, where poles make that worth it, and the coordinates that have such poles.
-fn in_half_angles(graph: &mut Graph, expressions: &[Expression]) -> (Vec<Expression>, Vec<u32>) {
+fn in_half_angles(
+    graph: &mut Graph,
+    expressions: &[Expression],
+    form: HalfAngleForm,
+) -> (Vec<Expression>, Vec<u32>) {
     let angles = graph.symbols(expressions);
     let (mut written, mut poles) = (expressions.to_vec(), Vec::new());
     for angle in angles {
         if let Symbol::Coordinate(i) = angle
-            && graph.write_in_half_angles(&mut written, angle)
+            && graph.write_in_half_angles(&mut written, angle, form)
         {
             poles.push(i);
         }
     }
     (written, poles)
+}
+
+impl Energies {
+    /// In partial fractions of half angles, which have the shortest derivatives.
+    fn differentiated(self, graph: &mut Graph) -> Self {
+        let form = HalfAngleForm::PartialFractions;
+        match self {
+            Self::Natural { kinetic, potential } => {
+                let written = in_half_angles(graph, &[kinetic, potential], form).0;
+                Self::Natural {
+                    kinetic: written[0],
+                    potential: written[1],
+                }
+            }
+            Self::General(lagrangian) => {
+                Self::General(in_half_angles(graph, &[lagrangian], form).0[0])
+            }
+        }
+    }
+
+    /// In squares, where `effective_potential` is `written`.
+    fn evaluated(
+        self,
+        graph: &mut Graph,
+        effective_potential: Expression,
+        written: Expression,
+    ) -> Self {
+        let form = HalfAngleForm::Squares;
+        match self {
+            Self::Natural { kinetic, potential } => {
+                let gyroscopic = graph.subtract(potential, effective_potential);
+                let kinetic = in_half_angles(graph, &[kinetic], form).0[0];
+                let gyroscopic = in_half_angles(graph, &[gyroscopic], form).0[0];
+                Self::Natural {
+                    kinetic,
+                    potential: graph.add(written, gyroscopic),
+                }
+            }
+            Self::General(lagrangian) => {
+                Self::General(in_half_angles(graph, &[lagrangian], form).0[0])
+            }
+        }
+    }
 }
 
 /// Which coordinates are ignorable.

@@ -154,6 +154,7 @@ impl Draft {
             coordinates: self.coordinates,
             inputs: 1,
             energies,
+            evaluated: None,
             dissipation: zero,
             forces: vec![zero; self.coordinates as usize],
             outputs: Vec::new(),

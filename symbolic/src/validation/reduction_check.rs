@@ -30,6 +30,8 @@ pub struct ReductionCheck<'a> {
     /// The same of the reduced model as of the full one, with the outputs that it determines.
     reduced: Tape,
     reduced_weights: &'static [f64],
+    /// The energies of the reduced model as they are evaluated, and their weights.
+    evaluated: Option<(Tape, &'static [f64])>,
 }
 
 /// What the ignorable coordinates do at a point: u and du/dt.
@@ -57,6 +59,10 @@ impl<'a> ReductionCheck<'a> {
             eliminated: Tape::of_expressions(graph, &eliminated),
             reduced: Tape::of_expressions(graph, &reduced),
             reduced_weights,
+            evaluated: reduction.model.evaluated.map(|energies| {
+                let (roots, weights) = energy_roots(energies);
+                (Tape::of_expressions(graph, &roots), weights)
+            }),
         }
     }
 
@@ -95,6 +101,10 @@ impl<'a> ReductionCheck<'a> {
         let symbol = |symbol| point.value(symbol);
         let roots = self.reduced.evaluate(&symbol, exact);
         most.compare(weighted(&roots, self.reduced_weights), routhian, size);
+        if let Some((tape, weights)) = &self.evaluated {
+            let evaluated = tape.evaluate(&symbol, exact);
+            most.compare(weighted(&evaluated, weights), routhian, size);
+        }
         let still = |symbol: Symbol| match symbol {
             Symbol::Velocity(_) => 0.0,
             other => point.value(other),
@@ -235,13 +245,18 @@ impl Largest {
 
 /// T and V, or L; then D; then the forces; and the weights of the first ones in L.
 fn roots(model: &Model) -> (Vec<Expression>, &'static [f64]) {
-    let (mut roots, weights): (Vec<_>, &[f64]) = match model.energies {
-        Energies::Natural { kinetic, potential } => (vec![kinetic, potential], &[1.0, -1.0]),
-        Energies::General(lagrangian) => (vec![lagrangian], &[1.0]),
-    };
+    let (mut roots, weights) = energy_roots(model.energies);
     roots.push(model.dissipation);
     roots.extend(&model.forces);
     (roots, weights)
+}
+
+/// T and V, or L, and their weights in L.
+fn energy_roots(energies: Energies) -> (Vec<Expression>, &'static [f64]) {
+    match energies {
+        Energies::Natural { kinetic, potential } => (vec![kinetic, potential], &[1.0, -1.0]),
+        Energies::General(lagrangian) => (vec![lagrangian], &[1.0]),
+    }
 }
 
 fn weighted(values: &[f64], weights: &[f64]) -> f64 {

@@ -2,6 +2,7 @@
 
 mod clauses;
 mod constants_of_motion;
+mod digits;
 mod hostile_models;
 mod models;
 mod poles;
