@@ -9,6 +9,9 @@
 //! everywhere, and values are evaluated by it. Where N(±1) or P(±1) is made of parameters alone and vanishes, the quotient is 0: its
 //! divisor is then sin² ½x + 1, or sin ½x + 2, by 1 − signum² N, which is 0 for all other N and in derivatives.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 
 use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
