@@ -1,15 +1,33 @@
-//! How many digits the reduced symmetric top keeps where C_φ − C_ψ cos θ cancels, in both forms, whatever its inertias are.
+//! How many digits the reduced symmetric top keeps where `C_φ − C_ψ cos θ` cancels, in both forms, whatever its inertias are.
 //!
-//! With u = (C_φ − C_ψ cos θ)/sin θ the effective potential is `V_eff` = u²/(2 I) + C_ψ²/(2 Iₛ) + m g l cos θ. Where u is nearly 0
+//! With `u = (C_φ − C_ψ cos θ)/sin θ` the effective potential is `u²/(2 I) + C_ψ²/(2 Iₛ) + m g l cos θ`. Where u is nearly 0
 //! its square is smaller than the rounding errors of the terms that u² expands to, and these count where I is small. What is held:
 //! u as if each of its terms had an error of some units, with which the error of u² is quadratic, too; derivatives accordingly. The
-//! reference is u in double-doubles, by C_φ − C_ψ + 2 C_ψ sin² ½θ.
+//! reference is u in double-doubles, by `C_φ − C_ψ + 2 C_ψ sin² ½θ`.
 
 use lagrangian::prelude::*;
 use lagrangian::{DoubleDouble, Scalar};
 use lagrangian_tests::{Figures, Random};
 
 use crate::models::{ReducedTop, TopThroughPoles};
+
+/// A symmetric body with a rotor along its axis, and the energy of its turning about the others.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(phi, theta, psi, chi),
+    define(w = angular_velocity_zxz(phi, theta, psi)),
+    kinetic = 0.5 * w.dot(diagonal([i, i, i_s]) * w) + 0.5 * j * (w.z + dot(chi)).powi(2),
+    potential = weight * cos(theta),
+    output(turning = 0.5 * i * (dot(phi) * sin(theta)).powi(2)),
+    routhian(ReducedBodyWithRotor, half_angles),
+)]
+#[allow(dead_code)] // Its reduced model is what is compared.
+struct BodyWithRotor {
+    i: f64,
+    i_s: f64,
+    j: f64,
+    weight: f64,
+}
 
 /// Errors are at most so many units of the last place of what is rounded.
 const UNITS: f64 = 4.0 * f64::EPSILON;
@@ -33,13 +51,13 @@ struct Root {
 }
 
 impl Root {
-    /// From (C_φ − C_ψ)/2 cot ½θ + (C_φ + C_ψ)/2 tan ½θ, whose terms keep their sizes near the poles.
+    /// From `(C_φ − C_ψ)/2 cot ½θ + (C_φ + C_ψ)/2 tan ½θ`, whose terms keep their sizes near the poles.
     fn of(place: &Place) -> Self {
         let number = |x: f64| DoubleDouble::from(x);
         let [a, b] = [place.p_phi, place.p_psi].map(number);
         let (s, c) = (number(0.5) * number(place.theta)).sin_cos();
         let two = number(2.0);
-        // C_φ − C_ψ cos θ and C_ψ − C_φ cos θ, from the nearer pole.
+        // `C_φ − C_ψ cos θ` and `C_ψ − C_φ cos θ`, from the nearer pole.
         let [first, second] = if c * c > s * s {
             [(a, b), (b, a)].map(|(x, y)| x - y + two * y * s * s)
         } else {
@@ -60,7 +78,7 @@ impl Root {
         }
     }
 
-    /// The same with the sizes of the terms C_φ and C_ψ cos θ, which the shorter form has.
+    /// The same with the sizes of the terms `C_φ` and `C_ψ cos θ`, which the shorter form has.
     fn direct(place: &Place) -> Self {
         let (s, c) = place.theta.sin_cos();
         let [a, b] = [place.p_phi, place.p_psi].map(f64::abs);
@@ -197,7 +215,7 @@ macro_rules! compare {
     }};
 }
 
-/// Inertias of all ratios, and constants that cancel: C_φ with C_ψ cos θ, C_ψ with C_φ cos θ, each with the other; or not.
+/// Inertias of all ratios, and constants that cancel: `C_φ` with `C_ψ cos θ`, `C_ψ` with `C_φ cos θ`, each with the other; or not.
 fn place(random: &mut Random, theta: f64) -> Place {
     let power = |random: &mut Random, low, high| 10.0_f64.powf(random.between(low, high));
     let i_s = power(random, -1.0, 1.0);
@@ -258,6 +276,60 @@ fn the_shorter_form_keeps_digits_where_the_constants_cancel() {
         let theta = random.between(0.1, 3.0);
         let place = place(&mut random, theta);
         compare!(figures, ReducedTop, &place, Root::direct(&place));
+    }
+    figures.finish();
+}
+
+/// Of three ignorable coordinates, with an output that is a square; the effective potential is
+/// `u²/(2 I) + (C_ψ − C_χ)²/(2 Iₛ) + C_χ²/(2 J) + m g l cos θ`.
+#[test]
+fn squares_of_several_constants_keep_their_digits() {
+    let mut random = Random::default();
+    let mut figures = Figures::new();
+    let number = |x: f64| DoubleDouble::from(x);
+    for _ in 0..5_000 {
+        let theta = random.between(-3.0, 3.0);
+        let place = place(&mut random, theta);
+        let [j, p_chi] = [random.between(0.1, 10.0), random.between(-4.0, 4.0)];
+        let body = ReducedBodyWithRotor {
+            i: place.i,
+            i_s: place.i_s,
+            j,
+            weight: place.weight,
+            p_phi: place.p_phi,
+            p_psi: place.p_psi,
+            p_chi,
+        };
+        let state = State::new(0.0, [theta], [place.rate]);
+        let (square, error) = Root::of(&place).product(0, 0);
+        let half = number(0.5);
+        let turning = half * square / number(place.i);
+        let lost = 0.5 * error / place.i;
+        let relative = number(place.p_psi) - number(p_chi);
+        let spin = half * relative * relative / number(place.i_s);
+        let spin = spin + half * number(p_chi) * number(p_chi) / number(j);
+        let kinetic = half * number(place.i) * number(place.rate) * number(place.rate);
+        let potential = turning + spin + number(place.weight) * number(theta).cos();
+        let tolerance = lost + UNITS * ((spin + kinetic).to_f64() + place.weight.abs());
+        for (name, found, expected, tolerance) in [
+            (
+                "V_eff",
+                body.effective_potential(&state),
+                potential,
+                tolerance,
+            ),
+            ("h", body.energy(&state), potential + kinetic, tolerance),
+            (
+                "−R",
+                body.lagrangian(&state),
+                kinetic - potential,
+                tolerance,
+            ),
+            ("output", body.outputs(&state).turning, turning, lost),
+        ] {
+            let error = (number(found) - expected).to_f64().abs();
+            figures.record(name, &format!("{place:?}"), error / tolerance, 1.0);
+        }
     }
     figures.finish();
 }
