@@ -40,7 +40,10 @@ fn value(graph: &Graph, root: Expression, x: f64, [a, b, d]: [f64; 3]) -> f64 {
     values[0]
 }
 
-const QUOTIENTS: [(usize, &[(i64, [i64; 3])]); 9] = [
+/// The degree of P, and terms: a number, and the exponents of P, sin x and cos x.
+type Quotient = (usize, &'static [(i64, [i64; 3])]);
+
+const QUOTIENTS: [Quotient; 9] = [
     (1, &[(3, [2, -2, 0])]),
     (2, &[(-1, [2, -2, 0])]),
     (1, &[(1, [4, -2, 0]), (2, [2, -2, 2])]),
