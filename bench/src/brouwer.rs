@@ -38,7 +38,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         let period = period(model)?;
         eprintln!("{model}: {periods:.0e} periods of {period:.3} s, from {STARTS} starts");
         let began = Instant::now();
-        let (times, errors) = errors(&folders, arguments.tolerance, model, (period, periods))?;
+        let (times, rows) = errors(&folders, arguments.tolerance, model, (period, periods))?;
+        let errors: Vec<f64> = rows.iter().map(|row| root_mean_square(row)).collect();
         let exponent = exponent(&times, &errors);
         println!(
             "\n{model}, {STARTS} starts, in {:.0} s:",
@@ -49,6 +50,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             println!("  {:>12.0} {error:>32.1e}", time / period);
         }
         println!("  it grows like t to the power of {exponent:.3}");
+        let [mean, uncertainty] = mean(rows.last().map_or(&[], Vec::as_slice));
+        println!(
+            "  the mean of the last errors is {mean:.1e} ± {uncertainty:.1e}: that of an unbiased one is 0"
+        );
         verdicts.push(Verdict {
             what: format!("{model}, distance of the exponent from ½"),
             figure: (exponent - 0.5).abs(),
@@ -69,13 +74,13 @@ fn period(model: Model) -> Result<f64, String> {
     }
 }
 
-/// Times, and the root of the mean square error at each.
+/// Times, and the errors of all starts at each.
 fn errors(
     folders: &Folders,
     tolerance: Option<f64>,
     model: Model,
     (period, periods): (f64, f64),
-) -> Result<(Vec<f64>, Vec<f64>), String> {
+) -> Result<(Vec<f64>, Vec<Vec<f64>>), String> {
     let trajectory = Trajectory::of(folders, model)?;
     let mut uniform = uniform();
     let mut start = || {
@@ -95,16 +100,22 @@ fn errors(
     });
     let built = build(folders, model, Calls::Integrate, Flags::Native)?;
     let rows: Vec<Vec<f64>> = built.start()?.ask(&question)?;
-    Ok((
-        times,
-        rows.iter().map(|row| root_mean_square(row)).collect(),
-    ))
+    Ok((times, rows))
 }
 
 #[allow(clippy::cast_precision_loss)] // Some starts.
 fn root_mean_square(errors: &[f64]) -> f64 {
     let sum: f64 = errors.iter().map(|error| error * error).sum();
     f64::sqrt(sum / errors.len() as f64)
+}
+
+/// The mean of errors, and the standard deviation of such a mean.
+#[allow(clippy::cast_precision_loss)] // Some starts.
+fn mean(errors: &[f64]) -> [f64; 2] {
+    let count = errors.len() as f64;
+    let mean = errors.iter().sum::<f64>() / count;
+    let squares: f64 = errors.iter().map(|error| (error - mean).powi(2)).sum();
+    [mean, f64::sqrt(squares / (count - 1.0) / count)]
 }
 
 /// The slope of the logarithm of the error over that of time, without the first, which is rounding.
