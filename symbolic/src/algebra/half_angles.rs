@@ -6,8 +6,11 @@
 //! The numerator of an effective potential, P² with P = C − K cos x, cancels at a pole where constants are equal, and with it half
 //! of the digits nearby; in partial fractions nothing does. These have the shortest derivatives. Where P vanishes between the
 //! poles their sum cancels, though, and its error is that of their terms, however small P² is: the square is what has all digits
-//! everywhere, and values are evaluated by it. Where N(±1) or P(±1) is made of parameters alone and vanishes, the quotient is 0: its
-//! divisor is then sin² ½x + 1, or sin ½x + 2, by 1 − signum² N, which is 0 for all other N and in derivatives.
+//! everywhere, and values are evaluated by it.
+//!
+//! Where N(±1) or P(±1) is made of parameters alone and vanishes, the quotient is 0 at the pole, too: a number times
+//! 1 − signum² N is added to its divisor. In partial fractions of a square it is 1, since N and its derivatives by parameters are 0;
+//! of what is evaluated, whose derivatives dual numbers take, it is so small that it changes no divisor that is not 0.
 
 #[cfg(test)]
 mod tests;
@@ -109,7 +112,7 @@ impl HalfAngle {
         let resolved = resolved.or_else(|| {
             let numerator = graph.sum(numerators);
             let numerator = graph.product([(numerator, Rational::ONE)]);
-            self.partial_fractions(graph, numerator)
+            self.partial_fractions(graph, numerator, form)
         });
         let Some(resolved) = resolved else {
             return false;
@@ -133,7 +136,12 @@ impl HalfAngle {
     }
 
     /// N / sin² x, if N is a polynomial in cos x and contains it.
-    fn partial_fractions(&self, graph: &mut Graph, numerator: Expression) -> Option<Expression> {
+    fn partial_fractions(
+        &self,
+        graph: &mut Graph,
+        numerator: Expression,
+        form: HalfAngleForm,
+    ) -> Option<Expression> {
         let by_power = self.powers_of_cosine(graph, numerator)?;
         if by_power.keys().all(|power| *power == 0) {
             return None;
@@ -142,7 +150,7 @@ impl HalfAngle {
         for (at_pole, function, _) in self.at_poles(graph, numerator) {
             let quotient = share(graph, at_pole, &Rational::new(1, 4)?);
             let square = graph.square(function);
-            let divisor = guarded(graph, at_pole, square, &Rational::ONE);
+            let divisor = guarded(graph, at_pole, square, form);
             terms.push((graph.divide(quotient, divisor), Rational::ONE));
         }
         Some(graph.sum(terms))
@@ -206,7 +214,7 @@ impl HalfAngle {
         for (at_pole, function, other) in self.at_poles(graph, polynomial) {
             let quotient = share(graph, at_pole, &Rational::HALF);
             let dividend = graph.multiply(quotient, other);
-            let divisor = guarded(graph, at_pole, function, &Rational::integer(2));
+            let divisor = guarded(graph, at_pole, function, HalfAngleForm::Squares);
             terms.push((graph.divide(dividend, divisor), Rational::ONE));
         }
         graph.sum(terms)
@@ -227,7 +235,7 @@ impl HalfAngle {
         let (_, exponent) = factors.remove(place);
         exponent.to_integer().filter(|power| *power > 0)?;
         let rest = graph.product(factors);
-        let resolved = self.partial_fractions(graph, rest)?;
+        let resolved = self.partial_fractions(graph, rest, HalfAngleForm::Squares)?;
         let cosines = graph.power(self.cosine, &exponent);
         let product = graph.multiply(cosines, resolved);
         Some(graph.scale(product, coefficient))
@@ -320,11 +328,25 @@ fn guarded(
     graph: &mut Graph,
     numerator: Expression,
     divisor: Expression,
-    number: &Rational,
+    form: HalfAngleForm,
 ) -> Expression {
     if graph.contents(numerator).varies() {
         return divisor;
     }
     let guard = graph.guard(numerator);
-    graph.sum([(divisor, Rational::ONE), (guard, number.clone())])
+    let guard = match form {
+        HalfAngleForm::PartialFractions => guard,
+        HalfAngleForm::Squares => {
+            let guard = graph.scale(guard, &small());
+            // The number is no factor of the quotient, whose square would have no value in single precision.
+            graph.opaque(guard)
+        }
+    };
+    graph.add(divisor, guard)
+}
+
+/// 2⁻¹²⁰, whose reciprocal single precision has, too.
+fn small() -> Rational {
+    let power = Rational::HALF.power(120);
+    power.unwrap_or(Rational::ONE)
 }

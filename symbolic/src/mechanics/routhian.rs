@@ -105,7 +105,9 @@ impl Reduction {
             for velocity in &mut reduced.velocities {
                 *velocity = evaluate(&mut graph, &[*velocity])[0];
             }
-            system.forces = evaluate(&mut graph, &system.forces);
+            // Forces are differentiated, too.
+            let form = HalfAngleForm::PartialFractions;
+            system.forces = in_half_angles(&mut graph, &system.forces, form).0;
             for output in outputs.iter_mut().flatten() {
                 *output = evaluate(&mut graph, &[*output])[0];
             }

@@ -3,6 +3,7 @@
 mod clauses;
 mod constants_of_motion;
 mod digits;
+mod equal_constants;
 mod hostile_models;
 mod models;
 mod poles;
