@@ -4,7 +4,7 @@
 //! M. W. Walker and D. E. Orin, Efficient dynamic computer simulation of robotic mechanisms, J. Dyn. Sys. Meas. Control
 //! **104** (1982) 205–211; momenta cost less. The derivatives of q̈ solve M δq̈ = −δ(M q̈ − f) at fixed q̈ (J. Carpentier and N.
 //! Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018), with the inverse dynamics on
-//! [tangents](crate::scalar::tangent), in a few directions at once.
+//! [tangents](crate::scalar::tangent).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -60,18 +60,22 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
             q: SVector::from_fn(|i, _| variable(state.q[i], i)),
             v: SVector::from_fn(|i, _| variable(state.v[i], N + i)),
         };
-        let columns = solved(factors, &inverse_dynamics(&state, &accelerations));
-        for (number, column) in (first..=2 * N).zip(columns) {
-            for (i, element) in column.iter().enumerate() {
+        let residuals = inverse_dynamics(&state, &accelerations);
+        for (i, residual) in residuals.iter().enumerate() {
+            for (number, slope) in (first..=2 * N).zip(residual.slopes()) {
                 match number {
-                    _ if number < N => found.position[(i, number)] = *element,
-                    _ if number < 2 * N => found.velocity[(i, number - N)] = *element,
-                    _ => found.time[i] = *element,
+                    _ if number < N => found.position[(i, number)] = -slope,
+                    _ if number < 2 * N => found.velocity[(i, number - N)] = -slope,
+                    _ => found.time[i] = -slope,
                 }
             }
         }
     }
-    found
+    Linearization {
+        position: factors.solve(&found.position),
+        velocity: factors.solve(&found.velocity),
+        time: factors.solve(&found.time),
+    }
 }
 
 /// The derivatives of q̈ by the inputs, where the factors are those of M, from M q̈ − f on tangents.
@@ -83,14 +87,14 @@ pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, cons
     let mut found = SMatrix::zeros();
     for first in (0..U).step_by(D) {
         let inputs = SVector::from_fn(|j, _| Tangent::variable(inputs[j], j.checked_sub(first)));
-        let columns = solved(factors, &inverse_dynamics(&inputs));
-        for (number, column) in (first..U).zip(columns) {
-            for (i, element) in column.iter().enumerate() {
-                found[(i, number)] = *element;
+        let residuals = inverse_dynamics(&inputs);
+        for (i, residual) in residuals.iter().enumerate() {
+            for (number, slope) in (first..U).zip(residual.slopes()) {
+                found[(i, number)] = -slope;
             }
         }
     }
-    found
+    factors.solve(&found)
 }
 
 /// A vector that does not vary, on tangents.
@@ -109,14 +113,4 @@ pub fn constant_state<S: Scalar, const N: usize, const D: usize>(
         q: constants(&state.q),
         v: constants(&state.v),
     }
-}
-
-/// −M⁻¹ times the derivatives of M q̈ − f, column by column.
-fn solved<S: Scalar, const N: usize, const D: usize>(
-    factors: &Factorization<S, N>,
-    residuals: &SVector<Tangent<S, D>, N>,
-) -> [SVector<S, N>; D] {
-    let columns = SMatrix::<S, N, D>::from_fn(|i, j| -residuals[i].slopes()[j]);
-    let columns = factors.solve(&columns);
-    core::array::from_fn(|j| columns.column(j).into_owned())
 }
