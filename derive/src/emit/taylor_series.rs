@@ -4,7 +4,7 @@
 //! order k and the convolutions of lower ones. The loop over the orders is in the runtime.
 
 use lagrangian_symbolic::{Convolution, Symbol, TaylorProgram};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::body::{Body, SymbolReader};
@@ -185,6 +185,8 @@ impl Emitter<'_> {
             let of_variables = method.program.quasi_velocities.map(|count| quote!(#count,));
             let (pairs, lanes) = in_blocks(&method.program.convolutions);
             let count_of_pairs = pairs.len();
+            let arrange = arrangement(&pairs, factors);
+            let pairs = pairs.into_iter().map(indices_of);
             let count = invariants.len();
             let next_inputs = self
                 .has_inputs()
@@ -195,7 +197,7 @@ impl Emitter<'_> {
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::#expansion::<_, #n, #of_variables #factors, #count_of_pairs, #lanes, HALF>(
-                    state, unit, accelerations, coefficients, &[#(#pairs),*], |term| { #next_inputs #term },
+                    state, unit, accelerations, coefficients, &[#(#pairs),*], #arrange, |term| { #next_inputs #term },
                 );
             }
         })
@@ -253,7 +255,7 @@ impl Emitter<'_> {
 
 /// The pairs of the convolutions in blocks, and the number of pairs in a block, the last of which is filled by repeating
 /// the last pair.
-fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
+fn in_blocks(convolutions: &[Convolution]) -> (Vec<&Convolution>, usize) {
     let blocks = convolutions.len().div_ceil(LARGEST_BLOCK).max(1);
     let registers = convolutions.len().div_ceil(blocks).div_ceil(REGISTER);
     let lanes = (registers * REGISTER).max(1);
@@ -261,7 +263,17 @@ fn in_blocks(convolutions: &[Convolution]) -> (Vec<TokenStream>, usize) {
     let filled = convolutions.len().next_multiple_of(lanes);
     let repeated = last.cycle().take(filled - convolutions.len());
     let pairs = convolutions.iter().chain(repeated);
-    (pairs.map(indices_of).collect(), lanes)
+    (pairs.collect(), lanes)
+}
+
+/// The first and the second factors of the pairs. Patterns are checked much faster than indices.
+fn arrangement(pairs: &[&Convolution], factors: usize) -> TokenStream {
+    let names: Vec<_> = (0..factors)
+        .map(|i| Ident::new(&format!("f{i}"), Span::mixed_site()))
+        .collect();
+    let first = pairs.iter().filter_map(|pair| names.get(pair.0));
+    let second = pairs.iter().filter_map(|pair| names.get(pair.1));
+    quote!(|&[#(#names),*]| [[#(#first),*], [#(#second),*]])
 }
 
 /// The indices of the factors of a convolution.

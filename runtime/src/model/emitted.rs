@@ -137,7 +137,7 @@ pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
 }
 
 /// The Taylor polynomial of a motion: from `term`, which computes the accelerations of order k and the factors of the
-/// convolutions, and from the accelerations of order 0.
+/// convolutions, and from the accelerations of order 0. `arrange` says what `pairs` say: the factors of each pair.
 #[inline]
 pub fn taylor_series<
     S: Scalar,
@@ -152,6 +152,7 @@ pub fn taylor_series<
     accelerations: SVector<S, N>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
+    arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
 ) {
     let term = |order: &Term<S, N, N, PAIRS>| {
@@ -161,7 +162,7 @@ pub fn taylor_series<
     expand::<_, _, _, _, _, LANES, HALF>(
         (state, unit, accelerations),
         coefficients,
-        pairs,
+        (pairs, arrange),
         Some,
         term,
     );
@@ -184,9 +185,16 @@ pub fn taylor_series_in_quasi_velocities<
     rates: SVector<S, W>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     pairs: &[[usize; 2]; PAIRS],
+    arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
-    expand::<_, _, _, _, _, LANES, HALF>((state, unit, rates), coefficients, pairs, |_| None, term);
+    expand::<_, _, _, _, _, LANES, HALF>(
+        (state, unit, rates),
+        coefficients,
+        (pairs, arrange),
+        |_| None,
+        term,
+    );
 }
 
 /// The coefficients of a motion from the rates of order 0, in the layout of the convolutions that suits the scalar.
@@ -202,7 +210,10 @@ fn expand<
 >(
     (state, unit, rates): (&State<S, N>, S, SVector<S, W>),
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    pairs: &[[usize; 2]; PAIRS],
+    (pairs, arrange): (
+        &[[usize; 2]; PAIRS],
+        impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
+    ),
     velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
     term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
@@ -210,7 +221,7 @@ fn expand<
     let first = (state.v * unit, rates * unit);
     let higher = coefficients.higher_mut();
     if const { pair_by_pair::<S, PAIRS, HALF>() } {
-        let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF>::new();
+        let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF, _>::new(arrange);
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     } else {
         let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
