@@ -12,6 +12,7 @@
 
 mod jacobian_rows;
 mod balance;
+mod force_balance;
 mod equilibrium;
 mod equilibrium_error;
 mod equilibrium_problem;

@@ -3,7 +3,9 @@
 mod common;
 
 use common::assert_close;
-use lagrangian::analysis::{EquilibriumError, EquilibriumSearch, Variable};
+use lagrangian::analysis::{
+    EquilibriumError, EquilibriumSearch, OscillationError, SmallOscillations, Variable,
+};
 use lagrangian::prelude::*;
 
 #[derive(Lagrangian)]
@@ -126,4 +128,84 @@ fn what_cannot_be_balanced() {
         .unwrap_err();
     assert!(error.to_string().contains("do not act on `z`"), "{error}");
     assert!(error.to_string().contains("9.81"), "{error}");
+}
+
+/// A double pendulum whose upper rod has no mass: M is singular where both rods are in one line.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(a, b),
+    define(
+        p = l * [sin(a), -cos(a)],
+        q = p + l * [sin(b), -cos(b)],
+    ),
+    kinetic = 0.5 * m * dot(q).norm_squared(),
+    potential = m * g * q.y,
+)]
+struct MasslessRod {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// A body in gimbals with springs: M is singular at b = 0, where the equilibrium is.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(a, b, c),
+    define(r = rotation_zxz(a, b, c), w = angular_velocity(r)),
+    kinetic = 0.5 * w.dot(diagonal([i, j, k]) * w),
+    potential = 0.5 * s * (a * a + b * b + c * c),
+)]
+struct Gimbals {
+    i: f64,
+    j: f64,
+    k: f64,
+    s: f64,
+}
+
+/// Near a singular mass matrix accelerations are small beside their derivatives everywhere: forces are balanced, too.
+#[test]
+fn no_equilibria_at_singular_mass_matrices() {
+    let rod = MasslessRod {
+        m: 1.0,
+        l: 1.0,
+        g: 9.81,
+    };
+    for guess in [[0.1, 0.2], [0.5, -0.5], [0.1, 3.0]] {
+        match EquilibriumSearch::of(&rod).near(&rest(guess)) {
+            Ok(found) => assert_close(rod.forcing(&found.state).norm(), 0.0, 1e-8),
+            Err(error) => assert!(error.last().is_some(), "{error}"),
+        }
+    }
+    let error = EquilibriumSearch::of(&rod).near(&rest([0.1, 0.2]));
+    let error = error.unwrap_err();
+    assert!(
+        matches!(error, EquilibriumError::SingularMass { force, .. } if (force.abs() - 9.81).abs() < 1e-6),
+        "{error}"
+    );
+    let gimbals = Gimbals {
+        i: 1.0,
+        j: 2.0,
+        k: 3.0,
+        s: 1.0,
+    };
+    for guess in [
+        [0.1, 0.2, 0.1],
+        [0.3, 0.2, 0.1],
+        [0.5, 1.0, -0.3],
+        [0.01, 0.5, 0.4],
+        [1.0, 1.0, 1.0],
+        [0.1, 0.1, -0.1],
+        [0.2, 0.01, 0.3],
+    ] {
+        if let Ok(found) = EquilibriumSearch::of(&gimbals).near(&rest(guess)) {
+            assert_close(found.state.q.norm(), 0.0, 1e-8);
+        }
+    }
+    // Where a search ended before.
+    let state = rest([0.0908, 5.6e-7, 0.0908]);
+    let about = SmallOscillations::about(&gimbals, &state).unwrap_err();
+    assert!(
+        matches!(about, OscillationError::Unbalanced { .. }),
+        "{about}"
+    );
 }

@@ -28,6 +28,8 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
     /// The forcing f in M q̈ = f.
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+    /// The conditioning of M q̈ = f by coordinates, as [`Lagrangian::relative_pivots`] has it.
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N>;
 }
 
 /// A model with the inputs that it has, none of which is to be found.
@@ -73,6 +75,10 @@ where
     fn forcing(&self, state: &State<S, N>, _: &SVector<S, 0>) -> SVector<S, N> {
         self.0.forcing(state)
     }
+
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.0.relative_pivots(state)
+    }
 }
 
 impl<S, M, const N: usize, const U: usize> Balance<S, N, U> for FreeInputs<'_, M>
@@ -109,6 +115,10 @@ where
 
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
         self.0.forcing_with(state, inputs)
+    }
+
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.0.relative_pivots(state)
     }
 }
 

@@ -50,10 +50,23 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
     Unbalanced {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
-        /// The coordinate with the largest acceleration, or whose momentum differs most.
+        /// The coordinate with the largest acceleration, or whose momentum differs most, or whose force is not balanced.
         name: &'static str,
-        /// That acceleration or difference.
+        /// That acceleration, difference or force.
         residual: f64,
+    },
+    /// The search ended where the mass matrix is nearly singular, and forces are not balanced there.
+    SingularMass {
+        /// The last iterate.
+        last: Equilibrium<S, N, U>,
+        /// The coordinate at which the mass matrix is singular.
+        name: &'static str,
+        /// Its [relative pivot](crate::Lagrangian::relative_pivots).
+        pivot: f64,
+        /// The coordinate whose force is not balanced.
+        unbalanced: &'static str,
+        /// That force, in the equation M q̈ = f.
+        force: f64,
     },
 }
 
@@ -64,7 +77,8 @@ impl<S: Scalar, const N: usize, const U: usize> EquilibriumError<S, N, U> {
             Self::NotFinite { last }
             | Self::NoConvergence { last }
             | Self::Stalled { last }
-            | Self::Unbalanced { last, .. } => Some(last),
+            | Self::Unbalanced { last, .. }
+            | Self::SingularMass { last, .. } => Some(last),
             _ => None,
         }
     }
@@ -117,10 +131,25 @@ impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumErro
                 residual,
             } => write!(
                 f,
-                "to first order the unknowns do not act on `{name}`: its acceleration, or the difference of its momentum, is {} at \
+                "to first order the unknowns do not act on `{name}`: its acceleration or its force, or the difference of its momentum, is {} at \
                  {:?}, where the sum of squares is stationary; search from another guess, or name other unknowns",
                 Readable(*residual),
                 last.state
+            ),
+            Self::SingularMass {
+                last,
+                name,
+                pivot,
+                unbalanced,
+                force,
+            } => write!(
+                f,
+                "the search ended where the mass matrix is singular at `{name}` (relative pivot {}), at {:?}; this is no equilibrium: \
+                 the force on `{unbalanced}` is {}; search from a guess farther from the singularity, or with other \
+                 coordinates",
+                Readable(*pivot),
+                last.state,
+                Readable(*force)
             ),
         }
     }

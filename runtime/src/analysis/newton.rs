@@ -12,6 +12,7 @@ use super::balance::{Balance, Point};
 use super::equilibrium::{Equilibrium, SearchReport};
 use super::equilibrium_error::EquilibriumError;
 use super::equilibrium_problem::EquilibriumProblem;
+use super::force_balance::{UnbalancedForce, nearly_singular, unbalanced_force};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{LEAST_DAMPING, LONGEST_NEWTON_STEP, UNBALANCED};
@@ -185,8 +186,28 @@ where
             return Err(EquilibriumError::NotFinite { last: self.found() });
         }
         let accurate = libm::pow(S::machine_epsilon(), UNBALANCED).max(self.problem.tolerance);
-        if left <= accurate * rows.largest() {
+        let force = unbalanced_force(&self.problem.model, &self.point, &self.sizes, accurate);
+        let is_still = left <= accurate * rows.largest();
+        if is_still && force.is_none() {
             return Ok(self.found());
+        }
+        if let (Some(force), Some((coordinate, pivot))) =
+            (&force, nearly_singular(&self.problem.model, &self.point))
+        {
+            return Err(EquilibriumError::SingularMass {
+                last: self.found(),
+                name: B::COORDINATES[coordinate],
+                pivot,
+                unbalanced: B::COORDINATES[force.coordinate],
+                force: force.force,
+            });
+        }
+        if let (true, Some(UnbalancedForce { coordinate, force })) = (is_still, force) {
+            return Err(EquilibriumError::Unbalanced {
+                last: self.found(),
+                name: B::COORDINATES[coordinate],
+                residual: force,
+            });
         }
         let flattened = self.residuals.iter().flat_map(|block| block.iter());
         let sizes = flattened.map(|x| x.abs().largest()).enumerate();

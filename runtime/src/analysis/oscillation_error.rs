@@ -15,6 +15,14 @@ pub enum OscillationError {
         /// Its acceleration.
         acceleration: f64,
     },
+    /// A force is not balanced, though near a singular mass matrix the accelerations are small in comparison with their derivatives: the
+    /// state is no equilibrium and no steady motion.
+    Unbalanced {
+        /// The coordinate.
+        name: &'static str,
+        /// The force f in M q̈ = f.
+        force: f64,
+    },
     /// A coordinate moves that is not ignorable: the motion is not steady.
     Moving {
         /// The coordinate.
@@ -51,6 +59,12 @@ impl fmt::Display for OscillationError {
                 "the state is no equilibrium: `{name}` has the acceleration {}; `EquilibriumSearch` finds one, and \
                  `StateSpace` is linearized about any state",
                 Readable(acceleration)
+            ),
+            Self::Unbalanced { name, force } => write!(
+                f,
+                "the state is no equilibrium: the force on `{name}` is {}, and the mass matrix may be nearly singular; `relative_pivots` \
+                 tells where; take a state or coordinates farther from the singularity",
+                Readable(force)
             ),
             Self::Moving { name, velocity } => write!(
                 f,

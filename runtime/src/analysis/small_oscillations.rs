@@ -10,6 +10,8 @@ use nalgebra::{Complex, SMatrix, SVector};
 use super::balance::{HeldInputs, Point, momentum_gradients};
 use super::eigenvalues::eigenvalues;
 use super::exceeds;
+use super::force_balance::{UnbalancedForce, unbalanced_force};
+use super::jacobian_rows::Variables;
 use super::oscillation_error::OscillationError;
 use super::spectrum::Spectrum;
 use crate::integrate::SingleNumber;
@@ -219,7 +221,23 @@ where
             return Err(OscillationError::Accelerated { name, acceleration });
         }
     }
-    Ok(())
+    let point = Point {
+        state: *state,
+        inputs: SVector::zeros(),
+    };
+    let size = |x: &S| S::from_f64(x.abs().largest().max(1.0));
+    let sizes = Variables {
+        positions: state.q.map(|x| size(&x)),
+        velocities: state.v.map(|x| size(&x)),
+        inputs: SVector::zeros(),
+    };
+    match unbalanced_force(&HeldInputs(model), &point, &sizes, negligible::<S>()) {
+        None => Ok(()),
+        Some(UnbalancedForce { coordinate, force }) => {
+            let name = M::COORDINATES[coordinate];
+            Err(OscillationError::Unbalanced { name, force })
+        }
+    }
 }
 
 /// Which momenta are constant to first order: ṗᵢ = Σ ∂pᵢ/∂qⱼ δq̇ⱼ + Σ Mᵢⱼ δq̈ⱼ vanishes for all perturbations.

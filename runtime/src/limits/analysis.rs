@@ -25,6 +25,14 @@ pub(crate) const SINGULAR: f64 = 4096.0;
 /// variables change by their own sizes.
 pub(crate) const UNBALANCED: f64 = 0.5;
 
+/// The part of their sizes by which variables are moved to see how forces change: a power of two, with which a third of the
+/// digits is right.
+pub(crate) const FORCE_DIFFERENCE: f64 = 1.0 / 1024.0;
+
+/// Relative pivots below this are said to be those of a singular mass matrix where forces are not balanced: by judgement, with
+/// room for the places where a search ends beside the singularity.
+pub(crate) const NEARLY_SINGULAR: f64 = 1e-3;
+
 /// Sweeps of Jacobi's methods: they converge quadratically after a few, some ten even for large matrices.
 pub(crate) const JACOBI_SWEEPS: usize = 40;
 

@@ -1,0 +1,121 @@
+//! Whether forces are balanced, which is asked besides whether accelerations are zero: near a singular mass matrix the
+//! derivatives of the accelerations are so large that any acceleration is small in comparison with them. M q̈ = f stays well scaled
+//! there.
+
+use nalgebra::SVector;
+
+use super::balance::{Balance, Point};
+use super::jacobian_rows::Variables;
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::{FORCE_DIFFERENCE, NEARLY_SINGULAR, SINGULAR};
+
+/// A force that is not balanced.
+pub(super) struct UnbalancedForce {
+    /// The index of its coordinate.
+    pub(super) coordinate: usize,
+    /// Its value.
+    pub(super) force: f64,
+}
+
+/// The force f of M q̈ = f that is farthest from zero, if one is: each in relation to what it changes by where variables
+/// change by their sizes. Of those that do not change, rounding errors are those of the others, in units of
+/// the roots of inertia.
+pub(super) fn unbalanced_force<S, B, const N: usize, const U: usize>(
+    model: &B,
+    point: &Point<S, N, U>,
+    sizes: &Variables<S, N, U>,
+    accurate: f64,
+) -> Option<UnbalancedForce>
+where
+    S: SingleNumber,
+    B: Balance<S, N, U>,
+{
+    let forces = model.forcing(&point.state, &point.inputs);
+    let slopes = force_slopes(model, point, sizes);
+    let mass = model.mass_matrix(&point.state);
+    let unit: [f64; N] = core::array::from_fn(|i| {
+        let inertia = mass[(i, i)].largest();
+        if inertia > 0.0 {
+            libm::sqrt(inertia)
+        } else {
+            1.0
+        }
+    });
+    let steepest = (0..N).fold(0.0, |most: f64, i| most.max(slopes[i] / unit[i]));
+    let rounding = SINGULAR * S::machine_epsilon() * steepest;
+    let excess = |i: usize| {
+        let limit = (accurate * slopes[i]).max(rounding * unit[i]);
+        let size = forces[i].abs().largest();
+        if size <= limit { 0.0 } else { size / limit }
+    };
+    let worst = (0..N).fold((0, 0.0), |worst, i| {
+        let excess = excess(i);
+        // NaN is not balanced.
+        if excess <= worst.1 {
+            worst
+        } else {
+            (i, excess)
+        }
+    });
+    (worst.1 != 0.0).then(|| UnbalancedForce {
+        coordinate: worst.0,
+        force: forces[worst.0].largest(),
+    })
+}
+
+/// How much each force changes where one variable changes by its size, to first order: by central differences, since those
+/// of the accelerations have no digits near a singular mass matrix.
+fn force_slopes<S, B, const N: usize, const U: usize>(
+    model: &B,
+    point: &Point<S, N, U>,
+    sizes: &Variables<S, N, U>,
+) -> [f64; N]
+where
+    S: SingleNumber,
+    B: Balance<S, N, U>,
+{
+    let mut slopes = [0.0_f64; N];
+    let mut add = |direction: &Variables<S, N, U>| {
+        let forces = |factor: f64| -> SVector<S, N> {
+            let moved = point.moved(direction, factor, sizes);
+            model.forcing(&moved.state, &moved.inputs)
+        };
+        let change = forces(FORCE_DIFFERENCE) - forces(-FORCE_DIFFERENCE);
+        for (slope, change) in slopes.iter_mut().zip(change.iter()) {
+            // NaN, beyond the domain of the model, is left out.
+            *slope = slope.max(change.abs().largest() / (2.0 * FORCE_DIFFERENCE));
+        }
+    };
+    for i in 0..N {
+        let mut direction = Variables::zeros();
+        direction.positions[i] = S::one();
+        add(&direction);
+        let mut direction = Variables::zeros();
+        direction.velocities[i] = S::one();
+        add(&direction);
+    }
+    for i in 0..U {
+        let mut direction = Variables::zeros();
+        direction.inputs[i] = S::one();
+        add(&direction);
+    }
+    slopes
+}
+
+/// The coordinate with the least relative pivot, and that pivot, if the mass matrix is nearly singular.
+pub(super) fn nearly_singular<S, B, const N: usize, const U: usize>(
+    model: &B,
+    point: &Point<S, N, U>,
+) -> Option<(usize, f64)>
+where
+    S: SingleNumber,
+    B: Balance<S, N, U>,
+{
+    let pivots = model.relative_pivots(&point.state);
+    let sizes = pivots.iter().map(|pivot| pivot.abs().largest()).enumerate();
+    let least = sizes.fold((0, f64::INFINITY), |least, (i, size)| {
+        // NaN is singular.
+        if size >= least.1 { least } else { (i, size) }
+    });
+    (least.1.is_nan() || least.1 < NEARLY_SINGULAR).then_some(least)
+}
