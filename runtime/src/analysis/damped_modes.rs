@@ -153,7 +153,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
 
     /// The matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the coordinates that oscillate; the columns of velocities that are left are
     /// those of λ − ∂q̈/∂q̇. Diagonal entries of what is not there are 1.
-    fn quadratic(&self, eigenvalue: C) -> SMatrix<C, N, N> {
+    pub(super) fn quadratic(&self, eigenvalue: C) -> SMatrix<C, N, N> {
         SMatrix::from_fn(|i, j| {
             let [c0, c1, c2] = self.coefficients(i, j);
             (eigenvalue * c2 + c1) * eigenvalue + c0
@@ -161,7 +161,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     }
 
     /// An entry of [`quadratic`](Self::quadratic): its coefficients of 1, λ and λ².
-    fn coefficients(&self, i: usize, j: usize) -> [f64; 3] {
+    pub(super) fn coefficients(&self, i: usize, j: usize) -> [f64; 3] {
         let unit = if i == j { 1.0 } else { 0.0 };
         let by_velocity = -self.velocity[(i, j)].largest();
         match (self.parts[i], self.parts[j]) {

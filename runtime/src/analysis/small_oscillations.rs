@@ -8,12 +8,14 @@
 use nalgebra::{Complex, SMatrix, SVector};
 
 use super::balance::{HeldInputs, Point, momentum_gradients};
+use super::components::components;
 use super::eigenvalues::eigenvalues;
 use super::exceeds;
 use super::force_balance::{UnbalancedForce, unbalanced_force};
 use super::jacobian_rows::Variables;
 use super::oscillation_error::OscillationError;
 use super::spectrum::Spectrum;
+use super::time_dependence::contains_time;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::NEGLIGIBLE;
 use crate::linalg::Factorization;
@@ -69,7 +71,14 @@ pub struct SmallOscillations<S: Scalar, const N: usize> {
     pub velocity: SMatrix<S, N, N>,
     /// What eliminated velocities are by coordinates and by velocities.
     pub(super) eliminated: [SMatrix<S, N, N>; 2],
+    /// The sizes of the terms of M ∂q̈/∂q̇, to which its rounding errors are in relation.
+    pub(super) velocity_terms: SMatrix<S, N, N>,
+    /// Whether the equations contain the time.
+    pub(super) contains_time: bool,
 }
+
+/// Room for two eigenvalues for each coordinate.
+type Pairs<const N: usize> = [[Complex<f64>; N]; 2];
 
 /// What becomes of a coordinate in small oscillations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,7 +133,14 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             })
         };
         let transposed = by_velocity.transpose();
+        let [mass_terms, velocity_terms, chain] =
+            [&mass, &velocity, by_velocity].map(|matrix| matrix.map(S::abs));
         Ok(Self {
+            contains_time: contains_time(model, state, &slopes),
+            velocity_terms: keep(
+                chain.transpose() * mass_terms * velocity_terms * chain,
+                &is_left,
+            ),
             parts,
             mass: keep(transposed * mass * by_velocity, &is_left),
             position: keep(position + velocity * by_position, &is_coordinate),
@@ -170,29 +186,62 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     ///
     /// If they are not found: the QR algorithm has not converged, or an entry is not finite.
     pub fn spectrum(&self) -> Result<Spectrum<N>, OscillationError> {
-        let (variables, [coordinates, count]) = self.variables();
-        let order = coordinates + count;
-        let mut entries = [[[[0.0; N]; 2]; N]; 2];
-        let flat = entries.as_flattened_mut().as_flattened_mut();
-        let flat = flat.as_flattened_mut();
+        let (found, count) = self.eigenvalues_by_components(&mut |_, _| {})?;
+        Ok(Spectrum::new(found, count))
+    }
+
+    /// The eigenvalues of each set of coordinates that are coupled, apart from those of the others, and how many there are; `visit`
+    /// is called for each set with its label and the eigenvalues.
+    pub(super) fn eigenvalues_by_components(
+        &self,
+        visit: &mut dyn FnMut(usize, &[Complex<f64>]),
+    ) -> Result<(Pairs<N>, usize), OscillationError> {
+        let labels = self.components();
+        let mut found = [[Complex::new(0.0, 0.0); N]; 2];
+        let all = found.as_flattened_mut();
+        let mut start = 0;
+        for label in 0..N {
+            let mut entries = [[[[0.0; N]; 2]; N]; 2];
+            let flat = entries.as_flattened_mut().as_flattened_mut();
+            let flat = flat.as_flattened_mut();
+            let order = self.first_order_matrix(flat, &|i| labels[i] == label);
+            let part = &mut all[start..start + order];
+            if !eigenvalues(flat, 2 * N, order, part) {
+                return Err(OscillationError::NoEigenvalues);
+            }
+            visit(label, part);
+            start += order;
+        }
+        Ok((found, start))
+    }
+
+    /// Labels of the sets of coordinates that are coupled.
+    pub(super) fn components(&self) -> [usize; N] {
+        components(&[&self.mass, &self.position, &self.velocity])
+    }
+
+    /// Writes the matrix of the first-order system of some coordinates, in rows of length 2 `N`: its order.
+    fn first_order_matrix(&self, flat: &mut [f64], is_member: &dyn Fn(usize) -> bool) -> usize {
+        let (variables, [all_coordinates, all]) = self.variables();
+        let members = |range: core::ops::Range<usize>| {
+            let variables = variables[range].iter().copied();
+            variables.filter(|i| is_member(*i))
+        };
+        let coordinates = members(0..all_coordinates).count();
+        let count = members(0..all).count();
         for i in 0..coordinates {
             flat[i * 2 * N + coordinates + i] = 1.0;
         }
-        for (i, row) in variables[..count].iter().enumerate() {
+        for (i, row) in members(0..all).enumerate() {
             let start = (coordinates + i) * 2 * N;
-            for (j, column) in variables[..coordinates].iter().enumerate() {
-                flat[start + j] = self.position[(*row, *column)].largest();
+            for (j, column) in members(0..all_coordinates).enumerate() {
+                flat[start + j] = self.position[(row, column)].largest();
             }
-            for (j, column) in variables[..count].iter().enumerate() {
-                flat[start + coordinates + j] = self.velocity[(*row, *column)].largest();
+            for (j, column) in members(0..all).enumerate() {
+                flat[start + coordinates + j] = self.velocity[(row, column)].largest();
             }
         }
-        let mut found = [[Complex::new(0.0, 0.0); N]; 2];
-        if eigenvalues(flat, 2 * N, order, found.as_flattened_mut()) {
-            Ok(Spectrum::new(found, order))
-        } else {
-            Err(OscillationError::NoEigenvalues)
-        }
+        coordinates + count
     }
 }
 

@@ -55,6 +55,23 @@ pub(crate) const BALANCED: f64 = 0.95;
 /// of the perturbation of a double eigenvalue. So are squares of frequencies, and what is not symmetric in a Hessian.
 pub(crate) const NEGLIGIBLE: f64 = 0.5;
 
+/// The errors of the entries of a linearized motion, in machine epsilons: by judgement, so that those of its derivation and of the
+/// QR algorithm are covered.
+pub(crate) const EIGENVALUE_ERRORS: f64 = 1024.0;
+
+/// An eigenvalue that is defective is found up to this power of the machine epsilon, in relation to the largest one to which it is
+/// coupled: that of a triple one.
+pub(crate) const DEFECTIVE: f64 = 1.0 / 3.0;
+
+/// Times after that of a state at which its equations are looked at, to see whether they contain the time: irrational ratios, so
+/// that no period has all of them, and several sizes.
+pub(crate) const OTHER_TIMES: [f64; 4] = [
+    core::f64::consts::FRAC_1_SQRT_2 * 1e-3,
+    0.618_033_988_749_894_8,
+    1e3 * core::f64::consts::SQRT_2,
+    1e6 * core::f64::consts::PI,
+];
+
 /// The coefficient of the leading term of the relative error of the Padé approximant of degree 13, of the power 26 of the norm:
 /// (13!)²/(26! 27!).
 pub(crate) const PADE_ERROR: f64 = 8.83e-36;

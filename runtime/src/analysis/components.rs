@@ -1,0 +1,33 @@
+//! Which variables of a linear system are coupled: the connected components of the pattern of its matrices, which are treated
+//! apart, so that a stiff one takes no digits of a soft one.
+
+use nalgebra::SMatrix;
+
+use crate::scalar::Scalar;
+
+/// For each variable the least index of those to which it is coupled by entries that are not zero, directly or through others.
+pub(super) fn components<S: Scalar, const N: usize>(matrices: &[&SMatrix<S, N, N>]) -> [usize; N] {
+    let mut labels = core::array::from_fn(|i| i);
+    // A label travels along at least one entry in each round.
+    for _ in 0..N {
+        let mut changed = false;
+        for i in 0..N {
+            for j in 0..N {
+                let couples = |matrix: &&SMatrix<S, N, N>| {
+                    let size = matrix[(i, j)].abs().largest();
+                    size.is_nan() || size > 0.0
+                };
+                if labels[i] != labels[j] && matrices.iter().any(couples) {
+                    let least: usize = labels[i].min(labels[j]);
+                    labels[i] = least;
+                    labels[j] = least;
+                    changed = true;
+                }
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+    labels
+}

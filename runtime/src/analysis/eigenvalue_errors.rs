@@ -1,0 +1,93 @@
+//! How accurate eigenvalues of the linearized motion are, each by its own condition number.
+//!
+//! With vectors x and y that Q(λ) = λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q takes to zero from the right and from the left, a change of the entries by
+//! their relative errors ε moves a simple eigenvalue by at most ε |y|ᵀ (|λ|² + |λ| |∂q̈/∂q̇| + |∂q̈/∂q|) |x| / |yᴴ Q'(λ) x|, to first
+//! order: F. Tisseur, *Backward error and condition of polynomial eigenvalue problems*, Linear Algebra Appl. **309** (2000) 339–361,
+//! by entries, as D. J. Higham and N. J. Higham, *Structured backward error and condition of generalized eigenvalue problems*, SIAM J.
+//! Matrix Anal. Appl. **20** (1998) 493–512. The denominator vanishes where an eigenvalue is defective (J. H. Wilkinson, *The
+//! Algebraic Eigenvalue Problem*, 1965, 2.7 to 2.9).
+
+use nalgebra::{Complex, SMatrix, SVector};
+
+use super::null_vector::null_vector;
+use super::small_oscillations::SmallOscillations;
+use super::spectrum::modulus;
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::{DEFECTIVE, EIGENVALUE_ERRORS};
+
+type C = Complex<f64>;
+
+/// An eigenvalue, how far from it the true one may be, and the label of its component.
+#[derive(Clone, Copy)]
+pub(super) struct Located {
+    pub(super) value: C,
+    pub(super) error: f64,
+    pub(super) component: usize,
+}
+
+impl Located {
+    /// Whether the true one may be the same as that of another.
+    pub(super) fn may_equal(&self, other: &Self) -> bool {
+        self.component == other.component
+            && modulus(self.value - other.value) <= self.error + other.error
+    }
+}
+
+impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
+    /// How far from a computed eigenvalue of a component the true one may be; `radius` is the size of the largest one there.
+    pub(super) fn eigenvalue_error(
+        &self,
+        value: C,
+        radius: f64,
+        is_member: &dyn Fn(usize) -> bool,
+    ) -> f64 {
+        let epsilon = S::machine_epsilon().max(f64::EPSILON);
+        let terms = |i: usize, j: usize| {
+            let [c0, c1, c2] = self.coefficients(i, j).map(f64::abs);
+            c0 + modulus(value) * (c1 + modulus(value) * c2)
+        };
+        // Rows in the sizes of their terms, so that none vanishes beside another; those of other components are 1.
+        let scale: [f64; N] = core::array::from_fn(|i| {
+            let members = (0..N).filter(|j| is_member(*j));
+            let most = members.map(|j| terms(i, j)).fold(0.0, f64::max);
+            if is_member(i) && most > 0.0 {
+                most
+            } else {
+                1.0
+            }
+        });
+        let unit = |i: usize, j: usize| C::new(if i == j { 1.0 } else { 0.0 }, 0.0);
+        let whole = self.quadratic(value);
+        let matrix = SMatrix::<C, N, N>::from_fn(|i, j| {
+            if is_member(i) && is_member(j) {
+                whole[(i, j)] / scale[i]
+            } else {
+                unit(i, j)
+            }
+        });
+        let right = null_vector(&matrix, core::iter::empty());
+        let left = null_vector(&matrix.adjoint(), core::iter::empty());
+        let pairs = || {
+            let members = (0..N).filter(|i| is_member(*i));
+            members.flat_map(|i| (0..N).filter(|j| is_member(*j)).map(move |j| (i, j)))
+        };
+        let sum = |entry: &dyn Fn(usize, usize) -> C| -> C {
+            let terms = pairs().map(|(i, j)| left[i].conj() * entry(i, j) * right[j] / scale[i]);
+            terms.sum()
+        };
+        let slope = modulus(sum(&|i, j| {
+            let [_, c1, c2] = self.coefficients(i, j);
+            value * (2.0 * c2) + c1
+        }));
+        let size = |x: &SVector<C, N>, i: usize| modulus(x[i]);
+        let bounds =
+            pairs().map(|(i, j)| size(&left, i) * terms(i, j) * size(&right, j) / scale[i]);
+        let bound = EIGENVALUE_ERRORS * epsilon * bounds.sum::<f64>();
+        // What the QR algorithm has left, by one step of Newton's method.
+        let residual = 2.0 * modulus(sum(&|i, j| whole[(i, j)]));
+        let most = libm::pow(epsilon, DEFECTIVE) * radius;
+        let error = (bound + residual) / slope;
+        // 0/0 of a double zero is NaN.
+        if error <= most { error } else { most }
+    }
+}
