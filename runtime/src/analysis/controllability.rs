@@ -3,11 +3,12 @@
 //! Orthogonal transformations separate what inputs reach from what they do not: C. C. Paige, *Properties of numerical algorithms
 //! related to computing controllability*, IEEE Trans. Autom. Control **26** (1981) 130–138; P. M. Van Dooren, *The generalized
 //! eigenstructure problem in linear system theory*, the same, 111–129. The matrix (B, AB, …), whose
-//! powers hide small singular values, is not formed.
+//! powers hide small singular values, is not formed. A is balanced before (Parlett and Reinsch), since scales of its variables are not
+//! a matter of controllability.
 
 use nalgebra::{Complex, SMatrix};
 
-use super::eigenvalues::eigenvalues;
+use super::eigenvalues::{balancing, eigenvalues};
 use super::null_vector::null_vector;
 use super::spectrum::{Spectrum, modulus};
 use crate::limits::analysis::UNREACHED;
@@ -18,7 +19,8 @@ use crate::scalar::Scalar;
 pub struct Controllability<const D: usize> {
     /// The dimension of the controllable subspace, `D` if the system is controllable.
     pub rank: usize,
-    /// The basis in which (A, B) is a staircase: the first `rank` columns span the controllable subspace.
+    /// The basis in which (A, B) is a staircase: the first `rank` columns span the controllable subspace. It is orthonormal in
+    /// the units in which A is balanced, which are powers of two.
     pub basis: SMatrix<f64, D, D>,
     /// A in this basis.
     staircase: SMatrix<f64, D, D>,
@@ -34,13 +36,17 @@ pub struct UncontrollableMode {
 }
 
 impl<const D: usize> Controllability<D> {
-    /// That of the pair (A, B). What is below some machine epsilons of the largest entries counts as zero.
+    /// That of the pair (A, B). What is below some machine epsilons of the largest entries counts as zero, in units in which A is
+    /// balanced.
     #[must_use]
     pub fn of<S: Scalar, const U: usize>(a: &SMatrix<S, D, D>, b: &SMatrix<S, D, U>) -> Self {
-        let mut form = Form {
-            a: a.map(Scalar::largest),
-            b: b.map(Scalar::largest),
-            basis: SMatrix::from_fn(|i, j| if i == j { 1.0 } else { 0.0 }),
+        let a = a.map(Scalar::largest);
+        let exponents = balancing(&a);
+        let unit = |i: usize| libm::ldexp(1.0, exponents[i]);
+        let mut form = Form::<D, U> {
+            a: SMatrix::from_fn(|i, j| a[(i, j)] / unit(i) * unit(j)),
+            b: SMatrix::from_fn(|i, j| b[(i, j)].largest() / unit(i)),
+            basis: SMatrix::from_fn(|i, j| if i == j { unit(i) } else { 0.0 }),
         };
         #[allow(clippy::cast_precision_loss)] // A dimension.
         let rounding = UNREACHED * (D as f64) * f64::EPSILON;
@@ -106,7 +112,9 @@ impl<const D: usize> Controllability<D> {
         let vector = null_vector(&left, core::iter::empty());
         let share = |i: usize| {
             let terms = (self.rank..D).map(|j| vector[j] * self.basis[(i, j)]);
-            modulus(terms.sum())
+            // A left vector, in the unit of the state: the rows of the basis have the lengths of the units.
+            let squares: f64 = self.basis.row(i).iter().map(|x| x * x).sum();
+            modulus(terms.sum()) / squares
         };
         let component = (0..D).fold(0, |most, i| if share(i) > share(most) { i } else { most });
         UncontrollableMode {

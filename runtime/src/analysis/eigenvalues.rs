@@ -7,7 +7,7 @@
 //! Complex eigenvalues come in exactly conjugate pairs. The matrix is a slice, of which any leading part is used: its order
 //! need not be a constant.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, SMatrix};
 
 use crate::limits::analysis::{BALANCED, EXCEPTIONAL_SHIFT, QR_STEPS};
 
@@ -50,14 +50,31 @@ pub(crate) fn eigenvalues(
     if !rows.clone().all(is_finite) {
         return false;
     }
-    matrix.balance();
+    matrix.balance(&mut |_, _| {});
     matrix.reduce_to_hessenberg();
     matrix.deflate(found)
 }
 
+/// The powers of two D for which D⁻¹ A D is balanced: their exponents, 0 where an entry is not finite.
+pub(super) fn balancing<const D: usize>(matrix: &SMatrix<f64, D, D>) -> [i32; D] {
+    let mut exponents = [0; D];
+    if matrix.iter().all(|x| x.is_finite()) {
+        let mut entries: [[f64; D]; D] =
+            core::array::from_fn(|i| core::array::from_fn(|j| matrix[(i, j)]));
+        let mut square = Square {
+            entries: entries.as_flattened_mut(),
+            stride: D,
+            order: D,
+        };
+        square.balance(&mut |i, exponent| exponents[i] += exponent);
+    }
+    exponents
+}
+
 impl Square<'_> {
-    /// Scales rows and columns by powers of two, so that their sums are near each other.
-    fn balance(&mut self) {
+    /// Scales rows and columns by powers of two, so that their sums are near each other; `scaled` is told each exponent by which
+    /// the unit of a variable has grown.
+    fn balance(&mut self, scaled: &mut dyn FnMut(usize, i32)) {
         let mut done = false;
         while !done {
             done = true;
@@ -81,6 +98,7 @@ impl Square<'_> {
                 let scale = libm::ldexp(1.0, exponent);
                 if (column + row) / scale < BALANCED * before {
                     done = false;
+                    scaled(i, exponent);
                     for j in 0..self.order {
                         self[(i, j)] /= scale;
                     }

@@ -1,15 +1,23 @@
 //! The exponential of a matrix, and its integral, by scaling and squaring.
 //!
+//! A. H. Al-Mohy and N. J. Higham, *A new scaling and squaring algorithm for the matrix exponential*, SIAM J. Matrix Anal. Appl. **31**
+//! (2009) 970–989: the scaling is by roots of norms of powers, which are much less than the norm where a matrix is far from
+//! normal, and 0 where it is nilpotent. Sets of variables that are not coupled are treated apart, so that a stiff one takes no
+//! digits of a soft one, and are balanced (Parlett and Reinsch).
+//!
 //! N. J. Higham, *The scaling and squaring method for the matrix exponential revisited*, SIAM J. Matrix Anal. Appl. **26**
 //! (2005) 1179–1193, with the diagonal Padé approximant of degree 13. The integral is a block of the exponential of
 //! (A, 1; 0, 0): C. F. Van Loan, *Computing integrals involving the matrix exponential*, IEEE Trans. Autom. Control **23**
 //! (1978) 395–404; the other blocks are known, so that only this one is computed.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
+use super::components::components;
+use super::eigenvalues::balancing;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{PADE_ERROR, PADE_SQUARINGS};
 use crate::linalg::pivoting::{PivotedLu, solve};
+use crate::scalar::Scalar;
 
 /// The coefficients of the numerator of the Padé approximant of degree 13, exactly.
 const COEFFICIENTS: [f64; 14] = [
@@ -29,40 +37,116 @@ const COEFFICIENTS: [f64; 14] = [
     1.0,
 ];
 
+/// Below this part of the norm, a root of the norm of a power may be 0 by underflow.
+const LEAST_ROOT: f64 = 1e-28;
+
 /// exp(A h), and ∫ exp(A τ) dτ from 0 to h; not finite where A h is not or is so large that they overflow.
 pub(super) fn exponential<S: SingleNumber, const D: usize>(
     matrix: &SMatrix<S, D, D>,
     period: S,
 ) -> [SMatrix<S, D, D>; 2] {
-    let squarings = squarings(matrix, period);
+    let labels = components(&[matrix]);
+    let mut sums = [SMatrix::<S, D, D>::zeros(); 2];
+    for label in (0..D).filter(|i| labels[*i] == *i) {
+        let is_member = |i: usize, j: usize| labels[i] == label && labels[j] == label;
+        let part = SMatrix::<S, D, D>::from_fn(|i, j| {
+            if is_member(i, j) {
+                matrix[(i, j)]
+            } else {
+                S::zero()
+            }
+        });
+        let found = of_component(&part, period);
+        for (sum, part) in sums.iter_mut().zip(&found) {
+            for i in 0..D {
+                for j in (0..D).filter(|j| is_member(i, *j)) {
+                    sum[(i, j)] = part[(i, j)];
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// The same of variables that are coupled.
+fn of_component<S: SingleNumber, const D: usize>(
+    matrix: &SMatrix<S, D, D>,
+    period: S,
+) -> [SMatrix<S, D, D>; 2] {
+    let exponents = balancing(&matrix.map(Scalar::largest));
+    // D⁻¹ A D, or back.
+    let in_units = |matrix: SMatrix<S, D, D>, sign: i32| {
+        SMatrix::<S, D, D>::from_fn(|i, j| {
+            let exponent = sign * (exponents[j] - exponents[i]);
+            matrix[(i, j)] * S::from_f64(libm::ldexp(1.0, exponent))
+        })
+    };
+    let balanced = in_units(*matrix, 1);
+    let squarings = squarings(&balanced, period);
     let step = period * S::from_f64(libm::ldexp(1.0, -squarings));
-    let scaled = matrix * step;
-    let [mut value, mut integral] = pade(&scaled, step);
+    let [mut value, mut integral] = pade(&(balanced * step), step);
     for _ in 0..squarings {
         // The integral over twice the time.
         integral += value * integral;
         value *= value;
     }
-    [value, integral]
+    [in_units(value, -1), in_units(integral, -1)]
 }
 
-/// How often the argument has to be halved until the approximant has all digits.
+/// How often the argument has to be halved until the approximant has all digits: the parameters s and ℓ of algorithm 5.1 of Al-Mohy
+/// and Higham.
 fn squarings<S: SingleNumber, const D: usize>(matrix: &SMatrix<S, D, D>, period: S) -> i32 {
-    let columns = (0..D).map(|j| {
-        let column = matrix.column(j);
-        column
-            .iter()
-            .map(|x| (*x * period).abs().largest())
-            .sum::<f64>()
-    });
-    let norm = columns.fold(0.0, f64::max);
-    let largest = libm::pow(S::machine_epsilon() / PADE_ERROR, 1.0 / 26.0);
-    if norm > largest && norm.is_finite() {
-        let (_, exponent) = libm::frexp(norm / largest);
-        exponent.min(PADE_SQUARINGS)
-    } else {
-        0
+    let argument = matrix.map(|x| (x * period).largest());
+    let norm = norm(&argument);
+    let epsilon = S::machine_epsilon();
+    let largest = libm::pow(epsilon / PADE_ERROR, 1.0 / 26.0);
+    if norm.is_nan() || norm <= largest || norm.is_infinite() {
+        return 0;
     }
+    // Powers of a matrix with the norm 1 do not overflow.
+    let unit = argument / norm;
+    let halvings = halvings(root_of_powers(&unit) * norm / largest);
+    // The backward error at this scale, by the matrix of the magnitudes.
+    let mut row = SVector::<f64, D>::repeat(1.0);
+    let magnitudes = unit.abs();
+    for _ in 0..27 {
+        row = magnitudes.tr_mul(&row);
+    }
+    let scaled = norm * libm::ldexp(1.0, -halvings);
+    let error = libm::log2(PADE_ERROR / epsilon) + libm::log2(row.amax());
+    let excess = error / 26.0 + libm::log2(scaled);
+    (halvings + ceiling(excess)).min(PADE_SQUARINGS)
+}
+
+/// min(max(d₆, d₈), max(d₈, d₁₀)) with dₖ = ‖Aᵏ‖^(1/k), of a matrix with the norm 1.
+fn root_of_powers<const D: usize>(unit: &SMatrix<f64, D, D>) -> f64 {
+    let second = unit * unit;
+    let fourth = second * second;
+    let eighth = fourth * fourth;
+    let root = |power: SMatrix<f64, D, D>, k: f64| libm::pow(norm(&power), 1.0 / k);
+    let [sixth, eighth, tenth] = [
+        root(fourth * second, 6.0),
+        root(eighth, 8.0),
+        root(eighth * second, 10.0),
+    ];
+    sixth.max(eighth).min(eighth.max(tenth)).max(LEAST_ROOT)
+}
+
+/// How often a number has to be halved to be at most 1.
+fn halvings(x: f64) -> i32 {
+    ceiling(libm::log2(x))
+}
+
+/// The least integer that is not less, and 0 if that is negative.
+#[allow(clippy::cast_possible_truncation)] // It is between 0 and the limit.
+fn ceiling(x: f64) -> i32 {
+    libm::ceil(x).clamp(0.0, f64::from(PADE_SQUARINGS)) as i32
+}
+
+/// The largest sum of magnitudes in a column.
+fn norm<const D: usize>(matrix: &SMatrix<f64, D, D>) -> f64 {
+    let columns = (0..D).map(|j| matrix.column(j).iter().map(|x| x.abs()).sum::<f64>());
+    columns.fold(0.0, |most, sum| if sum <= most { most } else { sum })
 }
 
 /// The approximants: with the odd part A W and the even part V of the numerator, exp A ≈ (V − A W)⁻¹ (V + A W), and the integral is
@@ -76,7 +160,9 @@ fn pade<S: SingleNumber, const D: usize>(
     let fourth = second * second;
     let sixth = fourth * second;
     let combined = |first: usize| {
-        let b = |k: usize| S::from_f64(COEFFICIENTS[first + 2 * k]);
+        // In leadings of the first, so that a nilpotent matrix has an exact exponential.
+        let leading = S::from_f64(COEFFICIENTS[0]);
+        let b = |k: usize| S::from_f64(COEFFICIENTS[first + 2 * k]) / leading;
         let high = sixth * (sixth * b(6) + fourth * b(5) + second * b(4));
         high + sixth * b(3) + fourth * b(2) + second * b(1) + unit * b(0)
     };
