@@ -8,6 +8,7 @@ use super::balance::{Balance, Point};
 use super::jacobian_rows::Variables;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{FORCE_DIFFERENCE, NEARLY_SINGULAR, SINGULAR};
+use crate::linalg::Factorization;
 
 /// A force that is not balanced.
 pub(super) struct UnbalancedForce {
@@ -111,8 +112,15 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
+    // How the accelerations are solved for may have no pivot that shows it.
+    let factored = Factorization::new(model.mass_matrix(&point.state)).relative_pivots();
     let pivots = model.relative_pivots(&point.state);
-    let sizes = pivots.iter().map(|pivot| pivot.abs().largest()).enumerate();
+    let pairs = pivots.iter().zip(factored.iter());
+    let sizes = pairs.map(|(pivot, other)| {
+        let [pivot, other] = [*pivot, *other].map(|pivot| pivot.abs().largest());
+        if other >= pivot { pivot } else { other }
+    });
+    let sizes = sizes.enumerate();
     let least = sizes.fold((0, f64::INFINITY), |least, (i, size)| {
         // NaN is singular.
         if size >= least.1 { least } else { (i, size) }
