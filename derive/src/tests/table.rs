@@ -82,6 +82,19 @@ fn check(expansion: TokenStream, variants: impl Fn(MethodRow) -> Vec<Variant>) {
             assert!(functions.contains(&function), "{function:?}");
         }
     }
+    // A trait for models with inputs has no others.
+    let rows = EmittedMethod::ALL.iter().map(|method| method.row());
+    let expected: BTreeSet<_> = rows
+        .flat_map(MethodRow::variants)
+        .flat_map(expected)
+        .map(|(interface, name)| (interface.to_owned(), name))
+        .collect();
+    for function in functions {
+        assert!(
+            !function.0.ends_with("With") || expected.contains(&function),
+            "{function:?}"
+        );
+    }
 }
 
 #[test]

@@ -59,7 +59,9 @@ impl Fallback<'_> {
         let mut impls = TokenStream::new();
         let with_inputs = !self.lowered.quantities.inputs.is_empty();
         for inputs in [InputsFrom::Fields, InputsFrom::Argument] {
-            let methods = self.methods_where(inputs, |row| row.interface == interface);
+            let methods = self.methods_where(inputs, |row| {
+                row.interface == interface && (row.takes_inputs || inputs == InputsFrom::Fields)
+            });
             let path = signatures.interface(interface, inputs);
             let items = match inputs {
                 InputsFrom::Fields => quote!(#items #methods),
