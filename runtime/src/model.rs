@@ -42,6 +42,7 @@ mod driven_by;
 mod with_controller;
 mod plant;
 #[doc(hidden)]
+mod arrays;
 pub mod emitted;
 
 pub use augmented_phase::AugmentedPhase;

@@ -315,7 +315,7 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SVector::from([m * (l * l) * theta_dot])
+        ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
@@ -417,7 +417,7 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
         ])
     }
@@ -429,7 +429,7 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        ::lagrangian::__private::SVector::from([(-friction).mul_add(theta_dot, torque)])
+        ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
     fn accelerations_with(
         &self,
@@ -456,7 +456,7 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         let c0: __S = prepared[0];
         let c1: __S = prepared[1];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
     }
@@ -487,7 +487,7 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         let c2: __S = prepared[2];
         let c3: __S = prepared[3];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
                 - torque,
         ])

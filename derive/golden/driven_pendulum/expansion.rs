@@ -311,7 +311,7 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SVector::from([m * (l * l) * theta_dot])
+        ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
@@ -319,7 +319,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SMatrix::from([[m * (l * l)]])
+        ::lagrangian::__private::matrix([[m * (l * l)]])
     }
     fn relative_pivots(
         &self,
@@ -412,7 +412,7 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
         ])
     }
@@ -424,7 +424,7 @@ for DrivenPendulum {
         let theta_dot: __S = state.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        ::lagrangian::__private::SVector::from([(-friction).mul_add(theta_dot, torque)])
+        ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
     fn accelerations_with(
         &self,
@@ -451,7 +451,7 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         let c0: __S = prepared[0];
         let c1: __S = prepared[1];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
     }
@@ -482,7 +482,7 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         let c2: __S = prepared[2];
         let c3: __S = prepared[3];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
                 - torque,
         ])
@@ -503,9 +503,9 @@ for DrivenPendulum {
         let x0 = __S::from_f64(1.0) / l;
         let x1 = x0 * (__S::from_f64(1.0) / m * x0);
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::SMatrix::from([[-(g * cos_theta / l)]]),
-            velocity: ::lagrangian::__private::SMatrix::from([[-(friction * x1)]]),
-            time: ::lagrangian::__private::SVector::from([__S::from_f64(0.0)]),
+            position: ::lagrangian::__private::matrix([[-(g * cos_theta / l)]]),
+            velocity: ::lagrangian::__private::matrix([[-(friction * x1)]]),
+            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }
     }
     fn input_jacobian_with(
@@ -515,7 +515,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::SMatrix::from([[__S::from_f64(1.0) / (m * (l * l))]])
+        ::lagrangian::__private::matrix([[__S::from_f64(1.0) / (m * (l * l))]])
     }
 }
 #[automatically_derived]

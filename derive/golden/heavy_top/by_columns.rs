@@ -310,7 +310,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                         (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
                     ),
             );
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-(i1 * w1))
                 .mul_add(
                     cos_psi.mul_add(x3, x0 * cos_theta),
@@ -324,7 +324,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         _state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             __S::from_f64(0.0),
             __S::from_f64(0.0),
             __S::from_f64(0.0),
@@ -378,7 +378,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                 (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
             );
         let x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             -x6,
             (-sin_psi).mul_add(x3, cos_psi * x5),
             cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
@@ -442,7 +442,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                         i1 * cos_psi * x10,
                     ),
             );
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             sin_theta
                 .mul_add(
                     (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
@@ -497,7 +497,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x2 = i2 * w2;
         let w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
         let x3 = i1 * w1;
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
             (-sin_psi).mul_add(x2, cos_psi * x3),
             x0,
@@ -577,7 +577,7 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 2usize> {
         let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             momenta[0],
             ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
         ])

@@ -306,7 +306,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                         (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
                     ),
             );
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-(i1 * w1))
                 .mul_add(
                     cos_psi.mul_add(x3, x0 * cos_theta),
@@ -320,7 +320,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         _state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             __S::from_f64(0.0),
             __S::from_f64(0.0),
             __S::from_f64(0.0),
@@ -374,7 +374,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                 (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
             );
         let x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             -x6,
             (-sin_psi).mul_add(x3, cos_psi * x5),
             cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
@@ -438,7 +438,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                         i1 * cos_psi * x10,
                     ),
             );
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             sin_theta
                 .mul_add(
                     (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
@@ -498,7 +498,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x25 = i1 - i2;
         let x26 = __S::from_f64(1.0) / i3;
         let x27 = cos_theta * x24;
-        let accelerations = ::lagrangian::__private::SVector::from([
+        let accelerations = ::lagrangian::__private::vector([
             -(x23 * x24),
             (-sin_psi).mul_add(x12, cos_psi * x22),
             x23.mul_add(x27, (w1 * w2 * x25).mul_add(x26, sin_theta * x10)),
@@ -539,7 +539,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x46 = -w2.mul_add(x40, w2);
         let x47 = (-sin_psi).mul_add(x46, cos_psi * x45);
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::SMatrix::from([
+            position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
                 [
                     -x32,
@@ -552,7 +552,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                     x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x37 * x27),
                 ],
             ]),
-            velocity: ::lagrangian::__private::SMatrix::from([
+            velocity: ::lagrangian::__private::matrix([
                 [
                     -(x24 * x42),
                     cos_psi.mul_add(x41, sin_psi * x39),
@@ -569,7 +569,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                 ],
                 [-(x24 * x47), cos_psi.mul_add(x46, sin_psi * x45), x47 * x27],
             ]),
-            time: ::lagrangian::__private::SVector::from([
+            time: ::lagrangian::__private::vector([
                 __S::from_f64(0.0),
                 __S::from_f64(0.0),
                 __S::from_f64(0.0),
@@ -599,7 +599,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x2 = i2 * w2;
         let w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
         let x3 = i1 * w1;
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
             (-sin_psi).mul_add(x2, cos_psi * x3),
             x0,
@@ -622,7 +622,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let x1 = cos_psi * cos_psi;
         let x2 = sin_psi * sin_psi;
         let x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
-        ::lagrangian::__private::SMatrix::from([
+        ::lagrangian::__private::matrix([
             [
                 sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
                 x3,
@@ -697,7 +697,7 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 2usize> {
         let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             momenta[0],
             ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
         ])

@@ -313,7 +313,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                         (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
                     ),
             );
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             (-(i1 * w1))
                 .mul_add(
                     cos_psi.mul_add(x3, x0 * cos_theta),
@@ -327,7 +327,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         _state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             __S::from_f64(0.0),
             __S::from_f64(0.0),
             __S::from_f64(0.0),
@@ -384,7 +384,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                 (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
             );
         x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             -x6,
             (-sin_psi).mul_add(x3, cos_psi * x5),
             cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
@@ -451,7 +451,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                         i1 * cos_psi * x10,
                     ),
             );
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             sin_theta
                 .mul_add(
                     (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
@@ -608,7 +608,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             &values[..],
             [33, 34, 27],
         );
-        let accelerations = ::lagrangian::__private::SVector::from([x25, x26, x30]);
+        let accelerations = ::lagrangian::__private::vector([x25, x26, x30]);
         let mut values_: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
         ::lagrangian::__private::scatter(
             &mut values_[..],
@@ -808,17 +808,17 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             [6, 7, 9, 10, 11, 12, 3, 13, 14, 8, 1, 15, 4, 5, 2],
         );
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::SMatrix::from([
+            position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
                 [x36, x37, x39],
                 [x44, x45, x46],
             ]),
-            velocity: ::lagrangian::__private::SMatrix::from([
+            velocity: ::lagrangian::__private::matrix([
                 [x52, x53, x54],
                 [x57, x58, x59],
                 [x63, x64, x65],
             ]),
-            time: ::lagrangian::__private::SVector::from([
+            time: ::lagrangian::__private::vector([
                 __S::from_f64(0.0),
                 __S::from_f64(0.0),
                 __S::from_f64(0.0),
@@ -850,7 +850,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         x2 = i2 * w2;
         w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
         x3 = i1 * w1;
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
             (-sin_psi).mul_add(x2, cos_psi * x3),
             x0,
@@ -875,7 +875,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         x1 = cos_psi * cos_psi;
         x2 = sin_psi * sin_psi;
         x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
-        ::lagrangian::__private::SMatrix::from([
+        ::lagrangian::__private::matrix([
             [
                 sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
                 x3,
@@ -952,7 +952,7 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 2usize> {
         let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             momenta[0],
             ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
         ])

@@ -206,7 +206,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
                         self.__value_of_friction::<__S>(x_dot / width, weight),
                     ),
             );
-        ::lagrangian::__private::SVector::from([x0])
+        ::lagrangian::__private::vector([x0])
     }
     fn generalized_forces(
         &self,
@@ -216,7 +216,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         let x_dot: __S = state.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             -__S::ratio(1.0, 10.0)
                 .mul_add(
                     weight * self.__value_of_side::<__S>(x),
@@ -251,7 +251,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
                 self.__value_of_friction::<__S>(x_dot * c0, weight),
                 x.mul_add(c1, weight * self.__value_of_side::<__S>(x)),
             ) * c2);
-        ::lagrangian::__private::SVector::from([x0])
+        ::lagrangian::__private::vector([x0])
     }
     fn inverse_dynamics(
         &self,
@@ -278,7 +278,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let c0: __S = prepared[0];
         let c3: __S = prepared[3];
-        ::lagrangian::__private::SVector::from([
+        ::lagrangian::__private::vector([
             m
                 .mul_add(
                     x_ddot,
@@ -316,11 +316,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
                 ) * x2);
         let x4 = x1.cosh();
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::SMatrix::from([[-(k * x2)]]),
-            velocity: ::lagrangian::__private::SMatrix::from([
+            position: ::lagrangian::__private::matrix([[-(k * x2)]]),
+            velocity: ::lagrangian::__private::matrix([
                 [-(weight * x0 * x2 / (x4 * x4))],
             ]),
-            time: ::lagrangian::__private::SVector::from([__S::from_f64(0.0)]),
+            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }
     }
     fn momenta(
@@ -329,14 +329,14 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x_dot: __S = state.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
-        ::lagrangian::__private::SVector::from([m * x_dot])
+        ::lagrangian::__private::vector([m * x_dot])
     }
     fn mass_matrix(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
-        ::lagrangian::__private::SMatrix::from([[m]])
+        ::lagrangian::__private::matrix([[m]])
     }
     fn relative_pivots(
         &self,

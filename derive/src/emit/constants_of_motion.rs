@@ -39,7 +39,7 @@ impl Emitter<'_> {
                 state: #state,
             ) -> #root::__private::SVector<#scalar, #count> {
                 #momenta
-                #root::__private::SVector::from([#(#values),*])
+                #root::__private::vector([#(#values),*])
             }
         };
         self.implement(

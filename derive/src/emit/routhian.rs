@@ -105,8 +105,8 @@ impl Emitter<'_> {
                     let reduced = #target { #(#own,)* #(#constants),* };
                     let state = #root::State {
                         t: state.t,
-                        q: #root::__private::SVector::from([#(state.q[#indices]),*]),
-                        v: #root::__private::SVector::from([#(state.v[#indices]),*]),
+                        q: #root::__private::vector([#(state.q[#indices]),*]),
+                        v: #root::__private::vector([#(state.v[#indices]),*]),
                     };
                     (reduced, state)
                 }
@@ -150,7 +150,7 @@ impl Emitter<'_> {
             const ELIMINATED: [&'static str; #k] = [#(#names),*];
             fn constants(&self) -> #vector {
                 let constants: [#scalar; #k] = [#(#constants),*];
-                #root::__private::SVector::from(constants)
+                #root::__private::vector(constants)
             }
             fn effective_potential(&self, #of_potential) -> #scalar { #potential }
             fn ignorable_velocities(&self, #of_velocities) -> #vector { #velocities }
@@ -162,8 +162,8 @@ impl Emitter<'_> {
                 let velocities = #root::Routhian::<#n, #k, #scalar>::ignorable_velocities(self, state);
                 #root::State {
                     t: state.t,
-                    q: #root::__private::SVector::from([#(#places),*]),
-                    v: #root::__private::SVector::from([#(#rates),*]),
+                    q: #root::__private::vector([#(#places),*]),
+                    v: #root::__private::vector([#(#rates),*]),
                 }
             }
         };

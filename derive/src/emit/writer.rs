@@ -297,7 +297,7 @@ impl Writer<'_> {
 
     pub(super) fn vector(&self, elements: &[TokenStream]) -> TokenStream {
         let root = &self.emitter.declaration.root;
-        quote!(#root::__private::SVector::from([#(#elements),*]))
+        quote!(#root::__private::vector([#(#elements),*]))
     }
 
     /// A matrix with a row for each coordinate, from its elements, column by column.
@@ -311,6 +311,6 @@ impl Writer<'_> {
         let columns = elements
             .chunks(rows.max(1))
             .map(|column| quote!([#(#column),*]));
-        quote!(#root::__private::SMatrix::from([#(#columns),*]))
+        quote!(#root::__private::matrix([#(#columns),*]))
     }
 }

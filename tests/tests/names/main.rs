@@ -4,6 +4,7 @@
 mod collisions;
 mod external_functions;
 mod macros;
+mod no_prelude;
 
 #[test]
 fn a_model_may_stand_in_a_function() {
