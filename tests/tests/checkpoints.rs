@@ -142,6 +142,53 @@ fn the_states_of_a_controller_are_stored() {
 }
 
 /// The settings are those of the driver that goes on.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * k * x.powi(2),
+)]
+struct Oscillator {
+    k: f64,
+}
+
+/// From a checkpoint between two steps a motion goes on without the spring, uniformly and without a rejected step.
+fn goes_on_without_a_spring<I, M>(method: &I, dynamics: [&M; 2])
+where
+    M: Dynamics<f64, State = Phase<f64, 1>>,
+    I: Integrator<f64, M> + Resume<f64, M> + IntegrationMethod,
+{
+    let [spring, free] = dynamics;
+    let mut before = method
+        .driver()
+        .start(spring, State::new(0.0, [1.0], [0.0]))
+        .unwrap();
+    for _ in 0..3 {
+        before.step_towards(100.0).unwrap();
+    }
+    let [x, v] = [before.state().q[0], before.state().v[0]];
+    let mut after = method.driver().resume(free, before.checkpoint()).unwrap();
+    let rejected = after.statistics().rejected;
+    after.advance_to(before.time() + 0.5).unwrap();
+    assert!((after.state().q[0] - (x + 0.5 * v)).abs() < 1e-14);
+    assert_eq!(after.statistics().rejected, rejected);
+}
+
+#[test]
+fn other_parameters_begin_at_the_checkpoint() {
+    let models = [1.0, 0.0].map(|k| Oscillator { k });
+    let dynamics = models.each_ref().map(Lagrangian::dynamics);
+    for tolerance in [1e-4, 1e-8] {
+        let method = Dop853::new()
+            .relative_tolerance(tolerance)
+            .absolute_tolerance(tolerance);
+        goes_on_without_a_spring(&method, dynamics.each_ref());
+    }
+    goes_on_without_a_spring(&Taylor::new(), dynamics.each_ref());
+    goes_on_without_a_spring(&RungeKutta::classical(0.25), dynamics.each_ref());
+}
+
 #[test]
 fn checkpoints_are_checked() {
     let dynamics = DoublePendulum.dynamics();

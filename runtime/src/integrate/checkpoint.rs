@@ -13,8 +13,8 @@ use crate::scalar::Scalar;
 /// reported once.
 ///
 /// With the feature `serde` it is stored in any format that keeps the digits of numbers, where the components of the state
-/// can be; `serde_json` keeps them with its feature `float_roundtrip`. A format without infinite numbers, such as JSON, cannot hold one whose motion is a polynomial under the Taylor
-/// method, of which the next step is infinite.
+/// can be; `serde_json` keeps them with its feature `float_roundtrip`. A format without infinite numbers, such as JSON, cannot
+/// hold one whose motion is a polynomial under the Taylor method, of which the next step is infinite.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -91,10 +91,12 @@ pub trait Resume<S: Scalar, D: Dynamics<S> + ?Sized>: Integrator<S, D> {
     /// What is to be stored of a stepper.
     fn memory(stepper: &Self::Stepper) -> Self::Memory;
 
-    /// The stepper that goes on from there, with the settings of this method.
+    /// The stepper that goes on from there, with the settings of this method. What is stored of other dynamics, such as those of
+    /// other parameters, is computed anew.
     ///
     /// # Errors
     ///
     /// If a setting is invalid.
-    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError>;
+    fn recall(&self, dynamics: &D, memory: Self::Memory)
+    -> Result<Self::Stepper, IntegrationError>;
 }

@@ -18,6 +18,7 @@ use super::checkpoint::Resume;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::{IntegrationMethod, Integrator};
+use super::stepper::Advance;
 use super::tolerance::Tolerance;
 use crate::limits::dormand_prince as limits;
 use crate::scalar::Scalar;
@@ -183,8 +184,16 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Resume<S, D> for Dop853 {
         stepper.clone()
     }
 
-    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
+    fn recall(
+        &self,
+        dynamics: &D,
+        memory: Self::Memory,
+    ) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
-        Ok(memory.under(*self))
+        let mut stepper = memory.under(*self);
+        if !stepper.is_of(dynamics) {
+            Advance::<S, D>::restart(&mut stepper, dynamics);
+        }
+        Ok(stepper)
     }
 }

@@ -216,7 +216,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Resume<S, D> for R
         }
     }
 
-    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
+    fn recall(&self, _: &D, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
         Ok(RungeKuttaStepper {
             method: *self,

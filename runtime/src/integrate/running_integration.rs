@@ -36,7 +36,7 @@ impl<I, C, O> Driver<I, C, O> {
     }
 
     /// The integration that goes on from a checkpoint, to the last bit as if it had not stopped if the dynamics and the
-    /// settings are the same.
+    /// settings are the same. Other dynamics, such as those of other parameters, begin there anew.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<S, D>,
     {
         let Checkpoint { memory, events } = checkpoint;
-        let stepper = self.integrator.recall(memory)?;
+        let stepper = self.integrator.recall(dynamics, memory)?;
         let (t, x) = (stepper.time(), stepper.state().clone());
         self.check_state(dynamics, &Sample { t, x })?;
         Ok(RunningIntegration::new(self, dynamics, stepper, events))

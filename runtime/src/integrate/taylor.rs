@@ -30,6 +30,7 @@ pub use stepper::TaylorStepper;
 use super::checkpoint::Resume;
 use super::error::IntegrationError;
 use super::integrator::{IntegrationMethod, Integrator};
+use super::stepper::Advance;
 use super::tolerance::Tolerance;
 use crate::limits::taylor::SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
@@ -199,8 +200,16 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Resume<S, D> for Taylo
         stepper.clone()
     }
 
-    fn recall(&self, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
+    fn recall(
+        &self,
+        dynamics: &D,
+        memory: Self::Memory,
+    ) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
-        Ok(memory.under(*self))
+        let mut stepper = memory.under(*self);
+        if !stepper.is_of(dynamics) {
+            Advance::<S, D>::restart(&mut stepper, dynamics);
+        }
+        Ok(stepper)
     }
 }

@@ -47,8 +47,10 @@ fn emitted_code_needs_no_prelude() {
         u: 1.0,
     };
     let state = State::new(0.0, [1.0, 2.0], [0.0, 0.0]);
-    assert!((model.accelerations(&state)[0] + 2.0).abs() < 1e-15);
+    let x: f64 = model.accelerations(&state)[0];
+    assert!((x + 2.0).abs() < 1e-15);
     let planar = Planar { m: 2.0 };
     let state = State::new(0.0, [1.0, 0.0], [0.0, 1.0]);
-    assert!((planar.accelerations(&state)[0] - 0.5).abs() < 1e-15);
+    let x: f64 = planar.accelerations(&state)[0];
+    assert!((x - 0.5).abs() < 1e-15);
 }

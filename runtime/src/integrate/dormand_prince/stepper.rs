@@ -51,6 +51,19 @@ impl<X> Dop853Stepper<X> {
         Self { method, ..self }
     }
 
+    /// Whether the derivative at the present time is that of these dynamics.
+    pub(super) fn is_of<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(&self, dynamics: &D) -> bool
+    where
+        X: VectorSpace<S>,
+    {
+        let t = S::from_f64(self.clock.time());
+        let derivative = derivative_apart(dynamics, t, &self.state.reduced(dynamics));
+        let mut pairs = derivative
+            .components()
+            .zip(self.stages[STAGES].components());
+        pairs.all(|(x, known)| (x - known).abs().largest() <= 0.0)
+    }
+
     pub(super) fn new<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         method: Dop853,
         dynamics: &D,

@@ -62,6 +62,25 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(next_proposal)
     }
 
+    /// Whether the polynomial about the present time, if its coefficients are known, has the derivative of these dynamics there.
+    pub(in crate::integrate::taylor) fn is_of<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &self,
+        dynamics: &D,
+    ) -> bool
+    where
+        X: VectorSpace<S>,
+    {
+        let polynomial = self.polynomial();
+        let point = Point {
+            t: S::from_f64(polynomial.time),
+            state: polynomial.from.reduced(dynamics),
+            slope: polynomial.first_derivative(),
+        };
+        let derivative = dynamics.derivative(point.t, &point.state);
+        let allowance = self.allowance(self.length);
+        self.proposal.is_none() || allowance.check(dynamics, &point, &derivative).is_ok()
+    }
+
     fn allowance<S: Scalar>(&self, h: f64) -> Allowance<S> {
         Allowance {
             h: S::from_f64(h),
