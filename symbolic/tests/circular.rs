@@ -226,3 +226,45 @@ fn what_is_not_known_stays() {
     let found = graph.unary(Unary::Tan, pole);
     assert!(matches!(graph.node(found), Node::Unary(Unary::Tan, x) if *x == pole));
 }
+
+#[test]
+fn functions_of_their_inverses_are_algebraic() {
+    let mut graph = Graph::new();
+    let x = graph.symbol(X);
+    let minus = graph.negate(x);
+    let product = graph.multiply(x, x);
+    for u in [x, minus, product] {
+        let [asin, acos, atan] =
+            [Unary::Asin, Unary::Acos, Unary::Atan].map(|function| graph.unary(function, u));
+        assert_eq!(graph.unary(Unary::Sin, asin), u);
+        assert_eq!(graph.unary(Unary::Cos, acos), u);
+        assert_eq!(graph.unary(Unary::Tan, atan), u);
+        let root = graph.unary(Unary::Cos, asin);
+        assert_eq!(graph.unary(Unary::Sin, acos), root);
+        // The other leg of the triangle, with its digits also next to ±1, where it is near 0: with 1 ∓ u = d,
+        // √(d (2 − d)).
+        for d in [1.0, 0.7, 1e-3, 1e-9, f64::EPSILON] {
+            for sign in [-1.0, 1.0] {
+                let at = sign * (1.0 - d);
+                let u = graph.evaluate(&[u], |_| at)[0].abs();
+                let expected = ((1.0 - u) * 2.0 - (1.0 - u) * (1.0 - u)).sqrt();
+                let found = graph.evaluate(&[root], |_| at)[0];
+                assert!(
+                    (found - expected).abs() <= 4e-16 * expected,
+                    "{at}: {found}"
+                );
+            }
+        }
+        assert!(graph.evaluate(&[root], |_| 1.5)[0].is_nan());
+    }
+    // The sine takes every value twice in a turn, so that its inverse is another angle.
+    let sine = graph.unary(Unary::Sin, x);
+    let angle = graph.unary(Unary::Asin, sine);
+    assert!(matches!(graph.node(angle), Node::Unary(Unary::Asin, _)));
+    // At the origin there is an angle, and no direction.
+    let y = graph.symbol(Symbol::Coordinate(1));
+    let angle = graph.binary(Binary::Atan2, y, x);
+    let cosine = graph.unary(Unary::Cos, angle);
+    assert!(matches!(graph.node(cosine), Node::Unary(Unary::Cos, _)));
+    assert_eq!(graph.evaluate(&[cosine], |_| 0.0), [1.0]);
+}

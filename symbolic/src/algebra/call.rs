@@ -1,6 +1,6 @@
 //! The normal form of calls of elementary functions.
 
-use crate::algebra::function::Symmetry;
+use crate::algebra::function::{Symmetry, unit_difference};
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 impl Graph {
@@ -28,8 +28,20 @@ impl Graph {
 
     fn unary_of_positive(&mut self, function: Unary, x: Expression) -> Expression {
         match (function, self.node(x)) {
-            // Where ln x has a value, it is the inverse; where it has none, neither has the call.
-            (Unary::Exp, Node::Unary(Unary::Ln, y)) | (Unary::Ln, Node::Unary(Unary::Exp, y)) => *y,
+            // Where the inverse has a value; where it has none, neither has the call. Not atan2: at the origin it is 0, whose
+            // cosine is 1, where x/√(x² + y²) has no value.
+            (Unary::Exp, Node::Unary(Unary::Ln, y))
+            | (Unary::Ln, Node::Unary(Unary::Exp, y))
+            | (Unary::Sin, Node::Unary(Unary::Asin, y))
+            | (Unary::Cos, Node::Unary(Unary::Acos, y))
+            | (Unary::Tan, Node::Unary(Unary::Atan, y)) => *y,
+            (Unary::Cos, Node::Unary(Unary::Asin, y))
+            | (Unary::Sin, Node::Unary(Unary::Acos, y)) => {
+                // Both inverses end where this vanishes; 1 − y² would lose its digits there.
+                let y = *y;
+                let product = unit_difference(self, y);
+                self.square_root(product)
+            }
             (Unary::Abs, Node::Unary(Unary::Abs, _)) => x,
             (Unary::Abs | Unary::Signum, Node::Sum(terms)) if terms.len() == 1 => {
                 // |c·x| = |c|·|x|, and signum(c·x) = signum(c)·signum(x).

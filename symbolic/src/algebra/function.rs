@@ -323,7 +323,7 @@ fn around_one(graph: &mut Graph, x: Expression) -> (Expression, Expression) {
 }
 
 /// (1 − x)(1 + x).
-fn unit_difference(graph: &mut Graph, x: Expression) -> Expression {
+pub(super) fn unit_difference(graph: &mut Graph, x: Expression) -> Expression {
     let (below, above) = around_one(graph, x);
     let below = graph.negate(below);
     graph.multiply(below, above)
