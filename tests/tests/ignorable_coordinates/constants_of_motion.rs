@@ -56,6 +56,8 @@ where
     (M::CONSTANTS_OF_MOTION, M::IGNORABLE_COORDINATES)
 }
 
+/// The momenta of cyclic coordinates and, where L does not depend on t, the energy function: H. Goldstein, C. Poole and
+/// J. Safko, Classical Mechanics, 3rd edition, 2002, 2.6 and 2.7.
 #[test]
 fn constants_are_those_that_are_published() {
     assert_eq!(names(&top()), (["p_phi", "p_psi", "energy"], &[0, 2][..]));

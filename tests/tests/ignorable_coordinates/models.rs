@@ -117,7 +117,9 @@ pub(crate) struct Gyroscope {
     pub(crate) weight: f64,
 }
 
-/// A symmetric satellite on a circular orbit: gyroscopic terms, and two coordinates that remain.
+/// A symmetric satellite on a circular orbit, in angles from the frame of the orbit: gyroscopic terms, and two coordinates
+/// that remain. Of P. W. Likins, Stability of a symmetrical satellite in attitudes fixed in an orbiting reference frame,
+/// Journal of the Astronautical Sciences 12, 1965, 18–24.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(phi, theta, psi),
