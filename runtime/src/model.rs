@@ -41,8 +41,8 @@ mod signals;
 mod driven_by;
 mod with_controller;
 mod plant;
-#[doc(hidden)]
 mod arrays;
+#[doc(hidden)]
 pub mod emitted;
 
 pub use augmented_phase::AugmentedPhase;
