@@ -3,16 +3,19 @@
 use std::thread;
 
 use lagrangian::prelude::*;
-use lagrangian::{IntegrationMethod, Lanes};
+use lagrangian::{DoubleDouble, IntegrationMethod, Lanes, MotionSeries};
 
-use crate::integrate::{Contestant, LANES, drift, energy, rows, state};
+use crate::motions::{LANES, rows, state};
 use crate::question::EnergyErrors;
 
 /// All starts, as many at once as there are lanes, on two threads.
-pub(crate) fn energy_errors<const N: usize, M: Contestant<N>>(
+pub(crate) fn energy_errors<const N: usize, M>(
     model: &M,
     question: &EnergyErrors,
-) -> Result<Vec<Vec<f64>>, String> {
+) -> Result<Vec<Vec<f64>>, String>
+where
+    M: MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble> + Sync,
+{
     let chunks: Vec<&[Vec<f64>]> = question.starts.chunks_exact(LANES).collect();
     let halves = chunks.chunks(chunks.len().div_ceil(2).max(1));
     let mut errors = vec![Vec::new(); question.times.len()];
@@ -39,13 +42,16 @@ pub(crate) fn energy_errors<const N: usize, M: Contestant<N>>(
 }
 
 /// The errors of starts that fill the lanes, a row for each time.
-fn errors_together<const N: usize, M: Contestant<N>>(
+fn errors_together<const N: usize, M>(
     model: &M,
     starts: &[Vec<f64>],
     EnergyErrors {
         times, tolerance, ..
     }: &EnergyErrors,
-) -> Result<Vec<Vec<f64>>, String> {
+) -> Result<Vec<Vec<f64>>, String>
+where
+    M: MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble>,
+{
     let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
     let method = tolerance.map_or(Taylor::new(), |tolerance| {
         Taylor::new()
@@ -69,4 +75,21 @@ fn errors_together<const N: usize, M: Contestant<N>>(
         .iter()
         .map(|sample| drifts(&sample.x))
         .collect())
+}
+
+/// In double-double, so that what rounds is the state alone.
+pub(crate) fn energy<const N: usize, M: Lagrangian<N, DoubleDouble>>(
+    model: &M,
+    row: &[f64],
+) -> DoubleDouble {
+    model.energy(&state::<DoubleDouble, N>(&[row.to_vec()]))
+}
+
+/// The relative change of the energy.
+pub(crate) fn drift<const N: usize, M: Lagrangian<N, DoubleDouble>>(
+    model: &M,
+    row: &[f64],
+    initial: DoubleDouble,
+) -> f64 {
+    ((energy(model, row) - initial) / initial).to_f64()
 }

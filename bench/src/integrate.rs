@@ -7,12 +7,10 @@ use lagrangian::{DoubleDouble, EquationsOfMotion, Lanes, MotionSeries, Operation
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::energy_errors::energy_errors;
+use crate::energy_errors::{drift, energy, energy_errors};
+use crate::motions::{LANES, Motions, rows, state};
 use crate::question::{Integrated, Integration, Question, answer_questions};
 use crate::thread_time::fewest_seconds;
-
-/// How many motions are integrated at once.
-pub const LANES: usize = 8;
 
 /// The scalars on which a model is integrated here.
 pub trait Contestant<const N: usize>:
@@ -143,51 +141,6 @@ fn ensemble<const N: usize, const HALF: usize, M: Contestant<N>>(
     })
 }
 
-/// A scalar that holds the numbers of some motions.
-pub(crate) trait Motions: Scalar {
-    const COUNT: usize;
-
-    fn new(number: impl Fn(usize) -> f64) -> Self;
-
-    fn number(self, motion: usize) -> f64;
-}
-
-impl Motions for f64 {
-    const COUNT: usize = 1;
-
-    fn new(number: impl Fn(usize) -> f64) -> Self {
-        number(0)
-    }
-
-    fn number(self, _: usize) -> f64 {
-        self
-    }
-}
-
-impl Motions for DoubleDouble {
-    const COUNT: usize = 1;
-
-    fn new(number: impl Fn(usize) -> f64) -> Self {
-        number(0).into()
-    }
-
-    fn number(self, _: usize) -> f64 {
-        self.to_f64()
-    }
-}
-
-impl Motions for Lanes<LANES> {
-    const COUNT: usize = LANES;
-
-    fn new(number: impl Fn(usize) -> f64) -> Self {
-        Self::from_fn(number)
-    }
-
-    fn number(self, motion: usize) -> f64 {
-        self.lane(motion)
-    }
-}
-
 /// As a user would: one call that prepares the model, starts the method and integrates.
 fn by<S: Motions, I, M, const N: usize>(
     model: &M,
@@ -219,33 +172,6 @@ where
     })
 }
 
-pub(crate) fn state<S: Motions, const N: usize>(starts: &[Vec<f64>]) -> State<S, N> {
-    let component = |index: usize| S::new(|motion| starts[motion][index]);
-    State {
-        t: S::zero(),
-        q: SVector::from_fn(|i, _| component(i)),
-        v: SVector::from_fn(|i, _| component(N + i)),
-    }
-}
-
-pub(crate) fn rows<S: Motions, const N: usize>(phase: &Phase<S, N>) -> Vec<Vec<f64>> {
-    let row = |motion| {
-        let components = phase.q.iter().chain(phase.v.iter());
-        components
-            .map(|component| component.number(motion))
-            .collect()
-    };
-    (0..S::COUNT).map(row).collect()
-}
-
-/// In double-double, so that what rounds is the state alone.
-pub(crate) fn energy<const N: usize, M: Lagrangian<N, DoubleDouble>>(
-    model: &M,
-    row: &[f64],
-) -> DoubleDouble {
-    model.energy(&state::<DoubleDouble, N>(&[row.to_vec()]))
-}
-
 /// The drift of each state from the first.
 fn drifts<const N: usize, M: Lagrangian<N, DoubleDouble>>(
     model: &M,
@@ -253,12 +179,4 @@ fn drifts<const N: usize, M: Lagrangian<N, DoubleDouble>>(
 ) -> Result<Vec<f64>, String> {
     let first = energy(model, states.first().ok_or("there are no states")?);
     Ok(states.iter().map(|row| drift(model, row, first)).collect())
-}
-
-pub(crate) fn drift<const N: usize, M: Lagrangian<N, DoubleDouble>>(
-    model: &M,
-    row: &[f64],
-    initial: DoubleDouble,
-) -> f64 {
-    ((energy(model, row) - initial) / initial).to_f64()
 }

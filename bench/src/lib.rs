@@ -16,6 +16,7 @@ mod energy_errors;
 mod evaluation;
 mod integrate;
 mod measure;
+mod motions;
 mod protocol;
 mod question;
 mod reduced_step;
@@ -24,8 +25,9 @@ mod shared_object;
 mod stopwatch;
 mod thread_time;
 
-pub use integrate::{Contestant, LANES, integrate, integrate_alone, integrate_precisely};
+pub use integrate::{Contestant, integrate, integrate_alone, integrate_precisely};
 pub use measure::{measure, measure_dynamics, measure_with_rounding};
+pub use motions::LANES;
 pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};
 pub use question::{EnergyErrors, Integrated, Integration, Question, answer_questions};
 pub use reduced_step::compare_steps;
