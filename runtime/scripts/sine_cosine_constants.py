@@ -13,7 +13,7 @@ from mpmath import cos, floor, log, lu_solve, matrix, mp, mpf, nint, pi, sin, sq
 mp.prec = 200
 # Rounding x · 2/π to a whole number leaves up to this.
 LARGEST = (pi / 4 + mpf(2) ** -30) ** 2
-COEFFICIENTS = 6
+COEFFICIENTS = 7
 
 
 def sine(z):
