@@ -5,9 +5,9 @@ mod common;
 
 use common::{Oscillator, assert_close};
 use lagrangian::prelude::*;
-use lagrangian::{ButcherTableau, Series, TaylorCoefficients};
+use lagrangian::{ButcherTableau, DoubleDouble, Series, SingleNumber, TaylorCoefficients};
 
-type X = SVector<f64, 2>;
+type X<S> = SVector<S, 2>;
 
 /// Explicit midpoint: C. Runge, Math. Ann. 46 (1895) 167.
 const MIDPOINT: ButcherTableau<2> = ButcherTableau {
@@ -19,90 +19,126 @@ const MIDPOINT: ButcherTableau<2> = ButcherTableau {
 /// ẋ = (p + 1) tᵖ, ẏ = 0, whose solution is a polynomial of degree p + 1.
 struct Power(u16);
 
-impl Dynamics for Power {
-    type State = X;
+impl<S: Scalar> Dynamics<S> for Power {
+    type State = X<S>;
 
-    fn derivative(&self, t: f64, _: &X) -> X {
-        SVector::from([f64::from(self.0 + 1) * t.powi(self.0.into()), 0.0])
+    fn derivative(&self, t: S, _: &X<S>) -> X<S> {
+        SVector::from([number::<S>(self.0 + 1) * power(t, self.0), S::zero()])
     }
 }
 
-impl Series for Power {
+impl<S: Scalar> Series<S> for Power {
     fn series<const HALF: usize>(
         &self,
-        t: f64,
-        x: &X,
-        unit: f64,
-        coefficients: &mut TaylorCoefficients<X, HALF>,
+        t: S,
+        x: &X<S>,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<X<S>, HALF>,
     ) {
         *coefficients.initial_mut() = *x;
         // (t + u)ᵖ⁺¹ by the binomial theorem.
         let degree = self.0 + 1;
-        let mut binomial = 1.0;
+        let mut binomial = S::one();
         for (k, coefficient) in (1..).zip(coefficients.higher_mut()) {
             let term = if k <= degree {
-                binomial *= f64::from(degree - k + 1) / f64::from(k);
-                binomial * t.powi((degree - k).into()) * unit.powi(k.into())
+                binomial *= number::<S>(degree - k + 1) / number(k);
+                binomial * power(t, degree - k) * power(unit, k)
             } else {
-                0.0
+                S::zero()
             };
-            *coefficient = SVector::from([term, 0.0]);
+            *coefficient = SVector::from([term, S::zero()]);
         }
     }
 }
 
-const START: [f64; 2] = [1.0, 0.0];
+fn number<S: Scalar>(x: u16) -> S {
+    S::from_f64(x.into())
+}
 
-/// The error of the oscillator at t = 2 with steps of this size.
-fn error<I: Integrator<f64, Oscillator> + IntegrationMethod>(method: &I) -> f64 {
-    let start = (0.0, SVector::from(START));
-    let end = method.integrate_to(&Oscillator, start, 2.0).unwrap();
-    (end.x - SVector::from([2.0_f64.cos(), -2.0_f64.sin()])).norm()
+fn power<S: Scalar>(x: S, exponent: u16) -> S {
+    (0..exponent).fold(S::one(), |product, _| product * x)
+}
+
+/// The state of the oscillator.
+fn exact<S: Scalar>(t: f64) -> X<S> {
+    let (sine, cosine) = S::from_f64(t).sin_cos();
+    SVector::from([cosine, -sine])
+}
+
+/// The largest difference of two states.
+fn distance<S: Scalar>(x: &X<S>, y: &X<S>) -> f64 {
+    let differences = x
+        .iter()
+        .zip(y.iter())
+        .map(|(x, y)| (*x - *y).abs().largest());
+    differences.fold(0.0, f64::max)
+}
+
+/// The error of the oscillator after two steps of this size, or at t = 2.
+fn error<S: Scalar, I>(method: &I, step: f64) -> f64
+where
+    I: Integrator<S, Oscillator> + IntegrationMethod,
+{
+    let end = f64::max(2.0, 2.0 * step);
+    let start = (0.0, exact::<S>(0.0));
+    let found = method.integrate_to(&Oscillator, start, end).unwrap();
+    distance(&found.x, &exact(end))
 }
 
 /// The order is the slope of log error over log step.
-fn order<I>(method: impl Fn(f64) -> I, order: u16, step: f64)
+fn order<S: Scalar, I>(method: impl Fn(f64) -> I, order: u16, step: f64)
 where
-    I: Integrator<f64, Oscillator> + Integrator<f64, Power> + IntegrationMethod,
+    I: Integrator<S, Oscillator> + Integrator<S, Power> + IntegrationMethod,
 {
-    let slope = (error(&method(step)) / error(&method(0.5 * step))).log2();
-    assert_close(slope, order.into(), 0.08 * f64::from(order));
+    let errors = [step, 0.5 * step].map(|h| error::<S, I>(&method(h), step));
+    assert_close(
+        (errors[0] / errors[1]).log2(),
+        order.into(),
+        0.08 * f64::from(order),
+    );
 
-    for power in 0..order {
-        let start = (0.0, SVector::from([0.0, 1.0]));
-        let end = method(1.0).integrate_to(&Power(power), start, 1.0).unwrap();
-        assert_close(end.x[0], 1.0, 64.0 * f64::EPSILON);
+    for degree in 0..order {
+        let start = (0.0, SVector::from([S::zero(), S::one()]));
+        let end = method(1.0)
+            .integrate_to(&Power(degree), start, 1.0)
+            .unwrap();
+        let expected = SVector::from([S::one(); 2]);
+        assert!(distance(&end.x, &expected) <= 64.0 * S::machine_epsilon());
     }
 }
 
 /// Forwards and back, dense output, events and the energy at small steps.
-fn motion<I>(method: &I, accuracy: f64)
+fn motion<S: SingleNumber, I>(method: &I, accuracy: f64)
 where
-    I: Integrator<f64, Oscillator> + IntegrationMethod,
+    I: Integrator<S, Oscillator> + IntegrationMethod,
 {
-    let start = (0.0, SVector::from(START));
+    let start = (0.0, exact::<S>(0.0));
     let there = method.integrate_to(&Oscillator, start, 7.0).unwrap();
     let back = method.integrate_to(&Oscillator, there, 0.0).unwrap();
-    assert!((back.x - start.1).norm() < accuracy, "reversibility");
-    assert!((there.x.norm() - 1.0).abs() < accuracy, "conservation");
+    assert!(distance(&back.x, &start.1) < accuracy, "reversibility");
+    let energy = there.x[0] * there.x[0] + there.x[1] * there.x[1];
+    assert!(
+        (energy - S::one()).abs().largest() < accuracy,
+        "conservation"
+    );
 
     let times: Vec<f64> = (1..=70).map(|i| 0.1 * f64::from(i)).collect();
     let samples = method.sample(&Oscillator, start, &times).unwrap();
     for sample in samples.samples() {
-        assert_close(sample.x[0], sample.t.cos(), accuracy);
-        assert_close(sample.x[1], -sample.t.sin(), accuracy);
+        let error = distance(&sample.x, &exact(sample.t));
+        assert!(error <= accuracy, "at {}: {error:e}", sample.t);
     }
 
     let mut at = Sample::from(start);
     for n in 0..4 {
-        let driver = method.driver().stop_at_zero(|_, x: &X| x[0]);
+        let driver = method.driver().stop_at_zero(|_, x: &X<S>| x[0]);
         let outcome = driver.run_until(&Oscillator, at, 100.0).unwrap();
         assert_eq!(outcome.reason, StopReason::Condition);
         at = outcome.last;
         assert_close(
             at.t,
             std::f64::consts::PI * (f64::from(n) + 0.5),
-            2.0 * accuracy,
+            f64::max(2.0 * accuracy, 1e-14),
         );
     }
 }
@@ -141,26 +177,28 @@ fn fixed_taylor<const HALF: usize>(step: f64) -> Taylor<HALF> {
 }
 
 macro_rules! table {
-    ($($name:ident: $method:expr, order $order:literal from step $step:literal, $fine:expr, to $accuracy:literal;)*) => {
+    ($($name:ident: $method:expr, in $scalar:ty, order $order:literal from step $step:literal, $fine:expr, to $accuracy:literal;)*) => {
         $(#[test]
         fn $name() {
-            order($method, $order, $step);
-            motion(&$fine, $accuracy);
+            order::<$scalar, _>($method, $order, $step);
+            motion::<$scalar, _>(&$fine, $accuracy);
             bad_input(&$fine);
         })*
     };
 }
 
 table! {
-    midpoint: |h| RungeKutta::new(MIDPOINT, h), order 2 from step 0.02, RungeKutta::new(MIDPOINT, 1e-3), to 1e-5;
-    classical: RungeKutta::classical, order 4 from step 0.1, RungeKutta::classical(0.01), to 1e-8;
-    dormand_prince: fixed_dop853, order 8 from step 0.5, Dop853::new(), to 1e-8;
-    taylor_2: fixed_taylor::<1>, order 2 from step 0.02, fixed_taylor::<1>(1e-3), to 1e-5;
-    taylor_4: fixed_taylor::<2>, order 4 from step 0.1, fixed_taylor::<2>(0.01), to 1e-8;
-    taylor_6: fixed_taylor::<3>, order 6 from step 0.25, fixed_taylor::<3>(0.05), to 1e-8;
-    taylor_8: fixed_taylor::<4>, order 8 from step 0.5, fixed_taylor::<4>(0.1), to 1e-9;
-    taylor_12: fixed_taylor::<6>, order 12 from step 1.0, Taylor::order_12().relative_tolerance(1e-12), to 1e-9;
-    taylor_16: fixed_taylor::<8>, order 16 from step 2.0, Taylor::order_16(), to 1e-12;
+    midpoint: |h| RungeKutta::new(MIDPOINT, h), in f64, order 2 from step 0.02, RungeKutta::new(MIDPOINT, 1e-3), to 1e-5;
+    classical: RungeKutta::classical, in f64, order 4 from step 0.1, RungeKutta::classical(0.01), to 1e-8;
+    dormand_prince: fixed_dop853, in f64, order 8 from step 0.5, Dop853::new(), to 1e-8;
+    taylor_2: fixed_taylor::<1>, in f64, order 2 from step 0.02, fixed_taylor::<1>(1e-3), to 1e-5;
+    taylor_4: fixed_taylor::<2>, in f64, order 4 from step 0.1, fixed_taylor::<2>(0.01), to 1e-8;
+    taylor_6: fixed_taylor::<3>, in f64, order 6 from step 0.25, fixed_taylor::<3>(0.05), to 1e-8;
+    taylor_8: fixed_taylor::<4>, in f64, order 8 from step 0.5, fixed_taylor::<4>(0.1), to 1e-9;
+    taylor_12: fixed_taylor::<6>, in f64, order 12 from step 1.0, Taylor::order_12().relative_tolerance(1e-12), to 1e-9;
+    taylor_16: fixed_taylor::<8>, in f64, order 16 from step 2.0, Taylor::order_16(), to 1e-12;
+    taylor_28: fixed_taylor::<14>, in DoubleDouble, order 28 from step 4.0, Taylor::new(), to 1e-27;
+    taylor_40: fixed_taylor::<20>, in DoubleDouble, order 40 from step 8.0, Taylor::order_40(), to 1e-27;
 }
 
 /// Tolerances of zero, NaN, or beyond the digits of the scalar are values: an error, a stop, or the digits that there are.
@@ -170,7 +208,7 @@ fn tolerances_beyond_the_digits_end() {
     where
         I: Integrator<f64, Oscillator> + IntegrationMethod,
     {
-        let start = (0.0, SVector::from(START));
+        let start = (0.0, exact::<f64>(0.0));
         let driver = method.driver().max_steps(5000);
         match driver.run_until(&Oscillator, start, 5.0) {
             Ok(outcome) if outcome.reason == StopReason::Completed => {
@@ -198,7 +236,7 @@ fn tolerances_beyond_the_digits_end() {
         (-1.0, 1e-9),
         (1e-9, f64::INFINITY),
     ] {
-        let start = (0.0, SVector::from(START));
+        let start = (0.0, exact::<f64>(0.0));
         let taylor = Taylor::new()
             .relative_tolerance(relative)
             .absolute_tolerance(absolute);
