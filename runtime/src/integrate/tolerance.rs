@@ -71,12 +71,11 @@ impl Tolerance {
     /// The reciprocals of the errors that are allowed; 0 where none is.
     #[inline]
     pub(crate) fn weights<S: Scalar, X: VectorSpace<S>>(allowed: &X) -> X {
-        allowed.map(|allowed| {
-            if allowed.smallest() > 0.0 {
-                return S::one() / allowed;
-            }
-            (S::one() - is_zero(allowed)) / one_if_zero(allowed)
-        })
+        let least = allowed.fold(S::from_f64(f64::MAX), Scalar::min);
+        if least.smallest() > 0.0 {
+            return allowed.map(|allowed| S::one() / allowed);
+        }
+        allowed.map(|allowed| (S::one() - is_zero(allowed)) / one_if_zero(allowed))
     }
 }
 

@@ -83,17 +83,24 @@ impl<const L: usize> Lanes<L> {
         Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
     }
 
-    /// The lanes folded by `keep` from `first`; NaN if a lane is.
+    /// The lane that `keep` keeps of all, by halves, which are vectors; NaN if a lane is, and `none` of no lanes.
     #[inline]
-    fn extreme(self, first: f64, keep: impl Fn(f64, f64) -> f64) -> f64 {
-        self.0.into_iter().fold(first, |kept, lane| {
-            // `f64::min` and `f64::max` ignore a NaN.
-            if lane.is_nan() || kept.is_nan() {
-                f64::NAN
-            } else {
-                keep(kept, lane)
+    fn extreme(self, none: f64, keep: impl Fn(f64, f64) -> f64) -> f64 {
+        let Self(mut lanes) = self;
+        let has_nan = lanes.iter().fold(false, |any, lane| any | lane.is_nan());
+        let mut count = L;
+        while count > 1 {
+            let half = count.div_ceil(2);
+            for lane in 0..count / 2 {
+                lanes[lane] = keep(lanes[lane], lanes[lane + half]);
             }
-        })
+            count = half;
+        }
+        if has_nan {
+            f64::NAN
+        } else {
+            lanes.first().copied().unwrap_or(none)
+        }
     }
 }
 
@@ -197,17 +204,22 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline]
     fn smallest(self) -> f64 {
-        self.extreme(f64::INFINITY, f64::min)
+        self.extreme(f64::INFINITY, |x, y| if y < x { y } else { x })
     }
 
     #[inline]
     fn largest(self) -> f64 {
-        self.extreme(f64::NEG_INFINITY, f64::max)
+        self.extreme(f64::NEG_INFINITY, |x, y| if y > x { y } else { x })
     }
 
     #[inline]
     fn in_lane(self, lane: usize) -> f64 {
         self.lane(lane)
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.0.iter().fold(true, |all, lane| all & lane.is_finite())
     }
 
     #[inline]
@@ -341,6 +353,34 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// Fails unless the extreme lanes are found wherever they are.
+    fn extremes<const L: usize>() {
+        for special in 0..L {
+            let lanes =
+                |number| Lanes::<L>::from_fn(|lane| if lane == special { number } else { 1.0 });
+            let found = [lanes(2.0).largest(), lanes(-2.0).smallest()];
+            assert_eq!(
+                found.map(f64::to_bits),
+                [2.0, -2.0].map(f64::to_bits),
+                "{special} of {L}"
+            );
+            assert!(lanes(f64::NAN).largest().is_nan() && lanes(f64::NAN).smallest().is_nan());
+            assert!(lanes(2.0).is_finite() && !lanes(f64::NEG_INFINITY).is_finite());
+        }
+    }
+
+    #[test]
+    fn the_extremes_of_any_number_of_lanes() {
+        extremes::<1>();
+        extremes::<2>();
+        extremes::<3>();
+        extremes::<5>();
+        extremes::<7>();
+        extremes::<8>();
+        extremes::<12>();
+        assert!(Lanes::<0>([]).largest() <= f64::NEG_INFINITY);
     }
 
     #[test]

@@ -91,9 +91,13 @@ impl<S: Scalar> Allowance<S> {
 
 /// The first component that is not at most what is allowed; one that is not finite is not.
 fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
-    let excess = residual.zip_map(allowed, |residual, allowed| residual - allowed);
+    let excess = residual.zip_map(allowed, |residual, allowed| {
+        let over = residual - allowed;
+        // Twice the excess, or 0, or NaN, which sums keep.
+        over + over.abs()
+    });
     let is_beyond = |excess: S| excess.largest() > 0.0 || excess.largest().is_nan();
-    if !excess.fold(false, |any, excess| any | is_beyond(excess)) {
+    if !is_beyond(excess.fold(S::zero(), |sum, excess| sum + excess)) {
         return None;
     }
     excess.components().position(is_beyond)

@@ -58,6 +58,9 @@ const SHIFT: f64 = 6_755_399_441_055_744.0;
 /// The bits of the exponent of a number.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 
+/// Below it 2ˣ neither overflows nor underflows.
+const LARGEST_EXPONENT: f64 = 1000.0;
+
 /// 2⁻⁵⁰⁰.
 const LEAST_UNIT: f64 = f64::from_bits((1023 - 500) << 52);
 
@@ -84,7 +87,8 @@ pub(super) fn unit_near(x: f64) -> f64 {
 #[inline]
 pub(super) fn weighted_norm<S: Scalar, X: VectorSpace<S>>(vector: &X, weights: &X) -> f64 {
     let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
-    ratios.fold(0.0, |largest: f64, ratio| largest.max(ratio.largest()))
+    // Lane by lane first: across lanes once.
+    ratios.fold(S::zero(), Scalar::max).largest()
 }
 
 /// The component with the largest last term over its tolerance, which limits the step; `value` is what counts of a scalar.
@@ -220,9 +224,25 @@ impl Proposal {
 /// *Handbook of Mathematical Functions*, 1964, 4.1.27) about the middle of a binade.
 #[inline]
 pub(super) fn log2(x: f64) -> f64 {
-    if !x.is_normal() {
-        return Scalar::ln(x) * LOG2_E;
+    if x.is_normal() {
+        log2_of_normal(x)
+    } else {
+        Scalar::ln(x) * LOG2_E
     }
+}
+
+/// The same in each lane.
+#[inline]
+pub(super) fn log2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
+    if x.iter().fold(true, |all, x| all & x.is_normal()) {
+        x.map(log2_of_normal)
+    } else {
+        x.map(log2)
+    }
+}
+
+#[inline]
+fn log2_of_normal(x: f64) -> f64 {
     let bits = x.to_bits();
     let mantissa = f64::from_bits((bits & !EXPONENT) | ONE);
     // The difference of the exponents is exact as a difference of numbers whose last bits they are.
@@ -240,9 +260,27 @@ pub(super) fn log2(x: f64) -> f64 {
 /// 2ˣ to six digits, by the series of the exponential function about the nearest whole number.
 #[inline]
 pub(super) fn exp2(x: f64) -> f64 {
-    if x.is_nan() || x.abs() >= 1000.0 {
-        return Scalar::exp(x * LN_2);
+    if x.abs() < LARGEST_EXPONENT {
+        exp2_of_moderate(x)
+    } else {
+        Scalar::exp(x * LN_2)
     }
+}
+
+/// The same in each lane.
+#[inline]
+pub(super) fn exp2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
+    if x.iter()
+        .fold(true, |all, x| all & (x.abs() < LARGEST_EXPONENT))
+    {
+        x.map(exp2_of_moderate)
+    } else {
+        x.map(exp2)
+    }
+}
+
+#[inline]
+fn exp2_of_moderate(x: f64) -> f64 {
     // The sum has no bits for a fraction, and the whole number is its last ones.
     let shifted = x + SHIFT;
     let z = (x - (shifted - SHIFT)) * LN_2;

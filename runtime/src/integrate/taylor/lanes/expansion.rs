@@ -3,7 +3,7 @@
 use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::step_size::{exp2, log2, reached};
+use crate::integrate::taylor::step_size::{exp2_of_each, log2_of_each, reached};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES};
 use crate::linalg::{ErrorTolerance, LaneStates};
@@ -80,12 +80,16 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let ratios = largest_ratios(coefficient, weights);
             let order = number(Self::ORDER - position);
             let mut found = true;
-            for (logarithm, ratio) in logarithm.iter_mut().zip(ratios.0) {
+            let logarithms = log2_of_each(ratios.0);
+            for (logarithm, (ratio, of_ratio)) in logarithm
+                .iter_mut()
+                .zip(ratios.0.into_iter().zip(logarithms))
+            {
                 let zero_until_now = position < 2 || *logarithm >= f64::INFINITY;
                 if ratio.is_nan() {
                     *logarithm = f64::NEG_INFINITY;
                 } else if ratio > 0.0 && zero_until_now {
-                    *logarithm = logarithm.min(-log2(ratio) / order);
+                    *logarithm = logarithm.min(-of_ratio / order);
                 }
                 found &= *logarithm < f64::INFINITY;
             }
@@ -93,7 +97,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 break;
             }
         }
-        logarithm.map(exp2)
+        exp2_of_each(logarithm)
     }
 
     /// The larger of the two terms of about half the order, over their tolerances.
