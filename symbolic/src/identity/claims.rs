@@ -2,18 +2,22 @@
 
 use std::collections::BTreeSet;
 
-use crate::identity::homomorphic_image::Images;
+use crate::identity::homomorphic_image::{FewImages, KnownImages};
 use crate::identity::identity_testing::IdentityTest;
+use crate::identity::incremental_evaluation::IncrementalEvaluation;
 use crate::identity::real_point::RealPoint;
+use crate::identity::tested_value::TestedValue;
 use crate::limits::{REAL_POINTS, ROUNDED_CONSTANT};
 use crate::{Expression, Graph, Symbol};
 
 impl Graph {
     /// Whether all expressions vanish identically.
     pub(crate) fn vanishes(&self, expressions: &[Expression]) -> bool {
-        IdentityTest::of(self, expressions).holds(|point| {
-            let values = point.evaluate(self, expressions)?;
-            Some(values.iter().all(|value| *value == 0))
+        let descendants = self.descendants(expressions);
+        IdentityTest::of_parts(self, descendants.iter().copied()).holds(|point| {
+            let evaluation =
+                IncrementalEvaluation::of_descendants(self, expressions, &descendants, point)?;
+            Some(evaluation.values().iter().all(|value| *value == 0))
         })
     }
 
@@ -29,7 +33,7 @@ impl Graph {
         }
         let whole = parts.iter().filter(|part| !atoms.contains(part));
         IdentityTest::of_parts(self, whole.copied()).holds(|point| {
-            let mut images = Images::zeros(root.index() + 1);
+            let mut images = FewImages::default();
             for part in &parts {
                 let image = if atoms.contains(part) {
                     point.indeterminate(*part)
@@ -47,7 +51,7 @@ impl Graph {
         roots.iter().any(|root| {
             let roots = [*root];
             let test = IdentityTest::of(self, &roots);
-            !test.independent(self, &roots, &[symbol], |values, _| Some(values[0]))[0]
+            !test.independent(self, &roots, &[symbol], TestedValue::First)[0]
         })
     }
 

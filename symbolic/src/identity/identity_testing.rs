@@ -15,13 +15,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::dependence::Dependence;
-use crate::identity::incremental_evaluation::IncrementalEvaluation;
 use crate::identity::modular_point::ModularPoint;
 use crate::limits::{
     AGREEMENTS, AGREEMENTS_PER_CHOICE, ATTEMPTS_PER_AGREEMENT, MODULAR_ATTEMPTS, MOST_BRANCHES,
 };
-use crate::{Binary, Expression, Graph, Node, Symbol, Unary};
+use crate::{Binary, Expression, Graph, Node, Unary};
 
 /// A test of claims about some expressions.
 #[derive(Clone, Copy)]
@@ -32,13 +30,13 @@ pub(crate) struct IdentityTest {
 
 /// How functions with branches are interpreted, and at how many points a claim must hold.
 #[derive(Clone, Copy)]
-struct Criterion {
+pub(super) struct Criterion {
     uninterpreted: bool,
-    agreements: usize,
+    pub(super) agreements: usize,
 }
 
 impl Criterion {
-    fn points(self) -> impl Iterator<Item = ModularPoint> {
+    pub(super) fn points(self) -> impl Iterator<Item = ModularPoint> {
         let attempts = (self.agreements * ATTEMPTS_PER_AGREEMENT) as u64;
         (0..attempts.max(MODULAR_ATTEMPTS)).map(move |seed| {
             let point = ModularPoint::new(seed);
@@ -81,7 +79,7 @@ impl IdentityTest {
     }
 
     /// The criteria for yes, in order.
-    fn criteria(self) -> impl Iterator<Item = Criterion> {
+    pub(super) fn criteria(self) -> impl Iterator<Item = Criterion> {
         let uninterpreted = Criterion {
             uninterpreted: true,
             agreements: AGREEMENTS,
@@ -121,97 +119,13 @@ impl IdentityTest {
             agreed
         })
     }
-
-    /// Of which of several symbols `value`, a function of the roots' values at a point, is independent; by the
-    /// same criteria, all symbols at the same points.
-    pub(crate) fn independent(
-        self,
-        graph: &Graph,
-        roots: &[Expression],
-        symbols: &[Symbol],
-        value: impl Fn(&[u64], ModularPoint) -> Option<u64>,
-    ) -> Vec<bool> {
-        let mut tests = DependenceTest::new(graph, roots, symbols);
-        for criterion in self.criteria() {
-            tests.restart();
-            for point in criterion.points() {
-                if tests.are_decided() {
-                    break;
-                }
-                if let Some(mut evaluation) = IncrementalEvaluation::new(graph, roots, point) {
-                    let value = |values: &[u64]| value(values, point);
-                    tests.test_at(&mut evaluation, value, criterion.agreements);
-                }
-            }
-        }
-        let answers = tests.answers.into_iter();
-        answers.map(|answer| answer == Some(true)).collect()
-    }
-}
-
-/// Of which of several symbols a value is independent.
-struct DependenceTest<'a> {
-    symbols: &'a [Symbol],
-    dependence: Dependence,
-    answers: Vec<Option<bool>>,
-    /// At how many points the value has stayed the same.
-    agreements: Vec<usize>,
-}
-
-impl<'a> DependenceTest<'a> {
-    fn new(graph: &Graph, roots: &[Expression], symbols: &'a [Symbol]) -> Self {
-        let dependence = Dependence::of(graph, roots, symbols);
-        let absent = |position| dependence.on(position).is_empty();
-        Self {
-            symbols,
-            answers: (0..symbols.len())
-                .map(|position| absent(position).then_some(true))
-                .collect(),
-            agreements: vec![0; symbols.len()],
-            dependence,
-        }
-    }
-
-    /// Tests again the symbols that were not found to be independent.
-    fn restart(&mut self) {
-        self.agreements.fill(0);
-        for answer in &mut self.answers {
-            *answer = answer.filter(|fixed| *fixed);
-        }
-    }
-
-    fn are_decided(&self) -> bool {
-        self.answers.iter().all(Option::is_some)
-    }
-
-    /// Evaluates at one point, and records what that decides.
-    fn test_at(
-        &mut self,
-        evaluation: &mut IncrementalEvaluation<'_>,
-        value: impl Fn(&[u64]) -> Option<u64>,
-        enough: usize,
-    ) {
-        let Some(before) = value(&evaluation.values()) else {
-            return;
-        };
-        for (position, symbol) in self.symbols.iter().enumerate() {
-            if self.answers[position].is_some() {
-                continue;
-            }
-            let values = evaluation.moving(*symbol, self.dependence.on(position));
-            if let Some(after) = values.and_then(|values| value(&values)) {
-                self.agreements[position] += 1;
-                let decided = after != before || self.agreements[position] == enough;
-                self.answers[position] = decided.then_some(after == before);
-            }
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rational;
+    use crate::identity::tested_value::TestedValue;
+    use crate::{Rational, Symbol};
 
     /// Writes an expression of x and y.
     type Write = fn(&mut Graph, Expression, Expression) -> Expression;
@@ -350,7 +264,7 @@ mod tests {
                 &graph,
                 &[sign],
                 &[Symbol::Coordinate(0)],
-                |values, _| Some(values[0])
+                TestedValue::First
             )[0]
         );
     }

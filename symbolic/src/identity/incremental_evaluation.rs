@@ -1,7 +1,7 @@
 //! Incremental evaluation of expressions at a modular point: when one symbol changes, only the expressions that
 //! contain it are evaluated again.
 
-use crate::identity::homomorphic_image::Images;
+use crate::identity::homomorphic_image::{Images, KnownImages};
 use crate::identity::modular_point::ModularPoint;
 use crate::{Expression, Graph, Symbol};
 
@@ -28,7 +28,16 @@ impl<'a> IncrementalEvaluation<'a> {
         roots: &'a [Expression],
         point: ModularPoint,
     ) -> Option<Self> {
-        let descendants = graph.descendants(roots);
+        Self::of_descendants(graph, roots, &graph.descendants(roots), point)
+    }
+
+    /// The same, where `descendants` are what the roots are made of, children before parents.
+    pub(crate) fn of_descendants(
+        graph: &'a Graph,
+        roots: &'a [Expression],
+        descendants: &[Expression],
+        point: ModularPoint,
+    ) -> Option<Self> {
         let length = descendants.last().map_or(0, |last| last.index() + 1);
         let mut evaluation = Self {
             graph,
@@ -36,8 +45,13 @@ impl<'a> IncrementalEvaluation<'a> {
             point,
             images: Images::zeros(length),
         };
-        evaluation.evaluate(point, &descendants)?;
+        evaluation.evaluate(point, descendants)?;
         Some(evaluation)
+    }
+
+    /// The images of all that was evaluated.
+    pub(crate) fn images(&self) -> &Images {
+        &self.images
     }
 
     /// The values of the roots.

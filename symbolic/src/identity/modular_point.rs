@@ -9,7 +9,7 @@
 //! sign only. Every other function, external ones included, is uninterpreted. What follows from values at such
 //! points is said in `identity_testing.rs`.
 
-use crate::identity::homomorphic_image::{HomomorphicImage, Images};
+use crate::identity::homomorphic_image::{HomomorphicImage, KnownImages};
 use crate::identity::residue::{self, Field};
 use crate::limits::MODULAR_ATTEMPTS;
 use crate::{Binary, Expression, ExternalFunction, Node, Rational, Symbol, Unary};
@@ -93,7 +93,7 @@ impl ModularPoint {
     }
 
     /// The homomorphic image of a node, from those of its operands.
-    pub(crate) fn image(self, node: &Node, images: &Images) -> Option<HomomorphicImage> {
+    pub(crate) fn image(self, node: &Node, images: &impl KnownImages) -> Option<HomomorphicImage> {
         let of = |operand: Expression| images.get(operand);
         // Macros run without optimization, and this runs most often: sums and products are plain loops.
         let value = match node {
@@ -123,7 +123,7 @@ impl ModularPoint {
                 let p = self.p();
                 let mut product = 1;
                 for (x, k) in factors {
-                    let value = images.0[x.index()][0];
+                    let value = images.at(*x)[0];
                     let power = if k.is_one() {
                         value
                     } else {
@@ -318,12 +318,12 @@ impl ModularPoint {
     fn linear_combination(
         self,
         terms: &[(Expression, Rational)],
-        images: &Images,
+        images: &impl KnownImages,
     ) -> Option<HomomorphicImage> {
         let Field { p, q, .. } = self.field();
         let mut sum = HomomorphicImage::ZERO;
         for (x, c) in terms {
-            let [mut value, mut logarithm] = images.0[x.index()];
+            let [mut value, mut logarithm] = images.at(*x);
             match c.to_fraction() {
                 Some((1, 1)) => {}
                 Some((-1, 1)) => {
@@ -357,7 +357,7 @@ impl ModularPoint {
 }
 
 /// The residue of a rational modulo a prime, unless the prime divides its denominator.
-fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
+pub(super) fn reduce(number: &Rational, modulus: u64) -> Option<u64> {
     use num_bigint::BigInt;
     use num_traits::ToPrimitive;
 

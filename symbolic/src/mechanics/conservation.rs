@@ -6,6 +6,7 @@
 //! ignorable though it is written.
 
 use crate::identity::identity_testing::IdentityTest;
+use crate::identity::tested_value::TestedValue;
 use crate::{Expression, Model, Rational, Symbol};
 
 /// Which functions of the state are constants of motion.
@@ -53,7 +54,7 @@ pub(crate) fn independent_of(
     let graph = &model.graph;
     let roots = [expression];
     let test = IdentityTest::of(graph, &roots);
-    test.independent(graph, &roots, symbols, |values, _| Some(values[0]))
+    test.independent(graph, &roots, symbols, TestedValue::First)
 }
 
 fn conserves_energy(model: &mut Model, lagrangian: Expression, forces: &[Expression]) -> bool {

@@ -4,8 +4,8 @@
 //! All decisions are exact, by polynomial identity testing.
 
 use crate::identity::identity_testing::IdentityTest;
-use crate::identity::modular_matrix;
 use crate::identity::modular_point::ModularPoint;
+use crate::identity::tested_value::TestedValue;
 use crate::limits::LONGEST_PERIOD;
 use crate::mechanics::defects::Defect;
 use crate::{Expression, Graph, Model, Node, Rational, Symbol, Unary};
@@ -39,13 +39,12 @@ pub(crate) fn analyze(
             .iter()
             .flat_map(|i| block.iter().map(|j| mass[*i][*j]))
             .collect();
-        let determinant = |values: &[u64], point: ModularPoint| {
-            let rows = values.chunks(block.len()).map(<[u64]>::to_vec);
-            modular_matrix::determinant(rows.collect(), point.p())
-        };
+        let determinant = TestedValue::Determinant;
         let test = IdentityTest::of(graph, &mass.concat());
-        let vanishes =
-            |point: ModularPoint| Some(determinant(&point.evaluate(graph, &entries)?, point)? == 0);
+        let vanishes = |point: ModularPoint| {
+            let values = point.evaluate(graph, &entries)?;
+            Some(determinant.of(&values, point.p())? == 0)
+        };
         if test.holds(vanishes) {
             singular.extend(block.iter().filter_map(|i| u32::try_from(*i).ok()));
             continue;

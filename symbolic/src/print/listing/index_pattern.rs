@@ -8,7 +8,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::identity::homomorphic_image::Images;
+use crate::identity::homomorphic_image::{Images, KnownImages};
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::rational_reconstruction::rational;
 use crate::identity::residue;
