@@ -1,6 +1,7 @@
 //! Exact algebra on a shared graph: numbers, normal forms, functions, derivatives, costs.
 
 pub(crate) mod hashing;
+pub(crate) mod index_table;
 pub(crate) mod rational;
 pub(crate) mod symbol;
 pub(crate) mod contents;
@@ -19,6 +20,7 @@ pub(crate) mod function;
 pub(crate) mod external_function;
 pub(crate) mod dependence;
 pub(crate) mod branches;
+pub(crate) mod derivative_memory;
 pub(crate) mod derivative;
 pub(crate) mod time_derivative;
 pub(crate) mod velocity_degree;

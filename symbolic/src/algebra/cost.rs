@@ -16,40 +16,52 @@ impl Graph {
     /// The cost of the roots, each shared subexpression once; scheduling finds more to share.
     #[must_use]
     pub fn cost(&self, roots: &[Expression]) -> usize {
-        let descendants = self.descendants(roots);
-        let angles: BTreeSet<Expression> = descendants
-            .iter()
-            .filter_map(|expression| match self.node(*expression) {
-                Node::Unary(Unary::Sin | Unary::Cos, angle) => Some(*angle),
-                _ => None,
-            })
-            .collect();
-        let others = descendants
-            .iter()
-            .map(|expression| match self.node(*expression) {
-                Node::Constant(_)
-                | Node::Pi
-                | Node::Symbol(_)
-                | Node::Opaque(_)
-                | Node::Unary(Unary::Sin | Unary::Cos, _) => 0,
+        self.cost_up_to(roots, usize::MAX)
+    }
+
+    /// Whether some roots cost less than others. Of the others it is not asked how much more they cost: they may be many
+    /// times as long.
+    #[must_use]
+    pub fn costs_less(&self, roots: &[Expression], others: &[Expression]) -> bool {
+        let cost = self.cost(roots);
+        cost < self.cost_up_to(others, cost)
+    }
+
+    /// The cost of the roots, or some number above `bound` where it is above that.
+    fn cost_up_to(&self, roots: &[Expression], bound: usize) -> usize {
+        let mut angles: BTreeSet<Expression> = BTreeSet::new();
+        let mut cost = 0;
+        self.visit_descendants(roots, |_, node| {
+            cost += match node {
+                Node::Constant(_) | Node::Pi | Node::Symbol(_) | Node::Opaque(_) => 0,
+                Node::Unary(Unary::Sin | Unary::Cos, angle) => {
+                    COST_OF_SINE_AND_COSINE * usize::from(angles.insert(*angle))
+                }
                 Node::Sum(terms) => self.cost_of_sum(terms),
                 Node::Product(factors) => cost_of_product(factors),
                 Node::Unary(function, _) => function.cost(),
                 Node::Binary(function, ..) => function.cost(),
                 Node::Application(..) => COST_OF_FUNCTION,
-            });
-        COST_OF_SINE_AND_COSINE * angles.len() + others.sum::<usize>()
+            };
+            cost <= bound
+        });
+        cost
     }
 
     /// Additions, and one multiplication for each magnitude of a coefficient.
     fn cost_of_sum(&self, terms: &[(Expression, Rational)]) -> usize {
-        let scaled = terms.iter().filter(|(x, _)| *x != self.one());
-        let magnitudes: BTreeSet<Rational> = scaled
-            .map(|(_, c)| c.abs())
-            .filter(|c| !c.is_one())
-            .collect();
-        let negations = usize::from(terms.iter().all(|(_, c)| c.is_negative()));
-        terms.len() - 1 + magnitudes.len() + negations
+        let (mut magnitudes, mut all_negative): (Vec<Rational>, bool) = (Vec::new(), true);
+        for (x, c) in terms {
+            all_negative &= c.is_negative();
+            if c.is_one() || *x == self.one() {
+                continue;
+            }
+            let magnitude = c.abs();
+            if !magnitude.is_one() && !magnitudes.contains(&magnitude) {
+                magnitudes.push(magnitude);
+            }
+        }
+        terms.len() - 1 + magnitudes.len() + usize::from(all_negative)
     }
 }
 
@@ -57,6 +69,10 @@ impl Graph {
 fn cost_of_product(factors: &[(Expression, Rational)]) -> usize {
     let (mut above, mut below, mut more) = (0, 0, 0);
     for (_, exponent) in factors {
+        if exponent.is_one() {
+            above += 1;
+            continue;
+        }
         let (numerator, denominator) = exponent.abs().to_fraction().unwrap_or((1, 1));
         let integer = usize::try_from(numerator / denominator).unwrap_or(0);
         let multiplications = match integer {
@@ -76,4 +92,40 @@ fn cost_of_product(factors: &[(Expression, Rational)]) -> usize {
     }
     let multiplications = above.max(1) - 1 + below.max(1) - 1;
     more + multiplications + if below > 0 { COST_OF_DIVISION } else { 0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Symbol;
+
+    #[test]
+    fn a_comparison_that_stops_early_is_one_of_costs() {
+        let mut graph = Graph::new();
+        let mut roots = vec![graph.symbol(Symbol::Time)];
+        for i in 0..12 {
+            let x = graph.symbol(Symbol::Coordinate(i % 3));
+            let last = roots[roots.len() - 1];
+            let next = match i % 4 {
+                0 => graph.multiply(last, x),
+                1 => graph.unary(Unary::Sin, last),
+                2 => graph.divide(last, x),
+                _ => graph.sum([(last, Rational::integer(3)), (x, Rational::MINUS_ONE)]),
+            };
+            roots.push(next);
+        }
+        for first in 0..roots.len() {
+            for second in 0..roots.len() {
+                let [one, other] = [&roots[first..], &roots[second..=second]];
+                assert_eq!(
+                    graph.costs_less(one, other),
+                    graph.cost(one) < graph.cost(other)
+                );
+                assert_eq!(
+                    graph.costs_less(other, one),
+                    graph.cost(other) < graph.cost(one)
+                );
+            }
+        }
+    }
 }

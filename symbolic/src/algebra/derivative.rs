@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use crate::algebra::dependence::Dependence;
 use crate::algebra::hashing::Table;
+use crate::algebra::index_table::PairTable;
 use crate::algebra::interner::Interner;
 use crate::limits::LONGEST_FLAT_PRODUCT_RULE;
 use crate::{Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol};
@@ -44,15 +45,21 @@ impl Graph {
         let zero = self.zero();
         let descendants = self.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);
-        let mut derivatives = vec![zero; length];
+        let mut derivatives = self.derivatives.take_zeros(length, zero);
         let mut product_rule_factors = ProductRuleFactors::default();
-        for expression in descendants {
+        for expression in &descendants {
+            let expression = *expression;
             derivatives[expression.index()] = match self.node(expression) {
                 Node::Symbol(symbol) => direction.get(symbol).copied().unwrap_or(zero),
                 _ => self.chain_rule(expression, &derivatives, &mut product_rule_factors),
             };
         }
-        roots.iter().map(|root| derivatives[root.index()]).collect()
+        let results = roots.iter().map(|root| derivatives[root.index()]).collect();
+        for expression in descendants {
+            derivatives[expression.index()] = zero;
+        }
+        self.derivatives.return_zeros(derivatives);
+        results
     }
 
     /// The derivative of what is no symbol from those of its operands.
@@ -209,9 +216,9 @@ pub(crate) struct ProductRuleFactors {
     /// xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ, written as products that are no part of the graph.
     lists: Interner,
     /// The index of the list, by product and position of the factor.
-    of: Table<(Expression, usize), usize>,
+    of: PairTable<usize>,
     /// A list times a derivative, once computed.
-    products: Table<(usize, Expression), Expression>,
+    products: PairTable<Expression>,
     /// Long products as trees of pairs, children before parents.
     trees: Table<Expression, Rc<[Expression]>>,
 }
@@ -225,22 +232,28 @@ impl ProductRuleFactors {
         position: usize,
         change: Expression,
     ) -> Expression {
-        let list = match self.of.get(&(product, position)) {
-            Some(list) => *list,
+        let list = match self.of.get(product.index(), position) {
+            Some(list) => list,
             None => self.enter(graph, product, position),
         };
-        if let Some(known) = self.products.get(&(list, change)) {
-            return *known;
+        if let Some(known) = self.products.get(list, change.index()) {
+            return known;
         }
         let Node::Product(factors) = &self.lists.nodes()[list] else {
             return graph.zero();
         };
         // What comes last is the factor itself; the others are in normal form already.
-        let mut others = factors.to_vec();
-        let mut pending: Vec<_> = others.pop().into_iter().collect();
+        let others = factors.len() - 1;
+        let (base, exponent) = &factors[others];
+        let mut pending = Vec::with_capacity(4);
+        if !exponent.is_zero() {
+            pending.push((*base, exponent.clone()));
+        }
         pending.push((change, Rational::ONE));
-        let value = graph.multiply_factors(others, pending);
-        self.products.insert((list, change), value);
+        let mut settled = Vec::with_capacity(others + 4);
+        settled.extend_from_slice(&factors[..others]);
+        let value = graph.multiply_factors(settled, pending);
+        self.products.insert(list, change.index(), value);
         value
     }
 
@@ -257,6 +270,7 @@ impl ProductRuleFactors {
     fn enter(&mut self, graph: &Graph, product: Expression, position: usize) -> usize {
         let mut factors = Vec::new();
         if let Node::Product(all) = graph.node(product) {
+            factors.reserve_exact(all.len());
             factors.extend_from_slice(&all[..position]);
             factors.extend_from_slice(&all[position + 1..]);
             let (base, exponent) = &all[position];
@@ -269,7 +283,7 @@ impl ProductRuleFactors {
             factors.push((base, exponent));
         }
         let list = self.lists.insert(Node::Product(factors.into()));
-        self.of.insert((product, position), list);
+        self.of.insert(product.index(), position, list);
         list
     }
 }

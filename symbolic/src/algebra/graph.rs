@@ -16,10 +16,11 @@ use core::hash::{Hash, Hasher};
 use std::collections::BTreeSet;
 
 use crate::algebra::contents::Contents;
+use crate::algebra::derivative_memory::DerivativeMemory;
 use crate::algebra::external_function::ExternalDeclaration;
-use crate::algebra::hashing::{Table, mix};
+use crate::algebra::hashing::mix;
 use crate::algebra::interner::Interner;
-use crate::algebra::sum::Split;
+use crate::algebra::sum::KnownSplits;
 use crate::matrix::vector_in_frames::KnownFrames;
 use crate::{Binary, ExternalFunction, Pass, Passes, Rational, Symbol, Unary};
 
@@ -121,12 +122,14 @@ pub struct Graph {
     contents: Vec<Contents>,
     /// The external functions, in the order of declaration.
     pub(crate) functions: Vec<ExternalDeclaration>,
-    /// The splits of sums that have been computed, by sum.
-    pub(crate) splits: Table<Expression, Option<Split>>,
+    /// The splits of sums that have been computed.
+    pub(crate) splits: KnownSplits,
     /// Whether there is a hyperbolic function.
     pub(crate) has_hyperbolic: bool,
     /// The frames, and what is known of vectors and matrices beside their elements.
     pub(crate) frames: KnownFrames,
+    /// What derivatives are computed in.
+    pub(crate) derivatives: DerivativeMemory,
 }
 
 impl Default for Graph {
@@ -144,9 +147,10 @@ impl Graph {
             passes: Passes::default(),
             contents: Vec::new(),
             functions: Vec::new(),
-            splits: Table::default(),
+            splits: KnownSplits::default(),
             has_hyperbolic: false,
             frames: KnownFrames::default(),
+            derivatives: DerivativeMemory::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));
@@ -213,12 +217,27 @@ impl Graph {
     /// The subexpressions of the roots, themselves included, children before parents.
     #[must_use]
     pub fn descendants(&self, roots: &[Expression]) -> Vec<Expression> {
+        let mut descendants = Vec::new();
+        self.visit_descendants(roots, |expression, _| {
+            descendants.push(expression);
+            true
+        });
+        descendants.reverse();
+        descendants
+    }
+
+    /// Visits the subexpressions of the roots, themselves included, parents before children, as long as `visit` says
+    /// to go on.
+    pub(crate) fn visit_descendants(
+        &self,
+        roots: &[Expression],
+        mut visit: impl FnMut(Expression, &Node) -> bool,
+    ) {
         let length = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         let mut reached = vec![0_u64; length.div_ceil(64)];
         for root in roots {
             reached[root.index() / 64] |= 1 << (root.index() % 64);
         }
-        let mut descendants = Vec::new();
         // The arena may be much larger than the result, so that whole words are passed over; a plain loop is quick
         // without optimization, too.
         let nodes = self.nodes.nodes();
@@ -229,8 +248,11 @@ impl Graph {
                 let bit = reached[word].ilog2() as usize;
                 reached[word] ^= 1 << bit;
                 let expression = handle(64 * word + bit);
-                descendants.push(expression);
-                match &nodes[expression.index()] {
+                let node = &nodes[expression.index()];
+                if !visit(expression, node) {
+                    return;
+                }
+                match node {
                     Node::Sum(parts) | Node::Product(parts) => {
                         for (operand, _) in parts {
                             reached[operand.index() / 64] |= 1 << (operand.index() % 64);
@@ -242,8 +264,6 @@ impl Graph {
                 }
             }
         }
-        descendants.reverse();
-        descendants
     }
 
     /// Which kinds of symbols `expression` contains, at any depth.

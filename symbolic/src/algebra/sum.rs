@@ -1,5 +1,6 @@
 //! The normal form of sums, Σ cᵢ·xᵢ.
 
+use crate::algebra::index_table::IndexTable;
 use crate::limits::LONGEST_MERGED_SUM;
 use crate::{Expression, Graph, Node, Rational};
 
@@ -9,6 +10,27 @@ pub(crate) struct Split {
     pub(crate) number: Rational,
     pub(crate) common: Vec<(Expression, Rational)>,
     pub(crate) rest: Expression,
+}
+
+/// The splits of sums that have been computed. Most sums have none.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct KnownSplits {
+    /// By sum: 0 where it has no split, else one more than its place among the splits.
+    places: IndexTable,
+    splits: Vec<Split>,
+}
+
+impl KnownSplits {
+    fn get(&self, sum: Expression) -> Option<Option<Split>> {
+        let place = self.places.get(sum.index())?;
+        Some(self.splits.get(place.wrapping_sub(1)).cloned())
+    }
+
+    fn keep(&mut self, sum: Expression, split: Option<&Split>) {
+        self.splits.extend(split.cloned());
+        let place = split.map_or(0, |_| self.splits.len());
+        self.places.insert(sum.index(), place);
+    }
 }
 
 impl Graph {
@@ -63,12 +85,12 @@ impl Graph {
     ///
     /// None where the content is 1 and there is no common power.
     pub(crate) fn split(&mut self, sum: Expression) -> Option<Split> {
-        if let Some(known) = self.splits.get(&sum) {
-            return known.clone();
+        if let Some(known) = self.splits.get(sum) {
+            return known;
         }
         let split = self.find_split(sum);
         // A sum occurs in many products, and its split stays the same.
-        self.splits.insert(sum, split.clone());
+        self.splits.keep(sum, split.as_ref());
         split
     }
 
@@ -77,10 +99,10 @@ impl Graph {
         let divided = self.divide_terms(sum, &common);
         let (number, rest) = match self.node(divided) {
             Node::Constant(value) => (value.clone(), self.one()),
-            Node::Sum(terms) => {
-                let (number, terms) = self.primitive(terms);
-                (number, self.intern_sum(terms))
-            }
+            Node::Sum(terms) => match self.primitive(terms, divided) {
+                Some((number, terms)) => (number, self.intern_sum(terms)),
+                None => (Rational::ONE, divided),
+            },
             _ => (Rational::ONE, divided),
         };
         (rest != sum).then_some(Split {
@@ -157,27 +179,36 @@ impl Graph {
         self.sum(quotients)
     }
 
-    /// The content of a sum, and the terms of its primitive part.
+    /// The content of a sum, and the terms of its primitive part; none where that is the sum itself.
     fn primitive(
         &self,
         terms: &[(Expression, Rational)],
-    ) -> (Rational, Vec<(Expression, Rational)>) {
+        sum: Expression,
+    ) -> Option<(Rational, Vec<(Expression, Rational)>)> {
         let content = self.content(terms);
         let divided = |content: &Rational| -> Vec<(Expression, Rational)> {
             let inverse = content.reciprocal().unwrap_or(Rational::ONE);
-            terms.iter().map(|(x, c)| (*x, c * &inverse)).collect()
+            let mut divided = Vec::with_capacity(terms.len());
+            for (x, c) in terms {
+                divided.push((*x, c * &inverse));
+            }
+            divided
         };
-        let rest = divided(&content);
-        let opposite = -&content;
-        let other = divided(&opposite);
         let position = |terms: &[(Expression, Rational)]| self.position(&Node::Sum(terms.into()));
-        let opposite_was_first = terms.len() > 1
-            && position(&other)
-                .is_some_and(|there| position(&rest).is_none_or(|here| there < here));
-        if opposite_was_first {
-            (opposite, other)
-        } else {
-            (content, rest)
+        let opposite = -&content;
+        let other = (terms.len() > 1).then(|| divided(&opposite));
+        let there = other.as_deref().and_then(position);
+        if content.is_one() {
+            // The sum is here itself.
+            let other = other.filter(|_| there.is_some_and(|there| there < sum.index()));
+            return other.map(|other| (opposite, other));
+        }
+        let rest = divided(&content);
+        let opposite_was_first =
+            there.is_some_and(|there| position(&rest).is_none_or(|here| there < here));
+        match other.filter(|_| opposite_was_first) {
+            Some(other) => Some((opposite, other)),
+            None => Some((content, rest)),
         }
     }
 

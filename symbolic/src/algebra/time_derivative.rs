@@ -1,6 +1,7 @@
 //! Time derivatives along the motion of a system.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use crate::{Direction, Expression, Graph, Symbol};
 
@@ -14,12 +15,17 @@ impl Graph {
     }
 
     /// The direction in which time goes on: q̇ for q, q̈ for q̇, 1 for t.
-    pub(crate) fn time_direction(&mut self, coordinates: u32) -> Direction {
+    pub(crate) fn time_direction(&mut self, coordinates: u32) -> Rc<Direction> {
+        if let Some(known) = self.derivatives.time(coordinates) {
+            return known;
+        }
         let mut direction = self.constant_velocity_direction(coordinates);
         for i in 0..coordinates {
             let acceleration = self.symbol(Symbol::Acceleration(i));
             direction.insert(Symbol::Velocity(i), acceleration);
         }
+        let direction = Rc::new(direction);
+        self.derivatives.keep_time(coordinates, &direction);
         direction
     }
 

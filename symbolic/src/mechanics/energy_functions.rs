@@ -61,14 +61,14 @@ impl EnergyFunctions {
         let (energy, momenta) = links.energy_and_momenta(graph);
         let pairs = momenta.iter().zip(&self.momenta);
         let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-        if graph.cost(&momenta) < graph.cost(&self.momenta) && graph.vanishes(&differences) {
+        if graph.costs_less(&momenta, &self.momenta) && graph.vanishes(&differences) {
             self.momenta = momenta;
         }
         let Some([kinetic, potential]) = self.natural else {
             return;
         };
         let difference = graph.subtract(energy, kinetic);
-        if graph.cost(&[energy]) >= graph.cost(&[kinetic]) || !graph.vanishes(&[difference]) {
+        if !graph.costs_less(&[energy], &[kinetic]) || !graph.vanishes(&[difference]) {
             return;
         }
         self.natural = Some([energy, potential]);

@@ -309,7 +309,7 @@ impl LinearSystem {
 
     /// The same system with M, f and M q̈ − f of another where they cost less.
     fn or(self, graph: &Graph, other: Self) -> Self {
-        let is_cheaper = graph.cost(&other.mass.concat()) < graph.cost(&self.mass.concat());
+        let is_cheaper = graph.costs_less(&other.mass.concat(), &self.mass.concat());
         Self {
             mass: if is_cheaper { other.mass } else { self.mass },
             forcing: cheaper(graph, self.forcing, other.forcing),
@@ -393,7 +393,7 @@ fn in_angle_differences(graph: &mut Graph, residuals: &[Expression]) -> Option<V
 
 /// The second of two lists if it costs less than the first.
 fn cheaper(graph: &Graph, first: Vec<Expression>, second: Vec<Expression>) -> Vec<Expression> {
-    if graph.cost(&second) < graph.cost(&first) {
+    if graph.costs_less(&second, &first) {
         second
     } else {
         first

@@ -29,6 +29,12 @@ impl core::ops::Mul for &Rational {
         match (&self.0, &other.0) {
             (Fraction::Small(1, 1), _) => other.clone(),
             (_, Fraction::Small(1, 1)) => self.clone(),
+            (Fraction::Small(-1, 1), _) => -other,
+            (_, Fraction::Small(-1, 1)) => -self,
+            (Fraction::Small(a, 1), Fraction::Small(c, 1)) => match a.checked_mul(*c) {
+                Some(product) => Rational(Fraction::Small(product, 1)),
+                None => Rational::from_wide(i128::from(*a) * i128::from(*c), 1),
+            },
             (Fraction::Small(a, b), Fraction::Small(c, d)) => Rational::from_wide(
                 i128::from(*a) * i128::from(*c),
                 i128::from(*b) * i128::from(*d),

@@ -1,5 +1,7 @@
 //! How a coordinate of a joint perturbs the motion of the link behind it, where the link before moves as it did.
 
+use std::rc::Rc;
+
 use crate::mechanics::mechanism::{Vector, cross, kept, total};
 use crate::mechanics::solvers::coriolis_matrix::Perturbation;
 use crate::mechanics::solvers::link_equations::LinkEquations;
@@ -11,7 +13,7 @@ pub(crate) struct JointPerturbations<'a> {
     equations: &'a LinkEquations,
     pub(crate) motions: Vec<Motion>,
     /// d/dt, with the accelerations as symbols.
-    direction: Direction,
+    direction: Rc<Direction>,
 }
 
 impl<'a> JointPerturbations<'a> {

@@ -6,6 +6,8 @@
 //! the force on a link is m a + Ω h, and the moment about its origin h × a + vee(Ω S − (Ω S)ᵀ), where h and S are the
 //! first and second moments.
 
+use std::rc::Rc;
+
 use crate::mechanics::mechanism::{Link, Mechanism, Vector, cross, kept, slopes, total};
 use crate::{Expression, Graph, Rational};
 
@@ -75,7 +77,7 @@ pub(crate) fn motions(
     let direction = if with_accelerations {
         graph.time_direction(coordinates)
     } else {
-        graph.constant_velocity_direction(coordinates)
+        Rc::new(graph.constant_velocity_direction(coordinates))
     };
     let mut motions: Vec<Motion> = Vec::with_capacity(joints.len());
     for (link, joint) in mechanism.links.iter().zip(joints) {
