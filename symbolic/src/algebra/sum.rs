@@ -21,9 +21,14 @@ pub(crate) struct KnownSplits {
 }
 
 impl KnownSplits {
-    fn get(&self, sum: Expression) -> Option<Option<Split>> {
-        let place = self.places.get(sum.index())?;
-        Some(self.splits.get(place.wrapping_sub(1)).cloned())
+    /// The place of the split of a sum, if it has been computed.
+    fn place(&self, sum: Expression) -> Option<usize> {
+        self.places.get(sum.index())
+    }
+
+    /// The split at a place.
+    fn at(&self, place: usize) -> Option<Split> {
+        self.splits.get(place.checked_sub(1)?).cloned()
     }
 
     fn keep(&mut self, sum: Expression, split: Option<&Split>) {
@@ -85,8 +90,8 @@ impl Graph {
     ///
     /// None where the content is 1 and there is no common power.
     pub(crate) fn split(&mut self, sum: Expression) -> Option<Split> {
-        if let Some(known) = self.splits.get(sum) {
-            return known;
+        if let Some(place) = self.splits.place(sum) {
+            return self.splits.at(place);
         }
         let split = self.find_split(sum);
         // A sum occurs in many products, and its split stays the same.
