@@ -39,7 +39,11 @@ impl Method {
         let mut layout = ProgramLayout::new();
         let outputs = AccelerationOutputs::add_to(&mut layout, kinetics);
         let is_numerical = matches!(outputs, AccelerationOutputs::Numerical { .. });
-        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
+        // Of a solution the layout has the pivots and the accelerations in one group, which may have been scheduled already.
+        let whole = match &kinetics.solution {
+            Some(solution) => solution.scheduled_for_staging(&model.graph),
+            None => Program::schedule_for_staging(&model.graph, &layout.groups()),
+        };
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
         // An elimination goes out along the links, in, and out again; recursions of two ways lose by another order.
         let kernel = kernel.ordered(model.graph.passes);

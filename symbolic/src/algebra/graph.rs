@@ -295,6 +295,21 @@ impl Graph {
         self.nodes.position(node)
     }
 
+    /// The index of the sum with the opposite terms, if it is there, without making it.
+    pub(crate) fn position_of_opposite(&self, terms: &[(Expression, Rational)]) -> Option<usize> {
+        let mut code = 2;
+        for (x, c) in terms {
+            code = mix(mix(code, u64::from(x.0)), (-c).code());
+        }
+        self.nodes.find(code, |node| match node {
+            Node::Sum(others) if others.len() == terms.len() => {
+                let mut pairs = others.iter().zip(terms);
+                pairs.all(|((x, c), (y, d))| x == y && *c == -d)
+            }
+            _ => false,
+        })
+    }
+
     /// The handle of `node`, which is in normal form.
     pub(crate) fn intern(&mut self, node: Node) -> Expression {
         let position = self.nodes.insert(node);

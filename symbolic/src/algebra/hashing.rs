@@ -32,8 +32,16 @@ impl Hasher for Mixer {
     }
 
     fn write(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = mix(self.0, u64::from(*byte));
+        let mut position = 0;
+        while position + 8 <= bytes.len() {
+            let mut word = [0; 8];
+            word.copy_from_slice(&bytes[position..position + 8]);
+            self.0 = mix(self.0, u64::from_le_bytes(word));
+            position += 8;
+        }
+        while position < bytes.len() {
+            self.0 = mix(self.0, u64::from(bytes[position]));
+            position += 1;
         }
     }
 

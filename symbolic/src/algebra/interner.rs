@@ -34,6 +34,20 @@ impl Interner {
         self.position_at(slot)
     }
 
+    /// The position of the node with this code for which `is_wanted` holds, if it is here.
+    pub(crate) fn find(&self, word: u64, is_wanted: impl Fn(&Node) -> bool) -> Option<usize> {
+        let mask = self.slots.len().checked_sub(1)?;
+        let code = finished(word);
+        let mut slot = home_slot(code, mask);
+        while let Some(position) = self.position_at(slot) {
+            if self.codes[position] == code && is_wanted(&self.nodes[position]) {
+                return Some(position);
+            }
+            slot = (slot + 1) & mask;
+        }
+        None
+    }
+
     /// The position of `node`, which is here afterwards.
     pub(crate) fn insert(&mut self, node: Node) -> usize {
         if 2 * (self.nodes.len() + 1) > self.slots.len() {
@@ -88,6 +102,13 @@ impl Interner {
 fn code(node: &Node) -> u64 {
     let mut mixer = Mixer::default();
     node.hash(&mut mixer);
+    mixer.finish()
+}
+
+/// The code of a node that is hashed as one word.
+fn finished(word: u64) -> u64 {
+    let mut mixer = Mixer::default();
+    mixer.write_u64(word);
     mixer.finish()
 }
 

@@ -191,30 +191,29 @@ impl Graph {
         sum: Expression,
     ) -> Option<(Rational, Vec<(Expression, Rational)>)> {
         let content = self.content(terms);
+        if content.is_one() {
+            // The sum is here itself; mostly its opposite is not.
+            let opposite = self.position_of_opposite(terms).filter(|_| terms.len() > 1);
+            opposite.filter(|there| *there < sum.index())?;
+            let opposite = terms.iter().map(|(x, c)| (*x, -c));
+            return Some((Rational::MINUS_ONE, opposite.collect()));
+        }
         let divided = |content: &Rational| -> Vec<(Expression, Rational)> {
             let inverse = content.reciprocal().unwrap_or(Rational::ONE);
-            let mut divided = Vec::with_capacity(terms.len());
-            for (x, c) in terms {
-                divided.push((*x, c * &inverse));
-            }
-            divided
+            terms.iter().map(|(x, c)| (*x, c * &inverse)).collect()
         };
-        let position = |terms: &[(Expression, Rational)]| self.position(&Node::Sum(terms.into()));
-        let opposite = -&content;
-        let other = (terms.len() > 1).then(|| divided(&opposite));
-        let there = other.as_deref().and_then(position);
-        if content.is_one() {
-            // The sum is here itself.
-            let other = other.filter(|_| there.is_some_and(|there| there < sum.index()));
-            return other.map(|other| (opposite, other));
-        }
         let rest = divided(&content);
-        let opposite_was_first =
-            there.is_some_and(|there| position(&rest).is_none_or(|here| there < here));
-        match other.filter(|_| opposite_was_first) {
-            Some(other) => Some((opposite, other)),
-            None => Some((content, rest)),
+        let opposite = self.position_of_opposite(&rest);
+        let opposite = opposite.filter(|there| {
+            let here = self.position(&Node::Sum(rest.as_slice().into()));
+            terms.len() > 1 && here.is_none_or(|here| *there < here)
+        });
+        if opposite.is_some() {
+            let opposite = -&content;
+            let other = divided(&opposite);
+            return Some((opposite, other));
         }
+        Some((content, rest))
     }
 
     /// The content, with the sign of the leading coefficient.

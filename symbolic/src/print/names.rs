@@ -33,10 +33,20 @@ pub struct Letters {
     inputs: Vec<Spelling>,
     quasi_velocities: Vec<Spelling>,
     definitions: BTreeMap<Expression, Spelling>,
+    /// By expression, whether it is printed by name: this is asked of every part of what is printed.
+    is_named: Vec<bool>,
     /// Whether indices are marked.
     pub(crate) marks_indices: bool,
     /// How long expressions are in these letters.
     pub(crate) sizes: WrittenSizes,
+}
+
+/// Notes that an expression is printed by name.
+fn note(is_named: &mut Vec<bool>, expression: Expression) {
+    if expression.index() >= is_named.len() {
+        is_named.resize(expression.index() + 1, false);
+    }
+    is_named[expression.index()] = true;
 }
 
 impl Letters {
@@ -55,7 +65,12 @@ impl Letters {
         let parameters = names.parameters.iter();
         let parameters =
             parameters.map(|name| spelled.spelling(name, Spelling::of_parameter(name)));
+        let mut is_named = Vec::new();
+        for expression in names.definitions.keys() {
+            note(&mut is_named, *expression);
+        }
         Self {
+            is_named,
             coordinates: list(&names.coordinates),
             parameters: parameters.collect(),
             inputs: list(&names.inputs),
@@ -96,6 +111,7 @@ impl Letters {
     pub(crate) fn of_symbols(&self) -> Self {
         Self {
             definitions: BTreeMap::new(),
+            is_named: Vec::new(),
             sizes: WrittenSizes::default(),
             ..self.clone()
         }
@@ -105,6 +121,7 @@ impl Letters {
     pub(crate) fn with_sign(mut self, expression: Expression, sign: char) -> Self {
         let spelling = Spelling::verbatim(&sign.to_string());
         self.definitions.insert(expression, spelling);
+        note(&mut self.is_named, expression);
         self
     }
 
@@ -115,7 +132,10 @@ impl Letters {
 
     /// The name of a subexpression, if it has one.
     pub(crate) fn definition(&self, expression: Expression) -> Option<&Spelling> {
-        self.definitions.get(&expression)
+        match self.is_named.get(expression.index()) {
+            Some(true) => self.definitions.get(&expression),
+            _ => None,
+        }
     }
 
     /// The name of a symbol and the number of dots above it.

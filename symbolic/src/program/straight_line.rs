@@ -5,10 +5,13 @@
 //! instructions do the same; each output has the value of its root. The order of instructions depends
 //! on the graph alone.
 
+use core::hash::{Hash, Hasher};
+
+use crate::algebra::hashing::mix;
 use crate::{Binary, Expression, ExternalFunction, Rational, Symbol, Unary};
 
 /// An operand of an instruction.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Operand {
     /// The result of an earlier instruction.
     Value(usize),
@@ -24,7 +27,7 @@ pub enum Operand {
 }
 
 /// One operation.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Operation {
     /// x + y.
     Add(Operand, Operand),
@@ -46,6 +49,51 @@ pub enum Operation {
     Binary(Binary, Operand, Operand),
     /// An external function.
     Application(ExternalFunction, Vec<Operand>),
+}
+
+impl Operand {
+    /// A word that depends on all of the operand.
+    fn code(&self) -> u64 {
+        match self {
+            Self::Value(number) => mix(1, *number as u64),
+            Self::Constant(number) => mix(2, number.code()),
+            Self::Pi => 3,
+            Self::MinPositive => 4,
+            Self::Symbol(symbol) => {
+                let (kind, index) = symbol.code();
+                mix(mix(5, kind), u64::from(index))
+            }
+        }
+    }
+}
+
+impl Hash for Operand {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.code());
+    }
+}
+
+// Every instruction is looked up, so this is one call of the hasher.
+impl Hash for Operation {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let pair = |kind, x: &Operand, y: &Operand| mix(mix(kind, x.code()), y.code());
+        let code = match self {
+            Self::Add(x, y) => pair(1, x, y),
+            Self::Subtract(x, y) => pair(2, x, y),
+            Self::Multiply(x, y) => pair(3, x, y),
+            Self::Divide(x, y) => pair(4, x, y),
+            Self::Negate(x) => mix(5, x.code()),
+            Self::SquareRoot(x) => mix(6, x.code()),
+            Self::SineAndCosine(x) => mix(7, x.code()),
+            Self::Unary(function, x) => mix(mix(8, *function as u64), x.code()),
+            Self::Binary(function, x, y) => pair(mix(9, *function as u64), x, y),
+            Self::Application(function, arguments) => {
+                let code = mix(10, function.index() as u64);
+                arguments.iter().fold(code, |code, x| mix(code, x.code()))
+            }
+        };
+        state.write_u64(code);
+    }
 }
 
 /// The operands of an operation. Chained iterators would take ten times as long without optimization.

@@ -27,6 +27,8 @@ pub struct Solution {
     /// The accelerations q̈.
     pub accelerations: Vec<Expression>,
     solver: Solver,
+    /// The program of the pivots and the accelerations, if it was scheduled to compare solvers.
+    scheduled: Option<Program>,
 }
 
 /// How M x = r is solved.
@@ -65,11 +67,22 @@ impl Solution {
         if solutions.len() == 1 {
             return solutions.pop();
         }
+        for solution in &mut solutions {
+            solution.scheduled = Some(solution.scheduled_for_staging(graph));
+        }
         solutions.into_iter().min_by_key(|solution| {
-            let outputs = [&*solution.pivots, &solution.accelerations];
-            let program = Program::schedule_for_staging(graph, &outputs);
+            let program = solution.scheduled_for_staging(graph);
             let staged = program.staged(graph.passes);
             (staged.kernel.count().cost(), staged.setup.count().cost())
+        })
+    }
+
+    /// The program that computes the pivots and then the accelerations as one group, with invariants gathered.
+    #[must_use]
+    pub fn scheduled_for_staging(&self, graph: &Graph) -> Program {
+        let known = self.scheduled.clone();
+        known.unwrap_or_else(|| {
+            Program::schedule_for_staging(graph, &[&[&*self.pivots, &self.accelerations].concat()])
         })
     }
 
@@ -92,6 +105,7 @@ impl Solution {
             pivots,
             accelerations,
             solver,
+            scheduled: None,
         }
     }
 
