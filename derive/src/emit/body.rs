@@ -120,16 +120,7 @@ impl<'a> Body<'a> {
 
     /// Reads the symbols that no group before has read.
     fn load_symbols(&mut self, group: &OutputGroup) {
-        let operands = group
-            .instructions
-            .iter()
-            .flat_map(|instruction| instruction.operation.operands());
-        let symbols = |operand: &Operand| match operand {
-            Operand::Symbol(symbol) => Some(*symbol),
-            _ => None,
-        };
-        let wanted: BTreeSet<Symbol> = operands.chain(&group.outputs).filter_map(symbols).collect();
-        for symbol in wanted {
+        for symbol in group.symbols() {
             if !self.symbols.contains_key(&symbol) {
                 let name = self.locals.symbol(symbol);
                 self.symbols.insert(symbol, name);

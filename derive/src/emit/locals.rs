@@ -26,6 +26,8 @@ pub(crate) struct Locals<'a> {
     graph: &'a Graph,
     /// The names of variables for what the declaration has a name for.
     definitions: BTreeMap<Expression, String>,
+    /// By expression, whether the declaration has a name for it: this is asked of every instruction.
+    is_named: Vec<bool>,
     quantities: &'a Quantities,
     /// The names of a function's arguments, in one of its derivatives.
     arguments: Vec<String>,
@@ -40,7 +42,9 @@ impl<'a> Locals<'a> {
             .chain(["self", "factors"])
             .chain(SERIES);
         let mut definitions = BTreeMap::new();
+        let mut is_named = vec![false; graph.len()];
         for (label, expression) in scope.definitions(graph) {
+            is_named[expression.index()] = true;
             // Of several names for one expression the first stands for it.
             definitions
                 .entry(expression)
@@ -49,6 +53,7 @@ impl<'a> Locals<'a> {
         Self {
             graph,
             definitions,
+            is_named,
             quantities,
             arguments: Vec::new(),
             taken: taken.map(str::to_owned).collect(),
@@ -102,12 +107,16 @@ impl<'a> Locals<'a> {
 
     /// Whether the declaration has a name for an expression.
     pub(crate) fn is_defined(&self, expression: Option<Expression>) -> bool {
-        expression.is_some_and(|expression| self.definitions.contains_key(&expression))
+        expression.is_some_and(|expression| self.is_named(expression))
+    }
+
+    fn is_named(&self, expression: Expression) -> bool {
+        self.is_named.get(expression.index()) == Some(&true)
     }
 
     fn describe(&self, expression: Expression) -> Option<String> {
-        if let Some(name) = self.definitions.get(&expression) {
-            return Some(name.clone());
+        if self.is_named(expression) {
+            return self.definitions.get(&expression).cloned();
         }
         match self.graph.node(expression) {
             Node::Unary(function @ (Unary::Sin | Unary::Cos), x) => match self.graph.node(*x) {

@@ -43,6 +43,8 @@ pub(crate) fn accumulated(
         p: point.p(),
         images,
         slopes: vec![0; length],
+        powers: Vec::new(),
+        behind: Vec::new(),
     };
     for (root, weight) in weights {
         sweep.add(*root, *weight);
@@ -62,6 +64,10 @@ struct Sweep<'a> {
     p: u64,
     images: &'a Images,
     slopes: Vec<u64>,
+    /// Of the product at hand: its powers.
+    powers: Vec<u64>,
+    /// The products of the powers behind each factor, the last factor first.
+    behind: Vec<u64>,
 }
 
 impl Sweep<'_> {
@@ -102,24 +108,26 @@ impl Sweep<'_> {
 
     /// kⱼ xⱼ^(kⱼ−1) Π_{i≠j} xᵢ^kᵢ for each factor.
     fn pass_on_by_factors(&mut self, factors: &[(Expression, Rational)], slope: u64) -> Option<()> {
-        let (p, last) = (self.p, factors.len() - 1);
-        let mut powers = Vec::with_capacity(factors.len());
+        let p = self.p;
+        self.powers.clear();
         for (x, k) in factors {
             let value = self.images.get(*x).value;
-            powers.push(if k.is_one() {
+            self.powers.push(if k.is_one() {
                 value
             } else {
                 self.point.power(value, k)?
             });
         }
-        // What comes after each factor, from the last one back, then what comes before it.
-        let mut behind = vec![1; factors.len()];
-        for j in (0..last).rev() {
-            behind[j] = residue::multiply(behind[j + 1], powers[j + 1], p);
+        self.behind.clear();
+        let mut behind = 1;
+        for power in self.powers.iter().rev() {
+            self.behind.push(behind);
+            behind = residue::multiply(behind, *power, p);
         }
+        let last = factors.len() - 1;
         let mut before = slope;
         for (j, (x, k)) in factors.iter().enumerate() {
-            let mut part = residue::multiply(before, behind[j], p);
+            let mut part = residue::multiply(before, self.behind[last - j], p);
             if !k.is_one() {
                 let less = k - &Rational::ONE;
                 let power = self.point.power(self.images.get(*x).value, &less)?;
@@ -127,7 +135,7 @@ impl Sweep<'_> {
                 part = residue::multiply(part, reduce(k, p)?, p);
             }
             self.add(*x, part);
-            before = residue::multiply(before, powers[j], p);
+            before = residue::multiply(before, self.powers[j], p);
         }
         Some(())
     }

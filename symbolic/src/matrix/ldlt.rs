@@ -9,7 +9,7 @@
 
 use crate::limits::LARGEST_TRANSPARENT_ELIMINATION;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
-use crate::{Expression, Graph, Symbol};
+use crate::{Expression, Graph};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -80,7 +80,7 @@ fn rewriting(rows: usize) -> impl Fn(&mut Graph, Expression) -> Expression {
 /// The next pivot: free of coordinates, then of minimum degree, then the shortest.
 fn best_pivot(graph: &Graph, matrix: &SymmetricElimination<usize>) -> Option<usize> {
     let best = matrix.pivots().min_by_key(|(i, pivot, degree)| {
-        let varies = graph.contains(&[*pivot], |symbol| !matches!(symbol, Symbol::Parameter(_)));
+        let varies = graph.contents(*pivot).varies();
         (varies, *degree, graph.descendants(&[*pivot]).len(), *i)
     });
     best.map(|(i, ..)| i)

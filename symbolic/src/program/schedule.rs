@@ -72,7 +72,7 @@ impl Scheduler {
         };
         Self {
             operands: vec![None; dag.operations.len()],
-            numbers: Table::default(),
+            numbers: Table::with_capacity_and_hasher(dag.operations.len(), <_>::default()),
             paired,
             dag,
             instructions: Vec::new(),
@@ -132,7 +132,9 @@ impl Scheduler {
 
     /// Computes a value whose operands have been.
     fn perform(&mut self, value: ValueId) -> Operand {
-        let operand = match self.dag.operations[value].clone() {
+        // Each operation is needed once.
+        let done = DagOperation::Constant(Rational::ZERO);
+        let operand = match core::mem::replace(&mut self.dag.operations[value], done) {
             DagOperation::Constant(number) => return Operand::Constant(number),
             DagOperation::Pi => return Operand::Pi,
             DagOperation::MinPositive => return Operand::MinPositive,
@@ -197,6 +199,9 @@ impl Scheduler {
 
     /// Σ cᵢ·xᵢ: one multiplication for each magnitude of c, then additions and subtractions.
     fn sum(&mut self, terms: &[(ValueId, Rational)]) -> Operand {
+        if let Some(parts) = self.plain_terms(terms) {
+            return self.signed_sum(parts);
+        }
         let mut groups: BTreeMap<Rational, Vec<(Operand, bool)>> = BTreeMap::new();
         for (x, c) in terms {
             let (operand, magnitude) = match self.operand(*x) {
@@ -235,23 +240,53 @@ impl Scheduler {
         self.signed_sum(parts)
     }
 
-    /// The sum of operands, each taken negative where its flag says so.
-    fn signed_sum(&mut self, parts: Vec<(Operand, bool)>) -> Operand {
-        let (negative, positive): (Vec<_>, Vec<_>) = parts.into_iter().partition(|(_, sign)| *sign);
-        let mut negative = negative.into_iter().map(|(operand, _)| operand);
-        let mut positive = positive.into_iter().map(|(operand, _)| operand);
-        let Some(first) = positive.next() else {
-            let first = negative.next().unwrap_or(Operand::Constant(Rational::ZERO));
-            let total = negative.fold(first, |total, operand| self.add(total, operand));
-            return match total {
-                Operand::Constant(value) => Operand::Constant(-&value),
-                total => self.emit(Operation::Negate(total)),
+    /// The terms of a sum whose coefficients are all ±1, as most are, and none of which is a number.
+    fn plain_terms(&self, terms: &[(ValueId, Rational)]) -> Option<Vec<(Operand, bool)>> {
+        let mut parts = Vec::with_capacity(terms.len());
+        for (x, c) in terms {
+            let is_negative = match c.to_integer() {
+                Some(1) => false,
+                Some(-1) => true,
+                _ => return None,
             };
-        };
-        let total = positive.fold(first, |total, operand| self.add(total, operand));
-        negative.fold(total, |total, operand| {
-            self.emit(Operation::Subtract(total, operand))
-        })
+            match self.operand(*x) {
+                Operand::Constant(_) => return None,
+                operand => parts.push((operand, is_negative)),
+            }
+        }
+        Some(parts)
+    }
+
+    /// The sum of operands, each taken negative where its flag says so: first those that are added.
+    fn signed_sum(&mut self, parts: Vec<(Operand, bool)>) -> Operand {
+        let (mut negative, mut total) = (Vec::new(), None);
+        for (operand, is_negative) in parts {
+            if is_negative {
+                negative.push(operand);
+                continue;
+            }
+            total = Some(match total {
+                Some(total) => self.add(total, operand),
+                None => operand,
+            });
+        }
+        if let Some(mut total) = total {
+            for operand in negative {
+                total = self.emit(Operation::Subtract(total, operand));
+            }
+            return total;
+        }
+        for operand in negative {
+            total = Some(match total {
+                Some(total) => self.add(total, operand),
+                None => operand,
+            });
+        }
+        match total {
+            None => Operand::Constant(Rational::ZERO),
+            Some(Operand::Constant(value)) => Operand::Constant(-&value),
+            Some(total) => self.emit(Operation::Negate(total)),
+        }
     }
 
     fn quotient(&mut self, numerator: &[ValueId], denominator: &[ValueId]) -> Operand {

@@ -96,6 +96,47 @@ impl Hash for Operation {
     }
 }
 
+impl OutputGroup {
+    /// The symbols that the group reads or returns, each once, in order.
+    #[must_use]
+    pub fn symbols(&self) -> Vec<Symbol> {
+        symbols_of(core::slice::from_ref(self))
+    }
+}
+
+/// The symbols of several groups, each once, in order.
+fn symbols_of(groups: &[OutputGroup]) -> Vec<Symbol> {
+    let mut symbols = Vec::new();
+    // By kind and index: most symbols are read many times.
+    let mut seen: Vec<Vec<bool>> = Vec::new();
+    let mut note = |operand: &Operand| {
+        let Operand::Symbol(symbol) = operand else {
+            return;
+        };
+        let (kind, index) = symbol.code();
+        let (kind, index) = (usize::try_from(kind).unwrap_or(0), index as usize);
+        if kind >= seen.len() {
+            seen.resize(kind + 1, Vec::new());
+        }
+        let seen = &mut seen[kind];
+        if index >= seen.len() {
+            seen.resize(index + 1, false);
+        }
+        if !seen[index] {
+            seen[index] = true;
+            symbols.push(*symbol);
+        }
+    };
+    for group in groups {
+        for instruction in &group.instructions {
+            instruction.operation.operands().for_each(&mut note);
+        }
+        group.outputs.iter().for_each(&mut note);
+    }
+    symbols.sort_unstable();
+    symbols
+}
+
 /// The operands of an operation. Chained iterators would take ten times as long without optimization.
 struct Operands<'a> {
     x: Option<&'a Operand>,
@@ -219,20 +260,7 @@ impl Program {
     /// The symbols that the program reads, in order.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
-        let outputs = self.groups.iter().flat_map(|group| &group.outputs);
-        let operands = self
-            .instructions()
-            .flat_map(|instruction| instruction.operation.operands());
-        let mut symbols: Vec<Symbol> = operands
-            .chain(outputs)
-            .filter_map(|operand| match operand {
-                Operand::Symbol(symbol) => Some(*symbol),
-                _ => None,
-            })
-            .collect();
-        symbols.sort_unstable();
-        symbols.dedup();
-        symbols
+        symbols_of(&self.groups)
     }
 
     /// The exact numbers that the program contains.

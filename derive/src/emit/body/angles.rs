@@ -3,7 +3,7 @@
 //! Several angles take less time together than one by one. Together go those that are known when the
 //! group begins: coordinates and other symbols, and sums and products of them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use lagrangian_symbolic::{Operand, Operation, OutputGroup};
 
@@ -13,6 +13,31 @@ pub(super) struct Angles {
     pub(super) operands_of_angles: BTreeSet<usize>,
     /// The sines and cosines.
     pub(super) pairs: Vec<usize>,
+}
+
+/// The values of a group that angles may be made of.
+struct Arithmetic {
+    /// The first value of the group.
+    first: usize,
+    /// By value, from the first on: the instruction that computes it.
+    instructions: Vec<Option<usize>>,
+}
+
+impl Arithmetic {
+    fn of(&self, value: usize) -> Option<usize> {
+        let place = value.checked_sub(self.first)?;
+        *self.instructions.get(place)?
+    }
+
+    fn note(&mut self, value: usize, index: usize) {
+        let Some(place) = value.checked_sub(self.first) else {
+            return;
+        };
+        if place >= self.instructions.len() {
+            self.instructions.resize(place + 1, None);
+        }
+        self.instructions[place] = Some(index);
+    }
 }
 
 impl Angles {
@@ -25,18 +50,23 @@ impl Angles {
         if pairs.count() < 2 {
             return None;
         }
-        let mut arithmetic = BTreeMap::new();
+        let values = group.instructions.iter();
+        let first = values.map(|instruction| instruction.value).min()?;
+        let mut arithmetic = Arithmetic {
+            first,
+            instructions: Vec::new(),
+        };
         let mut pairs = Vec::new();
         for (index, instruction) in group.instructions.iter().enumerate() {
             let is_known = |operand: &Operand| match operand {
-                Operand::Value(value) => arithmetic.contains_key(value) || earlier(*value),
+                Operand::Value(value) => arithmetic.of(*value).is_some() || earlier(*value),
                 _ => true,
             };
             if !instruction.operation.operands().all(is_known) {
                 continue;
             }
             if is_arithmetic(&instruction.operation) {
-                arithmetic.insert(instruction.value, index);
+                arithmetic.note(instruction.value, index);
             } else if is_pair(&instruction.operation) {
                 pairs.push(index);
             }
@@ -60,20 +90,16 @@ const fn is_arithmetic(operation: &Operation) -> bool {
 }
 
 /// The instructions whose values the pairs are made of.
-fn ancestors(
-    group: &OutputGroup,
-    pairs: &[usize],
-    arithmetic: &BTreeMap<usize, usize>,
-) -> BTreeSet<usize> {
+fn ancestors(group: &OutputGroup, pairs: &[usize], arithmetic: &Arithmetic) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     let mut waiting = pairs.to_vec();
     while let Some(index) = waiting.pop() {
         for operand in group.instructions[index].operation.operands() {
             if let Operand::Value(value) = operand
-                && let Some(index) = arithmetic.get(value)
-                && found.insert(*index)
+                && let Some(index) = arithmetic.of(*value)
+                && found.insert(index)
             {
-                waiting.push(*index);
+                waiting.push(index);
             }
         }
     }

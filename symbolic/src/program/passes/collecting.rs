@@ -177,7 +177,8 @@ impl Match {
 
 impl Index {
     fn of(dag: &Dag) -> Self {
-        let mut products = Table::default();
+        let capacity = dag.operations.len();
+        let mut products = Table::with_capacity_and_hasher(capacity, <_>::default());
         let mut sums = vec![Vec::new(); dag.operations.len()];
         for (value, operation) in dag.operations.iter().enumerate() {
             match operation {

@@ -37,12 +37,13 @@ impl Dag {
         }
         let uses = self.uses(roots);
         for value in order {
-            let DagOperation::Sum(mut terms) = self.operations[value].clone() else {
+            let DagOperation::Sum(terms) = &self.operations[value] else {
                 continue;
             };
             if invariant[value] {
                 continue;
             }
+            let mut terms = terms.clone();
             for (term, coefficient) in &mut terms {
                 let DagOperation::Quotient(above, below) = &self.operations[*term] else {
                     continue;
@@ -97,17 +98,18 @@ impl Dag {
         }
         let uses = self.uses(roots);
         for value in order.into_iter().rev() {
-            let DagOperation::Quotient(above, below) = self.operations[value].clone() else {
+            let DagOperation::Quotient(above, below) = &self.operations[value] else {
                 continue;
             };
-            if invariant[value] {
+            let fixed = |x: &ValueId| is_set(&invariant, *x);
+            if invariant[value] || !(above.iter().any(fixed) || below.iter().any(fixed)) {
                 continue;
             }
-            let fixed = |x: &ValueId| is_set(&invariant, *x);
+            let (above, below) = (above.clone(), below.clone());
             let (fixed_above, above): (Vec<_>, Vec<_>) = above.into_iter().partition(fixed);
             let (fixed_below, below): (Vec<_>, Vec<_>) = below.into_iter().partition(fixed);
             let sum = above.iter().find(|x| self.absorbs(**x, &invariant, &uses));
-            let Some(sum) = sum.filter(|_| fixed_above.len() + fixed_below.len() > 0) else {
+            let Some(sum) = sum else {
                 continue;
             };
             self.multiply_terms(*sum, &fixed_above, &fixed_below, &invariant);
