@@ -76,8 +76,10 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_,
 
 /// A scalar that is one number, with or without derivatives: events happen at one time.
 #[diagnostic::on_unimplemented(
-    message = "declared events are watched for in one motion, and `{Self}` is several",
-    note = "integrate the lanes one by one, or give functions of all lanes to `Driver::events`"
+    message = "`{Self}` is not a single number",
+    note = "the size of a solid is given by its lengths, as in `Solid::cuboid(x, y, z)`",
+    note = "declared events are watched for in one motion: integrate lanes one by one, or give functions of all lanes to \
+            `Driver::events`"
 )]
 pub trait SingleNumber: Scalar {}
 
