@@ -38,6 +38,8 @@ pub(crate) struct PolarTop {
     pub(crate) l: f64,
 }
 
+/// A body about a centre that attracts it. Its constants are in H. Goldstein, C. Poole and J. Safko, Classical Mechanics,
+/// 3rd edition, 2002, 3.2.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(r, phi),
@@ -50,6 +52,7 @@ pub(crate) struct Kepler {
     pub(crate) mu: f64,
 }
 
+/// A pendulum on a sphere. Its constants are in L. D. Landau and E. M. Lifshitz, Mechanics, 3rd edition, 1976, § 14, problem 1.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(theta, phi),
@@ -65,6 +68,8 @@ pub(crate) struct SphericalPendulum {
 }
 
 /// Furuta's pendulum without a motor; the rod is driven and damped: forces that are not on the arm depend on its velocity.
+/// The free pendulum is that of J. Á. Acosta, Furuta's pendulum: a conservative nonlinear model for theory
+/// and practise, Mathematical Problems in Engineering 2010, 742894.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(arm, rod),
@@ -95,7 +100,7 @@ pub(crate) struct FurutaPendulum {
     pub(crate) torque: f64,
 }
 
-/// A gyroscope in two gimbals.
+/// A gyroscope in two gimbals: K. Magnus, Gyrodynamics, 1974, the chapter on gyrostats and gyros in gimbals.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(alpha, beta, gamma),

@@ -1,5 +1,6 @@
-//! An arm of three joints that motors turn, against the references.
+//! An arm of three joints that motors turn, against the references, and its base parameters.
 
+use lagrangian::nalgebra::DMatrix;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Figures, Random, assert_close, motions};
 
@@ -23,6 +24,7 @@ use lagrangian_tests::{Figures, Random, assert_close, motions};
     dissipation = 0.5 * rates.dot(friction.component_mul(rates)),
     force(q[i] = torque[i] for i in 0..3),
     output(tip = elbow + 2.0 * a3 * lower, velocity = dot(elbow + 2.0 * a3 * lower), power = torque.dot(rates)),
+    regressor(j1, m2, a2, i2, m3, a3, i3, friction),
 )]
 pub(super) struct RobotArm {
     j1: f64,
@@ -117,4 +119,80 @@ fn outputs_are_those_of_elementary_mechanics() {
         let power = [work / (2.0 * step) + friction];
         assert_close("power", &[outputs.power], &power, 1e-7);
     }
+}
+
+/// How many singular values count, which has to be seen from a gap between them and rounding errors.
+fn rank(matrix: &DMatrix<f64>) -> usize {
+    let values = matrix.singular_values();
+    let largest = values.max();
+    let count = |bound: f64| values.iter().filter(|x| **x > bound * largest).count();
+    assert_eq!(count(1e-10), count(1e-4), "{values}");
+    count(1e-10)
+}
+
+/// T and V of unit inertial parameters, in which they are linear: j₁, then m, m a and i + m a² of either link.
+fn energies(state: &State<f64, 3>, l: f64, g: f64) -> ([f64; 7], [f64; 7]) {
+    let ([_, shoulder, elbow], [yaw, up, bend]) = (state.q.into(), state.v.into());
+    let [(s, c), (s_lower, c_lower)] = [shoulder, shoulder + elbow].map(f64::sin_cos);
+    let lower_rate: f64 = up + bend;
+    let upper = up.powi(2) + (yaw * c).powi(2);
+    let lower = lower_rate.powi(2) + (yaw * c_lower).powi(2);
+    let both = up * lower_rate * elbow.cos() + yaw.powi(2) * c * c_lower;
+    let half = [
+        yaw.powi(2),
+        0.0,
+        0.0,
+        upper,
+        l * l * upper,
+        2.0 * l * both,
+        lower,
+    ];
+    let potential = [0.0, 0.0, g * s, 0.0, g * l * s, g * s_lower, 0.0];
+    (half.map(|x| 0.5 * x), potential)
+}
+
+/// The arm with the seven numbers in which its energies are linear.
+fn linear(model: &RobotArm) -> [f64; 7] {
+    let moments = |m: f64, a: f64, i: f64| [m, m * a, i + m * a * a];
+    let [[m2, ma2, ii2], [m3, ma3, ii3]] = [
+        moments(model.m2, model.a2, model.i2),
+        moments(model.m3, model.a3, model.i3),
+    ];
+    [model.j1, m2, ma2, ii2, m3, ma3, ii3]
+}
+
+/// Eight: five of the energies, and the friction of three joints. Any bodies on these joints would have the fifteen of
+/// `tests/base_parameters.rs`; slender links in a plane through the first axis are symmetric, which leaves these five.
+///
+/// That base parameters are as many as the columns of the energies that are independent is of M. Gautier and W. Khalil,
+/// Direct calculation of minimum set of inertial parameters of serial robots, 1990.
+#[test]
+fn base_parameters_are_as_many_as_the_ranks_of_the_regressor_and_of_the_energies() {
+    let model = arm(|name| if name == "g" { 9.81 } else { 0.4 });
+    let mut random = Random::default();
+    let motions = 60;
+    let mut stacked = DMatrix::zeros(3 * motions, RobotArm::BASE_PARAMETERS.len());
+    let mut samples = DMatrix::zeros(2 * motions, 7);
+    for motion in 0..motions {
+        let state: State<f64, 3> = random.state();
+        let accelerations: SVector<f64, 3> = random.array(-5.0, 5.0).into();
+        let torque = SVector::zeros();
+        let rows = model.regressor_with(&state, &torque, &accelerations);
+        stacked.rows_mut(3 * motion, 3).copy_from(&rows);
+        let forces = model.inverse_dynamics_with(&state, &torque, &accelerations);
+        let found = rows * model.base_parameters();
+        assert_close("forces", found.as_slice(), forces.as_slice(), 1e-13);
+
+        let (kinetic, potential) = energies(&state, model.l2, model.g);
+        let sum = |of: [f64; 7]| std::iter::zip(of, linear(&model)).map(|(x, y)| x * y).sum();
+        let (t, v) = (model.kinetic_energy(&state), model.potential_energy(&state));
+        assert_close("energies", &[t, v], &[sum(kinetic), sum(potential)], 1e-13);
+        for (row, values) in [(2 * motion, kinetic), (2 * motion + 1, potential)] {
+            samples.row_mut(row).copy_from_slice(&values);
+        }
+    }
+    let frictions = model.friction.len();
+    assert_eq!(rank(&samples), 5);
+    assert_eq!(rank(&stacked), 5 + frictions);
+    assert_eq!(RobotArm::BASE_PARAMETERS.len(), 5 + frictions);
 }
