@@ -15,6 +15,7 @@ mod compensated;
 mod runge_kutta;
 mod dormand_prince;
 mod tolerance;
+mod binary_logarithm;
 mod typical_sizes;
 mod taylor;
 mod event;

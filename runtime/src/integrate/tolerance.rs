@@ -2,7 +2,7 @@
 
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use crate::limits::{LONGEST_TIME_SCALE, USABLE_TIME_SCALE, VELOCITY_TIMES};
+use crate::limits::{LONGEST_TIME_SCALE, USABLE_TIME_SCALE};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
@@ -32,7 +32,7 @@ impl Tolerance {
         ErrorTolerance {
             relative: self.relative,
             absolute: self.absolute,
-            rate: S::one() / (S::from_f64(VELOCITY_TIMES) * time_scale),
+            rate: S::one() / time_scale,
         }
     }
 

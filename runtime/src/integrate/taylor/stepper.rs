@@ -13,7 +13,9 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES};
+use crate::limits::taylor::{
+    FIRST_UNIT, LANDING, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES,
+};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -193,8 +195,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
 
     /// The tolerances, by which an error of a velocity counts by the displacement that it causes in some time scales.
     fn tolerance<S: Scalar>(&self, length: f64) -> ErrorTolerance<S> {
-        let time_scale = S::from_f64(self.time_scale.max(length));
-        self.method.tolerance::<S>().over(time_scale)
+        let time_scale = VELOCITY_TIMES * self.time_scale.max(length);
+        self.method.tolerance::<S>().over(S::from_f64(time_scale))
     }
 }
 

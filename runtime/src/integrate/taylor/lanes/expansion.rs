@@ -1,11 +1,12 @@
 //! The polynomials of motions in lanes, and the steps that they propose.
 
 use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
+use crate::integrate::binary_logarithm::{exp2_of_each, log2_of_each};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::step_size::{exp2_of_each, log2_of_each, reached};
+use crate::integrate::taylor::step_size::reached;
 use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES};
+use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES};
 use crate::linalg::{ErrorTolerance, LaneStates};
 use crate::scalar::{Lanes, Scalar};
 
@@ -129,7 +130,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     /// in some time scales.
     pub(super) fn tolerance(&self, length: Lanes<L>) -> ErrorTolerance<Lanes<L>> {
         let time_scale = Scalar::max(Lanes(self.time_scale), length);
-        self.method.tolerance::<Lanes<L>>().over(time_scale)
+        let tolerance = self.method.tolerance::<Lanes<L>>();
+        tolerance.over(time_scale * Lanes::from_f64(VELOCITY_TIMES))
     }
 }
 
