@@ -92,6 +92,30 @@ fn definitions_are_not_their_own_names() {
     }
 }
 
+/// The kinetic energy is long when it is written out, so that definitions are listed as they were declared; Lagrange's
+/// equations mention the angle, too.
+#[test]
+fn definitions_are_listed_once() {
+    let expansion = expand(quote! {
+        #[lagrangian(
+            coordinates(x, y, phi, theta, psi),
+            define(
+                p = rotation_zxz(phi, theta, psi) * [x, y, c],
+                angle = atan2(y, x),
+            ),
+            kinetic = 0.5 * m * (dot(p).norm_squared() + dot(x).powi(2) + dot(y).powi(2))
+                + 0.5 * i * (dot(phi).powi(2) + dot(theta).powi(2) + dot(psi).powi(2)),
+            potential = 0.5 * k * angle.powi(2) + m * g * p.z,
+        )]
+        struct Turned { m: f64, i: f64, c: f64, k: f64, g: f64 }
+    });
+    for (name, beginning) in [("EQUATIONS", "angle ="), ("LATEX", r"\mathrm{angle} &=")] {
+        let equations = constant(&expansion, name);
+        let lines = equations.lines().filter(|line| line.starts_with(beginning));
+        assert_eq!(lines.count(), 1, "{equations}");
+    }
+}
+
 /// ln x beside x^y has a guard at x = 0, and half angles have guards at poles: what is printed is what a book has.
 #[test]
 fn guards_of_removable_singularities_are_not_printed() {

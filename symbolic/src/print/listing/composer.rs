@@ -274,9 +274,11 @@ impl<'a> Composer<'a> {
     pub(crate) fn definitions(&mut self) -> Section {
         let mut section = Section::new(None, "the declaration");
         let declared = &self.declared.as_declared;
+        let mut defined = BTreeSet::new();
         for line in declared.definitions_of(&self.mentioned_as_declared) {
             let [left, right] = [&line.left, &line.right].map(Side::texts);
             self.push_arranged(&mut section, left, right);
+            defined.insert(&line.left[0]);
         }
         let mut open = core::mem::take(&mut self.mentioned);
         let mut seen = BTreeSet::new();
@@ -291,6 +293,7 @@ impl<'a> Composer<'a> {
             if seen.contains(expression)
                 && listed.insert(*expression)
                 && let Some([unicode, latex]) = self.letters.print_both_of(*expression)
+                && !defined.contains(&unicode)
             {
                 self.push(&mut section, Side::Text(unicode, latex), *expression);
             }
