@@ -156,9 +156,6 @@ pub(crate) mod dormand_prince {
     pub(crate) const LEAST_ERROR: f64 = 1e-10;
     pub(crate) const LARGEST_ERROR: f64 = 1e10;
 
-    /// (10⁻⁴)^(−1/8): no error counts as less than 10⁻⁴ for the step after the next (FACOLD).
-    pub(crate) const LARGEST_ROOT: f64 = 3.162_277_660_168_379_5;
-
     /// A step is at most this much shorter than the one before (1/FAC1).
     pub(crate) const MAX_SHRINKAGE: f64 = 1.0 / 0.333;
 

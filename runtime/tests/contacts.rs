@@ -129,8 +129,8 @@ fn both_corners_of_a_saturation_are_seen() {
     for t in [1.3, 1.5, 3.0] {
         let found = Taylor::new().integrate_to(&dynamics, start, t).unwrap();
         let precise = Dop853::new()
-            .relative_tolerance(1e-13)
-            .absolute_tolerance(1e-13);
+            .relative_tolerance(1e-15)
+            .absolute_tolerance(1e-15);
         let expected = precise.integrate_to(&dynamics, start, t).unwrap();
         assert!((found.x.q - expected.x.q).norm() < 1e-10);
     }

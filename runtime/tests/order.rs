@@ -173,3 +173,33 @@ fn single_precision_is_integrated_too() {
     let end = method.integrate_to(&Oscillator, start, 1.0).unwrap();
     assert_close(f64::from(end.x[0]), 1.0_f64.cos(), 1e-5);
 }
+
+/// What the published code DOP853 counts with its default settings for the same equations, start
+/// (2, 0) and tolerances: accepted and rejected steps, evaluations.
+#[test]
+fn the_steps_are_those_of_the_reference_code() {
+    let counts = |dynamics: &dyn Dynamics<State = SVector<f64, 2>>, end, tolerance| {
+        let method = Dop853::new()
+            .relative_tolerance(tolerance)
+            .absolute_tolerance(tolerance);
+        let start = (0.0, SVector::from([2.0, 0.0]));
+        let outcome = method.driver().run_until(dynamics, start, end).unwrap();
+        let Statistics {
+            steps,
+            rejected,
+            evaluations,
+        } = outcome.statistics;
+        (steps, rejected, evaluations)
+    };
+    let van_der_pol = |stiffness: f64| {
+        equation::<2, _>(move |_, x| {
+            SVector::from([x[1], ((1.0 - x[0] * x[0]) * x[1] - x[0]) * stiffness])
+        })
+    };
+    assert_eq!(counts(&van_der_pol(1000.0), 2.0, 1e-9), (1345, 122, 17495));
+    assert_eq!(counts(&van_der_pol(10.0), 2.0, 1e-6), (31, 5, 429));
+    let driven_pendulum =
+        equation::<2, _>(|t, x| SVector::from([x[1], -x[0].sin() + 0.1 * (0.7 * t).cos()]));
+    assert_eq!(counts(&driven_pendulum, 50.0, 1e-10), (189, 49, 2809));
+    assert_eq!(counts(&driven_pendulum, -50.0, 1e-6), (60, 16, 898));
+}

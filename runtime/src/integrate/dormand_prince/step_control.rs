@@ -1,7 +1,5 @@
 //! Step size control: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.4
-//! (control and first step) and II.10 (error estimate); the proportional and integral controller of K. Gustafsson, *Control
-//! Theoretic Techniques for Stepsize Selection in Explicit Runge–Kutta Methods*, ACM Transactions on Mathematical Software
-//! **17** (1991) 533–554, nearly as in the code DOP853: the next step is h · 0.9 · e^(−1/8) · e'^β after errors e' and e.
+//! (control and first step) and II.10 (error estimate).
 
 use super::coefficients::{FIFTH_ORDER_ERROR, THIRD_ORDER};
 use super::{ALL_STAGES, STAGES};
@@ -12,9 +10,8 @@ use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::derivative_apart;
 use crate::integrate::tolerance::{Tolerance, ratios, squares_over_step};
 use crate::limits::dormand_prince::{
-    LARGEST_ERROR, LARGEST_ROOT, LEAST_ERROR, MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE,
-    MAX_STALLED_ATTEMPTS, NEGLIGIBLE, PROBE, SAFETY, SHORTENED_PROBE, SMALL_STEP,
-    THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
+    LARGEST_ERROR, LEAST_ERROR, MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS,
+    NEGLIGIBLE, PROBE, SAFETY, SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
@@ -80,11 +77,6 @@ pub(super) struct StepControl {
     step: f64,
     /// Whether the last attempt was rejected: the next step must then not be longer.
     rejected: bool,
-    /// e^β of the error e of the last step that was accepted, but for those that were shortened to land on a time. Without it two
-    /// attempts of five are rejected on a double pendulum, since the error changes faster than the steps follow.
-    memory: f64,
-    /// Whether β is 1/16, and not 0 as in the code DOP853 unless it is set (BETA).
-    is_stabilized: bool,
     /// The number of attempts in a row with negligible steps.
     stalled: u32,
     /// The time in which the motion goes on: that at its start, or the longest step so far. A time scale that
@@ -94,12 +86,10 @@ pub(super) struct StepControl {
 }
 
 impl StepControl {
-    pub(super) fn new(step: f64, time_scale: Option<f64>, is_stabilized: bool) -> Self {
+    pub(super) fn new(step: f64, time_scale: Option<f64>) -> Self {
         Self {
             step,
             rejected: false,
-            memory: 1.0,
-            is_stabilized,
             stalled: 0,
             time_scale: time_scale.unwrap_or(0.0),
         }
@@ -130,25 +120,21 @@ impl StepControl {
             return false;
         }
         // Beyond these errors it is the bounds of growth that count.
-        let root = reciprocal_root(attempt.error.clamp(LEAST_ERROR, LARGEST_ERROR));
-        let growth = SAFETY * root;
+        let growth = SAFETY * reciprocal_root(attempt.error.clamp(LEAST_ERROR, LARGEST_ERROR));
         if attempt.error > 1.0 {
             self.step = h * growth.max(1.0 / MAX_SHRINKAGE);
             self.rejected = true;
             return false;
         }
         self.time_scale = self.time_scale(h);
-        let step = h * (growth * self.memory).clamp(1.0 / MAX_SHRINKAGE, MAX_GROWTH);
+        let step = h * growth.clamp(1.0 / MAX_SHRINKAGE, MAX_GROWTH);
+        // A step that was shortened to land on a time does not shorten the one planned before.
         let planned = if self.rejected { step.min(h) } else { step };
-        if h < self.step {
-            // A step that was shortened to land on a time does not shorten the one planned before.
-            self.step = planned.max(self.step);
+        self.step = if h < self.step {
+            planned.max(self.step)
         } else {
-            self.step = planned;
-            if self.is_stabilized {
-                self.memory = 1.0 / Scalar::sqrt(root.min(LARGEST_ROOT));
-            }
-        }
+            planned
+        };
         self.rejected = false;
         true
     }

@@ -159,13 +159,13 @@ impl<X> Dop853Stepper<X> {
         let time_scale =
             time_scale.map(|time| time.clamp(LEAST_TIME_SCALE * remaining.abs(), remaining.abs()));
         if let Some(step) = self.method.initial_step {
-            return StepControl::new(step.min(longest), time_scale, self.method.is_stabilized);
+            return StepControl::new(step.min(longest), time_scale);
         }
         self.statistics.evaluations += 1;
         let longest = longest.copysign(remaining);
         let from = (self.clock, x, slope);
         let step = initial_step(dynamics, from, longest, time_scale, tolerance);
-        StepControl::new(step, time_scale, self.method.is_stabilized)
+        StepControl::new(step, time_scale)
     }
 
     fn limited(&self, step: f64) -> f64 {
