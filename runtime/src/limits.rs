@@ -342,8 +342,8 @@ pub(crate) mod rigid_bodies {
     /// A principal moment that is this many machine epsilons of the largest one is zero.
     pub(crate) const NO_INERTIA: f64 = 64.0;
 
-    /// By how much the moments of a body may be unphysical if its numbers were printed, relative to the largest moment: with six digits each is rounded by up to
-    /// 5·10⁻⁶ of itself, and three moments add up to about twice the largest.
+    /// By how much the moments of a body may be unphysical if its numbers were printed, relative to the largest moment: with
+    /// six digits each is rounded by up to 5·10⁻⁶ of itself, and three moments add up to about twice the largest.
     pub(crate) const UNPHYSICAL_DIGITS: f64 = 1e-5;
 
     /// A mesh whose volume is less than this many machine epsilons of that of the tetrahedra of which it is the sum is

@@ -137,8 +137,8 @@ impl<'a> Locals<'a> {
         self.free(name)
     }
 
-    /// `name`, or the next free one after it. A local variable is hygienic: it never meets a variable of the user's. A constant or a unit struct of the same name would make a
-    /// pattern of it, and those are written in capitals.
+    /// `name`, or the next free one after it. A local variable is hygienic: it never meets a variable of the user's. A
+    /// constant or a unit struct of the same name would make a pattern of it, and those are written in capitals.
     fn unique(&mut self, name: String) -> Ident {
         let mut name = if name.is_ascii() {
             name.to_ascii_lowercase()

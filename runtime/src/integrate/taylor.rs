@@ -40,10 +40,10 @@ use crate::scalar::Scalar;
 ///
 /// The last two terms of the polynomial, at the end of a step, are about absoluteᵢ + relative · sizeᵢ for each
 /// component. The size of a component is what it reaches within the step, and for the rest the tolerances mean what they
-/// mean for [`Dop853`](crate::Dop853#tolerances), but that the time T is 8 times as long: they depend neither on the unit of time nor on how far an angle has
-/// turned, and sizes can be given by coordinate. Without a tolerance that is set, both are the machine
-/// epsilon of the scalar: the method costs little more at full accuracy. A relative tolerance alone does not depend on
-/// any unit.
+/// mean for [`Dop853`](crate::Dop853#tolerances), but that the time T is 8 times as long: they depend neither on the
+/// unit of time nor on how far an angle has turned, and sizes can be given by coordinate. Without a tolerance that is
+/// set, both are the machine epsilon of the scalar: the method costs little more at full accuracy. A relative tolerance
+/// alone does not depend on any unit.
 ///
 /// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative
 /// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial

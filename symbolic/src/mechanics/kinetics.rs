@@ -1,8 +1,8 @@
 //! The kinetics of a model: f, M q̈ − f and q̈, each by the cheapest method that applies.
 //!
 //! Lagrange's equations give f and M q̈ − f for every model; where quasi-velocities form a tree, or links follow
-//! each other, recursions along them take fewer operations. Here the solvers for q̈ that apply are set up; [`Solution::cheapest`] chooses among them.
-//! Where none applies, the emitted code factors M numerically.
+//! each other, recursions along them take fewer operations. Here the solvers for q̈ that apply are set up;
+//! [`Solution::cheapest`] chooses among them. Where none applies, the emitted code factors M numerically.
 
 use std::cell::OnceCell;
 
