@@ -187,6 +187,18 @@ pub(crate) const COST_OF_FUNCTION: usize = 20;
 /// which a vector register holds four.
 pub(crate) const COST_OF_CONVOLUTION: usize = 5;
 
+/// How many cycles a sum takes on a current x86-64 core, as a product, a product that is fused with a sum, a division and
+/// another function do (Fog, Instruction tables, 2025). They bound no cost: they tell the order of terms and of instructions.
+pub(crate) const LATENCY_OF_ADDITION: usize = 3;
+/// See [`LATENCY_OF_ADDITION`].
+pub(crate) const LATENCY_OF_PRODUCT: usize = 3;
+/// See [`LATENCY_OF_ADDITION`].
+pub(crate) const LATENCY_OF_FUSED: usize = 4;
+/// See [`LATENCY_OF_ADDITION`].
+pub(crate) const LATENCY_OF_DIVISION: usize = 13;
+/// See [`LATENCY_OF_ADDITION`].
+pub(crate) const LATENCY_OF_FUNCTION: usize = 40;
+
 /// As many applications of external functions are made for the Taylor series of one. A polynomial and its derivatives have
 /// as many as its degree. Made by f′(x) = f(x/2), whose derivatives are of f at ever further arguments.
 pub(crate) const MOST_APPLICATIONS_IN_A_SERIES: usize = 128;

@@ -74,6 +74,8 @@ passes! {
     Vectors = "vectors",
     /// Products fused with sums where the target has the instruction.
     Fusion = "fusion",
+    /// Terms added in the order in which they are known, in long programs.
+    Reassociation = "reassociation",
     /// Long programs in an order in which fewer values wait in memory.
     Ordering = "ordering",
 }

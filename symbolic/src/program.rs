@@ -7,6 +7,8 @@ pub(crate) mod dag;
 pub(crate) mod passes;
 pub(crate) mod schedule;
 pub(crate) mod staging;
+pub(crate) mod arrival;
+pub(crate) mod reassociation;
 pub(crate) mod register_order;
 pub(crate) mod interpret;
 pub(crate) mod verify;

@@ -407,59 +407,127 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1,
-        i2, i3, c5, c6, sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, x4,
-        w1, x5, x6, w3, x7, x8, x9, x10, x11, x12]: [__S; 33usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
-        phi_ddot = accelerations[0];
-        theta_ddot = accelerations[1];
-        psi_ddot = accelerations[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        c5 = prepared[5];
-        c6 = prepared[6];
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        x0 = theta_dot * sin_psi;
-        x1 = phi_dot * sin_theta;
-        w2 = cos_psi.mul_add(x1, -x0);
-        x2 = theta_dot * cos_psi;
-        x3 = psi_dot * sin_theta;
-        x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
-        w1 = sin_psi.mul_add(x1, x2);
-        x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-        x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-        x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-        x9 = i2 * cos_psi;
-        x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        x11 = i1 * sin_psi;
-        x12 = (-sin_theta)
-            .mul_add(
-                c5,
-                w3
+        let mut values: [__S; 26usize] = [__S::from_f64(0.0); 26usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [
+                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
+                9usize, 10usize,
+            ],
+            [
+                state.q[1],
+                state.q[2],
+                state.v[0],
+                state.v[1],
+                state.v[2],
+                accelerations[0],
+                accelerations[1],
+                accelerations[2],
+                ::lagrangian::__private::parameter(self.i1),
+                ::lagrangian::__private::parameter(self.i2),
+                ::lagrangian::__private::parameter(self.i3),
+            ],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = theta_dot * sin_psi;
+                let x1 = phi_dot * sin_theta;
+                let w2 = cos_psi.mul_add(x1, -x0);
+                let x2 = theta_dot * cos_psi;
+                let x3 = psi_dot * sin_theta;
+                let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
+                let w1 = sin_psi.mul_add(x1, x2);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [11, 12, 13, 14, 15, 16, 17, 18, 19, 20],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x3, x4, w1],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
+                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1, i2, i3,
+                ]: [__S; 17usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 15, 13, 14, 16, 18, 19, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                );
+                let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
+                let x6 = i3
+                    * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+                let w3 = phi_dot.mul_add(cos_theta, psi_dot);
+                let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+                let x8 = (-theta_ddot)
+                    .mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+                let x9 = i2 * cos_psi;
+                let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+                let x11 = i1 * sin_psi;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [1, 0, 21, 22, 23, 24, 25],
+                    [x5, x6, w3, x8, x9, x10, x11],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 26usize],
+                prepared: &[__S; 7usize],
+            ) {
+                let [c5, c6]: [__S; 2usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [5, 6],
+                );
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
+                x8, x9, x10, x11, theta_dot, i1, i2, i3]: [__S; 19usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [
+                        11, 12, 13, 14, 16, 17, 19, 20, 1, 0, 21, 22, 23, 24, 25, 3, 8,
+                        9, 10,
+                    ],
+                );
+                let x12 = sin_theta
                     .mul_add(
-                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                        i1 * cos_psi * x10,
-                    ),
-            );
-        ::lagrangian::__private::vector([
-            sin_theta
-                .mul_add(
-                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                ),
-            (-(i2 * sin_psi)).mul_add(x8, x12),
-            w1.mul_add(w2 * c6, x6),
-        ])
+                        (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
+                        cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
+                    );
+                let x13 = (-sin_theta)
+                    .mul_add(
+                        c5,
+                        w3
+                            .mul_add(
+                                (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
+                                i1 * cos_psi * x10,
+                            ),
+                    );
+                let x14 = (-(i2 * sin_psi)).mul_add(x8, x13);
+                let x15 = w1.mul_add(w2 * c6, x6);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [18, 15, 7],
+                    [x12, x14, x15],
+                );
+            }
+            piece(&mut values, prepared);
+        }
+        let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [18, 15, 7],
+        );
+        ::lagrangian::__private::vector([x12, x14, x15])
     }
     fn linearize(
         &self,

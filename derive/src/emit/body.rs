@@ -33,6 +33,19 @@ use variables::Variables;
 pub(crate) trait SymbolReader {
     /// The expression that reads `symbol`.
     fn read(&self, symbol: Symbol) -> TokenStream;
+
+    /// Where `symbol` is an element of an array of the scalar to which the method has a reference.
+    fn element(&self, _symbol: Symbol) -> Option<Element> {
+        None
+    }
+}
+
+/// An element of an array.
+pub(crate) struct Element {
+    pub(crate) array: Ident,
+    /// The number of elements of the array.
+    pub(crate) length: usize,
+    pub(crate) index: usize,
 }
 
 /// Writes the groups of one program, one after the other.
@@ -48,16 +61,20 @@ pub(crate) struct Body<'a> {
     fragments: Vec<Option<Fragment>>,
     /// In a method in pieces: what the fragment of a value reads.
     reads: Vec<Vec<Read>>,
-    /// In a method in pieces: the symbols that have been read before the pieces.
+    /// The symbols that have been read, in a method in pieces before these.
     read_before: BTreeSet<Symbol>,
     /// In a method in pieces: the arrays of the values of groups that are written, and their lengths.
     arrays: Vec<(Ident, usize)>,
+    /// The arrays of symbols that pieces are given, by name, and their lengths.
+    given: BTreeMap<Ident, usize>,
     /// The arrays, elements and names of what pieces read.
     homes: HashMap<Read, (Ident, usize, Ident)>,
     /// How many statements a piece of a long method has.
     piece_length: usize,
     variables: Variables,
     block: Block,
+    /// Whether the group that is written is long.
+    is_long: bool,
 }
 
 impl<'a> Body<'a> {
@@ -91,22 +108,27 @@ impl<'a> Body<'a> {
             reads: Vec::new(),
             read_before: BTreeSet::new(),
             arrays: Vec::new(),
+            given: BTreeMap::new(),
             homes: HashMap::new(),
             piece_length: STATEMENTS_PER_PIECE.min(most_scopes).max(1),
             variables,
             block: Block::new(form),
+            is_long: false,
         }
     }
 
     /// The statements of a group, and the expressions of its outputs.
     pub(crate) fn group(&mut self, group: &OutputGroup) -> (TokenStream, Vec<TokenStream>) {
+        self.is_long = group.is_long();
         self.load_symbols(group);
         let done = self.angles(group);
         for (index, instruction) in group.instructions.iter().enumerate() {
             if !done.contains(&index) {
+                self.load_operands(instruction.operation.operands());
                 self.instruction(instruction);
             }
         }
+        self.load_operands(group.outputs.iter());
         let statements = self.block.take_statements();
         let mut written = self.block.take(self.scalar);
         if !statements.is_empty() {
@@ -118,21 +140,45 @@ impl<'a> Body<'a> {
         (written, outputs)
     }
 
-    /// Reads the symbols that no group before has read.
+    /// Names the symbols that no group before has read, and reads those of a short group.
     fn load_symbols(&mut self, group: &OutputGroup) {
+        let in_pieces = self.block.is_in_pieces();
         for symbol in group.symbols() {
-            if !self.symbols.contains_key(&symbol) {
+            let is_new = !self.symbols.contains_key(&symbol);
+            if is_new {
                 let name = self.locals.symbol(symbol);
                 self.symbols.insert(symbol, name);
-            } else if !self.block.is_in_pieces() {
-                continue;
             }
             // Each piece reads what it needs.
-            let is_output = || group.outputs.contains(&Operand::Symbol(symbol));
-            if !self.block.is_in_pieces() || (is_output() && self.read_before.insert(symbol)) {
-                let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
-                self.block.read(name, read, self.scalar);
+            let is_needed = if in_pieces {
+                group.outputs.contains(&Operand::Symbol(symbol))
+            } else {
+                is_new && !self.is_long
+            };
+            if is_needed {
+                self.load(symbol);
             }
+        }
+    }
+
+    /// Reads the symbols among operands of a long group that have not been read: where they are needed first, so that they do not
+    /// wait for it in registers.
+    fn load_operands<'b>(&mut self, operands: impl Iterator<Item = &'b Operand>) {
+        if self.block.is_in_pieces() {
+            return;
+        }
+        for operand in operands {
+            if let Operand::Symbol(symbol) = operand {
+                self.load(*symbol);
+            }
+        }
+    }
+
+    /// Reads a symbol that has not been read.
+    fn load(&mut self, symbol: Symbol) {
+        if self.read_before.insert(symbol) {
+            let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
+            self.block.read(name, read, self.scalar);
         }
     }
 
@@ -145,6 +191,9 @@ impl<'a> Body<'a> {
         let Some(angles) = Angles::of(group, is_written) else {
             return BTreeSet::new();
         };
+        for index in angles.operands_of_angles.iter().chain(&angles.pairs) {
+            self.load_operands(group.instructions[*index].operation.operands());
+        }
         for index in &angles.operands_of_angles {
             self.instruction(&group.instructions[*index]);
         }
@@ -269,8 +318,8 @@ impl<'a> Body<'a> {
                 .unwrap_or_else(|| Fragment::atom(TokenStream::new()))
         };
         match operation {
-            Operation::Add(..) => self.sum(next(), next()),
-            Operation::Subtract(..) => self.difference(next(), next()),
+            Operation::Add(x, y) => self.sum(next(), next(), self.is_in_order(x, y)),
+            Operation::Subtract(x, y) => self.difference(next(), next(), self.is_in_order(x, y)),
             Operation::Multiply(..) if self.passes.has(Pass::Fusion) => {
                 Fragment::product(next(), next())
             }
@@ -324,20 +373,38 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// x + y, with a product among them fused.
-    fn sum(&self, x: Fragment, y: Fragment) -> Fragment {
-        let y = match y.into_factors() {
-            Ok([a, b]) => return self.fused(a, b, x),
-            Err(y) => y,
+    /// Whether the second of two products is fused with their sum: in a long group the one that is computed last.
+    fn is_in_order(&self, x: &Operand, y: &Operand) -> bool {
+        !self.is_long || x.value() <= y.value()
+    }
+
+    /// x + y, with a product among them fused: of two the second one, if they are in order.
+    fn sum(&self, x: Fragment, y: Fragment, in_order: bool) -> Fragment {
+        let (first, last) = if in_order { (x, y) } else { (y, x) };
+        let last = match last.into_factors() {
+            Ok([a, b]) => return self.fused(a, b, first),
+            Err(last) => last,
         };
-        match x.into_factors() {
-            Ok([a, b]) => self.fused(a, b, y),
-            Err(x) => Fragment::new(infix(x, '+', y, Precedence::Sum), Precedence::Sum),
+        match first.into_factors() {
+            Ok([a, b]) => self.fused(a, b, last),
+            Err(first) => {
+                let (x, y) = if in_order {
+                    (first, last)
+                } else {
+                    (last, first)
+                };
+                Fragment::new(infix(x, '+', y, Precedence::Sum), Precedence::Sum)
+            }
         }
     }
 
-    /// x − y, with a product among them fused.
-    fn difference(&self, x: Fragment, y: Fragment) -> Fragment {
+    /// x − y, with a product among them fused: of two the second one, if they are in order.
+    fn difference(&self, x: Fragment, y: Fragment, in_order: bool) -> Fragment {
+        let x = match x.into_factors() {
+            Ok([a, b]) if !in_order => return self.fused(a, b, y.negated()),
+            Ok([a, b]) => Fragment::product(a, b),
+            Err(x) => x,
+        };
         let y = match y.into_factors() {
             Ok([a, b]) => return self.fused(a.negated(), b, x),
             Err(y) => y,

@@ -83,16 +83,21 @@ impl<'a> Emitter<'a> {
         self.scalar.read(&place, &component.element)
     }
 
+    /// How many invariants are prepared.
+    pub(super) fn invariants(&self) -> usize {
+        let groups = &self.methods.prepare.program.groups;
+        groups.first().map_or(0, |group| group.outputs.len())
+    }
+
     /// What the types in signatures are made of.
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
-        let prepared = &self.methods.prepare.program.groups;
         let requested = &self.methods.requested;
         let base_parameters = requested
             .regressor
             .as_ref()
             .map_or(0, |found| found.values.len());
-        let invariants = prepared.first().map_or(0, |group| group.outputs.len());
+        let invariants = self.invariants();
         Signatures {
             root: &self.declaration.root,
             scalar,

@@ -1,10 +1,10 @@
 //! Where the emitted code reads the values of symbols.
 
 use lagrangian_symbolic::Symbol;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::body::SymbolReader;
+use super::body::{Element, SymbolReader};
 use super::emitter::Emitter;
 use super::signatures::InputsFrom;
 use crate::lower::quantities::Component;
@@ -42,8 +42,20 @@ impl SymbolReader for ModelSymbols<'_> {
             | Symbol::VelocityComponent(_) => TokenStream::new(),
         }
     }
+
+    fn element(&self, symbol: Symbol) -> Option<Element> {
+        let Symbol::Invariant(index) = symbol else {
+            return None;
+        };
+        Some(Element {
+            array: Ident::new("prepared", Span::call_site()),
+            length: self.emitter.invariants(),
+            index: index as usize,
+        })
+    }
 }
 
+/// The tokens of an element.
 pub(super) fn element(vector: &TokenStream, index: u32) -> TokenStream {
     let index = Literal::u32_unsuffixed(index);
     quote!(#vector[#index])

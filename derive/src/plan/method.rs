@@ -46,7 +46,13 @@ impl Method {
         };
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
         // An elimination goes out along the links, in, and out again; recursions of two ways lose by another order.
-        let kernel = kernel.ordered(model.graph.passes);
+        let recursion = kinetics.solution.iter();
+        let recursion: Vec<_> = recursion
+            .flat_map(|solution| &solution.recursion)
+            .copied()
+            .collect();
+        let kernel = kernel.reassociated(model.graph.passes);
+        let kernel = kernel.ordered(&model.graph, &recursion);
         let prepare = Self::preparation(setup);
         let accelerations = Self {
             count: kernel.count(),

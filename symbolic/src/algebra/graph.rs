@@ -351,6 +351,18 @@ impl Graph {
         }
     }
 
+    /// What a program computes for an expression: without opaque nodes, and without the factor of a multiple.
+    pub(crate) fn computed(&self, expression: Expression) -> Expression {
+        let mut computed = expression;
+        loop {
+            computed = match self.node(computed) {
+                Node::Opaque(inner) => *inner,
+                Node::Sum(terms) if terms.len() == 1 => terms[0].0,
+                _ => return computed,
+            };
+        }
+    }
+
     /// x + y.
     pub fn add(&mut self, x: Expression, y: Expression) -> Expression {
         self.sum([(x, Rational::ONE), (y, Rational::ONE)])

@@ -1,140 +1,166 @@
 //! The order of instructions in long programs, so that fewer values wait in memory for their use.
 //!
-//! Input: a program. Output: the same instructions in another order, values numbered anew. Operands are computed depth first,
-//! the one that takes the longest chain of operations first (Sethi and Ullman, The generation of optimal code for arithmetic
-//! expressions, 1970); and as soon as all operands of an instruction are there, and for one of them it is the last use, it
-//! runs (Goodman and Hsu, Code scheduling and register allocation in large basic blocks, 1988), so that its result takes
-//! the register of that one. Programs that fit registers stay as they are.
+//! Input: a program. Output: the same instructions in another order, values numbered anew. A product that one sum alone adds
+//! stands before it: both are one fused operation. Operands are computed depth first, the one that takes the longest chain of
+//! operations first (Sethi and Ullman, The generation of optimal code for arithmetic expressions, 1970); and as soon as all
+//! operands of an operation are there, and for one of them it is the last use, it runs (Goodman and Hsu, Code scheduling and
+//! register allocation in large basic blocks, 1988), so that its result takes the register of that one. Which chain is the
+//! longest says nothing of a recursion that goes out and in again: its intermediate results are computed in its own order.
+//! Programs that fit registers stay as they are.
 
 use crate::algebra::hashing::Table;
 use crate::limits::LONGEST_GROUP_AS_SCHEDULED;
-use crate::program::straight_line::{Instruction, Operand, OutputGroup, Program};
-use crate::{Pass, Passes};
+use crate::program::arrival::Arrivals;
+use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
+use crate::{Expression, Graph, Pass};
 
 impl Program {
-    /// The same program with the instructions of long groups in an order for registers; without [`Pass::Ordering`] as it is.
+    /// The same program with the instructions of long groups in an order for registers, in which the intermediate results of
+    /// a recursion come one after the other; without [`Pass::Ordering`] as it is.
     #[must_use]
-    pub fn ordered(mut self, passes: Passes) -> Self {
-        let is_long = |group: &OutputGroup| group.instructions.len() > LONGEST_GROUP_AS_SCHEDULED;
-        if !passes.has(Pass::Ordering) || !self.groups.iter().any(is_long) {
+    pub fn ordered(mut self, graph: &Graph, recursion: &[Expression]) -> Self {
+        if !graph.passes.has(Pass::Ordering) || !self.groups.iter().any(OutputGroup::is_long) {
             return self;
         }
-        for group in self.groups.iter_mut().filter(|group| is_long(group)) {
+        let recursion = recursion.iter();
+        let recursion: Vec<_> = recursion.map(|result| graph.computed(*result)).collect();
+        for group in self.groups.iter_mut().filter(|group| group.is_long()) {
+            let order = Operations::of(group).order(group, &recursion);
             let mut instructions: Vec<_> = group.instructions.drain(..).map(Some).collect();
-            let list: Vec<&Instruction> = instructions.iter().flatten().collect();
-            let order = Dependences::of(&list).order(&group.outputs);
             let ordered = order.into_iter().filter_map(|i| instructions[i].take());
             group.instructions = ordered.collect();
         }
         self.renumber();
         self
     }
+}
 
-    /// Numbers the values in the order in which they are computed.
-    fn renumber(&mut self) {
-        let mut numbers: Table<usize, usize> = Table::default();
-        let mut next = 0;
-        for group in &mut self.groups {
-            let renumber = |operand: &mut Operand, numbers: &Table<usize, usize>| {
-                if let Operand::Value(value) = operand
-                    && let Some(number) = numbers.get(value)
-                {
-                    *value = *number;
-                }
-            };
-            for instruction in &mut group.instructions {
-                let operation = &mut instruction.operation;
-                operation.for_each_operand(|operand| renumber(operand, &numbers));
-                let results = operation.results();
-                numbers.extend((0..results).map(|i| (instruction.value + i, next + i)));
-                instruction.value = next;
-                next += results;
-            }
-            for output in &mut group.outputs {
-                renumber(output, &numbers);
-            }
-        }
+impl OutputGroup {
+    /// Whether the values of the group do not fit registers, so that the order of its instructions matters.
+    #[must_use]
+    pub const fn is_long(&self) -> bool {
+        self.instructions.len() > LONGEST_GROUP_AS_SCHEDULED
     }
 }
 
-/// Which instructions of a group need which values, by their indices.
-struct Dependences {
-    /// The values of the group that each instruction needs, each once.
+/// The operations of a group: an instruction each, with the products that are fused with it.
+struct Operations {
+    /// The instructions of each, in the order in which they run; the last one computes the result.
+    instructions: Vec<Vec<usize>>,
+    /// The operations whose results each one needs, each once, and those that need its own.
     needs: Vec<Vec<usize>>,
-    /// The instructions that need a value, and the one that computes it.
-    users: Table<usize, Vec<usize>>,
-    producer: Table<usize, usize>,
-    /// The number of operations of the longest chain that ends with the instruction.
+    users: Vec<Vec<usize>>,
+    /// When each result is known at the earliest.
     heights: Vec<usize>,
-    /// The values that each instruction computes: the first, and how many.
-    results: Vec<(usize, usize)>,
+    /// The operation that computes a value; none of the sines and cosines that are computed at once, before all others.
+    of_value: Table<usize, usize>,
+    /// The instructions that compute these.
+    angles: Vec<usize>,
 }
 
-impl Dependences {
-    fn of(instructions: &[&Instruction]) -> Self {
+impl Operations {
+    fn of(group: &OutputGroup) -> Self {
+        let arrivals = Arrivals::of(group);
         let mut all = Self {
-            needs: Vec::with_capacity(instructions.len()),
-            users: Table::default(),
-            producer: Table::default(),
-            heights: Vec::with_capacity(instructions.len()),
-            results: Vec::with_capacity(instructions.len()),
+            instructions: Vec::with_capacity(group.instructions.len()),
+            needs: Vec::with_capacity(group.instructions.len()),
+            users: Vec::with_capacity(group.instructions.len()),
+            heights: Vec::with_capacity(group.instructions.len()),
+            of_value: Table::default(),
+            angles: Vec::new(),
         };
-        for (index, instruction) in instructions.iter().enumerate() {
-            let mut needs: Vec<usize> = Vec::new();
-            for operand in instruction.operation.operands() {
-                if let Operand::Value(value) = operand
-                    && all.producer.contains_key(value)
-                    && !needs.contains(value)
-                {
-                    needs.push(*value);
+        // What is fused with the instruction that uses it, by its value.
+        let mut parts: Table<usize, (Vec<usize>, Vec<usize>)> = Table::default();
+        for (index, instruction) in group.instructions.iter().enumerate() {
+            let operation = &instruction.operation;
+            if let Operation::SineAndCosine(Operand::Symbol(_)) = operation {
+                all.angles.push(index);
+                continue;
+            }
+            let (mut instructions, mut needs) = (Vec::new(), Vec::new());
+            let mut operands: Vec<_> = operation
+                .operands()
+                .filter(|x| x.value().is_some())
+                .collect();
+            operands.sort_by_key(|operand| arrivals.get(operand).time);
+            for value in operands.into_iter().filter_map(Operand::value) {
+                if let Some((earlier, needed)) = parts.remove(&value) {
+                    instructions.extend(earlier);
+                    needs.extend(needed);
+                } else {
+                    needs.extend(all.of_value.get(&value).copied());
                 }
             }
-            let heights = needs.iter().map(|value| all.heights[all.producer[value]]);
-            let height = 1 + heights.max().unwrap_or(0);
-            for value in &needs {
-                all.users.entry(*value).or_default().push(index);
+            instructions.push(index);
+            if arrivals.is_fused(group, instruction) {
+                parts.insert(instruction.value, (instructions, needs));
+                continue;
             }
-            let results = instruction.operation.results();
-            let values = (0..results).map(|i| instruction.value + i);
-            all.producer.extend(values.map(|value| (value, index)));
-            all.results.push((instruction.value, results));
-            all.heights.push(height);
-            all.needs.push(needs);
+            all.heights
+                .push(arrivals.get(&Operand::Value(instruction.value)).time);
+            all.push(instruction, instructions, needs);
         }
         all
     }
 
-    /// The indices of the instructions in the order in which they run.
-    fn order(&self, outputs: &[Operand]) -> Vec<usize> {
-        let mut order = Running::new(self);
-        for index in self.depth_first(outputs) {
-            order.run(index);
+    fn push(&mut self, instruction: &Instruction, instructions: Vec<usize>, needs: Vec<usize>) {
+        let number = self.instructions.len();
+        let mut distinct: Vec<usize> = Vec::with_capacity(needs.len());
+        for need in needs {
+            if !distinct.contains(&need) {
+                distinct.push(need);
+            }
         }
-        order.list
+        for need in &distinct {
+            self.users[*need].push(number);
+        }
+        let values = instruction.value..instruction.value + instruction.operation.results();
+        self.of_value.extend(values.map(|value| (value, number)));
+        self.instructions.push(instructions);
+        self.needs.push(distinct);
+        self.users.push(Vec::new());
     }
 
-    /// Operands with the longest chains first.
-    fn depth_first(&self, outputs: &[Operand]) -> Vec<usize> {
+    /// The indices of the instructions in the order in which they run.
+    fn order(&self, group: &OutputGroup, recursion: &[Expression]) -> Vec<usize> {
+        let named = group.instructions.iter();
+        let named: Table<Expression, usize> = named
+            .filter_map(|instruction| Some((instruction.expression?, instruction.value)))
+            .collect();
+        let recursion = recursion
+            .iter()
+            .filter_map(|expression| named.get(expression).copied());
+        let outputs = group.outputs.iter().filter_map(Operand::value);
+        let first = recursion.chain(outputs);
+        let first = first.filter_map(|value| self.of_value.get(&value).copied());
+        let mut order = Order::new(self);
+        for number in self.depth_first(first) {
+            order.run(number);
+        }
+        let operations = order
+            .list
+            .iter()
+            .flat_map(|number| &self.instructions[*number]);
+        self.angles.iter().chain(operations).copied().collect()
+    }
+
+    /// All operations, operands with the longest chains first, so that `first` come one after the other.
+    fn depth_first(&self, first: impl Iterator<Item = usize>) -> Vec<usize> {
         let count = self.needs.len();
         let mut is_done = vec![false; count];
         let mut order = Vec::with_capacity(count);
-        let roots = outputs.iter().filter_map(|output| match output {
-            Operand::Value(value) => self.producer.get(value).copied(),
-            _ => None,
-        });
-        // What no output needs comes last, in its order.
-        for root in roots.chain(0..count) {
+        // What nothing needs comes last, in its order.
+        for root in first.chain(0..count) {
             let mut waiting = vec![root];
-            while let Some(index) = waiting.last().copied() {
-                let producers = self.needs[index].iter().map(|value| self.producer[value]);
-                let missing = producers.filter(|producer| !is_done[*producer]);
-                if is_done[index] {
+            while let Some(number) = waiting.last().copied() {
+                let missing = self.needs[number].iter().filter(|need| !is_done[**need]);
+                if is_done[number] {
                     waiting.pop();
-                } else if let Some(next) = missing.max_by_key(|producer| self.heights[*producer]) {
-                    waiting.push(next);
+                } else if let Some(next) = missing.max_by_key(|need| self.heights[**need]) {
+                    waiting.push(*next);
                 } else {
-                    is_done[index] = true;
-                    order.push(index);
+                    is_done[number] = true;
+                    order.push(number);
                     waiting.pop();
                 }
             }
@@ -144,69 +170,56 @@ impl Dependences {
 }
 
 /// An order that is being made.
-struct Running<'a> {
-    dependences: &'a Dependences,
+struct Order<'a> {
+    operations: &'a Operations,
     list: Vec<usize>,
     is_done: Vec<bool>,
-    /// How many values each instruction waits for.
+    /// How many results each operation waits for.
     missing: Vec<usize>,
-    /// How many instructions still need a value.
-    remaining: Table<usize, usize>,
+    /// How many operations still need each result.
+    remaining: Vec<usize>,
 }
 
-impl<'a> Running<'a> {
-    fn new(dependences: &'a Dependences) -> Self {
-        let users = dependences.users.iter();
+impl<'a> Order<'a> {
+    fn new(operations: &'a Operations) -> Self {
         Self {
-            dependences,
-            list: Vec::with_capacity(dependences.needs.len()),
-            is_done: vec![false; dependences.needs.len()],
-            missing: dependences.needs.iter().map(Vec::len).collect(),
-            remaining: users.map(|(value, users)| (*value, users.len())).collect(),
+            operations,
+            list: Vec::with_capacity(operations.needs.len()),
+            is_done: vec![false; operations.needs.len()],
+            missing: operations.needs.iter().map(Vec::len).collect(),
+            remaining: operations.users.iter().map(Vec::len).collect(),
         }
     }
 
-    /// Runs an instruction whose operands are there, and then all that thereby can take over a register.
-    fn run(&mut self, index: usize) {
-        let dependences = self.dependences;
-        let mut waiting = vec![index];
-        while let Some(index) = waiting.pop() {
-            if self.is_done[index] {
+    /// Runs an operation whose operands are there, and then all that thereby can take over a register.
+    fn run(&mut self, number: usize) {
+        let operations = self.operations;
+        let mut waiting = vec![number];
+        while let Some(number) = waiting.pop() {
+            if self.is_done[number] {
                 continue;
             }
-            self.is_done[index] = true;
-            self.list.push(index);
-            let (first, count) = dependences.results[index];
-            let results = first..first + count;
-            for value in &dependences.needs[index] {
-                if let Some(remaining) = self.remaining.get_mut(value) {
-                    *remaining -= 1;
-                }
+            self.is_done[number] = true;
+            self.list.push(number);
+            let needs = &operations.needs[number];
+            for need in needs {
+                self.remaining[*need] -= 1;
             }
-            for value in results.clone() {
-                for user in self.users(value) {
-                    self.missing[*user] -= 1;
-                }
+            for user in &operations.users[number] {
+                self.missing[*user] -= 1;
             }
-            for value in results.chain(dependences.needs[index].iter().copied()) {
-                let users = self.users(value).iter().copied();
+            for result in [number].iter().chain(needs) {
+                let users = operations.users[*result].iter().copied();
                 waiting.extend(users.filter(|user| self.takes_over(*user)));
             }
         }
     }
 
-    fn users(&self, value: usize) -> &'a [usize] {
-        self.dependences
-            .users
-            .get(&value)
-            .map_or(&[], Vec::as_slice)
-    }
-
-    /// Whether an instruction can run, and is the last to use one of its operands.
-    fn takes_over(&self, index: usize) -> bool {
-        let is_last_use = |value: &usize| self.remaining.get(value) == Some(&1);
-        !self.is_done[index]
-            && self.missing[index] == 0
-            && self.dependences.needs[index].iter().any(is_last_use)
+    /// Whether an operation can run, and is the last to use one of its operands.
+    fn takes_over(&self, number: usize) -> bool {
+        let is_last_use = |need: &usize| self.remaining[*need] == 1;
+        !self.is_done[number]
+            && self.missing[number] == 0
+            && self.operations.needs[number].iter().any(is_last_use)
     }
 }

@@ -7,7 +7,7 @@
 
 use core::hash::{Hash, Hasher};
 
-use crate::algebra::hashing::mix;
+use crate::algebra::hashing::{Table, mix};
 use crate::{Binary, Expression, ExternalFunction, Rational, Symbol, Unary};
 
 /// An operand of an instruction.
@@ -52,6 +52,15 @@ pub enum Operation {
 }
 
 impl Operand {
+    /// The number of the value, if the operand is the result of an instruction.
+    #[must_use]
+    pub const fn value(&self) -> Option<usize> {
+        match self {
+            Self::Value(value) => Some(*value),
+            _ => None,
+        }
+    }
+
     /// A word that depends on all of the operand.
     fn code(&self) -> u64 {
         match self {
@@ -238,6 +247,32 @@ impl Program {
     /// All instructions, in the order in which they run.
     pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
         self.groups.iter().flat_map(|group| &group.instructions)
+    }
+
+    /// Numbers the values in the order in which they are computed.
+    pub(crate) fn renumber(&mut self) {
+        let mut numbers: Table<usize, usize> = Table::default();
+        let mut next = 0;
+        for group in &mut self.groups {
+            let renumber = |operand: &mut Operand, numbers: &Table<usize, usize>| {
+                if let Operand::Value(value) = operand
+                    && let Some(number) = numbers.get(value)
+                {
+                    *value = *number;
+                }
+            };
+            for instruction in &mut group.instructions {
+                let operation = &mut instruction.operation;
+                operation.for_each_operand(|operand| renumber(operand, &numbers));
+                let results = operation.results();
+                numbers.extend((0..results).map(|i| (instruction.value + i, next + i)));
+                instruction.value = next;
+                next += results;
+            }
+            for output in &mut group.outputs {
+                renumber(output, &numbers);
+            }
+        }
     }
 
     /// Replaces symbols by operands, where `replacement` has one.

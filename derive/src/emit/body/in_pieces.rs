@@ -1,5 +1,7 @@
 //! The body of a long method, written in pieces.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -13,7 +15,8 @@ impl Body<'_> {
     pub(super) fn pieces(&mut self, statements: &[Statement]) -> TokenStream {
         let variables = &self.variables;
         let is_kept = |value| variables.is_output(value) || variables.is_read_later(value);
-        let pieces = Pieces::of(statements, self.piece_length, is_kept);
+        let is_copied = |symbol| self.source.element(symbol).is_none();
+        let pieces = Pieces::of(statements, self.piece_length, is_kept, is_copied);
         let (array, length) = (self.locals.array(), pieces.length);
         let (root, functions) = (self.scalar.root(), self.scalar.functions());
         let scalar = self.scalar.to_token_stream();
@@ -41,19 +44,37 @@ impl Body<'_> {
                 self.homes.insert(Read::Symbol(symbol), home);
             }
         }
+        self.give_arrays(statements);
         for piece in pieces.parts(&array) {
             written.extend(self.piece(&piece, &array, length));
         }
         let outputs = pieces
             .kept
             .iter()
-            .filter(|value| variables.is_output(**value));
+            .filter(|value| self.variables.is_output(**value));
         let outputs: Vec<_> = outputs.map(|value| Read::Value(*value)).collect();
         for outputs in outputs.chunks(DECLARED_AT_ONCE) {
             written.extend(self.homes(outputs.iter()).gathered(root, &scalar));
         }
         self.arrays.push((array, length));
         written
+    }
+
+    /// Gives pieces the arrays of symbols that these statements read.
+    fn give_arrays(&mut self, statements: &[Statement]) {
+        for read in statements.iter().flat_map(|statement| &statement.reads) {
+            if let Read::Symbol(symbol) = read
+                && let Some(element) = self.source.element(*symbol)
+            {
+                let home = (
+                    element.array.clone(),
+                    element.index,
+                    self.symbols[symbol].clone(),
+                );
+                self.homes.insert(*read, home);
+                self.given.insert(element.array, element.length);
+            }
+        }
     }
 
     /// Where values are that are read.
@@ -68,24 +89,35 @@ impl Body<'_> {
     /// One piece of a group whose values are in an array of this length: a function, or a block where it calls the model.
     fn piece(&self, piece: &Piece<'_>, array: &Ident, length: usize) -> TokenStream {
         let (root, scalar) = (self.scalar.root(), self.scalar.to_token_stream());
-        let gathered = self.homes(piece.reads.iter()).gathered(root, &scalar);
-        let statements = piece.statements.iter().map(|statement| &statement.tokens);
-        let scattered = piece.writes.scattered(root);
-        let body = quote!(#gathered #(#statements)* #scattered);
+        let runs = piece.runs.iter().map(|run| {
+            let gathered = self.homes(run.reads.iter()).gathered(root, &scalar);
+            let statements = run.statements.iter().map(|statement| &statement.tokens);
+            let scattered = run.writes.scattered(root);
+            quote!(#gathered #(#statements)* #scattered)
+        });
+        let body: TokenStream = runs.collect();
         if piece.calls_model {
             return quote!({ #body });
         }
         let generics = self.scalar.generics_of_functions();
-        let (earlier, lengths): (Vec<_>, Vec<_>) = self.arrays.iter().cloned().unzip();
+        let reads = piece.runs.iter().flat_map(|run| &run.reads);
+        let read = reads.filter_map(|read| self.homes.get(read));
+        let read: BTreeSet<&Ident> = read.map(|(array, ..)| array).collect();
+        let (mut parameters, mut arguments) = (Vec::new(), Vec::new());
+        for (name, length) in self.arrays.iter().filter(|(name, _)| read.contains(name)) {
+            parameters.push(quote!(#name: &[#scalar; #length]));
+            arguments.push(quote!(&#name));
+        }
+        for (name, length) in self.given.iter().filter(|(name, _)| read.contains(name)) {
+            parameters.push(quote!(#name: &[#scalar; #length]));
+            arguments.push(quote!(#name));
+        }
         quote! {{
             #[inline(never)]
-            fn piece #generics(
-                #array: &mut [#scalar; #length],
-                #(#earlier: &[#scalar; #lengths],)*
-            ) {
+            fn piece #generics(#array: &mut [#scalar; #length], #(#parameters),*) {
                 #body
             }
-            piece(&mut #array, #(&#earlier,)*);
+            piece(&mut #array, #(#arguments),*);
         }}
     }
 }

@@ -9,6 +9,7 @@ use lagrangian_symbolic::Symbol;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use crate::limits::STATEMENTS_PER_TRANSFER;
 use crate::syntax::root::Root;
 
 /// A statement, which defines variables.
@@ -40,11 +41,13 @@ pub(super) struct Pieces<'a> {
 }
 
 impl<'a> Pieces<'a> {
-    /// Those of some statements, at most so many each, of which others read the values that `is_kept` tells.
+    /// Those of some statements, at most so many each, of which others read the values that `is_kept` tells; with the symbols in
+    /// the array that `is_copied` tells.
     pub(super) fn of(
         statements: &'a [Statement],
         length: usize,
         is_kept: impl Fn(usize) -> bool,
+        is_copied: impl Fn(Symbol) -> bool,
     ) -> Self {
         let runs = statements.chunk_by(|a, b| !a.calls_model && !b.calls_model);
         let mut pieces = Self {
@@ -53,11 +56,14 @@ impl<'a> Pieces<'a> {
             kept: Vec::new(),
             length: 0,
         };
-        pieces.allocate(is_kept);
+        pieces.allocate(
+            is_kept,
+            |read| matches!(read, Read::Symbol(symbol) if is_copied(symbol)),
+        );
         pieces
     }
 
-    fn allocate(&mut self, is_kept: impl Fn(usize) -> bool) {
+    fn allocate(&mut self, is_kept: impl Fn(usize) -> bool, is_copied: impl Fn(Read) -> bool) {
         let mut last_pieces = BTreeMap::new();
         for (piece, statements) in self.statements.iter().enumerate() {
             for read in statements.iter().flat_map(|statement| &statement.reads) {
@@ -67,7 +73,7 @@ impl<'a> Pieces<'a> {
         let mut free = Vec::new();
         let mut ending = vec![Vec::new(); self.statements.len()];
         let symbols = last_pieces.iter();
-        for (symbol, last_piece) in symbols.filter(|(read, _)| matches!(read, Read::Symbol(_))) {
+        for (symbol, last_piece) in symbols.filter(|(read, _)| is_copied(**read)) {
             ending[*last_piece].push(self.length);
             self.elements.insert(*symbol, self.length);
             self.length += 1;
@@ -108,38 +114,62 @@ impl<'a> Pieces<'a> {
         })
     }
 
-    /// What the pieces are written from: what each reads and writes of `array`, and whether it calls the model.
+    /// What the pieces are written from, with what they write to `array`.
     pub(super) fn parts(&self, array: &Ident) -> impl Iterator<Item = Piece<'a>> {
         self.statements.iter().map(|statements| {
-            let defines = statements.iter().flat_map(|statement| &statement.defines);
-            let reads = statements.iter().flat_map(|statement| &statement.reads);
-            let mut reads: BTreeSet<Read> = reads.copied().collect();
-            let mut writes = Transfer::default();
-            for (value, name) in defines {
+            let mut known = BTreeSet::new();
+            let runs = statements.chunks(STATEMENTS_PER_TRANSFER);
+            Piece {
+                runs: runs.map(|run| self.run(run, array, &mut known)).collect(),
+                calls_model: statements.iter().any(|statement| statement.calls_model),
+            }
+        })
+    }
+
+    /// A run of statements behind others in which these are known.
+    fn run(
+        &self,
+        statements: &'a [Statement],
+        array: &Ident,
+        known: &mut BTreeSet<Read>,
+    ) -> Run<'a> {
+        let (mut reads, mut writes) = (BTreeSet::new(), Transfer::default());
+        for statement in statements {
+            for read in &statement.reads {
+                if known.insert(*read) {
+                    reads.insert(*read);
+                }
+            }
+            for (value, name) in &statement.defines {
                 let read = Read::Value(*value);
-                reads.remove(&read);
+                known.insert(read);
                 if let Some(element) = self.element(read) {
                     writes.add(array, element, name);
                 }
             }
-            Piece {
-                statements,
-                reads,
-                writes,
-                calls_model: statements.iter().any(|statement| statement.calls_model),
-            }
-        })
+        }
+        Run {
+            reads,
+            statements,
+            writes,
+        }
     }
 }
 
 /// One piece.
 pub(super) struct Piece<'a> {
-    pub(super) statements: &'a [Statement],
-    /// What others compute that it reads.
-    pub(super) reads: BTreeSet<Read>,
-    /// What it computes that others read.
-    pub(super) writes: Transfer,
+    pub(super) runs: Vec<Run<'a>>,
     pub(super) calls_model: bool,
+}
+
+/// A few statements of a piece. What they need is read just before them, and what others need is written at once, so that
+/// little waits in registers.
+pub(super) struct Run<'a> {
+    /// What others compute that it reads, and no run before it.
+    pub(super) reads: BTreeSet<Read>,
+    pub(super) statements: &'a [Statement],
+    /// What it computes that other pieces read.
+    pub(super) writes: Transfer,
 }
 
 /// Variables that are elements of arrays, by array.

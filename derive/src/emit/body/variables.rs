@@ -25,13 +25,16 @@ impl Variables {
                 continue;
             }
             let value = instruction.value;
-            let operands = instruction.operation.operands().filter_map(value_of);
+            let operands = instruction.operation.operands().filter_map(Operand::value);
             let depth = 1 + operands.map(|operand| depths[operand]).max().unwrap_or(0);
             let once = uses[value] == 1;
             if once && depth < DEEPEST_NESTING && !is_defined(instruction.expression) {
                 variables[value] = false;
                 depths[value] = depth;
             }
+        }
+        for group in program.groups.iter().filter(|group| group.is_long()) {
+            keep_order(&group.instructions, &mut variables);
         }
         Self {
             named: variables,
@@ -44,7 +47,7 @@ impl Variables {
     pub(super) fn add_ends_of_pieces(&mut self, program: &Program) {
         self.outputs = vec![false; self.named.len()];
         let outputs = program.groups.iter().flat_map(|group| &group.outputs);
-        for value in outputs.filter_map(value_of) {
+        for value in outputs.filter_map(Operand::value) {
             self.named[value] = true;
             self.outputs[value] = true;
         }
@@ -75,6 +78,24 @@ impl Variables {
     }
 }
 
+/// Makes variables of the values that would otherwise be computed behind what stands between them and their use.
+fn keep_order(instructions: &[Instruction], variables: &mut [bool]) {
+    let mut uses = vec![usize::MAX; variables.len()];
+    for (place, instruction) in instructions.iter().enumerate() {
+        for value in instruction.operation.operands().filter_map(Operand::value) {
+            uses[value] = place;
+        }
+    }
+    let mut next_variable = usize::MAX;
+    for (place, instruction) in instructions.iter().enumerate().rev() {
+        let value = instruction.value;
+        variables[value] |= next_variable < uses[value];
+        if variables[value] {
+            next_variable = place;
+        }
+    }
+}
+
 /// How often each value is used, and whether by a group behind its own; that counts twice, so that it is not inlined.
 fn count_uses(program: &Program) -> (Vec<usize>, Vec<bool>) {
     let end = |last: &Instruction| last.value + last.operation.results();
@@ -83,7 +104,7 @@ fn count_uses(program: &Program) -> (Vec<usize>, Vec<bool>) {
     let mut start = 0;
     for group in &program.groups {
         let mut note = |operand: &Operand| {
-            if let Some(value) = value_of(operand) {
+            if let Some(value) = operand.value() {
                 uses[value] += if value < start { 2 } else { 1 };
                 read_later[value] |= value < start;
             }
@@ -95,11 +116,4 @@ fn count_uses(program: &Program) -> (Vec<usize>, Vec<bool>) {
         start = group.instructions.last().map_or(start, end);
     }
     (uses, read_later)
-}
-
-fn value_of(operand: &Operand) -> Option<usize> {
-    match operand {
-        Operand::Value(value) => Some(*value),
-        _ => None,
-    }
 }

@@ -120,24 +120,35 @@ impl ArticulatedLinks {
         pivots.collect()
     }
 
-    /// The accelerations.
-    pub(crate) fn accelerations(&self, graph: &mut Graph) -> Vec<Expression> {
+    /// The accelerations, and the intermediate results of the recursion in its order: the wrenches of the links outwards, and
+    /// inwards what is divided by each pivot.
+    pub(crate) fn accelerations(&self, graph: &mut Graph) -> (Vec<Expression>, Vec<Expression>) {
         let wrenches = self.equations.wrenches(graph, false);
         let mut right = RightHandSide::of(&self.equations.forces);
+        let mut recursion = Vec::new();
         for (link, wrench) in wrenches.iter().enumerate() {
             let moments = angular(link).into_iter().zip(wrench.moment);
             let forces = linear(link).into_iter().zip(wrench.force);
             for (unknown, value) in moments.chain(forces) {
+                recursion.push(value);
                 let value = graph.negate(value);
                 right.0.insert(unknown, value);
             }
         }
-        self.solve(graph, right)
+        let quotients = self.eliminate(graph, right);
+        for step in &self.steps {
+            if let Step::Eliminate(row) = step {
+                recursion.push(row.reciprocal);
+                recursion.extend(quotients.get(&row.coordinate));
+            }
+        }
+        (self.substitute(graph, &quotients), recursion)
     }
 
     /// x in M x = r.
     pub(crate) fn solution(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
-        self.solve(graph, RightHandSide::of(right))
+        let quotients = self.eliminate(graph, RightHandSide::of(right));
+        self.substitute(graph, &quotients)
     }
 
     /// M q̈ − f with the accelerations as symbols.
@@ -145,7 +156,12 @@ impl ArticulatedLinks {
         self.equations.inverse_dynamics(graph)
     }
 
-    fn solve(&self, graph: &mut Graph, mut right: RightHandSide) -> Vec<Expression> {
+    /// What is left of the right-hand side at each coordinate, over its pivot.
+    fn eliminate(
+        &self,
+        graph: &mut Graph,
+        mut right: RightHandSide,
+    ) -> BTreeMap<usize, Expression> {
         let mut quotients = BTreeMap::new();
         for step in &self.steps {
             match step {
@@ -159,12 +175,21 @@ impl ArticulatedLinks {
                 Step::Shift(link, parent, place) => right.shift(graph, *link, *parent, *place),
             }
         }
+        quotients
+    }
+
+    /// The accelerations, from the root to the leaves.
+    fn substitute(
+        &self,
+        graph: &mut Graph,
+        quotients: &BTreeMap<usize, Expression>,
+    ) -> Vec<Expression> {
         let zero = graph.zero();
         let mut known = Accelerations {
             values: BTreeMap::new(),
         };
         for step in self.steps.iter().rev() {
-            known.substitute(graph, step, &quotients);
+            known.substitute(graph, step, quotients);
         }
         let coordinates = 0..self.equations.forces.len();
         let values = coordinates.map(|i| known.values.get(&Unknown::Coordinate(i)).copied());

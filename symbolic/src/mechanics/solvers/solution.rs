@@ -26,6 +26,8 @@ pub struct Solution {
     pub pivots: Vec<Expression>,
     /// The accelerations q̈.
     pub accelerations: Vec<Expression>,
+    /// The intermediate results of a recursion along links, in its order; of other solvers none.
+    pub recursion: Vec<Expression>,
     solver: Solver,
     /// The program of the pivots and the accelerations, if it was scheduled to compare solvers.
     scheduled: Option<Program>,
@@ -88,13 +90,16 @@ impl Solution {
 
     /// The solution by one solver.
     pub(crate) fn by(graph: &mut Graph, solver: Solver) -> Self {
+        let mut recursion = Vec::new();
         let (pivots, accelerations) = match &solver {
             Solver::BoltzmannHamel(solver) => (solver.pivots(), solver.accelerations(graph)),
             Solver::ArticulatedBodies(solver) => {
                 (solver.pivots.clone(), solver.accelerations(graph))
             }
             Solver::ArticulatedLinks(solver) => {
-                (solver.pivots.clone(), solver.accelerations(graph))
+                let accelerations;
+                (accelerations, recursion) = solver.accelerations(graph);
+                (solver.pivots.clone(), accelerations)
             }
             Solver::Ldlt(solver, forcing) => {
                 let accelerations = solver.solve(graph, forcing);
@@ -104,6 +109,7 @@ impl Solution {
         Self {
             pivots,
             accelerations,
+            recursion,
             solver,
             scheduled: None,
         }
