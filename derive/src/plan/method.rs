@@ -79,7 +79,9 @@ impl Method {
         let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
         let staged = whole.staged(model.graph.passes);
         let mut setup = core::mem::take(&mut self.program);
-        let kernel = staged.with_setup_in(&mut setup);
+        let kernel = staged
+            .with_setup_in(&mut setup)
+            .reassociated(model.graph.passes);
         *self = Self::preparation(setup);
         Self {
             count: kernel.count(),
