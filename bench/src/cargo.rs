@@ -99,7 +99,24 @@ fn program(folders: &Folders, name: &str, flags: Flags) -> PathBuf {
     target(folders, flags).join("release").join(file)
 }
 
+/// The path of a copy of a program or a shared object, by number.
+pub(crate) fn copied(path: &Path, number: usize) -> Result<String, String> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let name = name.split_once('~').map_or(&*name, |(_, name)| name);
+    let copy = path.with_file_name(format!("{number}~{name}"));
+    fs::copy(path, &copy).map_err(|error| format!("{}: {error}", copy.display()))?;
+    Ok(copy.to_string_lossy().into_owned())
+}
+
 impl Built {
+    /// A copy of it, by number.
+    pub(crate) fn copied(&self, number: usize) -> Result<Self, String> {
+        Ok(Self {
+            program: copied(&self.program, number)?.into(),
+            seconds: self.seconds,
+        })
+    }
+
     /// The program.
     pub(crate) fn program(&self) -> &Path {
         &self.program

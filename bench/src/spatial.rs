@@ -17,7 +17,7 @@ use std::process::Command;
 use lagrangian_bench::{Library, Operations, Report, Request};
 
 use crate::arguments::{Arguments, PeerName};
-use crate::cargo::{Built, build_dependencies_with, build_source};
+use crate::cargo::{Built, build_dependencies_with, build_source, copied};
 use crate::command::output;
 use crate::compiler;
 use crate::flags::Flags;
@@ -35,6 +35,9 @@ const TIME_LIMIT: f64 = 1.0;
 /// The operations of the links 21 to 30 over those of 11 to 20.
 const GROWTH_LIMIT: f64 = 1.05;
 
+/// So many processes measure, each with files of its own: where a file comes to lie in memory can cost it two thirds of its speed.
+const PROCESSES: usize = 3;
+
 /// Ours and the peers', of one quantity.
 struct Row {
     links: usize,
@@ -45,6 +48,22 @@ struct Row {
 }
 
 impl Row {
+    /// Takes what is faster than what was measured before.
+    fn fastest(&mut self, report: Report) -> Result<(), String> {
+        self.operations = arithmetic(&report.operations);
+        let measurements = report.measurements.into_iter();
+        let mut times =
+            measurements.map(|found| (found.name, found.throughput.unwrap_or(f64::NAN)));
+        let (_, ours) = times.next().ok_or("nothing was measured")?;
+        self.nanoseconds = self.nanoseconds.min(ours);
+        let times = times.enumerate().map(|(i, (name, time))| {
+            let before = self.peers.get(i).map_or(f64::INFINITY, |(_, time)| *time);
+            (name, time.min(before))
+        });
+        self.peers = times.collect();
+        Ok(())
+    }
+
     fn best_peer(&self) -> f64 {
         let times = self.peers.iter().map(|(_, time)| *time);
         times.fold(f64::INFINITY, f64::min)
@@ -152,29 +171,28 @@ impl Quantity {
                 row.truncate(2 * links);
             }
         }
-        let request = Request {
+        let mut request = Request {
             model: format!("{} of {links} links", self.name),
             states,
             libraries,
             answers: Vec::new(),
             rounds,
         };
-        let Report {
-            operations,
-            measurements,
-            ..
-        } = built.run(folders, &request)?;
-        let mut times = measurements
-            .into_iter()
-            .map(|found| (found.name, found.throughput.unwrap_or(f64::NAN)));
-        let (_, nanoseconds) = times.next().ok_or("nothing was measured")?;
-        Ok(Row {
+        let mut row = Row {
             links,
-            operations: arithmetic(&operations),
+            operations: 0,
             by_hand,
-            nanoseconds,
-            peers: times.collect(),
-        })
+            nanoseconds: f64::INFINITY,
+            peers: Vec::new(),
+        };
+        for process in 0..PROCESSES {
+            for library in &mut request.libraries {
+                library.path = copied(Path::new(&library.path), process)?;
+            }
+            let program = built.copied(process)?;
+            row.fastest(program.run(folders, &request)?)?;
+        }
+        Ok(row)
     }
 
     #[allow(clippy::cast_precision_loss)] // Counts of some thousands.

@@ -21,7 +21,7 @@ pub(crate) struct Arrival {
 /// When the values of a group are known; symbols and values of earlier groups are from the beginning.
 pub(crate) struct Arrivals {
     values: Table<usize, Arrival>,
-    /// The instruction that uses a value, if it is one alone and no output.
+    /// The instruction of the group that uses a value, if it is one alone and no output.
     users: Table<usize, Option<usize>>,
     /// How long it takes from the time at which a value is known to the end.
     tails: Table<usize, usize>,
@@ -30,10 +30,12 @@ pub(crate) struct Arrivals {
 }
 
 impl Arrivals {
-    pub(crate) fn of(group: &OutputGroup) -> Self {
+    /// Those of one group of a program.
+    pub(crate) fn of(groups: &[OutputGroup], place: usize) -> Self {
+        let group = &groups[place];
         let mut all = Self {
             values: Table::default(),
-            users: users(group),
+            users: users(groups, place),
             tails: Table::default(),
             end: 0,
         };
@@ -135,17 +137,20 @@ const fn latency(operation: &Operation) -> usize {
     }
 }
 
-/// Of each value that is used: by which instruction, if it is one alone. Outputs are used elsewhere.
-fn users(group: &OutputGroup) -> Table<usize, Option<usize>> {
+/// Of each value that is used: by which instruction of a group, if it is one alone. Outputs are used elsewhere.
+fn users(groups: &[OutputGroup], place: usize) -> Table<usize, Option<usize>> {
     let mut users: Table<usize, Option<usize>> = Table::default();
-    for value in group.outputs.iter().filter_map(Operand::value) {
-        users.insert(value, None);
-    }
-    for (index, instruction) in group.instructions.iter().enumerate() {
-        for value in instruction.operation.operands().filter_map(Operand::value) {
-            let user = users.entry(value).or_insert(Some(index));
-            if *user != Some(index) {
-                *user = None;
+    for (number, group) in groups.iter().enumerate() {
+        for value in group.outputs.iter().filter_map(Operand::value) {
+            users.insert(value, None);
+        }
+        for (index, instruction) in group.instructions.iter().enumerate() {
+            let user = (number == place).then_some(index);
+            for value in instruction.operation.operands().filter_map(Operand::value) {
+                let known = users.entry(value).or_insert(user);
+                if *known != user {
+                    *known = None;
+                }
             }
         }
     }

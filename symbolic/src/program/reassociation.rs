@@ -36,8 +36,14 @@ impl Program {
         if !passes.has(Pass::Reassociation) || !self.groups.iter().any(OutputGroup::is_long) {
             return self;
         }
-        for group in self.groups.iter_mut().filter(|group| group.is_long()) {
-            *group = core::mem::take(group).reassociated();
+        let instructions = self.instructions();
+        let mut done: Set<Operation> = Set::default();
+        done.extend(instructions.map(|instruction| instruction.operation.clone()));
+        for place in 0..self.groups.len() {
+            if self.groups[place].is_long() {
+                let arrivals = Arrivals::of(&self.groups, place);
+                self.groups[place].reassociate(&arrivals, &mut done);
+            }
         }
         self.renumber();
         self
@@ -45,19 +51,12 @@ impl Program {
 }
 
 impl OutputGroup {
-    /// The same with the terms of sums in the order in which they are known.
-    fn reassociated(mut self) -> Self {
-        let arrivals = Arrivals::of(&self);
-        let mut done: Set<Operation> = Set::default();
-        done.extend(
-            self.instructions
-                .iter()
-                .map(|instruction| instruction.operation.clone()),
-        );
+    /// Puts the terms of sums in the order in which they are known; `done` are the operations of the program.
+    fn reassociate(&mut self, arrivals: &Arrivals, done: &mut Set<Operation>) {
         let mut replaced: Vec<Option<Vec<Instruction>>> = vec![None; self.instructions.len()];
-        for mut sum in self.sums(&arrivals) {
+        for mut sum in self.sums(arrivals) {
             let value = self.instructions[sum.last].value;
-            let operations = sum.additions(&self, arrivals.slack(value));
+            let operations = sum.additions(self, arrivals.slack(value));
             let own = sum.inner.iter().chain([&sum.last]);
             let own: Vec<_> = own
                 .map(|index| &self.instructions[*index].operation)
@@ -76,11 +75,11 @@ impl OutputGroup {
                 replaced[sum.last] = Some(operations);
             }
         }
-        let instructions = self.instructions.into_iter().zip(replaced);
+        let instructions = core::mem::take(&mut self.instructions);
+        let instructions = instructions.into_iter().zip(replaced);
         self.instructions = instructions
             .flat_map(|(instruction, replaced)| replaced.unwrap_or_else(|| vec![instruction]))
             .collect();
-        self
     }
 
     /// The sums of three or more terms.

@@ -24,8 +24,13 @@ impl Program {
         }
         let recursion = recursion.iter();
         let recursion: Vec<_> = recursion.map(|result| graph.computed(*result)).collect();
-        for group in self.groups.iter_mut().filter(|group| group.is_long()) {
-            let order = Operations::of(group).order(group, &recursion);
+        for place in 0..self.groups.len() {
+            if !self.groups[place].is_long() {
+                continue;
+            }
+            let arrivals = Arrivals::of(&self.groups, place);
+            let group = &mut self.groups[place];
+            let order = Operations::of(group, &arrivals).order(group, &recursion);
             let mut instructions: Vec<_> = group.instructions.drain(..).map(Some).collect();
             let ordered = order.into_iter().filter_map(|i| instructions[i].take());
             group.instructions = ordered.collect();
@@ -59,8 +64,7 @@ struct Operations {
 }
 
 impl Operations {
-    fn of(group: &OutputGroup) -> Self {
-        let arrivals = Arrivals::of(group);
+    fn of(group: &OutputGroup, arrivals: &Arrivals) -> Self {
         let mut all = Self {
             instructions: Vec::with_capacity(group.instructions.len()),
             needs: Vec::with_capacity(group.instructions.len()),
