@@ -3,7 +3,8 @@
 //!
 //! A product that one sum alone adds is fused with it. Of two products in one sum the later one is.
 
-use crate::algebra::hashing::Table;
+use core::ops::Range;
+
 use crate::limits::{
     LATENCY_OF_ADDITION, LATENCY_OF_DIVISION, LATENCY_OF_FUNCTION, LATENCY_OF_FUSED,
     LATENCY_OF_PRODUCT,
@@ -18,13 +19,24 @@ pub(crate) struct Arrival {
     pub(crate) factors: Option<usize>,
 }
 
+/// How a value is used.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Use {
+    Never,
+    /// By this instruction of the group alone.
+    Once(usize),
+    /// By several, or as an output.
+    Often,
+}
+
 /// When the values of a group are known; symbols and values of earlier groups are from the beginning.
 pub(crate) struct Arrivals {
-    values: Table<usize, Arrival>,
-    /// The instruction of the group that uses a value, if it is one alone and no output.
-    users: Table<usize, Option<usize>>,
-    /// How long it takes from the time at which a value is known to the end.
-    tails: Table<usize, usize>,
+    /// By value.
+    values: Vec<Arrival>,
+    /// By value: how it is used.
+    uses: Vec<Use>,
+    /// By value: how long it takes from the time at which it is known to the end.
+    tails: Vec<usize>,
     /// When all are known.
     end: usize,
 }
@@ -33,27 +45,23 @@ impl Arrivals {
     /// Those of one group of a program.
     pub(crate) fn of(groups: &[OutputGroup], place: usize) -> Self {
         let group = &groups[place];
+        let uses = uses(groups, place);
         let mut all = Self {
-            values: Table::default(),
-            users: users(groups, place),
-            tails: Table::default(),
+            values: vec![Arrival::default(); uses.len()],
+            tails: vec![0; uses.len()],
+            uses,
             end: 0,
         };
         for instruction in &group.instructions {
             let arrival = all.arrival(group, instruction);
-            let first = instruction.value;
-            let results = first..first + instruction.operation.results();
-            all.values.extend(results.map(|value| (value, arrival)));
+            all.values[results(instruction)].fill(arrival);
             all.end = all.end.max(arrival.time);
         }
         for instruction in group.instructions.iter().rev() {
-            let first = instruction.value;
-            let results = first..first + instruction.operation.results();
-            let tail = results.map(|value| all.tail(value)).max().unwrap_or(0);
-            let latency = latency(&instruction.operation);
+            let tails = &all.tails[results(instruction)];
+            let tail = tails.iter().max().copied().unwrap_or(0) + latency(&instruction.operation);
             for value in instruction.operation.operands().filter_map(Operand::value) {
-                let known = all.tails.entry(value).or_default();
-                *known = (tail + latency).max(*known);
+                all.tails[value] = all.tails[value].max(tail);
             }
         }
         all
@@ -92,23 +100,23 @@ impl Arrivals {
     }
 
     pub(crate) fn get(&self, operand: &Operand) -> Arrival {
-        let arrival = operand.value().and_then(|value| self.values.get(&value));
-        arrival.copied().unwrap_or_default()
-    }
-
-    fn tail(&self, value: usize) -> usize {
-        self.tails.get(&value).copied().unwrap_or(0)
+        operand
+            .value()
+            .map_or_else(Arrival::default, |value| self.values[value])
     }
 
     /// How much later a value may be known without delay at the end.
     pub(crate) fn slack(&self, value: usize) -> usize {
-        let time = self.values.get(&value).map_or(0, |arrival| arrival.time);
-        self.end.saturating_sub(time + self.tail(value))
+        self.end
+            .saturating_sub(self.values[value].time + self.tails[value])
     }
 
     /// The instruction that uses a value, if it is one alone and no output.
     pub(crate) fn user(&self, value: usize) -> Option<usize> {
-        self.users.get(&value).copied().flatten()
+        match self.uses[value] {
+            Use::Once(user) => Some(user),
+            Use::Never | Use::Often => None,
+        }
     }
 
     /// Whether an instruction is computed with the one that uses it, as a product is with the sum that adds it and as a sign is.
@@ -137,22 +145,31 @@ const fn latency(operation: &Operation) -> usize {
     }
 }
 
-/// Of each value that is used: by which instruction of a group, if it is one alone. Outputs are used elsewhere.
-fn users(groups: &[OutputGroup], place: usize) -> Table<usize, Option<usize>> {
-    let mut users: Table<usize, Option<usize>> = Table::default();
+/// The values that an instruction computes.
+const fn results(instruction: &Instruction) -> Range<usize> {
+    instruction.value..instruction.value + instruction.operation.results()
+}
+
+/// How each value of a program is used, seen from one group.
+fn uses(groups: &[OutputGroup], place: usize) -> Vec<Use> {
+    let instructions = groups.iter().flat_map(|group| &group.instructions);
+    let end = instructions
+        .map(|instruction| results(instruction).end)
+        .max();
+    let mut uses = vec![Use::Never; end.unwrap_or(0)];
     for (number, group) in groups.iter().enumerate() {
         for value in group.outputs.iter().filter_map(Operand::value) {
-            users.insert(value, None);
+            uses[value] = Use::Often;
         }
         for (index, instruction) in group.instructions.iter().enumerate() {
-            let user = (number == place).then_some(index);
             for value in instruction.operation.operands().filter_map(Operand::value) {
-                let known = users.entry(value).or_insert(user);
-                if *known != user {
-                    *known = None;
-                }
+                uses[value] = match uses[value] {
+                    Use::Never if number == place => Use::Once(index),
+                    Use::Once(user) if number == place && user == index => continue,
+                    _ => Use::Often,
+                };
             }
         }
     }
-    users
+    uses
 }

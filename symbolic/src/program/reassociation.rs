@@ -36,9 +36,12 @@ impl Program {
         if !passes.has(Pass::Reassociation) || !self.groups.iter().any(OutputGroup::is_long) {
             return self;
         }
-        let instructions = self.instructions();
-        let mut done: Set<Operation> = Set::default();
-        done.extend(instructions.map(|instruction| instruction.operation.clone()));
+        let operations = self
+            .instructions()
+            .map(|instruction| &instruction.operation);
+        let additions = operations
+            .filter(|operation| matches!(operation, Operation::Add(..) | Operation::Subtract(..)));
+        let mut done: Set<Operation> = additions.cloned().collect();
         for place in 0..self.groups.len() {
             if self.groups[place].is_long() {
                 let arrivals = Arrivals::of(&self.groups, place);
@@ -51,7 +54,7 @@ impl Program {
 }
 
 impl OutputGroup {
-    /// Puts the terms of sums in the order in which they are known; `done` are the operations of the program.
+    /// Puts the terms of sums in the order in which they are known; `done` are the additions of the program.
     fn reassociate(&mut self, arrivals: &Arrivals, done: &mut Set<Operation>) {
         let mut replaced: Vec<Option<Vec<Instruction>>> = vec![None; self.instructions.len()];
         for mut sum in self.sums(arrivals) {
