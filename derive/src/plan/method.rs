@@ -45,7 +45,6 @@ impl Method {
             None => Program::schedule_for_staging(&model.graph, &layout.groups()),
         };
         let Staged { setup, kernel } = whole.staged(model.graph.passes);
-        // An elimination goes out along the links, in, and out again; recursions of two ways lose by another order.
         let recursion = kinetics.solution.iter();
         let recursion: Vec<_> = recursion
             .flat_map(|solution| &solution.recursion)
@@ -67,21 +66,20 @@ impl Method {
         [prepare, accelerations]
     }
 
-    /// A method whose invariants are computed by this setup method, too.
-    pub(super) fn hoisting(
-        &mut self,
-        model: &Model,
-        expressions: &[Expression],
-        outputs: fn(OutputSlice) -> MethodOutputs,
-    ) -> Self {
+    /// M q̈ − f, the invariants of which this setup method computes, too.
+    pub(super) fn inverse_dynamics(&mut self, model: &Model, kinetics: &Kinetics) -> Self {
         let mut layout = ProgramLayout::new();
-        let outputs = outputs(layout.add(expressions));
+        let outputs = MethodOutputs::Vector(layout.add(&kinetics.inverse_dynamics));
         let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
         let staged = whole.staged(model.graph.passes);
         let mut setup = core::mem::take(&mut self.program);
-        let kernel = staged
+        let mut kernel = staged
             .with_setup_in(&mut setup)
             .reassociated(model.graph.passes);
+        // In another order than a recursion's the compiled code of thirty joints loads 830 values, as scheduled 653.
+        if !kinetics.recursion.is_empty() {
+            kernel = kernel.ordered(&model.graph, &kinetics.recursion);
+        }
         *self = Self::preparation(setup);
         Self {
             count: kernel.count(),

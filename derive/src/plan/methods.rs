@@ -128,8 +128,7 @@ impl Methods {
             Method::single(model, &kinetics.mass.concat(), MethodOutputs::SquareMatrix)
         };
         let [mut prepare, accelerations] = Method::accelerations(model, &kinetics);
-        let inverse_dynamics =
-            prepare.hoisting(model, &kinetics.inverse_dynamics, MethodOutputs::Vector);
+        let inverse_dynamics = prepare.inverse_dynamics(model, &kinetics);
         let [linearize, input_jacobian] = match derivatives {
             Some(derivatives) => derivatives.map(|derivatives| derivatives.schedule(model)),
             None => Method::derivatives_by_columns(

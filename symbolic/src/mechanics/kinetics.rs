@@ -35,6 +35,8 @@ pub struct Kinetics {
     pub forcing: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
     pub inverse_dynamics: Vec<Expression>,
+    /// The intermediate results of the recursion along links that computes M q̈ − f, in its order; of other ways none.
+    pub recursion: Vec<Expression>,
     /// M q̈ = f for numerical solution.
     pub system: LinearSystem,
     /// The accelerations; none for many coupled coordinates, where M is factored numerically.
@@ -58,6 +60,8 @@ pub struct LinearSystem {
     pub forcing: Vec<Expression>,
     /// M q̈ − f with the accelerations as symbols.
     pub inverse_dynamics: Vec<Expression>,
+    /// The intermediate results of the recursion along links that computes M q̈ − f, in its order; of other ways none.
+    pub recursion: Vec<Expression>,
 }
 
 impl Kinetics {
@@ -91,6 +95,7 @@ impl Kinetics {
             mass: equations.mass.clone(),
             forcing: equations.forcing.clone(),
             inverse_dynamics: equations.inverse_dynamics.clone(),
+            recursion: Vec::new(),
         };
         let mut cheaper = match &tree {
             Some(tree) => lagrange.cheaper(graph, tree),
@@ -133,6 +138,7 @@ impl Kinetics {
             mass: cheaper.mass,
             forcing: cheaper.forcing,
             inverse_dynamics: cheaper.inverse_dynamics,
+            recursion: cheaper.recursion,
             system,
             links,
             differentiates_along_links: OnceCell::new(),
@@ -303,17 +309,33 @@ impl LinearSystem {
             mass: self.mass.clone(),
             forcing: tree.forcing(graph),
             inverse_dynamics: tree.inverse_dynamics(graph),
+            recursion: Vec::new(),
         };
         self.or(graph, along_tree)
     }
 
     /// The same system with M, f and M q̈ − f of another where they cost less.
     fn or(self, graph: &Graph, other: Self) -> Self {
-        let is_cheaper = graph.costs_less(&other.mass.concat(), &self.mass.concat());
+        let has_cheaper_mass = graph.costs_less(&other.mass.concat(), &self.mass.concat());
+        let has_cheaper_forcing = graph.costs_less(&other.forcing, &self.forcing);
+        let dynamics = if graph.costs_less(&other.inverse_dynamics, &self.inverse_dynamics) {
+            (other.inverse_dynamics, other.recursion)
+        } else {
+            (self.inverse_dynamics, self.recursion)
+        };
         Self {
-            mass: if is_cheaper { other.mass } else { self.mass },
-            forcing: cheaper(graph, self.forcing, other.forcing),
-            inverse_dynamics: cheaper(graph, self.inverse_dynamics, other.inverse_dynamics),
+            mass: if has_cheaper_mass {
+                other.mass
+            } else {
+                self.mass
+            },
+            forcing: if has_cheaper_forcing {
+                other.forcing
+            } else {
+                self.forcing
+            },
+            inverse_dynamics: dynamics.0,
+            recursion: dynamics.1,
         }
     }
 
@@ -330,6 +352,7 @@ impl LinearSystem {
             mass,
             forcing: tree.forcing(graph),
             inverse_dynamics: tree.inverse_dynamics(graph),
+            recursion: Vec::new(),
         }
     }
 }
@@ -389,13 +412,4 @@ fn in_angle_differences(graph: &mut Graph, residuals: &[Expression]) -> Option<V
         changed.push(other.unwrap_or(*residual));
     }
     is_changed.then_some(changed)
-}
-
-/// The second of two lists if it costs less than the first.
-fn cheaper(graph: &Graph, first: Vec<Expression>, second: Vec<Expression>) -> Vec<Expression> {
-    if graph.costs_less(&second, &first) {
-        second
-    } else {
-        first
-    }
 }

@@ -127,9 +127,8 @@ impl ArticulatedLinks {
         let mut right = RightHandSide::of(&self.equations.forces);
         let mut recursion = Vec::new();
         for (link, wrench) in wrenches.iter().enumerate() {
-            let moments = angular(link).into_iter().zip(wrench.moment);
-            let forces = linear(link).into_iter().zip(wrench.force);
-            for (unknown, value) in moments.chain(forces) {
+            let unknowns = angular(link).into_iter().chain(linear(link));
+            for (unknown, value) in unknowns.zip(wrench.components()) {
                 recursion.push(value);
                 let value = graph.negate(value);
                 right.0.insert(unknown, value);

@@ -55,7 +55,8 @@ impl LinkEquations {
 
     /// M, f and M q̈ − f, each by a recursion along the links.
     pub(crate) fn system(&self, graph: &mut Graph) -> LinearSystem {
-        let inner = self.generalized_forces(graph, false);
+        let wrenches = self.wrenches(graph, false);
+        let inner = self.generalized_forces(graph, &wrenches);
         let pairs = self.forces.iter().zip(inner);
         let forcing = pairs.map(|(x, y)| graph.subtract(*x, y)).collect();
         let mut mass = mass_matrix(graph, &self.mechanism, &self.joints, self.forces.len());
@@ -63,16 +64,24 @@ impl LinkEquations {
         for (entry, other) in mass.iter_mut().flatten().zip(others) {
             *entry = graph.add(*entry, *other);
         }
+        let wrenches = self.wrenches(graph, true);
         LinearSystem {
             forcing,
             mass,
-            inverse_dynamics: self.inverse_dynamics(graph),
+            inverse_dynamics: self.residuals(graph, &wrenches),
+            recursion: wrenches.iter().flat_map(Wrench::components).collect(),
         }
     }
 
     /// M q̈ − f with the accelerations as symbols.
     pub(crate) fn inverse_dynamics(&self, graph: &mut Graph) -> Vec<Expression> {
-        let inner = self.generalized_forces(graph, true);
+        let wrenches = self.wrenches(graph, true);
+        self.residuals(graph, &wrenches)
+    }
+
+    /// M q̈ − f where the motion of the links takes these wrenches.
+    fn residuals(&self, graph: &mut Graph, wrenches: &[Wrench]) -> Vec<Expression> {
+        let inner = self.generalized_forces(graph, wrenches);
         let others = self.residuals_of_others(graph);
         let pairs = inner.into_iter().zip(others);
         pairs.map(|(x, y)| graph.add(x, y)).collect()
@@ -108,13 +117,12 @@ impl LinkEquations {
         (graph.add(energy, other_kinetic), momenta)
     }
 
-    fn generalized_forces(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Expression> {
-        let wrenches = self.wrenches(graph, with_accelerations);
+    fn generalized_forces(&self, graph: &mut Graph, wrenches: &[Wrench]) -> Vec<Expression> {
         generalized_forces(
             graph,
             &self.mechanism,
             &self.joints,
-            &wrenches,
+            wrenches,
             self.forces.len(),
         )
     }

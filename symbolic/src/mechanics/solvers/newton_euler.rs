@@ -18,6 +18,13 @@ pub(crate) struct Wrench {
     pub(crate) force: Vector,
 }
 
+impl Wrench {
+    pub(crate) fn components(&self) -> [Expression; 6] {
+        let [[l, m, n], [x, y, z]] = [self.moment, self.force];
+        [l, m, n, x, y, z]
+    }
+}
+
 /// How a link moves.
 #[derive(Clone, Copy)]
 pub(crate) struct Motion {
