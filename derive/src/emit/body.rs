@@ -106,16 +106,16 @@ impl<'a> Body<'a> {
         self.load_symbols(group);
         let done = self.angles(group);
         for (index, instruction) in group.instructions.iter().enumerate() {
-            if !done.contains(&index) {
+            if !done[index] {
                 self.load_operands(instruction.operation.operands());
                 self.instruction(instruction);
             }
         }
         self.load_operands(group.outputs.iter());
-        let statements = self.block.take_statements();
+        let (statements, tokens) = self.block.take_statements();
         let mut written = self.block.take(self.scalar);
         if !statements.is_empty() {
-            written.extend(self.pieces(&statements));
+            written.extend(self.pieces(&statements, tokens));
         }
         let outputs = group.outputs.iter();
         let outputs = outputs.map(|operand| self.operand(operand).into_tokens());
@@ -123,14 +123,15 @@ impl<'a> Body<'a> {
         (written, outputs)
     }
 
-    /// Computes the sines and cosines that are computed at once; returns the instructions that are done.
-    fn angles(&mut self, group: &OutputGroup) -> BTreeSet<usize> {
+    /// Computes the sines and cosines that are computed at once; returns which instructions are done.
+    fn angles(&mut self, group: &OutputGroup) -> Vec<bool> {
+        let mut done = vec![false; group.instructions.len()];
         if !self.passes.has(Pass::Vectors) {
-            return BTreeSet::new();
+            return done;
         }
         let is_written = |value: usize| matches!(self.fragments.get(value), Some(Some(_)));
         let Some(angles) = Angles::of(group, is_written) else {
-            return BTreeSet::new();
+            return done;
         };
         for index in angles.operands_of_angles.iter().chain(&angles.pairs) {
             self.load_operands(group.instructions[*index].operation.operands());
@@ -156,11 +157,10 @@ impl<'a> Body<'a> {
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
         self.block
             .define(defines, pattern, value, reads, false, self.scalar);
-        angles
-            .operands_of_angles
-            .into_iter()
-            .chain(angles.pairs)
-            .collect()
+        for index in angles.operands_of_angles.into_iter().chain(angles.pairs) {
+            done[index] = true;
+        }
+        done
     }
 
     /// Names the two values of an instruction that computes a sine and a cosine.

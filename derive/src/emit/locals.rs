@@ -134,7 +134,18 @@ impl<'a> Locals<'a> {
     fn numbered(&mut self) -> Ident {
         let name = format!("x{}", self.counter);
         self.counter += 1;
-        self.free(name)
+        if self.taken.contains(&name) {
+            return self.free(name);
+        }
+        Ident::new(&name, Span::mixed_site())
+    }
+
+    /// Whether a name is that of a variable with a number. Those are most, so that they are not listed.
+    fn is_numbered(&self, name: &str) -> bool {
+        let number = name
+            .strip_prefix('x')
+            .and_then(|number| number.parse().ok());
+        number.is_some_and(|number: usize| number < self.counter && name == format!("x{number}"))
     }
 
     /// `name`, or the next free one after it. A local variable is hygienic: it never meets a variable of the user's. A
@@ -155,7 +166,7 @@ impl<'a> Locals<'a> {
 
     /// `name`, which is no keyword, or the next free one after it.
     fn free(&mut self, mut name: String) -> Ident {
-        while self.taken.contains(&name) {
+        while self.taken.contains(&name) || self.is_numbered(&name) {
             name.push('_');
         }
         let ident = Ident::new(&name, Span::mixed_site());

@@ -30,8 +30,8 @@ pub(super) struct Block {
     /// Where variables are assigned: what is still to be declared, and the statements that assign it.
     declared: Vec<Ident>,
     assignments: TokenStream,
-    /// Those of a method in pieces.
-    statements: Vec<Statement>,
+    /// Those of a method in pieces, and their tokens.
+    statements: Vec<(Statement, TokenStream)>,
 }
 
 impl Block {
@@ -79,12 +79,12 @@ impl Block {
             Form::Pieces => {
                 let mut tokens = TokenStream::new();
                 set(&mut tokens, quote!(let #pattern), value);
-                self.statements.push(Statement {
-                    tokens,
+                let statement = Statement {
                     defines,
                     reads,
                     calls_model,
-                });
+                };
+                self.statements.push((statement, tokens));
             }
         }
     }
@@ -114,9 +114,9 @@ impl Block {
         }
     }
 
-    /// The statements of a method in pieces since the last time.
-    pub(super) fn take_statements(&mut self) -> Vec<Statement> {
-        core::mem::take(&mut self.statements)
+    /// The statements of a method in pieces since the last time, and their tokens.
+    pub(super) fn take_statements(&mut self) -> (Vec<Statement>, Vec<TokenStream>) {
+        core::mem::take(&mut self.statements).into_iter().unzip()
     }
 
     /// What is written since the last time.

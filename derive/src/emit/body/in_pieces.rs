@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use super::Body;
@@ -10,9 +10,13 @@ use super::pieces::{Piece, Pieces, Read, Statement, Transfer};
 use crate::limits::DECLARED_AT_ONCE;
 
 impl Body<'_> {
-    /// The statements of a group of a long method, in pieces. Of its values the outputs are variables afterwards, and what
-    /// later groups read is in an array.
-    pub(super) fn pieces(&mut self, statements: &[Statement]) -> TokenStream {
+    /// The statements of a group of a long method, which have these tokens, in pieces. Of its values the outputs are variables
+    /// afterwards, and what later groups read is in an array.
+    pub(super) fn pieces(
+        &mut self,
+        statements: &[Statement],
+        tokens: Vec<TokenStream>,
+    ) -> TokenStream {
         let variables = &self.variables;
         let is_kept = |value| variables.is_output(value) || variables.is_read_later(value);
         let is_copied = |symbol| self.source.element(symbol).is_none();
@@ -45,8 +49,9 @@ impl Body<'_> {
             }
         }
         self.give_arrays(statements);
+        let mut tokens = tokens.into_iter();
         for piece in pieces.parts(&array) {
-            written.extend(self.piece(&piece, &array, length));
+            written.extend(self.piece(&piece, &mut tokens, &array, length));
         }
         let outputs = pieces
             .kept
@@ -86,18 +91,24 @@ impl Body<'_> {
         homes
     }
 
-    /// One piece of a group whose values are in an array of this length: a function, or a block where it calls the model.
-    fn piece(&self, piece: &Piece<'_>, array: &Ident, length: usize) -> TokenStream {
+    /// One piece of a group whose values are in an array of this length: a function, or a block where it calls the model. The
+    /// tokens of its statements are the next ones.
+    fn piece(
+        &self,
+        piece: &Piece<'_>,
+        tokens: &mut impl Iterator<Item = TokenStream>,
+        array: &Ident,
+        length: usize,
+    ) -> TokenStream {
         let (root, scalar) = (self.scalar.root(), self.scalar.to_token_stream());
-        let runs = piece.runs.iter().map(|run| {
-            let gathered = self.homes(run.reads.iter()).gathered(root, &scalar);
-            let statements = run.statements.iter().map(|statement| &statement.tokens);
-            let scattered = run.writes.scattered(root);
-            quote!(#gathered #(#statements)* #scattered)
-        });
-        let body: TokenStream = runs.collect();
+        let mut body = TokenStream::new();
+        for run in &piece.runs {
+            body.extend(self.homes(run.reads.iter()).gathered(root, &scalar));
+            body.extend(tokens.take(run.statements.len()));
+            body.extend(run.writes.scattered(root));
+        }
         if piece.calls_model {
-            return quote!({ #body });
+            return in_braces(body);
         }
         let generics = self.scalar.generics_of_functions();
         let reads = piece.runs.iter().flat_map(|run| &run.reads);
@@ -112,12 +123,17 @@ impl Body<'_> {
             parameters.push(quote!(#name: &[#scalar; #length]));
             arguments.push(quote!(#name));
         }
-        quote! {{
+        let mut block = quote! {
             #[inline(never)]
-            fn piece #generics(#array: &mut [#scalar; #length], #(#parameters),*) {
-                #body
-            }
-            piece(&mut #array, #(#arguments),*);
-        }}
+            fn piece #generics(#array: &mut [#scalar; #length], #(#parameters),*)
+        };
+        block.extend(in_braces(body));
+        block.extend(quote!(piece(&mut #array, #(#arguments),*);));
+        in_braces(block)
     }
+}
+
+/// Statements in braces. They are moved: `quote` would copy them, token by token.
+fn in_braces(statements: TokenStream) -> TokenStream {
+    TokenTree::Group(Group::new(Delimiter::Brace, statements)).into()
 }

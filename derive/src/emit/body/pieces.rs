@@ -14,7 +14,6 @@ use crate::syntax::root::Root;
 
 /// A statement, which defines variables.
 pub(super) struct Statement {
-    pub(super) tokens: TokenStream,
     /// The values that it defines, with the names of their variables.
     pub(super) defines: Vec<(usize, Ident)>,
     pub(super) reads: Vec<Read>,
@@ -29,11 +28,46 @@ pub(super) enum Read {
     Symbol(Symbol),
 }
 
+/// Something for each thing that is read.
+struct ByRead<T> {
+    values: Vec<Option<T>>,
+    symbols: BTreeMap<Symbol, T>,
+}
+
+impl<T> ByRead<T> {
+    const fn new() -> Self {
+        Self {
+            values: Vec::new(),
+            symbols: BTreeMap::new(),
+        }
+    }
+
+    fn get(&self, read: Read) -> Option<&T> {
+        match read {
+            Read::Value(value) => self.values.get(value)?.as_ref(),
+            Read::Symbol(symbol) => self.symbols.get(&symbol),
+        }
+    }
+
+    /// Puts in what belongs to `read`; returns what did before.
+    fn insert(&mut self, read: Read, new: T) -> Option<T> {
+        match read {
+            Read::Value(value) => {
+                if self.values.len() <= value {
+                    self.values.resize_with(value + 1, || None);
+                }
+                self.values[value].replace(new)
+            }
+            Read::Symbol(symbol) => self.symbols.insert(symbol, new),
+        }
+    }
+}
+
 /// The pieces of one group, and where the values are that they read of each other.
 pub(super) struct Pieces<'a> {
     statements: Vec<&'a [Statement]>,
     /// For each value that is read behind its piece: its element of the array.
-    elements: BTreeMap<Read, usize>,
+    elements: ByRead<usize>,
     /// The values that are still there behind the last piece.
     pub(super) kept: Vec<usize>,
     /// The length of the array.
@@ -52,19 +86,16 @@ impl<'a> Pieces<'a> {
         let runs = statements.chunk_by(|a, b| !a.calls_model && !b.calls_model);
         let mut pieces = Self {
             statements: runs.flat_map(|run| run.chunks(length)).collect(),
-            elements: BTreeMap::new(),
+            elements: ByRead::new(),
             kept: Vec::new(),
             length: 0,
         };
-        pieces.allocate(
-            is_kept,
-            |read| matches!(read, Read::Symbol(symbol) if is_copied(symbol)),
-        );
+        pieces.allocate(is_kept, is_copied);
         pieces
     }
 
-    fn allocate(&mut self, is_kept: impl Fn(usize) -> bool, is_copied: impl Fn(Read) -> bool) {
-        let mut last_pieces = BTreeMap::new();
+    fn allocate(&mut self, is_kept: impl Fn(usize) -> bool, is_copied: impl Fn(Symbol) -> bool) {
+        let mut last_pieces = ByRead::new();
         for (piece, statements) in self.statements.iter().enumerate() {
             for read in statements.iter().flat_map(|statement| &statement.reads) {
                 last_pieces.insert(*read, piece);
@@ -72,17 +103,17 @@ impl<'a> Pieces<'a> {
         }
         let mut free = Vec::new();
         let mut ending = vec![Vec::new(); self.statements.len()];
-        let symbols = last_pieces.iter();
-        for (symbol, last_piece) in symbols.filter(|(read, _)| is_copied(**read)) {
+        let symbols = last_pieces.symbols.iter();
+        for (symbol, last_piece) in symbols.filter(|(symbol, _)| is_copied(**symbol)) {
             ending[*last_piece].push(self.length);
-            self.elements.insert(*symbol, self.length);
+            self.elements.insert(Read::Symbol(*symbol), self.length);
             self.length += 1;
         }
         for (piece, statements) in self.statements.iter().enumerate() {
             for (value, _) in statements.iter().flat_map(|statement| &statement.defines) {
                 let read = Read::Value(*value);
                 let is_kept = is_kept(*value);
-                let last_piece = last_pieces.get(&read).copied().unwrap_or(0);
+                let last_piece = last_pieces.get(read).copied().unwrap_or(0);
                 if !is_kept && last_piece <= piece {
                     continue;
                 }
@@ -103,46 +134,46 @@ impl<'a> Pieces<'a> {
 
     /// The element that holds what is read.
     pub(super) fn element(&self, read: Read) -> Option<usize> {
-        self.elements.get(&read).copied()
+        self.elements.get(read).copied()
     }
 
     /// The symbols that are in the array when the first piece begins.
     pub(super) fn symbols(&self) -> impl Iterator<Item = Symbol> {
-        self.elements.keys().filter_map(|read| match read {
-            Read::Symbol(symbol) => Some(*symbol),
-            Read::Value(_) => None,
-        })
+        self.elements.symbols.keys().copied()
     }
 
     /// What the pieces are written from, with what they write to `array`.
     pub(super) fn parts(&self, array: &Ident) -> impl Iterator<Item = Piece<'a>> {
-        self.statements.iter().map(|statements| {
-            let mut known = BTreeSet::new();
+        // The last piece in which something is known.
+        let mut known = ByRead::new();
+        let pieces = self.statements.iter().enumerate();
+        pieces.map(move |(number, statements)| {
             let runs = statements.chunks(STATEMENTS_PER_TRANSFER);
+            let mut learn = |read| known.insert(read, number) != Some(number);
             Piece {
-                runs: runs.map(|run| self.run(run, array, &mut known)).collect(),
+                runs: runs.map(|run| self.run(run, array, &mut learn)).collect(),
                 calls_model: statements.iter().any(|statement| statement.calls_model),
             }
         })
     }
 
-    /// A run of statements behind others in which these are known.
+    /// A run of statements; `learn` tells what is not known in the piece so far, and then is.
     fn run(
         &self,
         statements: &'a [Statement],
         array: &Ident,
-        known: &mut BTreeSet<Read>,
+        learn: &mut impl FnMut(Read) -> bool,
     ) -> Run<'a> {
         let (mut reads, mut writes) = (BTreeSet::new(), Transfer::default());
         for statement in statements {
             for read in &statement.reads {
-                if known.insert(*read) {
+                if learn(*read) {
                     reads.insert(*read);
                 }
             }
             for (value, name) in &statement.defines {
                 let read = Read::Value(*value);
-                known.insert(read);
+                learn(read);
                 if let Some(element) = self.element(read) {
                     writes.add(array, element, name);
                 }
