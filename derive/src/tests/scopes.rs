@@ -1,5 +1,7 @@
 //! No method nests more scopes than rustc bears.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::expand::expand_within;
@@ -46,4 +48,52 @@ fn no_method_nests_more_scopes_than_the_compiler_bears() {
     let chain = expansion(MOST_SCOPES);
     assert!(syn::parse2::<syn::File>(chain.clone()).is_ok());
     assert!(most_scopes(chain) <= MOST_SCOPES);
+}
+
+/// Of values that are called like variables with numbers.
+const NUMBERED: &str = r"
+    #[lagrangian(
+        coordinates(theta[5], x4),
+        define(
+            x2 = sin(theta[0]) * sin(theta[1]) + x4.powi(2),
+            x1 = x2 * cos(theta[2] - x4),
+            x0 = x1 * x2 + sqrt(1.0 + x4.powi(2)),
+        ),
+        kinetic = (0..5).map(|i| 0.5 * m[i] * dot(theta[i]).powi(2)).sum()
+            + 0.5 * dot(x4).powi(2) * (2.0 + cos(theta[0] - theta[1])) + x5 * dot(x4) * dot(theta[0]),
+        potential = x0 * x0 + x1 * cos(theta[3] - theta[4]) + x2 * theta[2],
+    )]
+    struct Numbered { m: [f64; 5], x5: f64 }
+";
+
+/// The names that one body gives twice by `let`.
+fn repeated_names(tokens: TokenStream, found: &mut Vec<String>) {
+    let mut names = BTreeSet::new();
+    let tokens: Vec<_> = tokens.into_iter().collect();
+    for pair in tokens.windows(2) {
+        if let [TokenTree::Ident(word), TokenTree::Ident(name)] = pair
+            && word == "let"
+            && name != "mut"
+            && !names.insert(name.to_string())
+        {
+            found.push(name.to_string());
+        }
+    }
+    for token in tokens {
+        if let TokenTree::Group(group) = token {
+            repeated_names(group.stream(), found);
+        }
+    }
+}
+
+#[test]
+fn no_variable_is_called_like_another() {
+    let declaration: TokenStream = NUMBERED.parse().expect("the declaration is of tokens");
+    let expansion = expand_within(declaration, MethodLimits::OF_EXPANSIONS);
+    let mut found = Vec::new();
+    repeated_names(expansion.clone(), &mut found);
+    assert!(found.is_empty(), "{found:?}");
+    let names = ["let x0 ", "let x0_ ", "let x4 ", "let x4_ ", "let x5 "];
+    let text = expansion.to_string();
+    assert!(names.iter().all(|name| text.contains(name)), "{text}");
 }
