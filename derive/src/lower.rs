@@ -5,6 +5,7 @@ pub(crate) mod value;
 pub(crate) mod body;
 pub(crate) mod scope;
 pub(crate) mod builtins;
+mod unknown_function;
 mod hints;
 mod expression;
 mod energies;

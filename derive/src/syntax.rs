@@ -18,4 +18,5 @@ pub(crate) mod scalar;
 pub(crate) mod root;
 pub(crate) mod shape;
 pub(crate) mod names;
+pub(crate) mod other_notation;
 mod grammar;

@@ -46,6 +46,7 @@ mod limits;
 #[cfg(feature = "serde")]
 mod array_as_tuple;
 mod number_format;
+mod error_debug;
 mod scalar;
 mod linalg;
 mod integrate;

@@ -42,6 +42,7 @@ mod driven_by;
 mod with_controller;
 mod plant;
 mod arrays;
+pub(crate) mod undeclared;
 #[doc(hidden)]
 pub mod emitted;
 

@@ -16,6 +16,13 @@ pub use crate::{
     EnergyBalance, EnergyBalanceWith, Hamiltonian, HamiltonianWith, Regressor, RegressorWith,
     Sensitivities, SensitivitiesWith,
 };
+// Without names: through them the compiler says which clause is missing.
+#[doc(hidden)]
+pub use crate::model::undeclared::{
+    OfConstantsOfMotion as _, OfEnergies as _, OfEnergyBalance as _, OfEvents as _,
+    OfHamiltonian as _, OfInputs as _, OfOutputs as _, OfReducedModels as _, OfRegressor as _,
+    OfSensitivities as _,
+};
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 #[cfg(feature = "derivative-checks")]

@@ -45,6 +45,12 @@ impl DrivenPendulum {
     pub const INPUTS: [&'static str; 1usize] = ["torque"];
     ///The index of the input `torque`.
     pub const TORQUE: usize = 0usize;
+    ///The inputs as the fields have them.
+    pub fn inputs(
+        &self,
+    ) -> ::lagrangian::__private::SVector<::core::primitive::f64, 1usize> {
+        ::lagrangian::Inputs::<1usize, 1usize, _>::inputs(self)
+    }
     /// The equations of motion as they were derived, in lines of Unicode.
     pub const EQUATIONS: &'static str = "q = θ\nT = ½ m l² θ\u{307}²\nV = −m g l cos θ\n\nMomenta p = ∂L/∂q\u{307}:\np_θ = m l² θ\u{307}\n\nEnergy function h = Σ p q\u{307} − L:\nh = T + V\ndh/dt = torque·θ\u{307} − friction·θ\u{307}²\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\nm l² θ\u{308} + m g l sin θ = torque − friction·θ\u{307}\n\nSolved for the accelerations:\nθ\u{308} = ((torque − friction·θ\u{307})/(m l) − g sin θ)/l\n";
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.

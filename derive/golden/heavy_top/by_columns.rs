@@ -62,6 +62,12 @@ impl HeavyTop {
     pub const THETA: usize = 1usize;
     ///The index of the coordinate `psi`.
     pub const PSI: usize = 2usize;
+    /// The names of the constants of motion, in order.
+    pub const CONSTANTS_OF_MOTION: [&'static str; 2usize] = ["p_phi", "energy"];
+    /// The indices of the ignorable coordinates, in order.
+    pub const IGNORABLE_COORDINATES: &'static [usize] = &[0];
+    /// Whether the energy function is a constant of motion.
+    pub const CONSERVES_ENERGY: bool = true;
     /// The equations of motion as they were derived, in lines of Unicode.
     pub const EQUATIONS: &'static str = "q = (φ, θ, ψ)\nw₁ = φ\u{307} sin θ sin ψ + θ\u{307} cos ψ\nw₂ = φ\u{307} sin θ cos ψ − θ\u{307} sin ψ\nw₃ = φ\u{307} cos θ + ψ\u{307}\nT = ½ I₁ w₁² + ½ I₂ w₂² + ½ I₃ w₃²\nV = m g l cos θ\n\nMomenta p = ∂L/∂q\u{307}:\np_φ = (I₁ w₁ sin ψ + I₂ w₂ cos ψ) sin θ + I₃ w₃ cos θ\np_θ = I₁ w₁ cos ψ − I₂ w₂ sin ψ\np_ψ = I₃ w₃\np_φ is constant.\n\nEnergy function h = Σ p q\u{307} − L:\nh = T + V\nh is constant.\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\n((I₁ sin²ψ + I₂ cos²ψ) sin²θ + I₃ cos²θ) φ\u{308} + (I₁ − I₂) θ\u{308} sin θ sin ψ cos ψ + I₃ ψ\u{308} cos θ + 2 (I₁ sin²ψ + I₂ cos²ψ − I₃) φ\u{307} θ\u{307} sin θ cos θ + 2 (I₁ − I₂) φ\u{307} ψ\u{307} sin²θ sin ψ cos ψ + (I₁ − I₂) θ\u{307}² cos θ sin ψ cos ψ − ((I₁ − I₂) sin²ψ + (I₂ − I₁) cos²ψ + I₃) θ\u{307} ψ\u{307} sin θ = 0\n(I₁ − I₂) φ\u{308} sin θ sin ψ cos ψ + (I₁ cos²ψ + I₂ sin²ψ) θ\u{308} − (I₁ sin²ψ + I₂ cos²ψ − I₃) φ\u{307}² sin θ cos θ + ((I₂ − I₁) sin²ψ + (I₁ − I₂) cos²ψ + I₃) φ\u{307} ψ\u{307} sin θ + 2 (I₂ − I₁) θ\u{307} ψ\u{307} sin ψ cos ψ − m g l sin θ = 0\nI₃ φ\u{308} cos θ + I₃ ψ\u{308} + (I₂ − I₁) w₁ w₂ − I₃ φ\u{307} θ\u{307} sin θ = 0\n\nBoltzmann–Hamel equations, Euler's (3.5)–(3.7) for a rigid body, and kinematics:\nI₁ w\u{307}₁ = (I₂ − I₃) w₂ w₃ + m g l sin θ cos ψ\nI₂ w\u{307}₂ = (I₃ − I₁) w₁ w₃ − m g l sin θ sin ψ\nI₃ w\u{307}₃ = (I₁ − I₂) w₁ w₂\nφ\u{307} = (w₁ sin ψ + w₂ cos ψ)/sin θ\nθ\u{307} = w₁ cos ψ − w₂ sin ψ\nψ\u{307} = w₃ − (w₁ sin ψ + w₂ cos ψ) cos(θ)/sin θ\n";
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
@@ -569,9 +575,9 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3usize, 2usize, __S>
 for HeavyTop {
-    const CONSTANTS_OF_MOTION: [&'static str; 2usize] = ["p_phi", "energy"];
-    const IGNORABLE_COORDINATES: &'static [usize] = &[0];
-    const CONSERVES_ENERGY: bool = true;
+    const CONSTANTS_OF_MOTION: [&'static str; 2usize] = Self::CONSTANTS_OF_MOTION;
+    const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;
+    const CONSERVES_ENERGY: bool = Self::CONSERVES_ENERGY;
     fn constants_of_motion(
         &self,
         state: &::lagrangian::State<__S, 3usize>,

@@ -6,8 +6,9 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
 use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS,
-    CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
+    CONSTANTS, CONSTANTS_OF_CONSERVATION, CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS,
+    CONSTANTS_OF_INPUTS, CONSTANTS_OF_REDUCED_MODELS, CONSTANTS_OF_REGRESSORS,
+    CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
 };
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
@@ -98,9 +99,19 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
     let has_functions = !declaration.clauses.functions.is_empty();
     let has_events = !declaration.clauses.events.is_empty();
     let every = "a constant of every model";
-    let all: [(&[&str], bool, &str); 7] = [
+    let all: [(&[&str], bool, &str); 9] = [
         (&CONSTANTS, true, every),
         (&CONSTANTS_OF_SYSTEMS, true, every),
+        (
+            &CONSTANTS_OF_CONSERVATION,
+            true,
+            "a constant of every model with constants of motion",
+        ),
+        (
+            &CONSTANTS_OF_REDUCED_MODELS,
+            declaration.clauses.routhian.is_some(),
+            "a constant of every reduced model",
+        ),
         (
             &CONSTANTS_OF_INPUTS,
             has_inputs,

@@ -34,6 +34,7 @@ impl Emitter<'_> {
         });
         let inputs = self.input_constants();
         let events = self.event_constants();
+        let conserved = self.conservation_constants();
         let requested = self.requested_constants();
         // A lifetime of the struct stands in its impl but once.
         let lifetimes = self.declaration.generics.lifetimes().next().is_some();
@@ -47,6 +48,7 @@ impl Emitter<'_> {
                 #(#indices)*
                 #inputs
                 #events
+                #conserved
                 #requested
                 /// The equations of motion as they were derived, in lines of Unicode.
                 #visibility const EQUATIONS: &'static str = #unicode;

@@ -75,6 +75,27 @@ impl<'a> Emitter<'a> {
         }
     }
 
+    /// A method of the type on the scalar of the parameters, for one of a trait that takes nothing from which a scalar could
+    /// be inferred.
+    pub(super) fn on_own_scalar(
+        &self,
+        text: &str,
+        method: &TokenStream,
+        interface: &TokenStream,
+        count: usize,
+    ) -> TokenStream {
+        let Declaration {
+            root, visibility, ..
+        } = self.declaration;
+        let scalar = self.scalar.of_parameters();
+        quote! {
+            #[doc = #text]
+            #visibility fn #method(&self) -> #root::__private::SVector<#scalar, #count> {
+                #root::#interface::#method(self)
+            }
+        }
+    }
+
     /// The value of a component on the scalar.
     pub(super) fn read(&self, component: &Component) -> TokenStream {
         let field = &component.field;

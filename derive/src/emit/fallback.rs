@@ -20,7 +20,10 @@ use super::editor;
 use super::inputs::{Indices, input_indices};
 use super::signatures::{InputsFrom, Signatures, method_name};
 use crate::lower::Lowered;
-use crate::plan::constants::{CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS};
+use crate::plan::constants::{
+    CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REGRESSORS,
+    CONSTANTS_OF_SENSITIVITIES,
+};
 use crate::plan::{EmittedMethod, Interface, MethodRow};
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
@@ -63,6 +66,12 @@ impl<'a> Fallback<'a> {
         }
         if !lowered.quantities.inputs.is_empty() {
             taken.extend(CONSTANTS_OF_INPUTS.map(str::to_owned));
+        }
+        if declaration.clauses.regressor.is_some() {
+            taken.extend(CONSTANTS_OF_REGRESSORS.map(str::to_owned));
+        }
+        if declaration.clauses.sensitivities.is_some() {
+            taken.extend(CONSTANTS_OF_SENSITIVITIES.map(str::to_owned));
         }
         let coordinates: Vec<_> = indices(declared)
             .filter(|(coordinate, _)| taken.insert(constant_name(&coordinate.name)))
@@ -173,12 +182,15 @@ impl<'a> Fallback<'a> {
         let inputs = (u > 0).then(|| {
             let indices = self.inputs.iter();
             let indices = indices.map(|(field, indices)| indices.constant(field));
+            let values = self.on_own_scalar(&quote!(inputs), u);
             quote! {
                 #visibility const INPUTS: [&'static str; #u] = [#(#labels),*];
                 #(#visibility const #indices;)*
+                #values
             }
         });
         let events = self.event_constants();
+        let requested = self.requested_constants();
         quote! {
             impl #generics #name #arguments #conditions {
                 #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
@@ -188,7 +200,21 @@ impl<'a> Fallback<'a> {
                 #(#indices)*
                 #inputs
                 #events
+                #requested
                 #mentions
+            }
+        }
+    }
+
+    /// A method of the type on the scalar of the parameters, as models with equations have it.
+    fn on_own_scalar(&self, method: &TokenStream, count: usize) -> TokenStream {
+        let Declaration {
+            root, visibility, ..
+        } = self.declaration;
+        let scalar = self.scalar.of_parameters();
+        quote! {
+            #visibility fn #method(&self) -> #root::__private::SVector<#scalar, #count> {
+                ::core::unreachable!()
             }
         }
     }

@@ -59,7 +59,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The names of the inputs and the indices of each field of them, as constants of the type.
+    /// The names of the inputs and the indices of each field of them, as constants of the type; and their values.
     pub(super) fn input_constants(&self) -> TokenStream {
         if !self.has_inputs() {
             return TokenStream::new();
@@ -79,10 +79,18 @@ impl Emitter<'_> {
             let constant = indices.constant(field);
             quote!(#[doc = #text] #visibility const #constant;)
         });
+        let n = self.coordinates();
+        let values = self.on_own_scalar(
+            "The inputs as the fields have them.",
+            &quote!(inputs),
+            &quote!(Inputs::<#n, #u, _>),
+            u,
+        );
         quote! {
             /// The names of the inputs, in order.
             #visibility const INPUTS: [&'static str; #u] = [#(#names),*];
             #(#indices)*
+            #values
         }
     }
 }

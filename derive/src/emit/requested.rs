@@ -23,17 +23,15 @@ impl Emitter<'_> {
             impls.extend(self.with_and_without_inputs(Interface::EnergyBalance, &none));
         }
         if let Some(sensitivities) = &requested.sensitivities {
-            let names = names(&self.lowered.quantities, &sensitivities.parameters);
-            let count = names.len();
-            let items = quote!(const PARAMETERS: [&'static str; #count] = [#(#names),*];);
+            let count = sensitivities.parameters.len();
+            let items = quote!(const PARAMETERS: [&'static str; #count] = Self::PARAMETERS;);
             impls.extend(self.with_and_without_inputs(Interface::Sensitivities, &items));
         }
         if let Some(regressor) = &requested.regressor {
-            let (names, count) = (self.base_parameters(), regressor.values.len());
-            let without = self::names(&self.lowered.quantities, &regressor.without_effect);
+            let count = regressor.values.len();
             let items = quote! {
-                const BASE_PARAMETERS: [&'static str; #count] = [#(#names),*];
-                const WITHOUT_EFFECT: &'static [&'static str] = &[#(#without),*];
+                const BASE_PARAMETERS: [&'static str; #count] = Self::BASE_PARAMETERS;
+                const WITHOUT_EFFECT: &'static [&'static str] = Self::WITHOUT_EFFECT;
             };
             impls.extend(self.with_and_without_inputs(Interface::Regressor, &items));
         }
@@ -72,14 +70,21 @@ impl Emitter<'_> {
             .collect()
     }
 
-    /// The lists of names, as constants of the type.
+    /// The lists of names as constants of the type, and the base parameters on the scalar of the parameters.
     pub(super) fn requested_constants(&self) -> TokenStream {
         let visibility = &self.declaration.visibility;
-        let requested = &self.methods.requested;
-        let regressor = requested.regressor.is_some().then(|| {
+        let (n, requested) = (self.coordinates(), &self.methods.requested);
+        let regressor = requested.regressor.as_ref().map(|regressor| {
             let names = self.base_parameters();
             let count = names.len();
             let lines: Vec<String> = names.iter().map(|name| format!("- `{name}`")).collect();
+            let without = self::names(&self.lowered.quantities, &regressor.without_effect);
+            let values = self.on_own_scalar(
+                "The base parameters that the parameters of this model give.",
+                &quote!(base_parameters),
+                &quote!(Regressor::<#n, #count, _>),
+                count,
+            );
             let text = format!(
                 "The base parameters of the regressor:\n\n{}",
                 lines.join("\n")
@@ -87,6 +92,9 @@ impl Emitter<'_> {
             quote! {
                 #[doc = #text]
                 #visibility const BASE_PARAMETERS: [&'static str; #count] = [#(#names),*];
+                /// The unknown parameters on which no equation of motion depends.
+                #visibility const WITHOUT_EFFECT: &'static [&'static str] = &[#(#without),*];
+                #values
             }
         });
         let sensitivities = requested.sensitivities.as_ref().map(|sensitivities| {

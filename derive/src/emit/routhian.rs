@@ -147,7 +147,7 @@ impl Emitter<'_> {
         .map(|[ignorable, remaining]| interleaved(&reduced.split, all, &ignorable, &remaining));
         let items = quote! {
             type FullState = #root::State<#scalar, #all>;
-            const ELIMINATED: [&'static str; #k] = [#(#names),*];
+            const ELIMINATED: [&'static str; #k] = Self::ELIMINATED;
             fn constants(&self) -> #vector {
                 let constants: [#scalar; #k] = [#(#constants),*];
                 #root::__private::vector(constants)
@@ -169,7 +169,30 @@ impl Emitter<'_> {
         };
         let routhian = self.implement(&quote!(#root::Routhian<#n, #k, #scalar>), &items);
         let series = self.routhian_series(methods, k);
-        quote!(#routhian #series)
+        let own = self.own_items_of_reduced(&names.collect::<Vec<_>>());
+        quote!(#own #routhian #series)
+    }
+
+    /// What a reduced model has without a scalar that has to be named.
+    fn own_items_of_reduced(&self, eliminated: &[String]) -> TokenStream {
+        let Declaration {
+            name, visibility, ..
+        } = self.declaration;
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let (n, k) = (self.coordinates(), eliminated.len());
+        let constants = self.on_own_scalar(
+            "The constant momenta of the ignorable coordinates.",
+            &quote!(constants),
+            &quote!(Routhian::<#n, #k, _>),
+            k,
+        );
+        quote! {
+            impl #generics #name #arguments #conditions {
+                /// The names of the ignorable coordinates, in their order.
+                #visibility const ELIMINATED: [&'static str; #k] = [#(#eliminated),*];
+                #constants
+            }
+        }
     }
 
     fn routhian_series(&self, methods: &ReducedMethods, k: usize) -> Option<TokenStream> {

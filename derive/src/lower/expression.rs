@@ -161,6 +161,10 @@ impl Lowerer<'_> {
             }
             other => return self.reject(other, "write a number such as `2`, `0.5` or `1e-3`"),
         };
+        if self.scope.is_bound(suffix) {
+            let message = format!("a product is written with `*`: write `{digits} * {suffix}`");
+            return self.reject(literal, message);
+        }
         if !matches!(suffix, "" | "f64" | "f32") {
             return self.reject(literal, format!("numbers here are real: write `{digits}`"));
         }

@@ -6,26 +6,28 @@ use core::iter;
 use proc_macro2::Ident;
 use syn::{BinOp, Expr, ExprField, ExprPath, Member};
 
-use super::builtins::{functions, of_scalars};
-use crate::diagnostics::similar;
+use super::builtins::is_function;
+pub(crate) use super::unknown_function::unknown_function;
 use crate::limits::MOST_NAMES;
 use crate::lower::scope::Family;
+use crate::syntax::other_notation::{NO_CASES, NO_CONDITIONS, NO_REMAINDER};
 use crate::syntax::shape::Shape;
 
 /// For expressions that are not part of the declaration language.
 pub(crate) fn unsupported_syntax(expression: &Expr) -> &'static str {
     match expression {
-        Expr::If(_) | Expr::Match(_) => {
-            "there are no cases here: write one formula, with `abs`, `signum`, `min` and `max` where it \
-             has corners, or declare a function of Rust, `function(f(x) = …)`"
-        }
+        Expr::If(_) | Expr::Match(_) | Expr::Try(_) => NO_CASES,
         Expr::Block(_) | Expr::Let(_) | Expr::Assign(_) | Expr::Unsafe(_) | Expr::Const(_) => {
             "there are no statements here: name intermediate quantities under `define(name = expression)`"
         }
         Expr::Closure(_) => {
             "there are no closures here but in `(0..5).map(|i| …)`: name parts of an expression under `define(name = \
-             expression)`, or declare a function, `function(f(x) = …)`"
+             expression)`, or declare a function, `function(f(x) = …)`; an absolute value is `abs(x)`"
         }
+        Expr::ForLoop(_) => {
+            "there are no loops here: a sum is written `(0..5).map(|i| m[i] * x[i]).sum()`"
+        }
+        Expr::Struct(_) => "arguments stand in parentheses: write `sin(x)`",
         Expr::Macro(_) => {
             "macros are not expanded here: write the expression out, or let a macro write the whole struct"
         }
@@ -51,15 +53,15 @@ pub(crate) fn unsupported_operator(operator: &BinOp) -> Option<&'static str> {
             "`^` is no power in Rust, where `a * b ^ 2` means `(a * b) ^ 2`: \
              write `x.powi(2)`, or `x.powf(1.5)`",
         ),
-        BinOp::Rem(_) => Some(
-            "a remainder belongs in an index, as in `q[(i + 1) % 3]`: angles need no reduction",
-        ),
-        BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_) => {
-            Some(
-                "there are no conditions here: write one formula, with `abs`, `signum`, `min` and `max` where \
-             it has corners",
-            )
-        }
+        BinOp::Rem(_) => Some(NO_REMAINDER),
+        BinOp::Lt(_)
+        | BinOp::Le(_)
+        | BinOp::Gt(_)
+        | BinOp::Ge(_)
+        | BinOp::Eq(_)
+        | BinOp::Ne(_)
+        | BinOp::And(_)
+        | BinOp::Or(_) => Some(NO_CONDITIONS),
         _ => Some("only `+`, `-`, `*` and `/` join expressions here"),
     }
 }
@@ -121,6 +123,9 @@ fn is_constant(name: &Ident) -> bool {
 
 /// For an unresolved name, beside those of quantities.
 pub(crate) fn unknown_name(name: &Ident, known: &[&str]) -> String {
+    if let Some(message) = constant_of_others(name) {
+        return format!("unknown name `{name}`: {message}");
+    }
     if is_constant(name) {
         return format!(
             "`{name}` is no field, coordinate or definition, and what a constant of Rust is, the compiler knows \
@@ -133,6 +138,19 @@ pub(crate) fn unknown_name(name: &Ident, known: &[&str]) -> String {
         _ => String::new(),
     };
     format!("unknown name `{name}`: {known}make it a field of the struct, or define it")
+}
+
+/// What is written for a constant of other languages, unless a field could have been forgotten.
+fn constant_of_others(name: &Ident) -> Option<&'static str> {
+    match name.to_string().as_str() {
+        "π" | "M_PI" => Some("the number π is `PI`"),
+        "TAU" | "τ" => Some("write `2.0 * PI`"),
+        "e" | "E" | "M_E" => Some(
+            "powers of Euler's number are written `exp(x)`; another quantity is a field of the struct",
+        ),
+        "inf" | "INFINITY" | "NaN" | "nan" | "NAN" => Some("a quantity here is finite"),
+        _ => None,
+    }
 }
 
 /// A member of a family, as it is written.
@@ -257,9 +275,37 @@ pub(crate) fn unsupported_field(field: &ExprField) -> String {
             format!("fields are written without `self`: write `{member}`")
         }
         (_, Member::Named(member)) if member == "T" => "write `.transpose()`".to_owned(),
+        (_, Member::Named(member)) if is_constant_pi(member) => "write `PI`".to_owned(),
+        (_, Member::Named(member)) if is_velocity(member) => {
+            "the velocity is written `dot(x)`".to_owned()
+        }
+        (_, Member::Named(member)) if is_function(&member.to_string()) => {
+            format!("`{member}` is a function: write `.{member}(…)`")
+        }
         _ => "fields of fields cannot be used here, but for the components of vectors, `v.x`, `v.y` and so on as far as \
               `v.w` of four, and `mass`, `center` and `inertia` of bodies: make this a field of the struct"
             .to_owned(),
+    }
+}
+
+fn is_constant_pi(member: &Ident) -> bool {
+    member == "PI" || member == "pi" || member == "Pi"
+}
+
+fn is_velocity(member: &Ident) -> bool {
+    ["dot", "v", "vel", "velocity", "rate"]
+        .iter()
+        .any(|name| member == name)
+}
+
+/// For a call of a quantity as a method.
+pub(crate) fn no_method(name: &Ident, arguments: usize) -> String {
+    match name.to_string().as_str() {
+        "t" => "the transpose is `.transpose()`, and `t` the time".to_owned(),
+        _ if arguments == 0 => {
+            format!("`{name}` is no method: a component is written without parentheses, `.x`")
+        }
+        _ => format!("`{name}` is no method: write `{name} * (…)` for a product"),
     }
 }
 
@@ -271,72 +317,9 @@ pub(crate) fn example(name: &str, arguments: usize) -> String {
         ("atan2", _) => "atan2(y, x)".to_owned(),
         ("row" | "column", _) => format!("m.{name}(0)"),
         ("identity", _) => "identity(3)".to_owned(),
+        ("sum" | "product", _) => format!("(0..5).map(|i| m[i]).{name}()"),
         ("dot" | "cross" | "outer" | "component_mul", _) => format!("a.{name}(b)"),
         (_, 1) => format!("{name}(x)"),
         _ => format!("{name}(x, y)"),
     }
-}
-
-/// For an unknown function.
-pub(crate) fn unknown_function(name: &str) -> String {
-    let hint = match name {
-        "pow" => "write `x.powi(2)` or `x.powf(1.5)`",
-        "log" => "the natural logarithm is `ln(x)`",
-        "log2" => "write it through the natural logarithm, `ln(x) / ln(2.0)`",
-        "log10" => "write it through the natural logarithm, `ln(x) / ln(10.0)`",
-        "exp2" | "exp_m1" | "ln_1p" => "write it through `exp(x)` and `ln(x)`",
-        "arcsin" => "write `asin(x)`",
-        "arccos" => "write `acos(x)`",
-        "arctan" => "write `atan(x)`",
-        "sign" | "sgn" => "write `signum(x)`",
-        "cbrt" => {
-            "write `x.powf(1.0 / 3.0)` where x is positive, and `signum(x) * abs(x).powf(1.0 / 3.0)` elsewhere"
-        }
-        "sinc" => "write `sin(x) / x`, which has no value at 0",
-        "hypot" => "write `(x.powi(2) + y.powi(2)).sqrt()`",
-        "squared_norm" | "norm2" | "magnitude_squared" => "write `v.norm_squared()`",
-        "square" | "sq" => "write `x.powi(2)`",
-        "sin_cos" => "write `sin(x)` and `cos(x)`; they are computed together",
-        "mul_add" => "write `a * b + c`",
-        "clamp" => "write `x.max(lowest).min(highest)`",
-        "to_radians" => "write `x * PI / 180.0`",
-        "to_degrees" => "write `x * 180.0 / PI`",
-        "sec" | "csc" | "cosec" | "cot" | "cosine" | "sine" => {
-            "write it through `sin`, `cos` and `tan`"
-        }
-        "ddt" | "diff" | "der" | "derivative" | "velocity" | "d" | "D" => {
-            "the time derivative is `dot(x)`"
-        }
-        "ddot" | "acceleration" => {
-            "the second time derivative is `dot(dot(x))`, under `output` only"
-        }
-        "fold" | "reduce" | "iter" | "into_iter" | "zip" | "enumerate" | "filter" | "rev" => {
-            "repeat by an index, as in `(0..5).map(|i| m[i] * x[i]).sum()`"
-        }
-        "magnitude" | "length" => "the length of a vector is `v.norm()`",
-        "try_inverse" | "inv" => "write `m.inverse()`",
-        "det" => "write `m.determinant()`",
-        "matrix" => "write `[[a, b], [c, d]]` row by row",
-        "fixed_view" | "fixed_slice" | "slice" | "block" => {
-            "a block of a matrix is `m.view((0, 0), (3, 3))`: the first element and the size"
-        }
-        "fixed_rows" => "write `m.rows(0, 3)`",
-        "fixed_columns" => "write `m.columns(0, 3)`",
-        "to_homogeneous" => {
-            "a homogeneous matrix is `homogeneous(r, p)`, and homogeneous coordinates are `p.push(1.0)`"
-        }
-        "angular_velocity_body" => "`angular_velocity(r)` is in body axes already",
-        "dot" => return "the time derivative is written as a function: `dot(x)`".to_owned(),
-        _ => {
-            return match similar(name, functions()) {
-                Some(meant) => format!("unknown function `{name}`: did you mean `{meant}`?"),
-                None => format!(
-                    "unknown function `{name}`: write one of `{}`, or one of vectors and matrices such as \
-                     `cross`, `norm` and `rotation_zxz`, or declare it, `function({name}(x) = …)`",
-                    of_scalars().collect::<Vec<_>>().join("`, `")
-                ),
-            };
-        }
-    };
-    format!("unknown function `{name}`: {hint}")
 }

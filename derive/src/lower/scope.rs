@@ -130,6 +130,11 @@ impl Scope {
         Some(binding)
     }
 
+    /// Whether a name refers to anything.
+    pub(crate) fn is_bound(&self, name: &str) -> bool {
+        self.bindings.contains_key(name)
+    }
+
     /// Gives the name of a definition its binding, unless the name is taken.
     pub(crate) fn define(&mut self, name: &Ident, binding: Binding) {
         if let Some(later @ Binding::DefinedLater) = self.bindings.get_mut(&unraw(name)) {

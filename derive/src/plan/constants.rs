@@ -12,6 +12,13 @@ pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 6] = [
     "STAYS_REGULAR",
     "POLES",
 ];
+/// The constants of a model with constants of motion. Whether it has any is known after its equations: no model has
+/// others of these names.
+pub(crate) const CONSTANTS_OF_CONSERVATION: [&str; 3] = [
+    "CONSTANTS_OF_MOTION",
+    "IGNORABLE_COORDINATES",
+    "CONSERVES_ENERGY",
+];
 /// The constants of a model with inputs.
 pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
 /// The constants of a model with external functions.
@@ -19,6 +26,8 @@ pub(crate) const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
 /// The constants of a model with derivatives by parameters.
 pub(crate) const CONSTANTS_OF_SENSITIVITIES: [&str; 1] = ["PARAMETERS"];
 /// The constants of a model with a regressor.
-pub(crate) const CONSTANTS_OF_REGRESSORS: [&str; 1] = ["BASE_PARAMETERS"];
+pub(crate) const CONSTANTS_OF_REGRESSORS: [&str; 2] = ["BASE_PARAMETERS", "WITHOUT_EFFECT"];
+/// The constants of a reduced model.
+pub(crate) const CONSTANTS_OF_REDUCED_MODELS: [&str; 1] = ["ELIMINATED"];
 /// The constants of a model with events.
 pub(crate) const CONSTANTS_OF_EVENTS: [&str; 1] = ["EVENTS"];

@@ -6,6 +6,8 @@ use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative;
 use syn::{Attribute, Expr, Token, token};
 
+use crate::syntax::other_notation;
+
 /// `= expression` after a word.
 pub(crate) fn equated(word: &Ident, input: ParseStream<'_>) -> syn::Result<Expr> {
     expression(word, &format!("write `{word} = expression`"), input)
@@ -20,7 +22,10 @@ pub(crate) fn expression(word: &Ident, message: &str, input: ParseStream<'_>) ->
     if input.is_empty() || input.peek(Token![,]) {
         return Err(syn::Error::new_spanned(equals, message));
     }
-    input.parse()
+    let written = input.fork();
+    input
+        .parse()
+        .map_err(|error| other_notation::within(&written).unwrap_or(error))
 }
 
 /// A name, or an error that says what the name is for.
@@ -72,7 +77,10 @@ pub(crate) fn separated(
             if item.is_empty() || item.peek(Token![,]) {
                 Ok(())
             } else {
-                Err(item.error(format!("write {separator} before this")))
+                let instead = other_notation::behind(&item);
+                Err(instead
+                    .or_else(|| other_notation::within(input))
+                    .unwrap_or_else(|| item.error(format!("write {separator} before this"))))
             }
         });
         match (result, &mut errors) {

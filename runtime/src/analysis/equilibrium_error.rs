@@ -3,11 +3,12 @@
 use core::fmt;
 
 use super::equilibrium::{Equilibrium, Variable};
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 use crate::scalar::Scalar;
 
 /// Why no equilibrium or steady motion was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
     /// An index is none of a coordinate or of an input.
@@ -154,5 +155,7 @@ impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumErro
         }
     }
 }
+
+debug_by_message!(EquilibriumError<S, N, U>; S: Scalar, const N: usize, const U: usize);
 
 impl<S: Scalar, const N: usize, const U: usize> core::error::Error for EquilibriumError<S, N, U> {}

@@ -2,10 +2,11 @@
 
 use core::fmt;
 
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
 /// Why there are no small oscillations about a state, or no modes of the kind that was asked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum OscillationError {
     /// An acceleration is not zero: the state is no equilibrium and no steady motion.
@@ -93,5 +94,7 @@ impl fmt::Display for OscillationError {
         }
     }
 }
+
+debug_by_message!(OscillationError);
 
 impl core::error::Error for OscillationError {}

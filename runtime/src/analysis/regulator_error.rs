@@ -3,10 +3,11 @@
 use core::fmt;
 
 use super::controllability::UncontrollableMode;
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
 /// Why there is no linear-quadratic regulator.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum RegulatorError {
     /// An entry of A, B or Q is infinite or not a number.
@@ -112,5 +113,7 @@ fn write_mode(f: &mut fmt::Formatter<'_>, mode: &UncontrollableMode) -> fmt::Res
         mode.component
     )
 }
+
+debug_by_message!(RegulatorError);
 
 impl core::error::Error for RegulatorError {}

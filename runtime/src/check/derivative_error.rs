@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::error_debug::debug_by_message;
 use crate::limits::derivative_checks::REPORTED_ARGUMENTS;
 use crate::model::FunctionSignature;
 use crate::number_format::Readable;
@@ -49,7 +50,7 @@ impl fmt::Display for ArgumentValues {
 }
 
 /// Why declared derivatives are wrong, or could not be checked.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum DerivativeError {
     /// A declared derivative differs from the numerical derivative of the values.
@@ -167,5 +168,7 @@ impl fmt::Display for DerivativeError {
         }
     }
 }
+
+debug_by_message!(DerivativeError);
 
 impl core::error::Error for DerivativeError {}

@@ -4,8 +4,10 @@ use core::fmt;
 
 use nalgebra::SVector;
 
+use crate::error_debug::debug_by_message;
+
 /// Why parameters are not identified.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IdentificationError<const B: usize> {
     /// There are not more equations than base parameters.
@@ -63,5 +65,7 @@ impl<const B: usize> fmt::Display for IdentificationError<B> {
         }
     }
 }
+
+debug_by_message!(IdentificationError<B>; const B: usize);
 
 impl<const B: usize> core::error::Error for IdentificationError<B> {}

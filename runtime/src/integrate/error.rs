@@ -4,12 +4,13 @@ use core::fmt;
 
 use super::dynamics::ComponentName;
 use super::singularity::Singularity;
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
 /// Why an integration could not start or could not continue.
 ///
 /// Errors are values; an integrator never panics. The samples before the error are in `PartialTrajectory`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError {
     /// The state is not finite.
@@ -300,5 +301,7 @@ fn write_vanishing(
     singularity.write_coordinates(f)?;
     f.write_str("; use coordinates that are regular there, for Euler angles another sequence")
 }
+
+debug_by_message!(IntegrationError);
 
 impl core::error::Error for IntegrationError {}

@@ -84,7 +84,7 @@ impl<X, S> Trajectory<X, S> {
 
 /// An error that stopped an integration, with what was computed up to then: a [`PartialTrajectory`] or a
 /// [`PartialSolution`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Partial<T> {
     // One pointer, so that a `Result` is not large because of its error.
     parts: Box<(IntegrationError, T)>,
@@ -153,7 +153,17 @@ impl<X, P, S> fmt::Display for Partial<DenseSolution<X, P, S>> {
     }
 }
 
-impl<T> core::error::Error for Partial<T> where Self: fmt::Debug + fmt::Display {}
+/// The message, without what was computed: that may be long.
+impl<T> fmt::Debug for Partial<T>
+where
+    Self: fmt::Display,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<T> core::error::Error for Partial<T> where Self: fmt::Display {}
 
 impl<T> From<Partial<T>> for IntegrationError {
     fn from(partial: Partial<T>) -> Self {

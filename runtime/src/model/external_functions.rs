@@ -15,6 +15,10 @@ pub struct FunctionSignature {
 ///
 /// `#[derive(Lagrangian)]` implements it. The feature `derivative-checks` adds a test that the declared derivatives are
 /// those of the functions, `CheckDerivatives`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no external functions",
+    note = "write the clause `function(f(x) = …, derivative(x) = …)` in its declaration"
+)]
 pub trait ExternalFunctions {
     /// The scalar on which the functions are evaluated.
     type Scalar: Scalar;

@@ -10,6 +10,7 @@ use super::emitted::no_velocities;
 use super::inputs::{Inputs, WithInputs};
 use super::lagrangian::Lagrangian;
 use super::state::State;
+use crate::error_debug::debug_by_message;
 use crate::limits::{LEGENDRE_ITERATIONS, LEGENDRE_ROUNDING, SHORTEST_NEWTON_STEP};
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
@@ -190,7 +191,7 @@ fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
 }
 
 /// There are no velocities that have some momenta, or none was found.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NoVelocities {
     /// Newton's method does not converge, or the mass matrix is singular.
@@ -219,6 +220,8 @@ impl fmt::Display for NoVelocities {
         }
     }
 }
+
+debug_by_message!(NoVelocities);
 
 impl core::error::Error for NoVelocities {}
 

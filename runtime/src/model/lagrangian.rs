@@ -110,6 +110,10 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
 }
 
 /// The energies T and V of a system that is declared by them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no kinetic and potential energy apart",
+    note = "declare `kinetic = …` and `potential = …` in place of `lagrangian = …`"
+)]
 pub trait Energies<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The kinetic energy T.
     fn kinetic_energy(&self, state: &State<S, N>) -> S;

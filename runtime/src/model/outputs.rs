@@ -8,6 +8,10 @@ use super::state::State;
 use crate::scalar::Scalar;
 
 /// A system whose declaration has `output(name = expression, …)`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no outputs",
+    note = "write the clause `output(name = expression)` in its declaration"
+)]
 pub trait Outputs<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// A struct with one field for each output, named as declared.
     type Outputs;
@@ -20,6 +24,10 @@ pub trait Outputs<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
 /// A system with outputs and inputs: the outputs under inputs that vary in time.
 ///
 /// [`WithInputs`](crate::WithInputs) has the outputs under constant inputs.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no outputs",
+    note = "write the clause `output(name = expression)` in its declaration"
+)]
 pub trait OutputsWith<const N: usize, const U: usize, S: Scalar = f64>:
     Inputs<N, U, S> + Outputs<N, S>
 {

@@ -34,6 +34,10 @@ pub trait RouthReduction<const N: usize, const R: usize> {
 /// of the full model, T + `V_eff`.
 ///
 /// The ignorable coordinates follow by quadrature: [`reconstruction`](Self::reconstruction).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a reduced model",
+    note = "write the clause `routhian(Name)` in the declaration of the full model, which `reduce` leads to `Name`"
+)]
 pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The state of the full model.
     type FullState;

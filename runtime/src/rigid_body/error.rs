@@ -2,10 +2,11 @@
 
 use core::fmt;
 
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
 /// Why there is no such body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum BodyError {
     /// A number is infinite or not a number.
@@ -153,6 +154,8 @@ impl fmt::Display for BodyError {
         }
     }
 }
+
+debug_by_message!(BodyError);
 
 impl core::error::Error for BodyError {}
 

@@ -3,10 +3,11 @@
 use core::fmt;
 
 use super::euler_sequence::EulerSequence;
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
 /// Why there is no such rotation, or no such rate.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum RotationError {
     /// The angles are at a pole: two axes of the sequence are parallel, and an angular velocity about their common normal
@@ -81,5 +82,7 @@ impl fmt::Display for RotationError {
         }
     }
 }
+
+debug_by_message!(RotationError);
 
 impl core::error::Error for RotationError {}

@@ -39,6 +39,22 @@ impl Fallback<'_> {
         impls
     }
 
+    /// The lists of names, as constants of the type. How many base parameters there are is not known.
+    pub(super) fn requested_constants(&self) -> TokenStream {
+        let (clauses, visibility) = (&self.declaration.clauses, &self.declaration.visibility);
+        let regressor = clauses.regressor.is_some().then(|| {
+            quote! {
+                #visibility const BASE_PARAMETERS: [&'static str; 0] = [];
+                #visibility const WITHOUT_EFFECT: &'static [&'static str] = &[];
+            }
+        });
+        let sensitivities = clauses.sensitivities.is_some().then(|| {
+            let count = self.parameters().len();
+            quote!(#visibility const PARAMETERS: [&'static str; #count] = [""; #count];)
+        });
+        quote!(#regressor #sensitivities)
+    }
+
     /// The names of the parameters by which accelerations are differentiated.
     pub(super) fn parameters(&self) -> Vec<String> {
         let quantities = &self.lowered.quantities;

@@ -110,6 +110,17 @@ impl Fallback<'_> {
             let interface = quote!(#root::RouthianSeries<#n, #k, #scalar>);
             self.implement(&interface, Some(scalar), &items)
         });
-        [routhian, series.to_token_stream()].into_iter().collect()
+        let (name, visibility) = (&self.declaration.name, &self.declaration.visibility);
+        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let constants = self.on_own_scalar(&quote!(constants), k);
+        let own = quote! {
+            impl #generics #name #arguments #conditions {
+                #visibility const ELIMINATED: [&'static str; #k] = [""; #k];
+                #constants
+            }
+        };
+        [own, routhian, series.to_token_stream()]
+            .into_iter()
+            .collect()
     }
 }

@@ -85,6 +85,11 @@ impl Lowerer<'_> {
         if let Some(value) = self.function_of_blocks(&call.method, &arguments, call, context) {
             return value;
         }
+        let is_quantity = self.scope.is_bound(&name) && self.scope.function(&call.method).is_none();
+        if is_quantity && !builtins::is_function(&name) {
+            let message = hints::no_method(&call.method, call.args.len());
+            return self.reject(&call.method, message);
+        }
         self.apply(&call.method, &arguments, call, context)
     }
 
@@ -94,7 +99,9 @@ impl Lowerer<'_> {
             return None;
         };
         let name = path.path.get_ident()?;
-        let modules = ["np", "numpy", "math", "sp", "sympy", "casadi", "ca", "jnp"];
+        let modules = [
+            "np", "numpy", "math", "Math", "cmath", "sp", "sympy", "casadi", "ca", "jnp", "torch",
+        ];
         let known = modules.iter().any(|module| name == module);
         (known && self.scope.resolve(name).is_none()).then(|| name.clone())
     }

@@ -2,10 +2,11 @@
 
 use core::fmt;
 
+use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
 /// Why a triangle mesh does not bound a solid.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum MeshError {
     /// A coordinate of a vertex is infinite or not a number.
@@ -87,5 +88,7 @@ impl fmt::Display for MeshError {
         }
     }
 }
+
+debug_by_message!(MeshError);
 
 impl core::error::Error for MeshError {}

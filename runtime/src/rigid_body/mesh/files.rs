@@ -9,9 +9,9 @@ use std::vec::Vec;
 use nalgebra::Vector3;
 
 use super::TriangleMesh;
+use crate::error_debug::debug_by_message;
 
 /// Why a file has no mesh.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum MeshFileError {
     /// An STL file could not be read.
@@ -28,6 +28,8 @@ impl fmt::Display for MeshFileError {
         }
     }
 }
+
+debug_by_message!(MeshFileError);
 
 impl core::error::Error for MeshFileError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
