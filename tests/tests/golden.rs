@@ -248,6 +248,7 @@ fn the_committed_pendulum_computes_what_the_derived_one_does() {
                 outputs.height,
                 outputs.acceleration,
                 model.accelerations_with(&state, &inputs)[0],
+                model.inputs()[0],
                 model.input_jacobian(&state)[0],
                 model.linearize_with(&state, &inputs).position[0],
             ]

@@ -2,14 +2,14 @@
 
 use lagrangian::prelude::*;
 
-/// Two carriages on a rail: one is pushed, the other floats. The mass of the rail moves nothing.
+/// Two carriages on a rail: one is pushed, the other floats. The energy at the height of the rail moves nothing.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(x, y),
-    kinetic = 0.5 * m * dot(x).powi(2) + 0.5 * n * dot(y).powi(2) + 0.0 * rail,
-    potential = 0.5 * k * x.powi(2),
+    kinetic = 0.5 * m * dot(x).powi(2) + 0.5 * n * dot(y).powi(2),
+    potential = 0.5 * k * x.powi(2) + height,
     force(x = push),
-    regressor(m, n, k, rail),
+    regressor(m, n, k, height),
     sensitivities(m),
     routhian(Carriage),
 )]
@@ -17,7 +17,7 @@ struct Carriages {
     m: f64,
     n: f64,
     k: f64,
-    rail: f64,
+    height: f64,
     #[lagrangian(input)]
     push: f64,
 }
@@ -26,13 +26,13 @@ const CARRIAGES: Carriages = Carriages {
     m: 2.0,
     n: 3.0,
     k: 5.0,
-    rail: 7.0,
+    height: 7.0,
     push: 0.25,
 };
 
 #[test]
 fn constants_are_those_of_the_type() {
-    assert_eq!(Carriages::WITHOUT_EFFECT, ["rail"]);
+    assert_eq!(Carriages::WITHOUT_EFFECT, ["height"]);
     assert_eq!(Carriages::BASE_PARAMETERS.len(), 3);
     assert_eq!(Carriages::PARAMETERS, ["m"]);
     assert_eq!(Carriages::CONSTANTS_OF_MOTION, ["p_y"]);
