@@ -19,4 +19,5 @@ pub(crate) mod root;
 pub(crate) mod shape;
 pub(crate) mod names;
 pub(crate) mod other_notation;
+mod other_clauses;
 mod grammar;

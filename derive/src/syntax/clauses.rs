@@ -9,6 +9,7 @@ use crate::syntax::coordinate::{Coordinate, coordinates};
 use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::grammar::{equated, position, separated, word};
 use crate::syntax::named::{NamedExpression, named_expressions};
+use crate::syntax::other_clauses;
 use crate::syntax::parameter_list::{ParameterList, word_alone};
 use crate::syntax::placed_body::PlacedBody;
 use crate::syntax::root::Root;
@@ -91,6 +92,9 @@ impl Clauses {
             separated(input, "a comma between clauses, or an operator,", |input| {
                 if input.peek(Token![crate]) {
                     return self.read_root(input);
+                }
+                if let Some(error) = other_clauses::keyword(input) {
+                    return Err(error);
                 }
                 let keyword = word(input, &no_clause())?;
                 self.read_clause(keyword, input)
@@ -232,11 +236,15 @@ impl Clauses {
                 return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));
             }
             written => {
-                // Functions stand in parentheses, and friction is a word of mechanics.
+                if let Some(place) = other_clauses::said_elsewhere(written) {
+                    let message = format!("unknown clause `{written}`: {place}");
+                    return Err(syn::Error::new(keyword.span(), message));
+                }
+                // Functions stand in parentheses.
                 let fits = |meant: &&str| *meant != "function" || input.peek(token::Paren);
-                let meant = similar(written, KEYWORDS)
-                    .filter(fits)
-                    .or_else(|| called_otherwise(written));
+                let meant = other_clauses::called_otherwise(written)
+                    .or_else(|| similar(written, KEYWORDS).filter(fits))
+                    .or_else(|| abbreviated(written));
                 let hint = match meant {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => no_clause(),
@@ -270,17 +278,10 @@ const NO_CONSTRAINTS: &str = "there are no constraints yet: choose coordinates t
                               `force`; do not put a nonholonomic one, such as rolling, into the energies, which gives \
                               wrong equations unless it can be integrated, as that of a disc on a straight line";
 
-/// The clause that has another name elsewhere, or here a longer one.
-fn called_otherwise(written: &str) -> Option<&'static str> {
-    let elsewhere = match written {
-        "damping" | "damper" | "rayleigh" => Some("dissipation"),
-        "state" | "states" | "dofs" | "q" => Some("coordinates"),
-        "let" | "definitions" => Some("define"),
-        _ => None,
-    };
-    // `kinetic_energy` is `kinetic`.
+/// The clause that is the first word of what was written: `kinetic_energy` is `kinetic`.
+fn abbreviated(written: &str) -> Option<&'static str> {
     let first = written.split('_').next().unwrap_or_default();
-    elsewhere.or_else(|| KEYWORDS.into_iter().find(|keyword| *keyword == first))
+    KEYWORDS.into_iter().find(|keyword| *keyword == first)
 }
 
 fn no_clause() -> String {

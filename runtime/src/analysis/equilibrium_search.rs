@@ -121,7 +121,7 @@ where
     /// Equilibria and steady motions of a model, under the inputs of its fields if it has inputs, or of
     /// [`with_inputs`](crate::Inputs::with_inputs).
     pub fn of(model: &'a M) -> Self {
-        Self::new(HeldInputs(model))
+        Self::about(HeldInputs(model))
     }
 }
 
@@ -133,7 +133,7 @@ where
     /// Equilibria and steady motions of a model with inputs, some of which may be unknown. The guess of the inputs is in the
     /// fields of the model.
     pub fn trim(model: &'a M) -> Self {
-        Self::new(FreeInputs(model))
+        Self::about(FreeInputs(model))
     }
 }
 
@@ -142,7 +142,7 @@ where
     B: Balance<S, N, U>,
     S: SingleNumber,
 {
-    fn new(model: B) -> Self {
+    fn about(model: B) -> Self {
         let mut unknown = Variables::zeros();
         unknown.positions =
             SVector::from_fn(|i, _| if B::IGNORABLE[i] { S::zero() } else { S::one() });

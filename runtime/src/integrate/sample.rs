@@ -30,6 +30,7 @@ pub struct Sample<X> {
     label = "this is no state of the system",
     note = "a mechanical system with `N` coordinates begins at a `State<S, N>`, of `N` coordinates and as many \
             velocities, and under `with_controller` at a pair with the states of the controller, `(state, [0.0])`; \
+            under a control law `S` is `f64`, unless the struct has a type parameter or its declaration `scalar = f32`; \
             other dynamics begin at a pair `(t, x)`"
 )]
 pub trait InitialValue<X> {

@@ -5,7 +5,7 @@ use lagrangian::Lagrangian;
     coordinates(theta),
     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
     potential = -m * g * l * cos(theta),
-    friction = 0.1,
+    elasticity = 0.1,
 )]
 struct Model {
     m: f64,
