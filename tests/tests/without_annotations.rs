@@ -1,5 +1,7 @@
 //! What a model of plain numbers knows without a state is had without naming a scalar.
 
+#![allow(clippy::float_cmp)] // Parameters are returned as they are.
+
 use lagrangian::prelude::*;
 
 /// Two carriages on a rail: one is pushed, the other floats. The energy at the height of the rail moves nothing.
