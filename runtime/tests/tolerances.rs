@@ -146,6 +146,72 @@ fn a_longest_step_that_is_too_short_is_named() {
     );
 }
 
+/// A smallest step is a time, like the largest: no step between the ends is shorter, and one that does not meet the
+/// tolerance is an error.
+#[test]
+fn a_smallest_step_is_a_time() {
+    let spring = || equation::<2, _>(|_, x| SVector::from([x[1], -x[0]]));
+    let start = || (0.0, SVector::from([1.0, 0.0]));
+    let tight = Dop853::new()
+        .relative_tolerance(1e-13)
+        .absolute_tolerance(1e-13);
+    let shortest = |method: Dop853, end: f64| {
+        let spring = spring();
+        let mut running = method.driver().start(&spring, start())?;
+        let (mut time, mut shortest) = (0.0, f64::INFINITY);
+        while time < end {
+            running.step_towards(end)?;
+            if running.time() < end {
+                shortest = f64::min(shortest, running.time() - time);
+            }
+            time = running.time();
+        }
+        Ok::<_, IntegrationError>(shortest)
+    };
+    let free = shortest(tight, 10.0).unwrap();
+    assert!(free < 0.2, "{free}");
+    let loose = Dop853::new().min_step(0.3).initial_step(0.3);
+    assert!(shortest(loose, 10.0).unwrap() >= 0.3);
+    // The error of a step of 1 s is larger than 1e-13.
+    let error = shortest(tight.min_step(1.0), 10.0).unwrap_err();
+    let IntegrationError::StepTooSmall { time, .. } = error else {
+        panic!("{error}")
+    };
+    assert!(time < 10.0);
+    // The only step of a short integration may be shorter.
+    let end = tight
+        .min_step(1.0)
+        .integrate_to(&spring(), start(), 0.01)
+        .unwrap();
+    assert_close(end.x[0], f64::cos(0.01), 1e-14);
+}
+
+#[test]
+fn a_smallest_step_that_is_none_is_refused() {
+    let fall = |method: Dop853| {
+        let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
+        method
+            .integrate_to(&FALLING.dynamics(), start, 0.01)
+            .unwrap_err()
+    };
+    for step in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = fall(Dop853::new().min_step(step));
+        assert!(
+            matches!(error, IntegrationError::InvalidStep { .. }),
+            "{error}"
+        );
+    }
+    let error = fall(Dop853::new().max_step(0.1).min_step(0.2));
+    assert_eq!(
+        error,
+        IntegrationError::InvalidStepRange { min: 0.2, max: 0.1 }
+    );
+    assert_eq!(
+        error.to_string(),
+        "the smallest step size, 0.2, must not be larger than the largest, 0.1"
+    );
+}
+
 /// What rounding leaves of times that are 2⁻¹³ to 2 apart is part of the motion: the end is reached, or steps are too small.
 #[test]
 fn the_end_is_reached_where_times_are_rounded() {

@@ -84,7 +84,7 @@ pub struct Dop853 {
     tolerance: Tolerance,
     initial_step: Option<f64>,
     max_step: Option<f64>,
-    min_step: f64,
+    min_step: Option<f64>,
 }
 
 impl Dop853 {
@@ -98,7 +98,7 @@ impl Dop853 {
             },
             initial_step: None,
             max_step: None,
-            min_step: limits::MIN_STEP,
+            min_step: None,
         }
     }
 
@@ -132,25 +132,28 @@ impl Dop853 {
         self
     }
 
-    /// Sets the smallest step size to which a rejected step is shortened, as a multiple of the spacing ε |t| of numbers at
-    /// the time t: a step that would have to be smaller is an error. The default is 10.
+    /// Sets the smallest step size: no shorter step is tried, and where one of this size does not meet the tolerance, the
+    /// integration ends with [`StepTooSmall`](IntegrationError::StepTooSmall). Only a step that ends where the
+    /// integration does may be shorter.
+    ///
+    /// Without this setting, steps may become as short as ten times the spacing ε |t| of numbers at the time t.
     #[must_use]
-    pub fn min_step(mut self, spacings: f64) -> Self {
-        self.min_step = spacings;
+    pub fn min_step(mut self, step: f64) -> Self {
+        self.min_step = Some(step);
         self
     }
 
     fn check(&self) -> Result<(), IntegrationError> {
-        let steps = [self.initial_step, self.max_step];
+        let steps = [self.initial_step, self.max_step, self.min_step];
         for step in steps.into_iter().flatten() {
             if !(step.is_finite() && step > 0.0) {
                 return Err(IntegrationError::InvalidStep { step });
             }
         }
-        if !(self.min_step.is_finite() && self.min_step >= 0.0) {
-            return Err(IntegrationError::InvalidStep {
-                step: self.min_step,
-            });
+        if let (Some(min), Some(max)) = (self.min_step, self.max_step)
+            && min > max
+        {
+            return Err(IntegrationError::InvalidStepRange { min, max });
         }
         self.tolerance.check()
     }

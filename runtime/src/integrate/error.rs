@@ -97,6 +97,13 @@ pub enum IntegrationError {
         /// That step size.
         step: f64,
     },
+    /// The smallest step size is larger than the largest.
+    InvalidStepRange {
+        /// The smallest step size.
+        min: f64,
+        /// The largest step size.
+        max: f64,
+    },
     /// A tolerance is negative or not finite, or both are zero.
     InvalidTolerance {
         /// The relative tolerance.
@@ -200,6 +207,7 @@ impl fmt::Display for IntegrationError {
                 Readable(time)
             ),
             Self::InvalidStep { .. }
+            | Self::InvalidStepRange { .. }
             | Self::InvalidTolerance { .. }
             | Self::InvalidSize { .. }
             | Self::InvalidSingularityTolerance { .. }
@@ -220,6 +228,12 @@ impl IntegrationError {
                     Readable(step)
                 )
             }
+            Self::InvalidStepRange { min, max } => write!(
+                f,
+                "the smallest step size, {}, must not be larger than the largest, {}",
+                Readable(min),
+                Readable(max)
+            ),
             Self::InvalidTolerance { relative, absolute } => write!(
                 f,
                 "tolerances must be finite, not negative and not both zero, not {} (relative) and {} \

@@ -168,8 +168,18 @@ impl<X> Dop853Stepper<X> {
         StepControl::new(step, time_scale)
     }
 
+    /// The step size nearest to `step` within the limits that are set.
     fn limited(&self, step: f64) -> f64 {
-        self.method.max_step.map_or(step, |most| step.min(most))
+        let step = self.method.max_step.map_or(step, |max| step.min(max));
+        self.method.min_step.map_or(step, |min| step.max(min))
+    }
+
+    /// Whether a rejected step of size `h` cannot be shortened to the next one: it was the smallest that is allowed, or
+    /// the next one would be lost in the rounding of times.
+    fn is_smallest(&self, h: f64, next: f64) -> bool {
+        let rounding = limits::MIN_STEP * f64::EPSILON * self.clock.time().abs();
+        next <= rounding.max(f64::MIN_POSITIVE)
+            || self.method.min_step.is_some_and(|min| h.abs() <= min)
     }
 }
 
@@ -229,8 +239,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             if self.statistics.steps > 0 {
                 self.statistics.rejected += 1;
             }
-            let least = self.method.min_step * f64::EPSILON * self.clock.time().abs();
-            if stalls || control.step() <= least.max(f64::MIN_POSITIVE) {
+            if stalls || self.is_smallest(h, control.step()) {
                 attempt.finite?;
                 let here = (self.clock.time(), self.state.value());
                 let step = control.step();

@@ -21,6 +21,10 @@ use crate::scalar::{Lanes, Scalar};
 /// alone, whatever their order. 4 or 8 lanes suit most processors, with `-C target-cpu=native`. Nothing is allocated but
 /// by [`collect`](Self::collect).
 ///
+/// An ensemble goes from each start to its end: it has no events, samples, reactions, stop conditions or observers. A
+/// motion that needs them is integrated through [`driver`](crate::IntegrationMethod::driver), and many such motions
+/// on all cores, since equations of motion are `Sync`.
+///
 /// A thousand initial values:
 ///
 /// ```
