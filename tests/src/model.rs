@@ -29,20 +29,3 @@ pub trait Observed<const N: usize> {
 pub fn rows<const N: usize, const K: usize>(matrix: &SMatrix<f64, N, K>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::assert_close;
-
-    #[test]
-    fn matrices_are_written_row_by_row() {
-        let matrix = SMatrix::<f64, 2, 3>::from_row_slice(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
-        assert_close(
-            "a matrix",
-            &rows(&matrix),
-            &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
-            0.0,
-        );
-    }
-}

@@ -6,7 +6,7 @@
 //! angles are computed by the same code on SIMD vectors.
 //!
 //! Up to [`LARGEST`] the error is less than 1 unit in the last place (measured in
-//! `tests/tests/sine_cosine.rs`, also at the worst cases of the reduction). Larger angles, infinities and NaN
+//! `tests/tests/reference/sine_cosine.rs`, also at the worst cases of the reduction). Larger angles, infinities and NaN
 //! go to the platform's library. `runtime/scripts/sine_cosine_constants.py` computes the constants.
 
 use core::f64::consts::FRAC_2_PI;

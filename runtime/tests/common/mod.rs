@@ -1,5 +1,5 @@
 //! Hand-written models, and the comparison of numbers.
-#![allow(dead_code, unreachable_pub)] // Every test has a copy of it, and none uses all.
+#![allow(dead_code, unreachable_pub)] // Every binary has a copy of it, and none uses all.
 
 use lagrangian::prelude::*;
 use lagrangian::{Series, TaylorCoefficients};

@@ -1,0 +1,200 @@
+//! Static feedback, which is evaluated at every stage of every step.
+
+use core::cell::Cell;
+
+use crate::common::{Written, assert_close};
+use crate::written_model;
+use lagrangian::prelude::*;
+use nalgebra::{SMatrix, SVector};
+
+/// A mass on a spring under a force: m ẍ = u − k x.
+#[derive(Clone, Debug)]
+struct Spring {
+    m: f64,
+    k: f64,
+    force: f64,
+}
+
+impl GeneralizedCoordinates<1> for Spring {
+    const COORDINATES: [&'static str; 1] = ["x"];
+}
+
+impl<S: Scalar> Written<1, S> for Spring {
+    fn energy(&self, state: &State<S, 1>) -> S {
+        let half = S::from_f64(0.5);
+        half * S::from_f64(self.m) * state.v[0] * state.v[0]
+            + half * S::from_f64(self.k) * state.q[0] * state.q[0]
+    }
+    fn mass_matrix(&self, _: &State<S, 1>) -> SMatrix<S, 1, 1> {
+        SMatrix::from([[S::from_f64(self.m)]])
+    }
+    fn forcing(&self, state: &State<S, 1>) -> SVector<S, 1> {
+        SVector::from([S::from_f64(self.force) - S::from_f64(self.k) * state.q[0]])
+    }
+}
+
+written_model!(Spring, 1);
+
+impl Inputs<1, 1> for Spring {
+    const INPUTS: [&'static str; 1] = ["force"];
+
+    fn inputs(&self) -> SVector<f64, 1> {
+        SVector::from([self.force])
+    }
+    fn lagrangian_with(&self, state: &State<f64, 1>, _: &SVector<f64, 1>) -> f64 {
+        self.lagrangian(state)
+    }
+    fn energy_with(&self, state: &State<f64, 1>, _: &SVector<f64, 1>) -> f64 {
+        Lagrangian::energy(self, state)
+    }
+    fn forcing_with(&self, state: &State<f64, 1>, inputs: &SVector<f64, 1>) -> SVector<f64, 1> {
+        inputs - SVector::from([self.k * state.q[0]])
+    }
+    fn generalized_forces_with(
+        &self,
+        _: &State<f64, 1>,
+        inputs: &SVector<f64, 1>,
+    ) -> SVector<f64, 1> {
+        *inputs
+    }
+    fn accelerations_with(
+        &self,
+        state: &State<f64, 1>,
+        inputs: &SVector<f64, 1>,
+    ) -> SVector<f64, 1> {
+        self.forcing_with(state, inputs) / self.m
+    }
+    fn inverse_dynamics_with(
+        &self,
+        state: &State<f64, 1>,
+        inputs: &SVector<f64, 1>,
+        accelerations: &SVector<f64, 1>,
+    ) -> SVector<f64, 1> {
+        accelerations * self.m - self.forcing_with(state, inputs)
+    }
+    fn linearize_with(&self, _: &State<f64, 1>, _: &SVector<f64, 1>) -> Linearization<f64, 1> {
+        unimplemented!("no test of the integrators needs it")
+    }
+    fn input_jacobian_with(&self, _: &State<f64, 1>, _: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+        SMatrix::from([[1.0 / self.m]])
+    }
+}
+
+impl Plant<1, 1> for Spring {
+    type Scalar = f64;
+}
+
+/// The same spring with the force sin(3 t) in the model.
+struct Forced(Spring);
+
+impl Dynamics for Forced {
+    type State = Phase<f64, 1>;
+
+    fn derivative(&self, t: f64, x: &Phase<f64, 1>) -> Phase<f64, 1> {
+        let inputs = SVector::from([(3.0 * t).sin()]);
+        Phase::new(x.v, self.0.accelerations_with(&x.at(t), &inputs))
+    }
+}
+
+const SPRING: Spring = Spring {
+    m: 2.0,
+    k: 8.0,
+    force: 0.0,
+};
+
+fn initial() -> State<f64, 1> {
+    State::new(0.0, [1.0], [0.0])
+}
+
+#[test]
+fn open_loop_control_equals_a_force_in_the_model() {
+    let law = |state: &State<f64, 1>| SVector::from([(3.0 * state.t).sin()]);
+    let controlled = SPRING.controlled_by(law);
+    let fixed = RungeKutta::classical(0.05);
+    let a = fixed.integrate_to(&controlled, initial(), 2.0).unwrap();
+    let b = fixed.integrate_to(&Forced(SPRING), initial(), 2.0).unwrap();
+    assert_eq!(
+        a, b,
+        "the law is evaluated at the same times to the last bit"
+    );
+    let times = [0.3, 1.1, 2.0];
+    let a = Dop853::new()
+        .sample(&controlled, initial(), &times)
+        .unwrap();
+    let b = Dop853::new()
+        .sample(&Forced(SPRING), initial(), &times)
+        .unwrap();
+    for (a, b) in a.states().zip(b.states()) {
+        // The error scales are the same, and so are the steps.
+        assert_eq!(a, b);
+    }
+}
+
+#[test]
+fn the_law_is_evaluated_at_every_stage_of_every_step() {
+    let calls = Cell::new(0_u64);
+    let law = |_: &State<f64, 1>| {
+        calls.set(calls.get() + 1);
+        SVector::from([0.0])
+    };
+    let controlled = SPRING.controlled_by(law);
+    let driver = RungeKutta::classical(0.1).driver();
+    let statistics = driver
+        .run_until(&controlled, initial(), 1.0)
+        .unwrap()
+        .statistics;
+    assert_eq!(statistics.steps, 10);
+    // Four stages a step, and one evaluation at the start.
+    assert_eq!((calls.get(), statistics.evaluations), (41, 41));
+    calls.set(0);
+    let driver = Dop853::new().driver();
+    let statistics = driver
+        .run_until(&controlled, initial(), 1.0)
+        .unwrap()
+        .statistics;
+    assert_eq!(calls.get(), statistics.evaluations);
+    // Twelve evaluations an accepted step, eleven a rejected one, two at the start.
+    let Statistics {
+        steps, rejected, ..
+    } = statistics;
+    assert_eq!(calls.get(), 12 * steps + 11 * rejected + 2);
+}
+
+/// A PD controller makes a damped oscillator, whose motion is known in closed form.
+#[test]
+fn state_feedback_closes_the_loop() {
+    // m ẍ = −k x − d ẋ with d = 2 m δ, ω² = k/m − δ²: x = e^(−δt)(cos ωt + (δ/ω) sin ωt).
+    let delta = 0.5;
+    let controlled = SPRING.controlled_by(|state| -2.0 * SPRING.m * delta * state.v[0]);
+    let end = Dop853::new()
+        .integrate_to(&controlled, initial(), 1.7)
+        .unwrap();
+    let omega = (SPRING.k / SPRING.m - delta * delta).sqrt();
+    let (s, c) = (omega * end.t).sin_cos();
+    let exact = (-delta * end.t).exp() * (c + delta / omega * s);
+    assert_close(end.x.q[0], exact, 1e-9);
+}
+
+#[test]
+fn a_law_returns_a_number_an_array_or_a_vector() {
+    let end = |controlled: &dyn Dynamics<State = Phase<f64, 1>>| {
+        let fixed = RungeKutta::classical(0.05);
+        fixed.integrate_to(controlled, initial(), 1.0).unwrap()
+    };
+    let number = SPRING.controlled_by(|state| (3.0 * state.t).sin());
+    let array = SPRING.controlled_by(|state| [(3.0 * state.t).sin()]);
+    let vector = SPRING.controlled_by(|state| SVector::from([(3.0 * state.t).sin()]));
+    let expected = end(&Forced(SPRING));
+    assert_eq!([end(&number), end(&array), end(&vector)], [expected; 3]);
+    let state = State::new(0.5, [1.0], [0.0]);
+    assert_eq!(number.inputs(&state), SVector::from([1.5_f64.sin()]));
+}
+
+#[test]
+fn constant_inputs_equal_those_of_the_fields() {
+    let held = SPRING.with_inputs([8.0]);
+    let end = Dop853::new()
+        .integrate_to(&held.dynamics(), initial(), 1.0)
+        .unwrap();
+    assert_close(end.x.q[0], 1.0, 1e-12);
+}

@@ -1,0 +1,184 @@
+//! Dynamic feedback, against motions in closed form.
+
+use crate::common::assert_close;
+use lagrangian::prelude::*;
+use lagrangian::{ComponentName, PartialTrajectory};
+use nalgebra::Matrix4;
+
+/// A mass on a spring: m ẍ = force − k x.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    potential = 0.5 * k * x.powi(2),
+    force(x = force),
+)]
+struct Spring {
+    m: f64,
+    k: f64,
+    #[lagrangian(input)]
+    force: f64,
+}
+
+const SPRING: Spring = Spring {
+    m: 2.0,
+    k: 8.0,
+    force: 0.0,
+};
+
+const FREE: Spring = Spring { k: 0.0, ..SPRING };
+
+fn rest() -> State<f64, 1> {
+    State::new(0.0, [0.0], [0.0])
+}
+
+fn precise() -> Dop853 {
+    Dop853::new()
+        .relative_tolerance(1e-12)
+        .absolute_tolerance(1e-12)
+}
+
+const PROPORTIONAL: f64 = 6.0;
+const INTEGRAL: f64 = 5.0;
+const DERIVATIVE: f64 = 3.0;
+const WANTED: f64 = 0.7;
+
+/// The input and the derivative of the integral of the error.
+#[allow(clippy::trivially_copy_pass_by_ref)] // Laws take their states by reference, however many.
+fn pid(state: &State<f64, 1>, integral: &SVector<f64, 1>) -> (f64, f64) {
+    let error = WANTED - state.q[Spring::X];
+    let force = PROPORTIONAL * error + INTEGRAL * integral[0] - DERIVATIVE * state.v[Spring::X];
+    (force, error)
+}
+
+/// (x, ẋ, z) under the PID controller, by the matrix exponential for (x, ẋ, z, 1).
+fn under_pid(t: f64) -> [f64; 3] {
+    let Spring { m, k, .. } = SPRING;
+    #[rustfmt::skip]
+    let matrix = Matrix4::new(
+        0.0, 1.0, 0.0, 0.0,
+        -(k + PROPORTIONAL) / m, -DERIVATIVE / m, INTEGRAL / m, PROPORTIONAL * WANTED / m,
+        -1.0, 0.0, 0.0, WANTED,
+        0.0, 0.0, 0.0, 0.0,
+    );
+    let state = (matrix * t).exp().column(3).into_owned();
+    [state[0], state[1], state[2]]
+}
+
+#[test]
+fn a_pid_controller_moves_the_spring_as_the_matrix_exponential() -> Result<(), IntegrationError> {
+    let controlled = SPRING.with_controller(pid);
+    let times = [0.1, 0.75, 1.3, 4.0, 20.0];
+    let motion = precise().sample(&controlled, (rest(), [0.0]), &times)?;
+    assert!(
+        motion.statistics().steps > times.len() as u64,
+        "some times are within a step"
+    );
+    for (sample, state) in motion.samples().iter().zip(motion.states()) {
+        let [x, v, z] = under_pid(sample.t);
+        assert_close(state.q[0], x, 1e-10);
+        assert_close(state.v[0], v, 1e-10);
+        assert_close(sample.x.controller[0], z, 1e-10);
+        assert_eq!(sample.state(), state);
+        let force = controlled.inputs(&state, &sample.x.controller)[Spring::FORCE];
+        let exact = PROPORTIONAL * (WANTED - x) + INTEGRAL * z - DERIVATIVE * v;
+        assert_close(force, exact, 1e-9);
+    }
+    // The integral balances the spring.
+    let end = motion.last();
+    assert_close(end.x.q[0], WANTED, 1e-3);
+    Ok(())
+}
+
+#[test]
+fn fixed_steps_integrate_the_states_of_the_controller() -> Result<(), IntegrationError> {
+    let controlled = SPRING.with_controller(pid);
+    let [coarse, fine] = [0.02, 0.01].map(|step| -> Result<f64, IntegrationError> {
+        let method = RungeKutta::classical(step);
+        let end = method.integrate_to(&controlled, (rest(), [0.0]), 2.0)?;
+        Ok(end.x.controller[0] - under_pid(2.0)[2])
+    });
+    // Order 4: half the step has a sixteenth of the error.
+    let ratio = coarse? / fine?;
+    assert!((ratio - 16.0).abs() < 1.0, "{ratio}");
+    Ok(())
+}
+
+#[test]
+fn an_actuator_follows_its_command_with_a_lag() -> Result<(), IntegrationError> {
+    // z = c (1 − e^(−t/τ)) pushes a free mass.
+    const LAG: f64 = 0.3;
+    const COMMAND: f64 = 4.0;
+    let controlled = FREE.with_controller(|_, z| (*z, (SVector::from([COMMAND]) - z) / LAG));
+    for end in [0.4, 2.0, -0.5] {
+        let found = precise().integrate_to(&controlled, (rest(), [0.0]), end)?;
+        let risen = 1.0 - (-end / LAG).exp();
+        let position = end * end / 2.0 - LAG * end + LAG * LAG * risen;
+        assert_close(found.x.controller[0], COMMAND * risen, 1e-10);
+        assert_close(found.x.v[0], COMMAND / FREE.m * (end - LAG * risen), 1e-10);
+        assert_close(found.x.q[0], COMMAND / FREE.m * position, 1e-10);
+    }
+    Ok(())
+}
+
+#[test]
+fn errors_of_the_controllers_states_control_the_steps() -> Result<(), IntegrationError> {
+    // A controller that oscillates at 50 rad/s and exerts no force.
+    let oscillator = FREE.with_controller(|_, z| (0.0, [z[1], -2500.0 * z[0]]));
+    let times = [0.33, 1.0, 3.0];
+    let motion = precise().sample(&oscillator, (rest(), [1.0, 0.0]), &times)?;
+    for sample in motion.samples() {
+        let [cosine, sine] = [(50.0 * sample.t).cos(), (50.0 * sample.t).sin()];
+        assert_close(sample.x.controller[0], cosine, 1e-8);
+        assert_close(sample.x.controller[1], -50.0 * sine, 1e-6);
+        assert_eq!(sample.x.phase(), Phase::new([0.0], [0.0]));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_controllers_states_are_named_in_errors() {
+    let controlled = SPRING.with_controller(|_, z| (0.0, [z[0], z[1].ln()]));
+    let error = precise()
+        .integrate_to(&controlled, (rest(), [0.0, f64::NAN]), 1.0)
+        .unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "state 1 of the controller is NaN at t = 0"
+    );
+    let interrupted: PartialTrajectory<_> = precise()
+        .sample(&controlled, (rest(), [0.0, -1.0]), &[1.0])
+        .unwrap_err();
+    let IntegrationError::NonFiniteDerivative { component, .. } = interrupted.error() else {
+        panic!("{interrupted}");
+    };
+    assert_eq!(component, ComponentName::Controller(1));
+}
+
+#[test]
+fn a_stop_condition_can_depend_on_the_controllers_states() -> Result<(), IntegrationError> {
+    // A clock.
+    let controlled = SPRING.with_controller(|_, _| (1.0, 1.0));
+    let outcome = precise()
+        .driver()
+        .stop_at_zero(|_, x: &AugmentedPhase<f64, 1, 1>| x.controller[0] - 0.75)
+        .run_until(&controlled, (rest(), [0.0]), 10.0)?;
+    assert_eq!(outcome.reason, StopReason::Condition);
+    assert_close(outcome.last.t, 0.75, 1e-12);
+    Ok(())
+}
+
+#[test]
+fn a_controller_on_another_scalar() -> Result<(), IntegrationError> {
+    let law = |state: &State<f32, 1>, z: &SVector<f32, 1>| {
+        let error = 0.7 - state.q[0];
+        (6.0 * error + 5.0 * z[0] - 3.0 * state.v[0], error)
+    };
+    let controlled = WithController::new(&SPRING, law);
+    let start = (State::new(0.0, [0.0], [0.0]), [0.0]);
+    let end = RungeKutta::classical(0.01).integrate_to(&controlled, start, 2.0)?;
+    let [x, _, z] = under_pid(2.0);
+    assert_close(f64::from(end.x.q[0]), x, 1e-6);
+    assert_close(f64::from(end.x.controller[0]), z, 1e-6);
+    Ok(())
+}

@@ -1,0 +1,17 @@
+//! What is asked of a model besides its motion: equilibria, stability, linear models, control, derivatives.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod control;
+mod controllers;
+#[cfg(feature = "derivative-checks")]
+mod derivative_check;
+mod equilibria;
+mod hostile_stability;
+mod linearization;
+mod small_oscillations;
+mod state_transition;
+mod steady_motions;
+mod stiff_state_space;
+mod three_bodies;

@@ -1,0 +1,163 @@
+//! Events, under every method.
+
+use core::f64::consts::PI;
+use core::ops::ControlFlow;
+
+use crate::common::{Oscillator, assert_close, equation};
+use crate::event_models::{PENDULUM, period, times, under_each_method};
+use lagrangian::prelude::*;
+use nalgebra::SVector;
+
+type Vector<const N: usize> = SVector<f64, N>;
+
+/// Zeros and turning points, in both directions of time: every quarter of the period.
+#[test]
+fn a_pendulum_passes_its_lowest_point_twice_in_a_period() {
+    let quarter = 0.25 * period(&PENDULUM, 2.0);
+    under_each_method!(|method, error| {
+        for end in [20.5 * quarter, -20.5 * quarter] {
+            let driver = method.driver().events(
+                [Event::rising(), Event::falling(), Event::either()],
+                |_, x: &Phase<f64, 1>| [x.q[0], x.q[0], x.v[0]],
+            );
+            let start = State::new(0.0, [2.0], [0.0]);
+            let motion = driver.sample(&PENDULUM.dynamics(), start, &[end]).unwrap();
+            assert_eq!(motion.reason(), StopReason::Completed);
+            assert!((0..3).all(|event| motion.outcome().occurred.contains(event)));
+            for (event, first, apart) in [(0, 3.0, 4.0), (1, 1.0, 4.0), (2, 2.0, 2.0)] {
+                let found = times(motion.events(), event);
+                assert_eq!(found.len(), if event == 2 { 10 } else { 5 });
+                for (n, time) in (0..).map(f64::from).zip(found) {
+                    let expected = (first + n * apart) * quarter;
+                    assert_close(time, expected.copysign(end), error * 40.0);
+                }
+            }
+            let in_order = |a: &Occurrence<_>, b: &Occurrence<_>| a.t.abs() <= b.t.abs();
+            assert!(motion.events().is_sorted_by(in_order));
+        }
+    });
+}
+
+/// Walls that are reached at the same time, in the order in which they are declared.
+#[test]
+fn simultaneous_events_come_in_their_order() {
+    let mut free = equation::<2, _>(|_, _| SVector::from([-1.0, -1.0]));
+    let start = (0.0, SVector::from([2.0, 2.0]));
+    let driver = Dop853::new()
+        .driver()
+        .events([Event::falling(); 3], |_, x: &Vector<2>| {
+            [x[1], x[0] + 0.5, x[0]]
+        });
+    let mut seen = Vec::new();
+    let motion = driver
+        .sample_reacting(&mut free, start, &[5.0], |event, t, x, _| {
+            seen.push((event, t));
+            x[0] -= 1.0;
+            Reaction::Changed
+        })
+        .unwrap();
+    let order: Vec<usize> = seen.iter().map(|(event, _)| *event).collect();
+    assert_eq!(order, [0, 2]);
+    assert_eq!(seen[0].1.to_bits(), seen[1].1.to_bits());
+    assert_close(seen[0].1, 2.0, 1e-14);
+    // Two reactions have acted on one state.
+    assert_close(motion.last().x[0], 2.0 - 5.0 - 2.0, 1e-13);
+}
+
+/// A terminal event ends the integration, others do not; an observer sees both, and may stop it.
+#[test]
+fn events_are_observed_and_some_are_terminal() {
+    let start = (0.0, SVector::from([1.0, 0.0]));
+    let functions = |t: f64, x: &Vector<2>| [x[0], 7.0 - t];
+    let driver = Dop853::new()
+        .driver()
+        .events([Event::either(), Event::falling().terminal()], functions);
+    let mut seen = Vec::new();
+    let observing = driver
+        .clone()
+        .observe(|progress: &Progress<'_, Vector<2>>| {
+            seen.push((progress.t, progress.kind));
+            ControlFlow::Continue(())
+        });
+    let outcome = observing
+        .run_through(&Oscillator, start, &[2.0, 6.9, 7.1])
+        .unwrap();
+    assert_eq!(outcome.reason, StopReason::Condition);
+    assert!(outcome.met.contains(1) && !outcome.met.contains(0));
+    assert!(outcome.occurred.contains(0) && outcome.occurred.contains(1));
+    assert_close(outcome.last.t, 7.0, 1e-14);
+    assert!(seen.is_sorted_by(|a, b| a.0 <= b.0), "{seen:?}");
+    let events = seen.iter().filter_map(|(t, kind)| match kind {
+        ObservationKind::Event(event) => Some((*event, *t)),
+        _ => None,
+    });
+    let events: Vec<(usize, f64)> = events.collect();
+    let expected = [(0, 0.5 * PI), (0, 1.5 * PI), (1, 7.0)];
+    assert_eq!(events.len(), 3);
+    for (found, expected) in events.into_iter().zip(expected) {
+        assert_eq!(found.0, expected.0);
+        assert_close(found.1, expected.1, 1e-8);
+    }
+    let stopping = driver.observe(|progress: &Progress<'_, Vector<2>>| match progress.kind {
+        ObservationKind::Event(0) => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    });
+    let outcome = stopping.run_until(&Oscillator, start, 9.0).unwrap();
+    assert_eq!(outcome.reason, StopReason::Observer);
+    assert_close(outcome.last.t, 0.5 * PI, 1e-8);
+}
+
+/// A relay with hysteresis: a mass goes to and fro between two thresholds at unit velocity.
+#[test]
+fn a_relay_switches_the_dynamics() {
+    struct Relay {
+        push: f64,
+    }
+    impl Dynamics for Relay {
+        type State = Vector<1>;
+
+        fn derivative(&self, _: f64, _: &Vector<1>) -> Vector<1> {
+            SVector::from([self.push])
+        }
+    }
+    let driver = Dop853::new().driver();
+    let driver = driver.events([Event::rising(), Event::falling()], |_, x: &Vector<1>| {
+        [x[0] - 0.1, x[0] + 0.1]
+    });
+    let start = (0.0, SVector::from([0.0]));
+    let motion = driver
+        .sample_reacting(
+            &mut Relay { push: 1.0 },
+            start,
+            &[10.0],
+            |event, _, _, relay| {
+                relay.push = [-1.0, 1.0][event];
+                Reaction::Changed
+            },
+        )
+        .unwrap();
+    assert_eq!(motion.events().len(), 50);
+    for (n, occurrence) in motion.events().iter().enumerate() {
+        assert_eq!(occurrence.event, n % 2);
+        assert_close(
+            occurrence.t,
+            0.1 + 0.2 * f64::from(u8::try_from(n).unwrap()),
+            1e-13,
+        );
+    }
+}
+
+/// Two zeros between neighbouring times are missed, and found with more of them.
+#[test]
+fn the_density_of_samples_can_be_set() {
+    let start = (0.0, SVector::from([1.0, 0.0]));
+    let dip = |t: f64, _: &Vector<2>| (t - 0.301) * (t - 0.299);
+    let found = |parts: u32| {
+        let driver = RungeKutta::classical(0.5).driver();
+        let driver = driver.events(Event::either(), dip).event_samples(parts);
+        let motion = driver.sample(&Oscillator, start, &[1.0]).unwrap();
+        motion.events().len()
+    };
+    assert_eq!(found(0), 0);
+    assert_eq!(found(300), 2);
+}

@@ -1,0 +1,15 @@
+//! Events: where functions cross zero, and what reactions to that make of a motion.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod event_models;
+mod random_numbers;
+
+mod contacts;
+mod crossings;
+mod event_derivatives;
+mod events;
+mod hostile_events;
+mod hostile_motions;
+mod reactions;
+mod switch_derivatives;

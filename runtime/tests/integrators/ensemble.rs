@@ -1,0 +1,253 @@
+//! Ensembles: lanes with steps of their own, against single motions and closed forms.
+
+use crate::common::assert_close;
+use lagrangian::prelude::*;
+use lagrangian::{Lanes, TaylorLanes};
+use nalgebra::SVector;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(theta),
+    kinetic = 0.5 * (l * dot(theta)).powi(2),
+    potential = -g * l * cos(theta),
+)]
+struct Pendulum<T: Scalar> {
+    l: T,
+    g: f64,
+}
+
+/// Without parameters, so that it is one model on all scalars.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(alpha, beta),
+    define(
+        p = [sin(alpha), -cos(alpha)],
+        r = p + [sin(beta), -cos(beta)],
+    ),
+    kinetic = 0.5 * (dot(p).norm_squared() + dot(r).norm_squared()),
+    potential = 9.81 * (p.y + r.y),
+)]
+struct DoublePendulum;
+
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -rate.powi(2) * x + push * sin(2.0 * t)))]
+struct Driven<T: Scalar> {
+    rate: T,
+    push: T,
+}
+
+/// A force with a corner at x = 0.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), potential = abs(x))]
+struct Valley;
+
+/// Thirty motions of different lengths, forwards and backwards, from different times.
+fn motions() -> Vec<(State<f64, 2>, f64)> {
+    let numbers = (0..30).map(|i| 0.37 * f64::from(i));
+    let motion = |s: f64| {
+        let start = State::new(s, [2.0 * s.sin(), 1.5 * (3.0 * s).cos()], [s.cos(), 0.2]);
+        (start, s + 4.0 * (1.7 * s).sin())
+    };
+    numbers.map(motion).collect()
+}
+
+#[test]
+fn a_motion_has_the_bits_that_it_has_alone() {
+    let method = Taylor::new();
+    let together = method
+        .ensemble::<8>()
+        .collect(&DoublePendulum.dynamics(), motions());
+    assert_eq!(together.len(), 30);
+    for (found, (start, end)) in together.iter().zip(motions()) {
+        let found = found.as_ref().unwrap();
+        let alone = method
+            .ensemble::<2>()
+            .collect(&DoublePendulum.dynamics(), [(start, end)]);
+        assert_eq!(found, alone[0].as_ref().unwrap());
+        assert_eq!(found.reason, StopReason::Completed);
+        assert_eq!(found.last.t.to_bits(), end.to_bits());
+    }
+}
+
+#[test]
+fn the_order_of_the_motions_does_not_matter() {
+    let ensemble = Taylor::order_16().ensemble::<4>();
+    let forwards = ensemble.collect(&DoublePendulum.dynamics(), motions());
+    let reversed = motions().into_iter().rev();
+    let mut backwards = ensemble.collect(&DoublePendulum.dynamics(), reversed);
+    backwards.reverse();
+    assert_eq!(forwards, backwards);
+}
+
+#[test]
+fn lanes_take_the_steps_of_single_motions() {
+    let method = Taylor::new();
+    let together = method
+        .ensemble::<8>()
+        .collect(&DoublePendulum.dynamics(), motions());
+    for (found, (start, end)) in together.iter().zip(motions()) {
+        let found = found.as_ref().unwrap();
+        let dynamics = DoublePendulum.dynamics();
+        let alone = method.driver().run_until(&dynamics, start, end).unwrap();
+        for i in 0..2 {
+            assert_close(found.last.x.q[i], alone.last.x.q[i], 1e-11);
+            assert_close(found.last.x.v[i], alone.last.x.v[i], 1e-11);
+        }
+        let steps = [found.statistics.steps, alone.statistics.steps];
+        assert!(steps[0].abs_diff(steps[1]) <= 1, "{steps:?}");
+    }
+}
+
+/// x = a cos ωt + b sin ωt + sin 2t/(ω² − 4) from x = 1, ẋ = 0: the lanes have different times, too.
+#[test]
+fn parameters_initial_times_and_ends_are_those_of_the_motion() {
+    let mut driven = Driven {
+        rate: Lanes([1.0; 4]),
+        push: Lanes([0.0; 4]),
+    };
+    let numbers = (0..50).map(|i| 0.1 * f64::from(i));
+    let mut ends = vec![None; 50];
+    Taylor::new().ensemble::<4>().run_with_parameters(
+        &mut driven,
+        numbers,
+        |driven, lane, s| {
+            driven.rate.set(lane, 2.5 + s);
+            driven.push.set(lane, 1.0 + s);
+            (State::new(-s, [1.0], [0.0]), 10.0 - s)
+        },
+        |index, result| ends[index] = Some(result.unwrap().last),
+    );
+    for (i, end) in (0..50).zip(ends) {
+        let (s, end) = (0.1 * f64::from(i), end.unwrap());
+        let (rate, push) = (2.5 + s, 1.0 + s);
+        let share = push / (rate * rate - 4.0);
+        let forced = |t: f64| [share * (2.0 * t).sin(), 2.0 * share * (2.0 * t).cos()];
+        let from = forced(-s);
+        let free = [1.0 - from[0], -from[1] / rate];
+        let (sine, cosine) = (rate * 10.0).sin_cos();
+        let expected = free[0] * cosine + free[1] * sine + forced(10.0 - s)[0];
+        assert!((end.x.q[0] - expected).abs() < 2e-13 * (1.0 + share), "{i}");
+    }
+}
+
+#[test]
+fn corners_shorten_the_steps_of_their_lane_alone() {
+    let motions = [1.0, 2.0, 3.0, 4.0].map(|x: f64| {
+        let quarter = (2.0 * x).sqrt();
+        (State::new(0.0, [x], [0.0]), 2.0 * quarter)
+    });
+    let found = Taylor::new()
+        .ensemble::<4>()
+        .collect(&Valley.dynamics(), motions);
+    for (x, result) in [1.0, 2.0, 3.0, 4.0].into_iter().zip(found) {
+        let outcome = result.unwrap();
+        assert!((outcome.last.x.q[0] + x).abs() < 1e-9);
+        assert!(outcome.statistics.rejected > 0);
+        let start = State::new(0.0, [x], [0.0]);
+        let end = 2.0 * (2.0 * x).sqrt();
+        let alone = Taylor::new()
+            .ensemble::<1>()
+            .collect(&Valley.dynamics(), [(start, end)]);
+        assert_eq!(&outcome, alone[0].as_ref().unwrap());
+    }
+}
+
+#[test]
+fn limits_and_settings_are_errors_of_each_motion() {
+    let motions = || motions().into_iter().take(5);
+    let dynamics = DoublePendulum.dynamics();
+    let ensemble = Taylor::new().ensemble::<2>();
+    for (result, (start, end)) in ensemble
+        .max_steps(2)
+        .collect(&dynamics, motions())
+        .into_iter()
+        .zip(motions())
+    {
+        let outcome = result.unwrap();
+        let last = outcome.last.t;
+        assert!(outcome.statistics.steps + outcome.statistics.rejected <= 2);
+        match outcome.reason {
+            StopReason::Completed => assert_eq!(last.to_bits(), end.to_bits()),
+            reason => {
+                assert_eq!(reason, StopReason::StepLimit);
+                assert!((last - start.t).abs() < (end - start.t).abs());
+            }
+        }
+    }
+    for tolerance in [0.0, f64::NAN, -1.0] {
+        let results = ensemble
+            .singularity_tolerance(tolerance)
+            .collect(&dynamics, motions());
+        assert!(results.iter().all(|result| matches!(
+            result,
+            Err(IntegrationError::InvalidSingularityTolerance { .. })
+        )));
+        let invalid = Taylor::new().relative_tolerance(tolerance).ensemble::<2>();
+        let results = invalid.collect(&dynamics, motions());
+        assert_eq!(results.len(), 5);
+        assert!(
+            results
+                .iter()
+                .all(|result| matches!(result, Err(IntegrationError::InvalidTolerance { .. })))
+        );
+    }
+    for end in [f64::NAN, f64::INFINITY] {
+        let results = ensemble.collect(&dynamics, motions().map(|(start, _)| (start, end)));
+        assert!(
+            results
+                .iter()
+                .all(|result| matches!(result, Err(IntegrationError::NonFiniteTime { .. })))
+        );
+    }
+    let nothing = ensemble.collect(&dynamics, core::iter::empty::<(State<f64, 2>, f64)>());
+    assert!(nothing.is_empty());
+    let still = ensemble.collect(&dynamics, motions().map(|(start, _)| (start, start.t)));
+    for (result, (start, _)) in still.into_iter().zip(motions()) {
+        assert_eq!(result.unwrap().last.state(), start);
+    }
+}
+
+#[test]
+fn dense_output_of_each_lane_is_within_its_step() {
+    let lengths = [0.5, 1.0, 2.0, 4.0];
+    let pendulums = Pendulum {
+        l: Lanes(lengths),
+        g: 1.0,
+    };
+    let dynamics = pendulums.dynamics();
+    let small = 1e-6;
+    let start = Phase::new([small], [0.0]);
+    let mut stepper = TaylorLanes::new(Taylor::new(), 0.0, &start);
+    for _ in 0..5 {
+        stepper.step(&dynamics, &[100.0; 4]);
+        let middle = core::array::from_fn(|lane| {
+            0.3 * stepper.previous_time(lane) + 0.7 * stepper.time(lane)
+        });
+        let states = stepper.interpolate(&middle);
+        for lane in 0..4 {
+            // A swing so small has the period of the linear equation, up to its square.
+            let expected = small * (middle[lane] / lengths[lane].sqrt()).cos();
+            assert!((states.q[0].lane(lane) - expected).abs() < 1e-16);
+        }
+    }
+    let times: [f64; 4] = core::array::from_fn(|lane| stepper.time(lane));
+    assert!(times[3] > 1.5 * times[0], "{times:?}");
+}
+
+/// Dynamics by hand, whose state is a vector.
+#[test]
+fn systems_that_are_no_models_have_ensembles() {
+    use crate::common::Oscillator;
+
+    let starts = (0..9).map(|i| ((0.0, SVector::from([f64::from(i), 0.0])), 2.0));
+    let found = Taylor::new().ensemble::<4>().collect(&Oscillator, starts);
+    for (i, result) in (0..9).zip(found) {
+        assert_close(
+            result.unwrap().last.x[0],
+            f64::from(i) * 2.0_f64.cos(),
+            1e-14,
+        );
+    }
+}

@@ -1,0 +1,21 @@
+//! Integrators, and how they are driven: methods, orders, tolerances, inputs, ensembles.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod driven;
+mod driver;
+mod ensemble;
+mod ensemble_errors;
+mod errors;
+mod lanes;
+mod long_run;
+mod methods;
+mod order;
+mod precision;
+mod recurrences;
+mod running;
+mod series_by_hand;
+mod taylor;
+mod tolerances;
+mod units;

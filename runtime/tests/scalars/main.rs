@@ -1,0 +1,10 @@
+//! Scalars, functions of them, and linear algebra over them.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod double_double;
+mod dual_numbers;
+mod elliptic;
+mod factorization;
+mod indefinite;

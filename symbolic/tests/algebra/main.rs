@@ -1,0 +1,13 @@
+//! Expressions: how they are built, simplified, decided, differentiated, and evaluated over the range of numbers.
+
+mod circular;
+mod derivatives;
+mod determinants;
+mod expansion;
+mod functions;
+mod identities;
+mod matrices;
+mod normal_form;
+mod range;
+mod rationals;
+mod rotations;

@@ -1,0 +1,10 @@
+//! Systems: Lagrange's equations, their solution, and what is known of a system symbolically.
+
+mod angular_velocities;
+mod dynamics;
+mod equations;
+mod pivots;
+mod regressors;
+mod routhian;
+mod structure;
+mod vectors_in_frames;

@@ -1,0 +1,5 @@
+//! Formulas and equations in print.
+
+mod formulas;
+mod listing;
+mod print_back;

@@ -1,0 +1,9 @@
+//! Emitted code as a guest in the user's crate: its names, its lints, its form.
+
+pub mod golden;
+pub mod lints;
+pub mod long_methods;
+pub mod root;
+pub mod type_parameters;
+mod without_annotations;
+pub mod names;

@@ -1,0 +1,13 @@
+//! Motions of derived models: events, checkpoints, many turns, the Hamiltonian form, control.
+
+mod checkpoint_events;
+mod checkpoints;
+mod events;
+mod events_under_inputs;
+mod full_revolutions;
+mod hamiltonian;
+mod linear_control;
+mod many_turns;
+mod regularity;
+mod sampled_events;
+mod simultaneous_events;
