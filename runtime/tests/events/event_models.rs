@@ -39,13 +39,13 @@ pub(crate) use under_each_method;
     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
     potential = -m * g * l * cos(theta),
 )]
-pub struct Pendulum {
-    pub m: f64,
-    pub g: f64,
-    pub l: f64,
+pub(crate) struct Pendulum {
+    pub(crate) m: f64,
+    pub(crate) g: f64,
+    pub(crate) l: f64,
 }
 
-pub const PENDULUM: Pendulum = Pendulum {
+pub(crate) const PENDULUM: Pendulum = Pendulum {
     m: 0.3,
     g: 9.81,
     l: 0.7,
@@ -59,15 +59,15 @@ pub const PENDULUM: Pendulum = Pendulum {
     kinetic = 0.5 * m * dot(height).powi(2),
     potential = m * g * height,
 )]
-pub struct Ball {
-    pub m: f64,
-    pub g: f64,
+pub(crate) struct Ball {
+    pub(crate) m: f64,
+    pub(crate) g: f64,
 }
 
-pub const BALL: Ball = Ball { m: 0.2, g: 9.81 };
+pub(crate) const BALL: Ball = Ball { m: 0.2, g: 9.81 };
 
 /// 4 K(k) √(l/g) with k = sin ½θ₀, by the arithmetic-geometric mean.
-pub fn period(pendulum: &Pendulum, amplitude: f64) -> f64 {
+pub(crate) fn period(pendulum: &Pendulum, amplitude: f64) -> f64 {
     let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
     for _ in 0..8 {
         (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
@@ -75,7 +75,7 @@ pub fn period(pendulum: &Pendulum, amplitude: f64) -> f64 {
     2.0 * PI / a * (pendulum.l / pendulum.g).sqrt()
 }
 
-pub fn times<X>(events: &[Occurrence<X>], event: usize) -> Vec<f64> {
+pub(crate) fn times<X>(events: &[Occurrence<X>], event: usize) -> Vec<f64> {
     let events = events.iter().filter(|occurrence| occurrence.event == event);
     events.map(|occurrence| occurrence.t).collect()
 }

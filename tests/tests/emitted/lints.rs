@@ -5,7 +5,6 @@
     clippy::all,
     clippy::pedantic,
     clippy::nursery,
-    future_incompatible,
     let_underscore,
     missing_copy_implementations,
     missing_debug_implementations,

@@ -1,4 +1,5 @@
 //! Emitted code as a guest in the user's crate: its names, its lints, its form.
+#![deny(future_incompatible)] // Some lints of this group are those of whole crates.
 
 pub mod golden;
 pub mod lints;

@@ -4,7 +4,6 @@
     clippy::all,
     clippy::pedantic,
     clippy::nursery,
-    future_incompatible,
     missing_copy_implementations,
     missing_debug_implementations,
     missing_docs,
