@@ -29,6 +29,8 @@ mod fallback;
 
 use proc_macro2::TokenStream;
 
+#[cfg(test)]
+pub(crate) use documentation::declared;
 pub(crate) use documentation::listing;
 pub(crate) use emitter::Emitter;
 pub(crate) use fallback::{items as items_without_equations, reduced_without_equations};

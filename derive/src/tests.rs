@@ -7,6 +7,7 @@ mod families;
 mod golden;
 mod half_typed;
 mod pages;
+mod printed;
 mod robustness;
 mod roots;
 mod scalars;

@@ -262,6 +262,9 @@ pub(crate) const LONGEST_FORMULA: usize = 1 << 16;
 /// models exceeds.
 pub(crate) const LONGEST_LINE: usize = 500;
 
+/// Rows of LaTeX with more visible characters are broken: the width of a page of a book in ten points.
+pub(crate) const LONGEST_ROW: usize = 80;
+
 /// An energy that is longer when it is written out, in characters, is printed as it was declared if that is a quarter as
 /// long: two lines of a page. Made by a chain of rods.
 pub(crate) const LONGEST_SKIMMED: usize = 200;

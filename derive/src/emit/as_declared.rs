@@ -12,7 +12,7 @@ use lagrangian_symbolic::{AsDeclared, DeclaredLine, print_range};
 
 use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
 use crate::emit::as_declared::notation::Notation;
-use crate::emit::printed_names::BodyNames;
+use crate::emit::printed_names::{BodyNames, vectors};
 use crate::lower::Lowered;
 use crate::syntax::clauses::Clause;
 use crate::syntax::declaration::Declaration;
@@ -22,7 +22,15 @@ use crate::syntax::names::unraw;
 /// The energies and the definitions in print.
 pub(super) fn as_declared(declaration: &Declaration, lowered: &Lowered) -> AsDeclared {
     let clauses = &declaration.clauses;
-    let mut printer = FormulaPrinter::new(declaration, BodyNames::of(lowered));
+    // What a model is reduced to has energies that nobody declared.
+    if [&clauses.lagrangian, &clauses.kinetic, &clauses.potential]
+        .iter()
+        .all(|energies| energies.is_empty())
+    {
+        return AsDeclared::default();
+    }
+    let vectors = vectors(declaration, lowered);
+    let mut printer = FormulaPrinter::new(declaration, BodyNames::of(lowered), vectors);
     let energies: &[(&str, &[Clause])] = if clauses.lagrangian.is_empty() {
         &[("T", &clauses.kinetic), ("V", &clauses.potential)]
     } else {
@@ -32,7 +40,8 @@ pub(super) fn as_declared(declaration: &Declaration, lowered: &Lowered) -> AsDec
         let right = printer.total(clauses)?;
         Some(DeclaredLine {
             name: (*letter).to_owned(),
-            left: [letter, letter].map(|letter| (*letter).to_owned()),
+            // The page has its own letter for it.
+            left: Default::default(),
             right: right.texts,
             mentions: printer.take_mentioned(),
         })
@@ -78,6 +87,10 @@ impl FormulaPrinter<'_> {
         let mut right = right.texts;
         let ranges: Option<Vec<_>> = definition.iterations.iter().map(range).collect();
         let ranges = ranges?;
+        let mut variables = definition.iterations.iter();
+        if !variables.all(|iteration| self.is_free(&iteration.index)) {
+            return None;
+        }
         if !ranges.is_empty() {
             let ranges = [0, 1].map(|notation| {
                 let texts: Vec<_> = ranges.iter().map(|texts| &*texts[notation]).collect();

@@ -11,7 +11,7 @@ use lagrangian_symbolic::{
 use super::as_declared::as_declared;
 use super::emitter::Emitter;
 use super::events::names;
-use super::printed_names::{BodyNames, printed_names};
+use super::printed_names::{BodyNames, defined, printed_names};
 use crate::lower::Lowered;
 use crate::plan::{Columns, MethodOutputs};
 use crate::syntax::declaration::Declaration;
@@ -75,27 +75,35 @@ pub(crate) fn listing(
     (declaration, lowered): (&Declaration, &Lowered),
     (solved, operations): (&SolvedForm, usize),
 ) -> Listing {
-    let scope = &lowered.scope;
+    let declared = declared(model, (declaration, lowered), operations);
+    Listing::of(model, equations, solved, &declared)
+}
+
+/// The names under which the equations of a model are printed.
+pub(crate) fn declared(
+    model: &Model,
+    (declaration, lowered): (&Declaration, &Lowered),
+    operations: usize,
+) -> Declared {
     let mut definitions = Vec::new();
     let mut seen = BTreeSet::new();
     for definition in &declaration.clauses.definitions {
         let name = unraw(&definition.name);
         if seen.insert(name.clone()) {
-            let components = scope.defined(&name).into_iter();
+            let components = defined(lowered, &definition.name).into_iter();
             definitions.extend(components.map(|(label, x)| (label.to_string(), x)));
         }
     }
     definitions.extend(angular_velocities(&model.graph, lowered));
     let before = lowered.outputs.iter().map(|shape| shape.count()).sum();
     let functions = model.outputs.iter().skip(before).copied();
-    let declared = Declared {
+    Declared {
         names: printed_names(lowered),
         definitions,
         as_declared: as_declared(declaration, lowered),
         operations,
         events: names(declaration, &lowered.events).zip(functions).collect(),
-    };
-    Listing::of(model, equations, solved, &declared)
+    }
 }
 
 /// The components of the angular velocities of bodies, where they are not defined by other names.

@@ -4,14 +4,17 @@
 //! the inertia tensor about it `I₁₁`, `I₁₂`, or where its axes are principal ones I₁, I₂, I₃. Of several bodies each has its name
 //! behind: `m_upper`. Where one of these is the name of something else, all are called by their place in the struct.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use lagrangian_symbolic::Names;
+use lagrangian_symbolic::{Expression, Names};
+use proc_macro2::Ident;
 
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
 use crate::syntax::body_quantity::BodyQuantity;
+use crate::syntax::declaration::Declaration;
 use crate::syntax::label::{Index, Label};
+use crate::syntax::names::unraw;
 
 /// The names of coordinates, parameters and inputs.
 pub(crate) fn printed_names(lowered: &Lowered) -> Names {
@@ -20,14 +23,70 @@ pub(crate) fn printed_names(lowered: &Lowered) -> Names {
     let coordinates = quantities.coordinates.iter();
     let names = BodyNames::of(lowered);
     let parameters = quantities.parameters.iter();
+    let name = |component: &Component| {
+        let label = by_axes(&component.label, component.is_of_vector());
+        names.name(component, &label)
+    };
     Names {
         coordinates: coordinates.map(ToString::to_string).collect(),
-        parameters: parameters.map(|component| names.name(component)).collect(),
+        parameters: parameters.map(name).collect(),
         inputs: inputs
-            .map(|component| component.label.to_string())
+            .map(|component| by_axes(&component.label, component.is_of_vector()).to_string())
             .collect(),
         ..Names::default()
     }
+}
+
+/// A label whose last index is a letter, if it is that of a component of a vector.
+pub(super) fn by_axes(label: &Label, is_of_vector: bool) -> Label {
+    let mut label = label.clone();
+    if is_of_vector
+        && let Some(last) = label.indices.last_mut()
+        && let Index::One(i) = *last
+        && i < Index::AXES.len()
+    {
+        *last = Index::Axis(i);
+    }
+    label
+}
+
+/// Vectors, each with how many indices stand before the letter of a component.
+pub(super) fn vectors(declaration: &Declaration, lowered: &Lowered) -> BTreeMap<String, usize> {
+    let quantities = &lowered.quantities;
+    let fields = quantities.parameters.iter().chain(&quantities.inputs);
+    let fields = fields.map(|component| by_axes(&component.label, component.is_of_vector()));
+    let definitions = declaration.clauses.definitions.iter();
+    let definitions = definitions.flat_map(|named| defined(lowered, &named.name));
+    let coordinates = quantities.coordinates.iter().cloned();
+    let labels = coordinates
+        .chain(fields)
+        .chain(definitions.map(|(label, _)| label));
+    let vectors = labels.filter_map(|label| match label.indices.as_slice() {
+        [outer @ .., Index::Axis(_)] => Some((label.stem, outer.len())),
+        _ => None,
+    });
+    vectors.collect()
+}
+
+/// The components of what is defined, of vectors in space and in the plane by their letters.
+pub(super) fn defined(lowered: &Lowered, name: &Ident) -> Vec<(Label, Expression)> {
+    let scope = &lowered.scope;
+    let outer = scope.rank_of_definition(name).unwrap_or(0);
+    let components = scope.defined(&unraw(name));
+    let last = components
+        .iter()
+        .filter_map(|(label, _)| match *label.indices.get(outer)? {
+            Index::One(i) => Some(i),
+            _ => None,
+        });
+    let is_of_vector = last.max().is_some_and(|last| (1..3).contains(&last));
+    components
+        .into_iter()
+        .map(|(label, x)| {
+            let is_component = label.indices.len() == outer + 1;
+            (by_axes(&label, is_of_vector && is_component), x)
+        })
+        .collect()
 }
 
 /// How the numbers of bodies are called.
@@ -61,7 +120,9 @@ impl BodyNames {
         let free = |way: &Self| {
             let names = of_bodies.iter().flat_map(|component| {
                 let angular = way.angular_velocity(&component.label);
-                angular.into_iter().chain([way.name(component)])
+                angular
+                    .into_iter()
+                    .chain([way.name(component, &component.label)])
             });
             names
                 .into_iter()
@@ -70,9 +131,8 @@ impl BodyNames {
         ways.find(free).unwrap_or(Self::Labels)
     }
 
-    /// The name of a parameter.
-    fn name(self, component: &Component) -> String {
-        let label = &component.label;
+    /// The name of a parameter with this label.
+    fn name(self, component: &Component, label: &Label) -> String {
         let Some((quantity, index)) = quantity(label).filter(|_| self != Self::Labels) else {
             return label.to_string();
         };

@@ -11,7 +11,7 @@ use crate::syntax::body_type::{BodyNumber, BodyType};
 use crate::syntax::coordinate::Coordinate;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::{Field, Role};
-use crate::syntax::field_type::{Content, FieldType};
+use crate::syntax::field_type::{Content, FieldType, vector};
 use crate::syntax::label::{Index, Label};
 use crate::syntax::names::unraw;
 use crate::syntax::root::Root;
@@ -33,6 +33,8 @@ pub(crate) struct Component {
     pub(crate) element: Type,
     /// The declared type of the field, where it is declared by `type = …`.
     declared_type: Option<Type>,
+    /// Whether it is a component of a vector of nalgebra, which has a letter for each.
+    is_of_vector: bool,
 }
 
 /// How a component of a field is read.
@@ -56,6 +58,7 @@ impl Component {
         };
         let element = field_type.element.cloned();
         let element = element.unwrap_or_else(|| parse_quote!(::core::primitive::f64));
+        let is_of_vector = vector(innermost(&field.ty)).is_some();
         let mut components = Vec::new();
         for member in field_type.members() {
             let indices = member.iter().map(|i| Literal::usize_unsuffixed(*i));
@@ -71,6 +74,7 @@ impl Component {
                     access,
                     element: element.clone(),
                     declared_type: field.declared_type.clone(),
+                    is_of_vector,
                 });
             }
         }
@@ -86,6 +90,11 @@ impl Component {
                 ..
             }
         )
+    }
+
+    /// Whether it is a component of a vector of nalgebra.
+    pub(crate) const fn is_of_vector(&self) -> bool {
+        self.is_of_vector
     }
 
     /// The expression that reads the component, with the name of the field where it is mentioned.
@@ -108,6 +117,16 @@ impl Component {
                 ty.read(root, *number, &body)
             }
         }
+    }
+}
+
+/// The type of the elements of arrays.
+fn innermost(ty: &Type) -> &Type {
+    match ty {
+        Type::Array(array) => innermost(&array.elem),
+        Type::Group(group) => innermost(&group.elem),
+        Type::Paren(paren) => innermost(&paren.elem),
+        other => other,
     }
 }
 

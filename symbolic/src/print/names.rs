@@ -35,6 +35,8 @@ pub struct Letters {
     definitions: BTreeMap<Expression, Spelling>,
     /// By expression, whether it is printed by name: this is asked of every part of what is printed.
     is_named: Vec<bool>,
+    /// The names that are printed as they are written.
+    as_written: BTreeSet<String>,
     /// Whether indices are marked.
     pub(crate) marks_indices: bool,
     /// How long expressions are in these letters.
@@ -61,6 +63,14 @@ impl Letters {
             spelled.note(name, &Spelling::of(name));
         }
         let spelling = |name: &String| spelled.spelling(name, Spelling::of(name));
+        let ambiguous = |name: &str, spelling| spelled.is_ambiguous(name, &spelling);
+        let of_parameters = names.parameters.iter();
+        let of_parameters =
+            of_parameters.filter(|name| ambiguous(name, Spelling::of_parameter(name)));
+        let others = names.all_but_parameters();
+        let others = others.filter(|name| ambiguous(name, Spelling::of(name)));
+        let as_written = of_parameters.map(String::as_str).chain(others);
+        let as_written = as_written.map(str::to_owned).collect();
         let list = |names: &[String]| names.iter().map(spelling).collect();
         let parameters = names.parameters.iter();
         let parameters =
@@ -80,15 +90,39 @@ impl Letters {
                 .iter()
                 .map(|(expression, name)| (*expression, spelling(name)))
                 .collect(),
+            as_written,
             marks_indices: false,
             sizes: WrittenSizes::default(),
         }
+    }
+
+    /// The names that are printed as they are written, since they would look like others.
+    pub(crate) const fn as_written(&self) -> &BTreeSet<String> {
+        &self.as_written
     }
 
     /// A symbol as it is printed in Unicode and in LaTeX, such as θ̇.
     pub(crate) fn print_both(&self, symbol: Symbol) -> [String; 2] {
         let (spelling, dots) = self.symbol(symbol);
         [Notation::Unicode, Notation::Latex].map(|notation| self.print(&spelling, dots, notation))
+    }
+
+    /// A symbol as it is printed in Unicode, without marks.
+    pub(crate) fn print_plain(&self, symbol: Symbol) -> String {
+        let (spelling, dots) = self.symbol(symbol);
+        spelling.print(dots, Notation::Unicode)
+    }
+
+    /// All names as they are printed in Unicode, without marks.
+    pub(crate) fn all_printed(&self) -> impl Iterator<Item = String> {
+        let lists = [
+            &self.coordinates,
+            &self.parameters,
+            &self.inputs,
+            &self.quasi_velocities,
+        ];
+        let spellings = lists.into_iter().flatten().chain(self.definitions.values());
+        spellings.map(|spelling| spelling.print(0, Notation::Unicode))
     }
 
     /// A name with dots above it.
@@ -184,32 +218,40 @@ impl Names {
     }
 }
 
-/// Finds names that would be printed alike, such as `i1` and `i_1`; those are printed as written.
+/// Finds names that would be printed alike, such as `i1` and `i_1`; those are printed as written. Of one family, the members
+/// keep their indices, which no name on the line has.
 #[derive(Default)]
 struct Collisions {
-    /// By what is printed, the name.
-    seen: BTreeMap<String, String>,
-    ambiguous: BTreeSet<String>,
+    /// By what is printed, the names.
+    seen: BTreeMap<String, BTreeSet<String>>,
 }
 
 impl Collisions {
     fn note(&mut self, name: &str, spelling: &Spelling) {
         let printed = spelling.print(0, Notation::Unicode);
-        let first = self.seen.entry(printed.clone());
-        let first = first.or_insert_with(|| name.into());
-        // The number π is printed by that letter alone.
-        if first != name || printed == "π" {
-            self.ambiguous.insert(printed);
-        }
+        self.seen.entry(printed).or_default().insert(name.into());
     }
 
+    /// What a name is printed as.
     fn spelling(&self, name: &str, spelling: Spelling) -> Spelling {
-        let printed = spelling.print(0, Notation::Unicode);
-        if self.ambiguous.contains(&printed) {
+        if self.is_ambiguous(name, &spelling) {
             Spelling::verbatim(name)
         } else {
             spelling
         }
+    }
+
+    fn is_ambiguous(&self, name: &str, spelling: &Spelling) -> bool {
+        let printed = spelling.print(0, Notation::Unicode);
+        // The number π is printed by that letter alone.
+        if printed == "π" {
+            return true;
+        }
+        let Some(names) = self.seen.get(&printed).filter(|names| names.len() > 1) else {
+            return false;
+        };
+        let indexed = names.iter().filter(|name| name.contains('['));
+        !name.contains('[') || indexed.count() > 1
     }
 }
 
@@ -221,7 +263,7 @@ mod tests {
     fn names_that_would_look_alike_are_printed_as_written() {
         let names = Names {
             parameters: [
-                "l1", "l_1", "theta", "pi", "x12", "x1_2", "i_s", "I_s", "i3",
+                "l1", "l_1", "theta", "pi", "x12", "x1_2", "i_s", "I_s", "i3", "k1", "k[1]",
             ]
             .map(String::from)
             .into(),
@@ -236,7 +278,7 @@ mod tests {
         assert_eq!([0, 1, 2, 3].map(printed), ["l1", "l_1", "θ", "pi"]);
         assert_eq!([4, 5].map(printed), ["x12", "x1_2"]);
         assert_eq!([6, 7].map(printed), ["i_s", "I_s"]);
-        assert_eq!([8, 9].map(printed), ["I₃", "p₁₀"]);
+        assert_eq!([8, 9, 10, 11].map(printed), ["I₃", "k1", "k₁", "p₁₂"]);
         assert_eq!(letters.print_both(Symbol::Coordinate(0))[0], "i₃");
     }
 }

@@ -50,47 +50,50 @@ impl Accent {
     }
 }
 
-/// The letters that are no Latin ones, as names are written in Rust. LaTeX has the same names behind a backslash.
-const LETTERS: [(&str, char); 39] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("pi", 'π'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Xi", 'Ξ'),
-    ("Pi", 'Π'),
-    ("Sigma", 'Σ'),
-    ("Upsilon", 'Υ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-    ("varepsilon", 'ϵ'),
-    ("vartheta", 'ϑ'),
-    ("varphi", 'ϕ'),
-    ("varrho", 'ϱ'),
-    ("ell", 'ℓ'),
+/// The letters that are no Latin ones: as names are written in Rust, in Unicode, and in LaTeX behind a backslash, whose
+/// glyph is the one of Unicode: TeX sets `\phi` as ϕ and `\epsilon` as ϵ (unicode-math, Symbols defined by unicode-math).
+const LETTERS: [(&str, char, &str); 41] = [
+    ("alpha", 'α', "alpha"),
+    ("beta", 'β', "beta"),
+    ("gamma", 'γ', "gamma"),
+    ("delta", 'δ', "delta"),
+    ("epsilon", 'ε', "varepsilon"),
+    ("zeta", 'ζ', "zeta"),
+    ("eta", 'η', "eta"),
+    ("theta", 'θ', "theta"),
+    ("iota", 'ι', "iota"),
+    ("kappa", 'κ', "kappa"),
+    ("lambda", 'λ', "lambda"),
+    ("mu", 'μ', "mu"),
+    ("nu", 'ν', "nu"),
+    ("xi", 'ξ', "xi"),
+    ("pi", 'π', "pi"),
+    ("rho", 'ρ', "rho"),
+    ("sigma", 'σ', "sigma"),
+    ("tau", 'τ', "tau"),
+    ("upsilon", 'υ', "upsilon"),
+    ("phi", 'φ', "varphi"),
+    ("chi", 'χ', "chi"),
+    ("psi", 'ψ', "psi"),
+    ("omega", 'ω', "omega"),
+    ("Gamma", 'Γ', "Gamma"),
+    ("Delta", 'Δ', "Delta"),
+    ("Theta", 'Θ', "Theta"),
+    ("Lambda", 'Λ', "Lambda"),
+    ("Xi", 'Ξ', "Xi"),
+    ("Pi", 'Π', "Pi"),
+    ("Sigma", 'Σ', "Sigma"),
+    ("Upsilon", 'Υ', "Upsilon"),
+    ("Phi", 'Φ', "Phi"),
+    ("Psi", 'Ψ', "Psi"),
+    ("Omega", 'Ω', "Omega"),
+    ("varepsilon", 'ε', "varepsilon"),
+    ("vartheta", 'ϑ', "vartheta"),
+    ("varphi", 'φ', "varphi"),
+    ("varrho", 'ϱ', "varrho"),
+    ("ell", 'ℓ', "ell"),
+    ("ϕ", 'ϕ', "phi"),
+    ("ϵ", 'ϵ', "epsilon"),
 ];
 
 impl Spelling {
@@ -195,7 +198,13 @@ impl Spelling {
                 if is_number(index) {
                     text.push_str(&marked(index));
                 } else if below.chars().any(|c| c.is_ascii()) {
-                    text.extend(["_", index]);
+                    // What is added to an index belongs to it.
+                    let [open, close] = if index.contains(['+', '-']) {
+                        ["_(", ")"]
+                    } else {
+                        ["_", ""]
+                    };
+                    text.extend([open, index, close]);
                 } else {
                     text.push_str(&below);
                 }
@@ -232,10 +241,14 @@ impl Spelling {
         let prime = self.accent == Some(Accent::Prime);
         let accent = self.accent.map(Accent::sign);
         text.extend(accent.filter(|_| !prime));
-        match dots {
-            0 => {}
-            1 => text.push('\u{307}'),
-            _ => text.push('\u{308}'),
+        // Above the last letter of a word they would belong to that letter.
+        let signs = if self.stem.chars().count() == 1 {
+            ['\u{307}', '\u{308}']
+        } else {
+            ['˙', '¨']
+        };
+        if let Some(last) = dots.checked_sub(1) {
+            text.push(signs[last.min(1)]);
         }
         text.extend(accent.filter(|_| prime));
         let mut previous_digits = 0;
@@ -285,17 +298,20 @@ impl Spelling {
 fn letter(word: &str) -> String {
     LETTERS
         .iter()
-        .find(|(name, _)| *name == word)
-        .map_or_else(|| word.into(), |(_, letter)| letter.to_string())
+        .find(|(name, ..)| *name == word)
+        .map_or_else(|| word.into(), |(_, letter, _)| letter.to_string())
 }
 
 fn latex_letter(word: &str) -> String {
     let greek = LETTERS
         .iter()
-        .find(|(_, letter)| word.chars().eq([*letter]))
-        .map(|(name, _)| format!("\\{name}"));
+        .find(|(_, letter, _)| word.chars().eq([*letter]))
+        .map(|(.., latex)| format!("\\{latex}"));
     let index = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-');
-    let plain = !word.contains('_') && word.chars().filter(|c| !index(*c)).count() <= 1;
+    let mut neighbours = word.chars().zip(word.chars().skip(1));
+    let is_name = neighbours.any(|(c, next)| c.is_alphabetic() && next.is_ascii_digit());
+    let letters = word.chars().filter(|c| !index(*c)).count();
+    let plain = !word.contains('_') && letters <= 1 && !is_name;
     greek.unwrap_or_else(|| {
         if plain {
             word.into()
@@ -318,7 +334,9 @@ mod tests {
             ("x12", 2, "x\u{308}₁₂", "\\ddot{x}_{12}"),
             ("I_1", 0, "I₁", "I_{1}"),
             ("Omega", 0, "Ω", "\\Omega"),
-            ("c_phi", 0, "c_φ", "c_{\\phi}"),
+            ("c_phi", 0, "c_φ", "c_{\\varphi}"),
+            ("varepsilon", 1, "ε\u{307}", "\\dot{\\varepsilon}"),
+            ("ϕ_1", 0, "ϕ₁", "\\phi_{1}"),
             (
                 "alpha_left",
                 1,
@@ -327,7 +345,7 @@ mod tests {
             ),
             ("mass", 0, "mass", "\\mathrm{mass}"),
             ("arm2_x", 0, "arm₂_x", "\\mathrm{arm}_{2,x}"),
-            ("angle", 1, "angle\u{307}", "\\dot{\\mathrm{angle}}"),
+            ("angle", 1, "angle˙", "\\dot{\\mathrm{angle}}"),
             ("theta[3]", 0, "θ₃", "\\theta_{3}"),
             ("m[(0, 1)]", 0, "m₀₁", "m_{0,1}"),
             ("m[10][2]", 0, "m₁₀,₂", "m_{10,2}"),

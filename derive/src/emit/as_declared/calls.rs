@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use syn::{Expr, ExprMethodCall, Lit, Pat, UnOp};
 
 use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
-use crate::emit::as_declared::notation::{Notation, Precedence, join};
+use crate::emit::as_declared::notation::{Notation, Precedence, ends_with_word, join};
 use crate::syntax::body_type::BodyType;
 use crate::syntax::field_type::Content;
 use crate::syntax::label::Index;
@@ -32,6 +32,9 @@ impl FormulaPrinter<'_> {
         let Some(Pat::Ident(variable)) = closure.inputs.first() else {
             return None;
         };
+        if !self.is_free(&variable.ident) {
+            return None;
+        }
         let term = self.print(&closure.body)?;
         let sign = print_sum_sign(&unraw(&variable.ident), &first, &last);
         let term = if term.texts[0].starts_with('−') {
@@ -71,29 +74,57 @@ impl FormulaPrinter<'_> {
                 Some(Notation::new([unicode, latex], Precedence::Function))
             }
             ("normalize", [x]) => Some(self.print(x)?.over(bars(self.print(x)?))),
-            ("sin" | "cos" | "tan" | "ln" | "sinh" | "cosh" | "tanh", [x]) => {
-                let argument = self.print(x)?;
-                let bare = argument.precedence == Precedence::Atom
-                    && !argument.texts[0].starts_with(['(', '|']);
-                let separator = if bare { " " } else { "" };
-                let argument = if bare {
-                    argument
-                } else {
-                    argument.within(["(", ")"], ["\\left(", "\\right)"])
-                };
-                let [unicode, latex] = argument.texts;
-                let both = [
-                    format!("{name}{separator}{unicode}"),
-                    format!("\\{name}{separator}{latex}"),
-                ];
-                Some(Notation::new(both, Precedence::Function))
+            ("component_mul", [x, y]) => {
+                let diagonal = self.print(x)?.within(["diag(", ")"], DIAGONAL);
+                Some(diagonal.times(self.print(y)?))
+            }
+            ("exp" | "signum", [x]) => {
+                let [unicode, latex] = in_books(&name)?;
+                let argument = self.print(x)?.within(["(", ")"], ["\\left(", "\\right)"]);
+                let [argument, in_latex] = argument.texts;
+                Some(Notation::atom(
+                    format!("{unicode}{argument}"),
+                    format!("{latex}{in_latex}"),
+                ))
+            }
+            (function, [x]) if in_books(function).is_some() => {
+                let [unicode, latex] = in_books(function)?;
+                self.function(x, unicode, latex)
             }
             _ => self.operator(&name, arguments),
         }
     }
 
-    /// A function by its name: `R_zxz(φ, θ, ψ)`, `ω(r)`.
+    /// A function of a number, with brackets where they are needed.
+    fn function(&mut self, x: &Expr, unicode: &str, latex: &str) -> Option<Notation> {
+        let argument = self.print(x)?;
+        let bare = argument.precedence == Precedence::Atom
+            && !argument.texts[0].starts_with(['(', '|'])
+            && !ends_with_word(&argument.texts[0]);
+        let separator = if bare { " " } else { "" };
+        let argument = if bare {
+            argument
+        } else {
+            argument.within(["(", ")"], ["\\left(", "\\right)"])
+        };
+        let [argument, in_latex] = argument.texts;
+        let both = [
+            format!("{unicode}{separator}{argument}"),
+            format!("{latex}{separator}{in_latex}"),
+        ];
+        Some(Notation::new(both, Precedence::Function))
+    }
+
+    /// A function by its name: `R_zxz(φ, θ, ψ)`, `ω(r)`, or an external one.
     fn operator(&mut self, name: &str, arguments: &[&Expr]) -> Option<Notation> {
+        let mut functions = self.declaration.clauses.functions.iter();
+        let is_external = functions.any(|function| unraw(&function.name) == name);
+        let is_known = is_external
+            || ["angular_velocity", "atan2", "min", "max"].contains(&name)
+            || name.starts_with("rotation_");
+        if !is_known {
+            return None;
+        }
         let arguments: Vec<_> = arguments
             .iter()
             .map(|argument| self.print(argument))
@@ -102,7 +133,10 @@ impl FormulaPrinter<'_> {
         let [unicode, latex] = join(&texts, ", ");
         let operator = match name.split_once('_') {
             _ if name == "angular_velocity" => ["ω".into(), "\\omega".into()],
-            Some(("rotation", axes)) => [format!("R_{axes}"), format!("R_{{{axes}}}")],
+            _ if ["min", "max"].contains(&name) => [name.into(), format!("\\{name}")],
+            Some(("rotation", axes)) if !is_external => {
+                [format!("R_{axes}"), format!("R_{{{axes}}}")]
+            }
             _ => {
                 let words = name.replace('_', "\\_");
                 [name.to_owned(), format!("\\operatorname{{{words}}}")]
@@ -155,7 +189,7 @@ impl FormulaPrinter<'_> {
     fn between(&mut self, x: &Expr, y: &Expr, unicode: &str, latex: &str) -> Option<Notation> {
         let [x, y] = [x, y].map(|side| self.print(side));
         let (x, y) = (
-            x?.at_least(Precedence::Product),
+            x?.at_least(Precedence::Function),
             y?.at_least(Precedence::Function),
         );
         let [x, y] = [x.texts, y.texts];
@@ -241,6 +275,31 @@ impl FormulaPrinter<'_> {
             Content::Numbers(_) => None,
         }
     }
+}
+
+/// Around what is a diagonal matrix.
+const DIAGONAL: [&str; 2] = ["\\operatorname{diag}\\left(", "\\right)"];
+
+/// The name of a function in books, in Unicode and in LaTeX.
+fn in_books(name: &str) -> Option<[&'static str; 2]> {
+    Some(match name {
+        "sin" => ["sin", "\\sin"],
+        "cos" => ["cos", "\\cos"],
+        "tan" => ["tan", "\\tan"],
+        "asin" => ["arcsin", "\\arcsin"],
+        "acos" => ["arccos", "\\arccos"],
+        "atan" => ["arctan", "\\arctan"],
+        "sinh" => ["sinh", "\\sinh"],
+        "cosh" => ["cosh", "\\cosh"],
+        "tanh" => ["tanh", "\\tanh"],
+        "asinh" => ["arsinh", "\\operatorname{arsinh}"],
+        "acosh" => ["arcosh", "\\operatorname{arcosh}"],
+        "atanh" => ["artanh", "\\operatorname{artanh}"],
+        "exp" => ["exp", "\\exp"],
+        "ln" => ["ln", "\\ln"],
+        "signum" => ["sgn", "\\operatorname{sgn}"],
+        _ => return None,
+    })
 }
 
 fn inner_product(x: &Notation, y: &Notation) -> Notation {

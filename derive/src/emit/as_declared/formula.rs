@@ -1,6 +1,6 @@
 //! Expressions of a declaration in print.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{Graph, Names, Rational, print_with_indices};
 use proc_macro2::Ident;
@@ -22,12 +22,18 @@ pub(super) struct FormulaPrinter<'a> {
     definitions: BTreeSet<String>,
     mentioned: BTreeSet<String>,
     parameters: BTreeSet<String>,
+    /// Vectors, each with how many indices stand before the letter of a component.
+    vectors: BTreeMap<String, usize>,
     /// How many expressions the one that is printed is within.
     depth: usize,
 }
 
 impl<'a> FormulaPrinter<'a> {
-    pub(super) fn new(declaration: &'a Declaration, bodies: BodyNames) -> Self {
+    pub(super) fn new(
+        declaration: &'a Declaration,
+        bodies: BodyNames,
+        vectors: BTreeMap<String, usize>,
+    ) -> Self {
         let definitions = declaration.clauses.definitions.iter();
         let parameters = declaration.fields_with(Role::Parameter);
         Self {
@@ -36,8 +42,19 @@ impl<'a> FormulaPrinter<'a> {
             parameters: parameters.map(|field| unraw(&field.name)).collect(),
             declaration,
             bodies,
+            vectors,
             depth: 0,
         }
+    }
+
+    /// Whether an index has a letter that is the name of nothing else.
+    pub(super) fn is_free(&self, variable: &Ident) -> bool {
+        let fields = self.declaration.fields.iter();
+        let coordinates = self.declaration.clauses.coordinates.iter();
+        let names = fields.map(|field| &field.name);
+        let mut names = names.chain(coordinates.map(|coordinate| &coordinate.name));
+        let variable = unraw(variable);
+        names.all(|name| unraw(name) != variable) && !self.definitions.contains(&variable)
     }
 
     /// The definitions that were mentioned since the last time.
@@ -159,8 +176,23 @@ impl<'a> FormulaPrinter<'a> {
             return Some(Notation::atom("π", "\\pi"));
         }
         let indices = indices.iter().map(index);
-        let indices = indices.chain(behind.iter().cloned().map(Some));
-        let indices: Vec<_> = indices.collect::<Option<_>>()?;
+        let mut indices: Vec<_> = indices.collect::<Option<_>>()?;
+        let mut behind = behind.to_vec();
+        match self.vectors.get(&name) {
+            // A component by its number, which is printed by its letter.
+            Some(outer) if indices.len() == outer + 1 => {
+                let axis: usize = indices.pop()?.parse().ok()?;
+                behind.push((*Index::AXES.get(axis)?).to_owned());
+            }
+            // The other way round.
+            None if !behind.is_empty() => {
+                let axis = behind.pop()?;
+                let mut axes = Index::AXES.iter();
+                indices.push(axes.position(|known| *known == axis)?.to_string());
+            }
+            _ => {}
+        }
+        indices.extend(behind);
         let is_parameter = self.parameters.contains(&name);
         let [unicode, latex] = print_with_indices(&name, is_parameter, &indices, dots);
         Some(Notation::atom(unicode, latex))
@@ -252,7 +284,8 @@ mod tests {
             },
             &mut diagnostics,
         );
-        let mut printer = FormulaPrinter::new(&declaration, BodyNames::Alone);
+        let vectors = [("r".to_owned(), 1)].into();
+        let mut printer = FormulaPrinter::new(&declaration, BodyNames::Alone, vectors);
         Some(printer.print(expression)?.texts)
     }
 
@@ -287,6 +320,13 @@ mod tests {
             (quote!(dot(dot(x))), "x\u{308}"),
             (quote!(dot(x * l)), "d/dt (x l)"),
             (quote!(r[2].y), "r₂_y"),
+            (quote!(r[2][1]), "r₂_y"),
+            (quote!(m.y), "m₁"),
+            (quote!((x * r[0]).dot(r[1])), "(x r₀)·r₁"),
+            (quote!(asin(x)), "arcsin x"),
+            (quote!(signum(x + l)), "sgn(x + l)"),
+            (quote!(exp(x)), "exp(x)"),
+            (quote!(component_mul(m, r[0])), "diag(m) r₀"),
             (quote!([x, -l].dot([l, g])), "(x, −l)·(l, g)"),
             (quote!(rotation_zxz(x, l, g)), "R_zxz(x, l, g)"),
             (
@@ -303,7 +343,11 @@ mod tests {
             let expression: Expr = syn::parse2(tokens).expect("an expression");
             let texts = printed(&expression).expect(expected);
             let plain = texts[0].replace(['\u{E000}', '\u{E001}'], "");
-            let plain = plain.replace("r2", "r₂");
+            let plain = plain
+                .replace("r2", "r₂")
+                .replace("r0", "r₀")
+                .replace("r1", "r₁");
+            let plain = plain.replace("m1", "m₁");
             assert_eq!(plain, expected);
             let [open, closed] = ['{', '}'].map(|c| texts[1].matches(c).count());
             assert_eq!(open, closed, "{}", texts[1]);
@@ -318,6 +362,8 @@ mod tests {
             parse_quote!((0..3).map(|k| theta[k]).collect()),
             parse_quote!(theta[2 * k]),
             parse_quote!([[x, l], [g, x]]),
+            parse_quote!(outer(x, l)),
+            parse_quote!((0..3).map(|l| theta[l]).sum()),
         ] {
             assert_eq!(printed(&expression), None);
         }

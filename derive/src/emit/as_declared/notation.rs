@@ -174,11 +174,12 @@ fn is_number(text: &str) -> bool {
 }
 
 /// Whether the last name of a formula is longer than a letter.
-fn ends_with_word(text: &str) -> bool {
+pub(super) fn ends_with_word(text: &str) -> bool {
+    let is_above = |c: char| ('\u{300}'..='\u{36f}').contains(&c) || "˙¨′".contains(c);
     let name: Vec<char> = text
         .chars()
         .rev()
-        .take_while(|c| c.is_alphanumeric() || *c == '_' || *c == ',')
+        .take_while(|c| c.is_alphanumeric() || *c == '_' || *c == ',' || is_above(*c))
         .collect();
     is_word(name.into_iter().rev())
 }

@@ -9,6 +9,7 @@ use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
 use crate::print::listing::as_declared::DeclaredLine;
 use crate::print::listing::families::Sampling;
+use crate::print::listing::page_letters::{PageLetters, Quantity};
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::{Letters, Names};
 use crate::{Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
@@ -19,6 +20,7 @@ pub(crate) struct Composer<'a> {
     pub(crate) energies: Energies,
     pub(crate) declared: &'a Declared,
     pub(crate) letters: Letters,
+    pub(crate) page: PageLetters,
     /// The expressions of the sections composed so far.
     pub(crate) mentioned: Vec<Expression>,
     /// The definitions that are listed as they were declared.
@@ -53,6 +55,7 @@ impl<'a> Composer<'a> {
         let mut letters = Letters::new(&names);
         letters.marks_indices = true;
         Self {
+            page: PageLetters::of(declared, &letters),
             letters,
             model,
             energies,
@@ -97,12 +100,19 @@ impl<'a> Composer<'a> {
     /// T and V, or L: written out, or as they were declared where that is much shorter.
     pub(crate) fn energies(&mut self) -> Section {
         let energies = match self.energies {
-            Energies::Natural { kinetic, potential } => vec![("T", kinetic), ("V", potential)],
-            Energies::General(lagrangian) => vec![("L", lagrangian)],
+            Energies::Natural { kinetic, potential } => vec![
+                (Quantity::Kinetic, kinetic),
+                (Quantity::Potential, potential),
+            ],
+            Energies::General(lagrangian) => vec![(Quantity::Lagrangian, lagrangian)],
         };
+        let energies = energies
+            .into_iter()
+            .map(|(quantity, energy)| (self.page.letter(quantity), energy));
+        let energies: Vec<_> = energies.collect();
         let mut section = Section::new(None, "the methods `lagrangian` and `energy`");
         for (letter, energy) in &energies {
-            self.push(&mut section, Side::letter(letter), *energy);
+            self.push(&mut section, Side::letter(*letter), *energy);
         }
         let lengths = section.lengths(&self.model.graph, &self.letters);
         let declared = &self.declared.as_declared;
@@ -124,7 +134,11 @@ impl<'a> Composer<'a> {
             .zip(&declared.energies)
             .map(prefers)
             .collect();
-        if declared.energies.len() != lengths.len() || !preferred.contains(&true) {
+        let is_unmistakable = self.letters.as_written().is_empty();
+        if declared.energies.len() != lengths.len()
+            || !preferred.contains(&true)
+            || !is_unmistakable
+        {
             return self.mention(section);
         }
         // Definitions are listed in one way.
@@ -137,17 +151,17 @@ impl<'a> Composer<'a> {
         {
             if all || *preferred {
                 self.mentioned_as_declared.extend(line.mentions.clone());
-                let [left, right] = [&line.left, &line.right].map(Side::texts);
-                self.push_arranged(&mut section, left, right);
+                let right = Side::texts(&line.right);
+                self.push_arranged(&mut section, Side::letter(*letter), right);
             } else {
-                self.push(&mut section, Side::letter(letter), *energy);
+                self.push(&mut section, Side::letter(*letter), *energy);
             }
         }
         self.mention(section)
     }
 
     pub(crate) fn events(&mut self) -> Section {
-        let heading = ["Events, where a function vanishes:"; 2];
+        let heading = ["Events, where a function vanishes:"; 2].map(String::from);
         let mut section = Section::new(Some(heading), "the method `event_functions`");
         for (name, function) in &self.declared.events {
             let latex = format!("g_{{\\mathrm{{{}}}}}", name.replace('_', "\\_"));
@@ -159,10 +173,10 @@ impl<'a> Composer<'a> {
 
     /// ∂L/∂q̇ᵢ, and which of them are constants of motion.
     pub(crate) fn momenta(&mut self, equations: &Equations) -> Section {
-        let heading = [
-            "Momenta p = ∂L/∂q̇:",
-            "Momenta $p = \\partial L/\\partial \\dot q$:",
-        ];
+        let heading = self.page.texts([
+            "Momenta {p} = ∂{L}/∂{q}\u{307}:",
+            "Momenta ${p} = \\partial {L}/\\partial \\dot {q}$:",
+        ]);
         let section = Section::new(Some(heading), "the method `momenta`");
         let names: Vec<_> = (0..self.model.coordinates)
             .map(|i| self.letters.print_both(Symbol::Coordinate(i)))
@@ -172,8 +186,8 @@ impl<'a> Composer<'a> {
             (section, is_long),
             |composer| composer.momentum_of_family(equations),
             |composer, section| {
-                for ([unicode, latex], momentum) in names.iter().zip(&equations.momenta) {
-                    let left = Side::Text(format!("p_{unicode}"), format!("p_{{{latex}}}"));
+                for (name, momentum) in names.iter().zip(&equations.momenta) {
+                    let left = Side::texts(&composer.momentum_name(name));
                     composer.push(section, left, *momentum);
                 }
             },
@@ -181,12 +195,22 @@ impl<'a> Composer<'a> {
         let constant = names.iter().zip(&equations.conservation.momenta);
         let constant: Vec<_> = constant.filter(|(_, is_constant)| **is_constant).collect();
         section.sentence = [0, 1].map(|notation| {
-            let names = constant.iter().map(|([unicode, latex], _)| {
-                [format!("p_{unicode}"), format!("$p_{{{latex}}}$")][notation].clone()
+            let names = constant.iter().map(|(name, _)| {
+                let [unicode, latex] = self.momentum_name(name);
+                [unicode, format!("${latex}$")][notation].clone()
             });
             are_constant(&names.collect::<Vec<_>>())
         });
         self.mention(section)
+    }
+
+    /// The name of the momentum of a coordinate.
+    pub(crate) fn momentum_name(&self, [unicode, latex]: &[String; 2]) -> [String; 2] {
+        let [letter, in_latex] = self.page.letter(Quantity::Momenta);
+        [
+            format!("{letter}_{unicode}"),
+            format!("{in_latex}_{{{latex}}}"),
+        ]
     }
 
     /// A section of lines, or of one equation for a family of coordinates where lines are too long or twice as long.
@@ -225,10 +249,10 @@ impl<'a> Composer<'a> {
 
     /// Σⱼ Mᵢⱼ q̈ⱼ + (Q − f)ᵢ = Qᵢ.
     pub(crate) fn lagrange(&mut self, equations: &Equations) -> Section {
-        let heading = [
-            "Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6):",
-            "Lagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):",
-        ];
+        let heading = self.page.texts([
+            "Lagrange's equations d/dt (∂{L}/∂{q}\u{307}) − ∂{L}/∂{q} = {Q} (4.6):",
+            "Lagrange's equations $\\frac{d}{dt} \\frac{\\partial {L}}{\\partial \\dot {q}} - \\frac{\\partial {L}}{\\partial {q}} = {Q}$ (4.6):",
+        ]);
         let method = "the methods `mass_matrix`, `forcing` and `inverse_dynamics`";
         let section = Section::new(Some(heading), method);
         let is_long = self.is_long(&equations.inverse_dynamics);
@@ -311,10 +335,10 @@ fn are_constant(names: &[String]) -> String {
     }
 }
 
-/// The name of a definition without its first index.
+/// The name of a definition without its first index, or without the letter of a component.
 fn family(name: &str) -> (&str, &str) {
     let Some((stem, rest)) = name.split_once('[') else {
-        return (name, "");
+        return (name.split_once('.').map_or(name, |(stem, _)| stem), "");
     };
     (stem, rest.split_once(']').map_or("", |(_, rest)| rest))
 }

@@ -1,6 +1,7 @@
 //! The coordinates of a model.
 
 use crate::print::listing::composer::Composer;
+use crate::print::listing::page_letters::Quantity;
 use crate::print::listing::section::{Section, Side};
 use crate::{Binary, Energies, Expression, Node, Symbol};
 
@@ -18,14 +19,44 @@ impl Composer<'_> {
         };
         let list = Side::Text(list(unicode), list(latex));
         let mut section = Section::new(None, "`COORDINATES`");
-        self.push_arranged(&mut section, Side::letter("q"), list);
+        let letter = Side::letter(self.page.letter(Quantity::Coordinates));
+        self.push_arranged(&mut section, letter, list);
+        let mut sentences = self.page.sentences.clone();
+        sentences.extend(self.names_as_written());
         if let Some(kind) = self.what_is_raised_as_e() {
-            section.sentence = [
+            sentences.push([
                 format!("e is {kind}; the exponential function is exp."),
                 format!("$e$ is {kind}; the exponential function is $\\exp$."),
-            ];
+            ]);
         }
+        section.sentence = [0, 1].map(|notation| {
+            let sentences: Vec<_> = sentences.iter().map(|texts| &*texts[notation]).collect();
+            sentences.join("\n")
+        });
         section
+    }
+
+    /// What is said of names that are printed as they are written.
+    fn names_as_written(&self) -> Option<[String; 2]> {
+        let names = self.letters.as_written().iter();
+        // π is a number, which a name alone is not like.
+        let names: Vec<_> = names.map(String::as_str).collect();
+        let [first @ .., last] = &*names else {
+            return None;
+        };
+        let (list, verb) = match first {
+            [] => ((*last).to_owned(), "is"),
+            first => (format!("{} and {last}", first.join(", ")), "are"),
+        };
+        let reason = "as in the declaration, since by letters it would look like another.";
+        let reason = if first.is_empty() {
+            reason.to_owned()
+        } else {
+            reason.replace("it would look like another", "they would look like others")
+        };
+        let unicode = format!("{list} {verb} printed {reason}");
+        let latex = unicode.replace('_', "\\_");
+        Some([unicode, latex])
     }
 
     /// What is called e, if the equations contain a power of it, which would be read as the exponential function.

@@ -2,27 +2,30 @@
 //! Mechanics, 3rd edition 2002, section 2.7).
 
 use crate::print::listing::composer::Composer;
+use crate::print::listing::page_letters::Quantity;
 use crate::print::listing::section::{Section, Side};
 use crate::{Energies, Equations, Expression, Rational, Symbol};
 
 impl Composer<'_> {
     /// h, which is T + V where T is of second degree in the velocities and V of none, and whether it is constant.
     pub(crate) fn energy_function(&mut self, equations: &Equations) -> Section {
-        let heading = [
-            "Energy function h = Σ p q̇ − L:",
-            "Energy function $h = \\sum p \\dot q - L$:",
-        ];
+        let heading = self.page.texts([
+            "Energy function {h} = Σ {p} {q}\u{307} − {L}:",
+            "Energy function ${h} = \\sum {p} \\dot {q} - {L}$:",
+        ]);
+        let letter = Side::letter(self.page.letter(Quantity::EnergyFunction));
         let mut section = Section::new(Some(heading), "the method `energy`");
         if self.is_sum_of_energies(equations.energy) {
-            self.push_arranged(&mut section, Side::letter("h"), Side::letter("T + V"));
+            let sum = Side::texts(&self.page.texts(["{T} + {V}"; 2]));
+            self.push_arranged(&mut section, letter, sum);
         } else {
-            self.push(&mut section, Side::letter("h"), equations.energy);
+            self.push(&mut section, letter, equations.energy);
         }
         if equations.conservation.energy {
-            section.sentence = ["h is constant.", "$h$ is constant."].map(String::from);
+            section.sentence = self.page.texts(["{h} is constant.", "${h}$ is constant."]);
         } else if let Some(rate) = self.rate_of_energy(equations) {
-            let left = Side::Text("dh/dt".into(), "\\frac{dh}{dt}".into());
-            self.push(&mut section, left, rate);
+            let left = self.page.texts(["d{h}/dt", "\\frac{d{h}}{dt}"]);
+            self.push(&mut section, Side::texts(&left), rate);
         }
         self.mention(section)
     }

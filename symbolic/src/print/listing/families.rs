@@ -72,7 +72,7 @@ impl Composer<'_> {
         let right = self.folded(&sampling, &folding)?;
         let symbol = Symbol::Coordinate(u32::try_from(i).ok()?);
         let name = self.letters.print_both(symbol);
-        let name = [format!("p_{}", name[0]), format!("p_{{{}}}", name[1])];
+        let name = self.momentum_name(&name);
         let left = PatternText::of_name(name, sampling.pair[0]);
         Some((Side::texts(&left), Side::texts(&sampling.with_range(right))))
     }

@@ -66,7 +66,7 @@ impl Composer<'_> {
         let place = recursion.quantities.quantity('D', 0, "i");
         let acceleration = self.base_acceleration(&links);
         let mut sections = Vec::new();
-        let mut section = Section::new(Some(HEADING), "");
+        let mut section = Section::new(Some(HEADING.map(String::from)), "");
         for [left, right] in statements
             .iter()
             .map(|sides| sides.each_ref().map(Side::texts))
@@ -147,11 +147,12 @@ impl Recursion<'_> {
     }
 
     fn statements(&self) -> Vec<[[String; 2]; 2]> {
-        let slides = self
-            .links
-            .joints
-            .iter()
-            .any(|joint| !joint.sliding.is_empty());
+        // By a coordinate, or with the time.
+        let mut links = self.links.mechanism.links.iter();
+        let slides = links.any(|link| {
+            let mut place = link.place.iter();
+            place.any(|x| self.graph.contents(*x).varies())
+        });
         self.quantities.statements(is_chain(self.links), slides)
     }
 
@@ -180,14 +181,15 @@ impl Recursion<'_> {
         for (i, (link, joint)) in links.enumerate() {
             let (center, tensor) = self.about_center(&link.inertia)?;
             if !is_chain(self.links) {
-                let before = link
-                    .parent
-                    .map_or_else(|| "0".into(), |parent| self.number(parent));
+                let before = match link.parent {
+                    Some(parent) => self.number(parent),
+                    None => (self.first - 1).to_string(),
+                };
                 let left = [
                     format!("p({})", self.number(i)),
                     format!("p({})", self.number(i)),
                 ];
-                rows[0].push([left, [before.clone(), before]]);
+                rows[0].push([left, [before.replace('-', "−"), before]]);
             }
             let turn = self.turn(&link.turn);
             rows[1].push([self.quantity('R', 0, i), turn]);

@@ -9,6 +9,7 @@ use crate::limits::{
 use crate::print::folding::token::{Line, MARKS, tokens, written};
 use crate::print::folding::{Folded, families};
 use crate::print::listing::Listing;
+use crate::print::listing::row_breaks::row;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
 use crate::{Expression, Graph};
@@ -26,7 +27,7 @@ pub(crate) enum Side {
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
     /// In Unicode and in LaTeX.
-    heading: Option<[&'static str; 2]>,
+    heading: Option<[String; 2]>,
     /// What has the equations that are left out.
     pub(crate) method: &'static str,
     pub(crate) lines: Vec<(Side, Side)>,
@@ -41,7 +42,7 @@ pub(crate) struct Section {
 }
 
 impl Section {
-    pub(crate) fn new(heading: Option<[&'static str; 2]>, method: &'static str) -> Self {
+    pub(crate) fn new(heading: Option<[String; 2]>, method: &'static str) -> Self {
         Self {
             heading,
             method,
@@ -127,7 +128,7 @@ impl Section {
             }
             room -= length;
             displayed.push(text);
-            displays.push(latex.written(Notation::Latex).replacen(" = ", " &= ", 1));
+            displays.push(row(&latex.written(Notation::Latex)));
         }
         ([displayed, displays], left_out)
     }
@@ -223,9 +224,9 @@ impl Section {
 }
 
 impl Side {
-    /// The same letter in both notations.
-    pub(crate) fn letter(letter: &str) -> Self {
-        Self::Text(letter.into(), letter.into())
+    /// A letter in Unicode and in LaTeX.
+    pub(crate) fn letter([unicode, latex]: [&str; 2]) -> Self {
+        Self::Text(unicode.into(), latex.into())
     }
 
     /// A text in Unicode and in LaTeX.

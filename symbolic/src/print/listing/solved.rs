@@ -26,30 +26,25 @@ impl Composer<'_> {
                 if let Some(section) = self.accelerations(accelerations) {
                     return vec![section];
                 }
-                "by symbolic factorization M = L D Lᵀ"
+                "by a symbolic factorization of the mass matrix (L D Lᵀ)"
             }
             SolvedForm::ArticulatedBodies => {
                 "by articulated-body elimination, leaves first (Vereshchagin, Featherstone)"
             }
-            SolvedForm::Numerical => "by numerical factorization M = L D Lᵀ",
+            SolvedForm::Numerical => "by a numerical factorization of the mass matrix (L D Lᵀ)",
         };
-        let heading = ["Solution for the accelerations:"; 2];
+        let heading = ["Solution for the accelerations:"; 2].map(String::from);
         let mut section = Section::new(Some(heading), "");
         if self.is_diagonal(mass) {
-            section.sentence = [
-                "M is diagonal: each equation has one acceleration.",
-                "$M$ is diagonal: each equation has one acceleration.",
-            ]
-            .map(String::from);
+            let sentence = "The mass matrix is diagonal: each equation has one acceleration.";
+            section.sentence = [sentence; 2].map(String::from);
             return vec![section];
         }
         let sentence = match form {
-            SolvedForm::Numerical => format!("q̈ is found {by}."),
-            _ => format!("q̈ is found {by}, in {operations} operations."),
+            SolvedForm::Numerical => format!("They are found {by}."),
+            _ => format!("They are found {by}, in {operations} operations."),
         };
-        let latex = sentence
-            .replace("q̈", "$\\ddot q$")
-            .replace("M = L D Lᵀ", "$M = L D L^T$");
+        let latex = sentence.replace("L D Lᵀ", "$L D L^T$");
         section.sentence = [sentence, latex];
         vec![section]
     }
@@ -88,7 +83,8 @@ impl Composer<'_> {
         if !few || !accelerations.iter().all(is_short) {
             return None;
         }
-        let mut section = Section::new(Some(["Solved for the accelerations:"; 2]), "");
+        let heading = ["Solved for the accelerations:"; 2].map(String::from);
+        let mut section = Section::new(Some(heading), "");
         for (i, acceleration) in (0..).zip(accelerations) {
             let [unicode, latex] = self.letters.print_both(Symbol::Acceleration(i));
             let right = Side::Expression(self.arranged(*acceleration));
@@ -124,7 +120,8 @@ impl Composer<'_> {
         let heading = [
             "Boltzmann–Hamel equations, Euler's (3.5)–(3.7) for a rigid body, and kinematics:",
             "Boltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:",
-        ];
+        ]
+        .map(String::from);
         let mut dynamics = Section::new(Some(heading), "the method `accelerations`");
         self.unnamed(&mut dynamics, equations, &velocities);
         for (row, torque) in equations.inertia.iter().zip(&equations.torques) {

@@ -1,0 +1,135 @@
+//! What the pages of all models of the workspace say, read by a parser that shares nothing with the printer, and compared with
+//! what their methods compute.
+
+mod formula;
+mod jet;
+mod latex;
+mod lines;
+mod meanings;
+mod notation;
+mod random;
+mod reader;
+mod recursion;
+mod subject;
+mod suite;
+mod surroundings;
+mod token;
+mod unicode;
+mod value;
+mod words;
+
+use self::lines::Notation;
+use self::random::Random;
+use self::reader::{Reader, close};
+use self::subject::Subject;
+use self::value::Reading;
+
+/// The states at which each page is read.
+const STATES: usize = 2;
+
+/// Reads both pages of a model.
+fn read(subject: &Subject, random: &mut Random) -> Reading<()> {
+    let mut states = 0;
+    for _ in 0..8 * STATES {
+        let Some(state) = subject.state(random) else {
+            return Ok(());
+        };
+        let found: [Reading<_>; 2] = [Notation::Unicode, Notation::Latex].map(|notation| {
+            let page = match notation {
+                Notation::Unicode => &subject.listing.unicode,
+                Notation::Latex => &subject.listing.latex,
+            };
+            let Some(mut reader) = Reader::new(subject, notation, &state)? else {
+                return Ok(None);
+            };
+            reader.read(page)?;
+            Ok(Some(reader.found))
+        });
+        let [unicode, latex] = found;
+        let (Some(unicode), Some(latex)) = (unicode?, latex?) else {
+            continue;
+        };
+        if unicode.len() != latex.len() {
+            return Err("other equations in LaTeX".into());
+        }
+        for (x, y) in unicode.iter().flatten().zip(latex.iter().flatten()) {
+            if !close(*x, *y) {
+                return Err(format!("{x} in Unicode, {y} in LaTeX"));
+            }
+        }
+        states += 1;
+        if states == STATES {
+            break;
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn pages_say_what_the_methods_compute() {
+    let mut random = Random::new(28);
+    let mut failures = Vec::new();
+    let mut count = 0;
+    for found in suite::declarations() {
+        if let Some(only) = std::env::var_os("ONLY")
+            && !only
+                .to_str()
+                .unwrap()
+                .split(',')
+                .any(|only| found.place.contains(only))
+        {
+            continue;
+        }
+        for subject in Subject::all(found.declaration) {
+            count += 1;
+            if let Err(error) = read(&subject, &mut random) {
+                if std::env::var_os("PAGES").is_some() {
+                    println!("{}", subject.listing.unicode);
+                }
+                failures.push(format!("{}: {}\n{error}", found.place, subject.name));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+    assert!(count >= 400, "only {count} models were found");
+}
+
+/// Lines that are wrong in a sign, in a number or in a name, and pages from which a line is missing.
+#[test]
+fn what_is_wrong_is_found() {
+    let changes = [
+        [" + ", " − "],
+        [" − ", " + "],
+        ["½", "⅓"],
+        ["sin", "cos"],
+        ["²", "³"],
+        ["₁", "₂"],
+        ["\u{307}", ""],
+        ["max", "min"],
+    ];
+    let mut count = 0;
+    for found in suite::declarations() {
+        if !found.place.starts_with("derive/golden/pages") {
+            continue;
+        }
+        for mut subject in Subject::all(found.declaration) {
+            let page = subject.listing.unicode.clone();
+            for line in page.lines().filter(|line| line.contains(" = ")) {
+                if line.ends_with(':') || line.starts_with("q = ") {
+                    continue;
+                }
+                for [from, to] in changes {
+                    let wrong = line.replacen(from, to, 1);
+                    if wrong == line {
+                        continue;
+                    }
+                    subject.listing.unicode = page.replacen(line, &wrong, 1);
+                    let result = read(&subject, &mut Random::new(count));
+                    assert!(result.is_err(), "{}: {line}\n{wrong}", subject.name);
+                    count += 1;
+                }
+            }
+        }
+    }
+    assert!(count > 100, "{count}");
+}
