@@ -106,9 +106,9 @@ fn kinetic_energy_of_a_top() {
     );
     assert_eq!(
         book.latex(energy),
-        "\\frac{1}{2} I_{1} \\left(\\dot{\\phi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi\\right)^{2} \
-         + \\frac{1}{2} I_{2} \\left(\\dot{\\phi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi\\right)^{2} \
-         + \\frac{1}{2} I_{3} \\left(\\dot{\\phi} \\cos \\theta + \\dot{\\psi}\\right)^{2}"
+        "\\frac{1}{2} I_{1} \\left(\\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi\\right)^{2} \
+         + \\frac{1}{2} I_{2} \\left(\\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi\\right)^{2} \
+         + \\frac{1}{2} I_{3} \\left(\\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\\right)^{2}"
     );
     for (k, name) in ["w1", "w2", "w3"].into_iter().enumerate() {
         book.define(name, w[k]);
@@ -163,7 +163,7 @@ fn kepler() {
     );
     assert_eq!(
         book.latex(lagrangian),
-        "\\frac{1}{2} m \\left(\\dot{r}^{2} + r^{2} \\dot{\\phi}^{2}\\right) + \\frac{k}{r}"
+        "\\frac{1}{2} m \\left(\\dot{r}^{2} + r^{2} \\dot{\\varphi}^{2}\\right) + \\frac{k}{r}"
     );
     let force = book.graph.derivative(lagrangian, Symbol::Coordinate(0));
     assert_eq!(book.unicode(force), "m r φ\u{307}² − k/r²");
@@ -217,7 +217,7 @@ fn effective_potential_of_a_heavy_top() {
     );
     assert_eq!(
         book.latex(potential),
-        "\\frac{\\left(c_{\\phi} - c_{\\psi} \\cos \\theta\\right)^{2}}{2 I_{1} \\sin^{2} \\theta} + m g l \\cos \\theta"
+        "\\frac{\\left(c_{\\varphi} - c_{\\psi} \\cos \\theta\\right)^{2}}{2 I_{1} \\sin^{2} \\theta} + m g l \\cos \\theta"
     );
 }
 

@@ -12,7 +12,7 @@ use lagrangian_symbolic_testing::systems::{self, Chain, Spelling};
 use lagrangian_symbolic_testing::{Draft, Quantity};
 
 const COORDINATES: [&str; 5] = ["x", "y", "z", "r", "s"];
-const PARAMETERS: [&str; 8] = ["a", "b", "c", "d", "e", "f", "g", "h"];
+const PARAMETERS: [&str; 8] = ["a", "b", "c", "d", "e", "f", "g", "s"];
 
 /// A listing, and what its symbols are worth.
 struct Page {
@@ -82,10 +82,18 @@ impl Page {
         let unicode = self.listing.unicode.lines();
         let unicode = unicode.filter(|line| !line.ends_with(':'));
         let unicode: Vec<_> = unicode.filter_map(|line| line.split_once(" = ")).collect();
-        let latex = self.listing.latex.replace(" \\\\\n", "\n");
+        // Rows that go on in the next one are aligned at their beginning.
+        let latex = self.listing.latex.replace(" \\\\\n&\\quad ", " ");
+        let latex = latex.replace(" \\\\\n", "\n");
+        let latex = latex
+            .replace("\\bigl", "\\left")
+            .replace("\\bigr", "\\right");
         let latex: Vec<_> = latex
             .lines()
-            .filter_map(|line| line.split_once(" &= "))
+            .filter_map(|line| match line.strip_prefix('&') {
+                Some(line) => line.split_once(" = "),
+                None => line.split_once(" &= "),
+            })
             .collect();
         assert_eq!(unicode.len(), latex.len(), "{}", self.listing.unicode);
         let [compared, again] = [unicode, latex].map(|lines| self.check_lines(&lines));

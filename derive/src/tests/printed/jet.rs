@@ -34,6 +34,11 @@ impl Jet {
         Self([f, f1 * x1, times(f2, x1 * x1) + f1 * x2])
     }
 
+    fn times(self, other: Self) -> Self {
+        let ([x, x1, x2], [y, y1, y2]) = (self.0, other.0);
+        Self([x * y, x1 * y + x * y1, x2 * y + 2.0 * x1 * y1 + x * y2])
+    }
+
     fn reciprocal(self) -> Self {
         let x = self.value();
         self.composed([1.0 / x, -1.0 / (x * x), 2.0 / (x * x * x)])
@@ -153,14 +158,14 @@ impl Sub for Jet {
 impl Mul for Jet {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let ([x, x1, x2], [y, y1, y2]) = (self.0, other.0);
-        Self([x * y, x1 * y + x * y1, x2 * y + 2.0 * x1 * y1 + x * y2])
+        self.times(other)
     }
 }
 
 impl Div for Jet {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        self * other.reciprocal()
+        let reciprocal = other.reciprocal();
+        self.times(reciprocal)
     }
 }

@@ -111,16 +111,17 @@ fn token(
         tokens.push(sum(characters)?);
     } else if c.is_ascii_digit() {
         tokens.push(Token::Number(characters.number()?));
+    } else if characters.take("\\,") {
     } else if let Some(token) = sign(characters, adjacent) {
-        tokens.extend(token);
+        tokens.push(token);
     } else {
         tokens.push(name(characters)?);
     }
     Ok(())
 }
 
-/// Brackets and operators; nothing of a space.
-fn sign(characters: &mut Characters<'_>, adjacent: bool) -> Option<Option<Token>> {
+/// Brackets and operators.
+fn sign(characters: &mut Characters<'_>, adjacent: bool) -> Option<Token> {
     let signs = [
         ("\\left(", Token::Open { adjacent }),
         ("\\right)", Token::Close),
@@ -139,12 +140,9 @@ fn sign(characters: &mut Characters<'_>, adjacent: bool) -> Option<Option<Token>
         ("-", Token::Minus),
         ("/", Token::Slash),
     ];
-    if characters.take("\\,") {
-        return Some(None);
-    }
     let mut signs = signs.into_iter();
     let found = signs.find(|(text, _)| characters.take(text));
-    found.map(|(_, token)| Some(token))
+    found.map(|(_, token)| token)
 }
 
 /// `{j=0}^{9}`, or `j` alone.

@@ -83,7 +83,7 @@ enum Place {
 
 type Parts = Vec<(Place, Jet)>;
 
-/// The vector or matrix of which a name is a component: `center[0]` of `center[0].x`; of a body, r_C of `x_C` and I of `I_12`.
+/// The vector or matrix of which a name is a component: `center[0]` of `center[0].x`; of a body, `r_C` of `x_C` and I of `I_12`.
 fn containers(name: &str) -> Vec<(String, Place)> {
     let mut found = Vec::new();
     if let Some((stem, pair)) = name.rsplit_once("[(") {

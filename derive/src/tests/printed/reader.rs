@@ -163,7 +163,8 @@ impl<'a> Reader<'a> {
                 .sides
                 .each_ref()
                 .map(|side| self.notation.formula(side));
-            return self.recursion.note(left?, right?, &equation.cases());
+            self.recursion.note(left?, right?, &equation.cases());
+            return Ok(());
         }
         let energy = &self.letters["h"];
         if [

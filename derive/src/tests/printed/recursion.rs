@@ -54,9 +54,8 @@ impl Recursion {
         self.base = Some(base);
     }
 
-    pub(super) fn note(&mut self, left: Formula, right: Formula, cases: &[Indices]) -> Reading<()> {
+    pub(super) fn note(&mut self, left: Formula, right: Formula, cases: &[Indices]) {
         self.lines.push((left, right, cases.to_vec()));
-        Ok(())
     }
 
     /// Carries out the statements, and compares the equations of motion with what is expected.

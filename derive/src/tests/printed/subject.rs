@@ -103,9 +103,10 @@ impl Subject {
             &reduced,
             &mut diagnostics,
         )?;
-        let mut model = match clause.half_angles {
-            true => without_half_angles(declared, (model, equations), clause)?,
-            false => found.model,
+        let mut model = if clause.half_angles {
+            without_half_angles(declared, (model, equations), clause)?
+        } else {
+            found.model
         };
         let equations = Equations::derive(&mut model).ok()?;
         let declared = (&reduced.declaration, &reduced.lowered);

@@ -46,7 +46,10 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
             if !name.starts_with('.') && name != "target" {
                 collect(&path, files);
             }
-        } else if name.ends_with(".rs") || name.ends_with(".md") {
+        } else if path
+            .extension()
+            .is_some_and(|extension| extension == "rs" || extension == "md")
+        {
             files.push(path);
         }
     }

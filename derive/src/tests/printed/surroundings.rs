@@ -35,10 +35,10 @@ impl Surroundings {
         let before = before.components();
         let is_known = before.len() == found.len()
             && before.iter().zip(found).all(|(x, y)| close(x.value(), y));
-        match is_known {
-            true => Ok(()),
-            false => Err(format!("{written} has two meanings")),
+        if is_known {
+            return Ok(());
         }
+        Err(format!("{written} has two meanings"))
     }
 
     /// The value of a formula.

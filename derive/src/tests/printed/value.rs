@@ -161,7 +161,7 @@ impl Value {
         Self::Matrix(rows)
     }
 
-    /// The angular velocity of a rotation, along the axes of the body: RᵀṘ v = ω × v.
+    /// The angular velocity of a rotation, along the axes of the body: Rᵀ dR/dt v = ω × v.
     pub(super) fn angular_velocity(&self) -> Reading<Self> {
         let spin = self.transposed()?.times(&self.rate(), Join::Dot)?;
         let Self::Matrix(rows) = spin else {

@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn long_rows_end_before_signs() {
         let term = "m_{1} l_{1} g \\sin\\left(\\theta_{1} - \\theta_{2}\\right)";
-        let right = vec![term; 12].join(" + ");
+        let right = [term; 12].join(" + ");
         let row = row(&format!("p = {right}"));
         let rows: Vec<_> = row.split(CONTINUED).collect();
         assert!(rows.len() > 1);
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn brackets_within_which_a_row_ends_are_no_pairs() {
         let term = "m_{1} \\left(\\dot{x}_{1} + l_{1} \\dot{\\theta}_{1}\\right)";
-        let sum = vec![term; 12].join(" + ");
+        let sum = [term; 12].join(" + ");
         let row = row(&format!("k \\left({sum}\\right) = 0"));
         assert!(row.starts_with("&k \\bigl("), "{row}");
         assert!(row.ends_with("\\bigr) = 0"), "{row}");
