@@ -5,6 +5,7 @@ pub(crate) mod defects;
 pub(crate) mod lagrange;
 pub(crate) mod coordinate_properties;
 pub(crate) mod conservation;
+pub(crate) mod ignorability;
 pub(crate) mod expanded_energy;
 pub(crate) mod equations;
 pub(crate) mod energy_forms;

@@ -18,8 +18,12 @@ pub trait GeneralizedCoordinates<const N: usize> {
     /// costs no digits ([`Dynamics::reduced`](crate::Dynamics::reduced)).
     const PERIODS: [u32; N] = [0; N];
 
-    /// Which coordinates are ignorable (cyclic): they occur neither in the Lagrangian nor in a force, so that only
-    /// their change matters to an error estimate.
+    /// Which coordinates are ignorable (cyclic): neither the Lagrangian nor a force depends on them, though they may be
+    /// written there and cancel, so that only their change matters to an error estimate.
+    ///
+    /// A force that does not depend on the coordinate may act on it, as friction does on an axle. Where none does, its
+    /// momentum is constant: those coordinates are the
+    /// [`IGNORABLE_COORDINATES`](crate::ConstantsOfMotion::IGNORABLE_COORDINATES).
     const IGNORABLE: [bool; N] = [false; N];
 
     /// For each coordinate, the indices of the coordinates on which the determinant of its block of

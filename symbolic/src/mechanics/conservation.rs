@@ -21,19 +21,15 @@ pub struct Conservation {
 }
 
 impl Conservation {
+    /// The constants of motion, where it is known which momenta are constant.
     pub(crate) fn of(
         model: &mut Model,
         lagrangian: Expression,
         generalized_forces: &[Expression],
+        momenta: Vec<bool>,
     ) -> Self {
-        let coordinates = model.coordinate_symbols();
-        let absent = independent_of(model, lagrangian, &coordinates);
-        let graph = &model.graph;
-        let forces = generalized_forces.iter();
-        let momenta = absent.iter().zip(forces);
-        let momenta = momenta.map(|(absent, force)| *absent && graph.vanishes(&[*force]));
         Self {
-            momenta: momenta.collect(),
+            momenta,
             energy: conserves_energy(model, lagrangian, generalized_forces),
         }
     }

@@ -18,7 +18,8 @@ pub struct CoordinateProperties {
     /// For each coordinate, a number of full turns after which the equations of motion are the same: the smallest by
     /// which all factors of an angle are integers; 1 if the coordinate is ignorable; 0 if none is known.
     pub periods: Vec<u32>,
-    /// Which coordinates are ignorable: they occur neither in the Lagrangian nor in a force.
+    /// Which coordinates are ignorable: neither the Lagrangian nor a force depends on them, though they may be written
+    /// there.
     pub ignorable: Vec<bool>,
     /// For each coordinate, the coordinates on which the determinant of its block of M depends.
     pub singularities: Vec<Vec<u32>>,
@@ -29,6 +30,7 @@ pub(crate) fn analyze(
     lagrangian: Expression,
     mass: &[Vec<Expression>],
     generalized_forces: &[Expression],
+    ignorable: Vec<bool>,
 ) -> Result<CoordinateProperties, Defect> {
     let graph = &model.graph;
     let mut singularities = vec![Vec::new(); mass.len()];
@@ -65,12 +67,12 @@ pub(crate) fn analyze(
     }
     let mut roots = vec![lagrangian];
     roots.extend(generalized_forces);
-    let occurring = graph.symbols(&roots);
-    let ignorable: Vec<bool> = coordinates
-        .iter()
-        .map(|coordinate| !occurring.contains(coordinate))
-        .collect();
-    let uses = uses(graph, &roots, model.coordinates);
+    let mut uses = uses(graph, &roots, model.coordinates);
+    for (x, is_ignorable) in uses.iter_mut().zip(&ignorable) {
+        if *is_ignorable {
+            *x = Use::NONE;
+        }
+    }
     let angles = uses.iter().zip(&ignorable);
     let angles = angles.map(|(x, is_ignorable)| !x.by_value && !is_ignorable);
     Ok(CoordinateProperties {

@@ -8,6 +8,7 @@ use crate::mechanics::conservation::Conservation;
 use crate::mechanics::coordinate_properties::{self, CoordinateProperties};
 use crate::mechanics::defects::{Defect, check_momenta};
 use crate::mechanics::expanded_energy::LagrangeTerms;
+use crate::mechanics::ignorability::Ignorability;
 use crate::mechanics::lagrange::{inverse_dynamics, mass_matrix};
 use crate::{Expression, Model, Symbol};
 
@@ -50,9 +51,15 @@ impl Equations {
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);
         let energy = model.energy(lagrangian, &momenta);
+        let ignorability = Ignorability::of(model, lagrangian, &generalized_forces);
+        let Ignorability {
+            is_ignorable,
+            has_constant_momentum,
+        } = ignorability;
+        let forces = &generalized_forces;
         let coordinate_properties =
-            coordinate_properties::analyze(model, lagrangian, &mass, &generalized_forces)?;
-        let conservation = Conservation::of(model, lagrangian, &generalized_forces);
+            coordinate_properties::analyze(model, lagrangian, &mass, forces, is_ignorable)?;
+        let conservation = Conservation::of(model, lagrangian, forces, has_constant_momentum);
         let terms = LagrangeTerms {
             momenta,
             mass,
