@@ -247,6 +247,43 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
+    /// 1/cosh, the hyperbolic secant, with all digits where it is small.
+    #[inline]
+    #[must_use]
+    fn sech(self) -> Self {
+        Self::one() / self.cosh()
+    }
+    /// The logistic function 1/(1 + e⁻ˣ), with all digits where it is small.
+    ///
+    /// Quotients and logarithms of sums of exponentials are evaluated by it, by [`softplus`](Self::softplus),
+    /// [`log_cosh`](Self::log_cosh) and [`sech`](Self::sech), which do not overflow. All have a default; dual numbers of your own implement them for derivative
+    /// parts where e⁻ˣ overflows, and for those of `softplus` at 0.
+    #[inline]
+    #[must_use]
+    fn logistic(self) -> Self {
+        Self::one() / (Self::one() + (-self).exp())
+    }
+    /// ln(1 + eˣ), with all digits where it is small.
+    #[inline]
+    #[must_use]
+    fn softplus(self) -> Self {
+        // ln(1 + e) = 2 artanh(e/(2 + e)) for e = exp(−|x|).
+        let small = (-self.abs()).exp();
+        let half = (small / (Self::one() + Self::one() + small)).atanh();
+        self.max(Self::zero()) + half + half
+    }
+    /// ln cosh x, with all digits where it is small.
+    #[inline]
+    #[must_use]
+    fn log_cosh(self) -> Self {
+        // |x| + ln(1 + exp(−2|x|)) − ln 2 for |x| > 1, and 2 artanh(tanh² ½x) nearer to 0.
+        let two = Self::one() + Self::one();
+        let is_far = (self.abs() - Self::one()).signum().max(Self::zero());
+        let tangent = (self * (Self::one() - is_far) / two).tanh();
+        let near = (tangent * tangent).atanh();
+        let far = self.abs() + (-two * self.abs()).softplus() - two.ln();
+        is_far * far + near + near
+    }
     /// The square root. The derivative parts of a root of 0 are those of a sum of squares: where those of the
     /// radicand are 0, so are those of the root.
     #[must_use]

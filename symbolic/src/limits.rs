@@ -231,6 +231,11 @@ pub(crate) const NEARBY_ATTEMPTS: u64 = 160;
 /// With as many points in the domain after the first attempts, none that are spread more widely are tried.
 pub(crate) const ENOUGH_NEARBY_POINTS: usize = 8;
 
+/// Where an intermediate result is larger, a program need not have a value: its fourth power is not far from the largest
+/// number, and a program may form it where the value itself is moderate. Made by 1/(1 + cosh 1000x); numbers of a wider
+/// range move it.
+pub(crate) const LARGEST_WITHIN_RANGE: f64 = 1e70;
+
 /// Perturbed runs that measure the conditioning where two numbers differ.
 pub(crate) const PERTURBED_RUNS: u64 = 3;
 

@@ -34,7 +34,7 @@ ẍ = −friction(ẋ/width, weight)/m − 0.1 (10 k x + weight·side(x))/m
 | `prepare` | 0 | 2 | 2 | 0 | 0 | 0 |
 | `accelerations` | 3 | 5 | 0 | 0 | 0 | 2 |
 | `inverse_dynamics` | 3 | 4 | 0 | 0 | 0 | 2 |
-| `linearize` | 5 | 10 | 3 | 0 | 0 | 3 |
+| `linearize` | 5 | 11 | 2 | 0 | 0 | 3 |
 */
 impl Slider {
     /// The names of the coordinates, in order.
@@ -121,8 +121,8 @@ impl Slider {
         },
         linearize: ::lagrangian::OperationCount {
             additions: 5usize,
-            multiplications: 10usize,
-            divisions: 3usize,
+            multiplications: 11usize,
+            divisions: 2usize,
             square_roots: 0usize,
             sines_and_cosines: 0usize,
             functions: 3usize,
@@ -314,11 +314,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
                     k.mul_add(x, self.__value_of_friction::<__S>(x1, weight)),
                     weight * self.__value_of_side::<__S>(x),
                 ) * x2);
-        let x4 = x1.cosh();
+        let x4 = x1.sech();
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([[-(k * x2)]]),
             velocity: ::lagrangian::__private::matrix([
-                [-(weight * x0 * x2 / (x4 * x4))],
+                [-(weight * x0 * x2 * (x4 * x4))],
             ]),
             time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }
@@ -385,8 +385,8 @@ impl Slider {
     ) -> __S {
         let v: __S = arguments[0];
         let load: __S = arguments[1];
-        let x0 = v.cosh();
-        load / (x0 * x0)
+        let x0 = v.sech();
+        load * (x0 * x0)
     }
     #[inline]
     fn __derivative_of_friction_by_1<__S: ::lagrangian::Scalar>(

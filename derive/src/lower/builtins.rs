@@ -87,7 +87,8 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
 
 /// Those of scalars.
 pub(super) fn of_scalars() -> impl Iterator<Item = &'static str> {
-    let unary = Unary::ALL.into_iter().map(Unary::name);
+    let unary = Unary::ALL.into_iter().filter(|one| one.is_written());
+    let unary = unary.map(Unary::name);
     let binary = Binary::ALL.into_iter().map(Binary::name);
     unary.chain(binary).chain(["sqrt", "powi", "recip", "dot"])
 }

@@ -60,6 +60,33 @@ macro_rules! dual_scalar {
                 DualNum::sin_cos(&self)
             }
 
+            // The exponential of what is not positive does not overflow.
+            #[inline]
+            fn logistic(self) -> Self {
+                if self.re < 0.0 {
+                    let small = DualNum::exp(&self);
+                    small / (Self::from_re(1.0) + small)
+                } else {
+                    DualNum::recip(&(Self::from_re(1.0) + DualNum::exp(&-self)))
+                }
+            }
+
+            #[inline]
+            fn sech(self) -> Self {
+                let exponent = if self.re < 0.0 { self } else { -self };
+                let small = DualNum::exp(&exponent);
+                (small + small) / (Self::from_re(1.0) + small * small)
+            }
+
+            #[inline]
+            fn softplus(self) -> Self {
+                if self.re < 0.0 {
+                    DualNum::ln_1p(&DualNum::exp(&self))
+                } else {
+                    self + DualNum::ln_1p(&DualNum::exp(&-self))
+                }
+            }
+
             // The slope of a root is infinite at 0; times derivative parts that are 0, it is none.
             #[inline]
             fn sqrt(self) -> Self {

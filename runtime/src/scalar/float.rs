@@ -27,7 +27,7 @@ macro_rules! inverse_hyperbolic {
 }
 
 macro_rules! float_scalar {
-    ($float:ident, $from:expr, $fma:ident, { $($own:tt)* } $($table:tt)*) => {
+    ($float:ident, $from:expr, $fma:ident, $ln_1p:ident, { $($own:tt)* } $($table:tt)*) => {
         impl Scalar for $float {
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -85,6 +85,37 @@ macro_rules! float_scalar {
             }
 
             #[inline]
+            fn log_cosh(self) -> Self {
+                let size = self.abs();
+                // Near 0 by the square of the sine, which keeps the digits.
+                let (half, small) = if size < 0.5 {
+                    let sine = Scalar::sinh(size);
+                    (0.5, sine * sine)
+                } else {
+                    (1.0, Scalar::exp(-(size + size)))
+                };
+                #[cfg(feature = "std")]
+                let logarithm = half * small.ln_1p();
+                #[cfg(not(feature = "std"))]
+                let logarithm = half * libm::$ln_1p(small);
+                if size < 0.5 {
+                    logarithm
+                } else {
+                    size + (logarithm - core::$float::consts::LN_2)
+                }
+            }
+
+            #[inline]
+            fn softplus(self) -> Self {
+                let small = Scalar::exp(-self.abs());
+                #[cfg(feature = "std")]
+                let logarithm = small.ln_1p();
+                #[cfg(not(feature = "std"))]
+                let logarithm = libm::$ln_1p(small);
+                $float::max(self, 0.0) + logarithm
+            }
+
+            #[inline]
             fn min(self, other: Self) -> Self {
                 $float::min(self, other)
             }
@@ -113,7 +144,7 @@ const fn nearest_f32(value: f64) -> f32 {
     value as f32
 }
 
-float_scalar! { f64, core::convert::identity, fma,
+float_scalar! { f64, core::convert::identity, fma, log1p,
     {
         #[inline]
         fn sin_cos(self) -> (Self, Self) {
@@ -144,7 +175,7 @@ float_scalar! { f64, core::convert::identity, fma,
     exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
 }
 
-float_scalar! { f32, nearest_f32, fmaf,
+float_scalar! { f32, nearest_f32, fmaf, log1pf,
     {
         #[inline]
         fn sin_cos(self) -> (Self, Self) {

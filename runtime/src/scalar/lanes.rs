@@ -188,7 +188,7 @@ macro_rules! lane_by_lane {
 
 impl<const L: usize> Scalar for Lanes<L> {
     lane_by_lane! {
-        tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln sqrt abs signum;
+        tan asin acos atan sinh cosh tanh sech asinh acosh atanh exp ln logistic softplus log_cosh sqrt abs signum;
         atan2 powf min max
     }
 

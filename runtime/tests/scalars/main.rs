@@ -8,3 +8,4 @@ mod dual_numbers;
 mod elliptic;
 mod factorization;
 mod indefinite;
+mod logistic;

@@ -27,6 +27,15 @@ impl Graph {
     }
 
     fn unary_of_positive(&mut self, function: Unary, x: Expression) -> Expression {
+        let stable = match function {
+            Unary::Ln => self.logarithm_of_growing(x),
+            Unary::Exp => self.exponential_of_softplus(x),
+            Unary::Atan => self.angle_of_exponential(x),
+            _ => None,
+        };
+        if let Some(stable) = stable {
+            return stable;
+        }
         match (function, self.node(x)) {
             // Where the inverse has a value; where it has none, neither has the call. Not atan2: at the origin it is 0, whose
             // cosine is 1, where x/√(x² + y²) has no value.
@@ -54,7 +63,12 @@ impl Graph {
                 }
             }
             _ => {
-                self.has_hyperbolic |= matches!(function, Unary::Sinh | Unary::Cosh | Unary::Tanh);
+                self.has_hyperbolic |= matches!(
+                    function,
+                    Unary::Sinh | Unary::Cosh | Unary::Tanh | Unary::Sech | Unary::LogCosh
+                );
+                self.has_exponential |=
+                    matches!(function, Unary::Exp | Unary::Logistic | Unary::Softplus);
                 self.intern(Node::Unary(function, x))
             }
         }
@@ -91,6 +105,9 @@ impl Graph {
         if let Some(exponent) = self.as_constant(y) {
             let exponent: Rational = exponent.clone();
             return self.power(x, &exponent);
+        }
+        if let Some(power) = self.power_of_growing(x, y) {
+            return power;
         }
         self.intern(Node::Binary(Binary::Power, x, y))
     }

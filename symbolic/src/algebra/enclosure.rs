@@ -90,7 +90,12 @@ fn enclosure(node: &Node, known: &[Interval]) -> Interval {
             Interval::from([Rational::MINUS_ONE, Rational::ONE])
         }
         Node::Unary(Unary::Cosh, _) => Interval::from_least(Rational::ONE),
-        Node::Unary(Unary::Exp, _) => Interval::from_least(Rational::ZERO),
+        Node::Unary(Unary::Exp | Unary::Softplus | Unary::LogCosh, _) => {
+            Interval::from_least(Rational::ZERO)
+        }
+        Node::Unary(Unary::Logistic | Unary::Sech, _) => {
+            Interval::from([Rational::ZERO, Rational::ONE])
+        }
         Node::Unary(Unary::Abs, x) => of(x).magnitude(),
         Node::Binary(Binary::Min, x, y) => of(x).lesser(of(y)),
         Node::Binary(Binary::Max, x, y) => {

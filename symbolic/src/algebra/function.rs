@@ -19,11 +19,19 @@ pub enum Unary {
     Sinh,
     Cosh,
     Tanh,
+    /// 1/cosh: what a quotient by a hyperbolic cosine becomes, see `algebra/hyperbolic.rs`.
+    Sech,
     Asinh,
     Acosh,
     Atanh,
     Exp,
     Ln,
+    /// 1/(1 + e⁻ˣ): see `algebra/logistic.rs`.
+    Logistic,
+    /// ln(1 + eˣ), of which the logistic function is the derivative.
+    Softplus,
+    /// ln cosh x, which is the same with the other sign of x.
+    LogCosh,
     Abs,
     Signum,
 }
@@ -54,7 +62,7 @@ pub enum Symmetry {
 
 impl Unary {
     /// All of them, in order.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 20] = [
         Self::Sin,
         Self::Cos,
         Self::Tan,
@@ -64,14 +72,28 @@ impl Unary {
         Self::Sinh,
         Self::Cosh,
         Self::Tanh,
+        Self::Sech,
         Self::Asinh,
         Self::Acosh,
         Self::Atanh,
         Self::Exp,
         Self::Ln,
+        Self::Logistic,
+        Self::Softplus,
+        Self::LogCosh,
         Self::Abs,
         Self::Signum,
     ];
+
+    /// Whether a declaration can call the function by its name; the others stand for what is written by exponentials
+    /// or hyperbolic cosines.
+    #[must_use]
+    pub const fn is_written(self) -> bool {
+        !matches!(
+            self,
+            Self::Sech | Self::Logistic | Self::Softplus | Self::LogCosh
+        )
+    }
 
     /// The name in a declaration and in Rust.
     #[must_use]
@@ -86,11 +108,15 @@ impl Unary {
             Self::Sinh => "sinh",
             Self::Cosh => "cosh",
             Self::Tanh => "tanh",
+            Self::Sech => "sech",
             Self::Asinh => "asinh",
             Self::Acosh => "acosh",
             Self::Atanh => "atanh",
             Self::Exp => "exp",
             Self::Ln => "ln",
+            Self::Logistic => "logistic",
+            Self::Softplus => "softplus",
+            Self::LogCosh => "log_cosh",
             Self::Abs => "abs",
             Self::Signum => "signum",
         }
@@ -109,11 +135,19 @@ impl Unary {
             Self::Sinh => libm::sinh(x),
             Self::Cosh => libm::cosh(x),
             Self::Tanh => libm::tanh(x),
+            Self::Sech => 1.0 / libm::cosh(x),
             Self::Asinh => libm::asinh(x),
             Self::Acosh => libm::acosh(x),
             Self::Atanh => libm::atanh(x),
             Self::Exp => libm::exp(x),
             Self::Ln => libm::log(x),
+            Self::Logistic => 1.0 / (1.0 + libm::exp(-x)),
+            Self::Softplus => x.max(0.0) + libm::log1p(libm::exp(-x.abs())),
+            // Near 0 by the square of the sine, which keeps the digits.
+            Self::LogCosh if x.abs() < 0.5 => 0.5 * libm::log1p(libm::sinh(x) * libm::sinh(x)),
+            Self::LogCosh => {
+                x.abs() + libm::log1p(libm::exp(-2.0 * x.abs())) - core::f64::consts::LN_2
+            }
             Self::Abs => x.abs(),
             Self::Signum if x == 0.0 => 0.0,
             Self::Signum => x.signum(),
@@ -154,6 +188,12 @@ impl Unary {
                 let cosh = graph.unary(Self::Cosh, x);
                 graph.power(cosh, &Rational::integer(-2))
             }
+            Self::Sech => {
+                let sech = graph.unary(Self::Sech, x);
+                let tanh = graph.unary(Self::Tanh, x);
+                let product = graph.multiply(sech, tanh);
+                graph.negate(product)
+            }
             Self::Asinh => {
                 let sum = plus_square(graph, x);
                 graph.power(sum, &-&Rational::HALF)
@@ -171,6 +211,13 @@ impl Unary {
             }
             Self::Exp => graph.unary(Self::Exp, x),
             Self::Ln => graph.power(x, &Rational::MINUS_ONE),
+            Self::Logistic => {
+                let logistic = graph.unary(Self::Logistic, x);
+                let complement = graph.logistic_complement(x);
+                graph.multiply(logistic, complement)
+            }
+            Self::Softplus => graph.unary(Self::Logistic, x),
+            Self::LogCosh => graph.unary(Self::Tanh, x),
             Self::Abs => graph.unary(Self::Signum, x),
             Self::Signum => graph.zero(),
         }
@@ -180,7 +227,7 @@ impl Unary {
     #[must_use]
     pub const fn symmetry(self) -> Symmetry {
         match self {
-            Self::Cos | Self::Cosh | Self::Abs => Symmetry::Even,
+            Self::Cos | Self::Cosh | Self::Sech | Self::LogCosh | Self::Abs => Symmetry::Even,
             Self::Sin
             | Self::Tan
             | Self::Asin
@@ -190,7 +237,9 @@ impl Unary {
             | Self::Asinh
             | Self::Atanh
             | Self::Signum => Symmetry::Odd,
-            Self::Acos | Self::Acosh | Self::Exp | Self::Ln => Symmetry::None,
+            Self::Acos | Self::Acosh | Self::Exp | Self::Ln | Self::Logistic | Self::Softplus => {
+                Symmetry::None
+            }
         }
     }
 
@@ -205,9 +254,12 @@ impl Unary {
             | Self::Sinh
             | Self::Tanh
             | Self::Asinh
-            | Self::Atanh => x.is_zero().then_some(Rational::ZERO),
-            Self::Cos | Self::Cosh | Self::Exp => x.is_zero().then_some(Rational::ONE),
+            | Self::Atanh
+            | Self::LogCosh => x.is_zero().then_some(Rational::ZERO),
+            Self::Cos | Self::Cosh | Self::Sech | Self::Exp => x.is_zero().then_some(Rational::ONE),
             Self::Acos | Self::Acosh | Self::Ln => x.is_one().then_some(Rational::ZERO),
+            Self::Logistic => x.is_zero().then_some(Rational::HALF),
+            Self::Softplus => None,
             Self::Abs => Some(x.abs()),
             Self::Signum if x.is_zero() => Some(Rational::ZERO),
             Self::Signum if x.is_negative() => Some(Rational::MINUS_ONE),
@@ -221,6 +273,10 @@ impl Unary {
         match self {
             Self::Abs | Self::Signum => 1,
             Self::Sin | Self::Cos | Self::Exp | Self::Ln => 12,
+            Self::Sech => 22,
+            // An exponential and a quotient, or a logarithm.
+            Self::Logistic => 18,
+            Self::Softplus | Self::LogCosh => 26,
             Self::Tan
             | Self::Asin
             | Self::Acos
@@ -282,7 +338,10 @@ impl Binary {
             }
             Self::Max => shares(graph, x, y),
             Self::Power => {
+                // Where y is 0, the derivative by x is 0, at x = 0, too, where x⁻¹ would be infinite.
+                let guard = graph.guard(y);
                 let less = graph.add_constant(y, &Rational::MINUS_ONE);
+                let less = graph.add(less, guard);
                 let lower = graph.binary(Self::Power, x, less);
                 let power = graph.binary(Self::Power, x, y);
                 let ln = logarithm_or_zero(graph, x);

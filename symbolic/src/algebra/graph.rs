@@ -126,6 +126,10 @@ pub struct Graph {
     pub(crate) splits: KnownSplits,
     /// Whether there is a hyperbolic function.
     pub(crate) has_hyperbolic: bool,
+    /// Whether there is an exponential function.
+    pub(crate) has_exponential: bool,
+    /// Whether sums of exponentials stay as they are written, as in print.
+    pub(crate) leaves_exponentials: bool,
     /// The frames, and what is known of vectors and matrices beside their elements.
     pub(crate) frames: KnownFrames,
     /// What derivatives are computed in.
@@ -149,6 +153,8 @@ impl Graph {
             functions: Vec::new(),
             splits: KnownSplits::default(),
             has_hyperbolic: false,
+            has_exponential: false,
+            leaves_exponentials: false,
             frames: KnownFrames::default(),
             derivatives: DerivativeMemory::default(),
         };

@@ -3,7 +3,8 @@
 //! With sinh = tanh·cosh, a product sinhʲ tanhᵏ coshˡ is tanhᵃ coshᵇ for a = j + k and b = j + l. Where the
 //! signs of a and b agree, as many of both as there are become sinh: sinh x stays, and sinh x/cosh x is tanh x.
 //! Since |tanh| ≤ 1, what is left does not become ∞/∞: the second derivative of tanh x is −2 tanh x cosh⁻² x,
-//! which is 0 where cosh x is too large for a number, and not sinh x cosh⁻³ x.
+//! which is 0 where cosh x is too large for a number, and not sinh x cosh⁻³ x. A negative power of cosh x is one of
+//! sech x, so that its Taylor series does not overflow either.
 
 use crate::{Expression, Graph, Node, Rational, Unary};
 
@@ -24,41 +25,68 @@ impl Graph {
             return Vec::new();
         }
         for position in 0..factors.len() {
-            let Some((_, x)) = self.hyperbolic(&factors[position]) else {
+            let Some((_, x, _)) = self.hyperbolic(&factors[position]) else {
                 continue;
             };
             let mut powers = [const { Rational::ZERO }; 3];
+            let mut written = Factors::new();
             for factor in factors.iter() {
-                if let Some((function, argument)) = self.hyperbolic(factor)
+                if let Some((function, argument, exponent)) = self.hyperbolic(factor)
                     && argument == x
                 {
-                    powers[function] = factor.1.clone();
+                    powers[function] = &powers[function] + &exponent;
+                    written.push(factor.clone());
                 }
             }
-            let Some(simpler) = rewritten(&powers).filter(|simpler| *simpler != powers) else {
+            let Some(simpler) = rewritten(&powers) else {
                 continue;
             };
+            let mut found = self.hyperbolic_product(x, &simpler);
+            found.sort_by_key(|(base, _)| *base);
+            if found == written {
+                continue;
+            }
             factors.retain(|factor| {
                 self.hyperbolic(factor)
-                    .is_none_or(|(_, argument)| argument != x)
+                    .is_none_or(|(_, argument, _)| argument != x)
             });
-            let parts = FUNCTIONS.into_iter().zip(simpler);
-            let parts = parts.filter(|(_, exponent)| !exponent.is_zero());
-            return parts
-                .map(|(function, exponent)| (self.unary(function, x), exponent))
-                .collect();
+            return found;
         }
         Vec::new()
     }
 
-    /// The position of a hyperbolic function and its argument, if a factor is a power of one that can be
+    /// The factors with these exponents of sinh x, cosh x and tanh x.
+    fn hyperbolic_product(&mut self, x: Expression, powers: &Powers) -> Factors {
+        let mut found = Factors::new();
+        for (function, exponent) in FUNCTIONS.into_iter().zip(powers) {
+            if exponent.is_zero() {
+                continue;
+            }
+            let is_secant = function == Unary::Cosh && exponent.is_negative();
+            found.push(if is_secant && !self.leaves_exponentials {
+                (self.unary(Unary::Sech, x), -exponent)
+            } else {
+                (self.unary(function, x), exponent.clone())
+            });
+        }
+        found
+    }
+
+    /// The position of a hyperbolic function, its argument and its exponent, if a factor is a power of one that can be
     /// combined with others: an integer power, or any power of cosh, which is positive.
-    fn hyperbolic(&self, (base, exponent): &(Expression, Rational)) -> Option<(usize, Expression)> {
+    fn hyperbolic(
+        &self,
+        (base, exponent): &(Expression, Rational),
+    ) -> Option<(usize, Expression, Rational)> {
         let Node::Unary(function, x) = self.node(*base) else {
             return None;
         };
+        if *function == Unary::Sech {
+            return Some((1, *x, -exponent));
+        }
         let position = FUNCTIONS.iter().position(|f| f == function)?;
-        (exponent.is_integer() || *function == Unary::Cosh).then_some((position, *x))
+        let is_combined = exponent.is_integer() || *function == Unary::Cosh;
+        is_combined.then(|| (position, *x, exponent.clone()))
     }
 }
 
@@ -119,10 +147,7 @@ mod tests {
         }
         for stays in [[1, 0, 0], [1, 1, 0], [2, 1, 0], [0, -2, 1], [-1, 0, -1]] {
             let found = product(&mut graph, stays);
-            let factors = match graph.node(found) {
-                Node::Product(factors) => factors.len(),
-                _ => 1,
-            };
+            let factors = graph.factors(found).len();
             let written = stays.iter().filter(|k| **k != 0).count();
             assert_eq!(factors, written, "{stays:?}");
         }

@@ -62,6 +62,9 @@ impl Graph {
             if pending.is_empty() {
                 pending = self.take_hyperbolic(&mut settled);
             }
+            if pending.is_empty() {
+                pending = self.take_exponential(&mut settled);
+            }
         }
         if let Some((zero, _)) = settled.iter().find(|(base, _)| self.is_zero(*base)) {
             // What divides by zero has no value, 0/0 no more than 1/0, which stands for them all.
@@ -78,6 +81,9 @@ impl Graph {
     fn distribute(&mut self, base: Expression, exponent: &Rational) -> Option<Distributed> {
         if exponent.is_zero() {
             return Some((Rational::ONE, Vec::new()));
+        }
+        if let Some(factors) = self.distribute_over_exponentials(base, exponent) {
+            return Some((Rational::ONE, factors));
         }
         match self.node(base) {
             Node::Constant(value) => Some((exact_power(value, exponent)?, Vec::new())),
@@ -120,6 +126,24 @@ impl Graph {
                 let number = self.constant(&number);
                 let parts = [number, product].map(|x| (x, exponent.clone()));
                 Some((Rational::ONE, parts.to_vec()))
+            }
+            // A root of what is too large for a number.
+            Node::Unary(Unary::Exp, u) if !exponent.is_integer() => {
+                let power = self.scale(*u, exponent);
+                Some((
+                    Rational::ONE,
+                    vec![(self.unary(Unary::Exp, power), Rational::ONE)],
+                ))
+            }
+            Node::Unary(Unary::Logistic, u) if !exponent.is_integer() => {
+                let u = *u;
+                let opposite = self.negate(u);
+                let logarithm = self.unary(Unary::Softplus, opposite);
+                let power = self.scale(logarithm, &-exponent);
+                Some((
+                    Rational::ONE,
+                    vec![(self.unary(Unary::Exp, power), Rational::ONE)],
+                ))
             }
             Node::Unary(Unary::Abs, x) if exponent.is_even() => {
                 Some((Rational::ONE, vec![(*x, exponent.clone())]))

@@ -265,7 +265,14 @@ impl ModularPoint {
     pub(crate) fn unary(self, function: Unary, x: HomomorphicImage) -> Option<u64> {
         // Real exponentials and circular functions are unrelated homomorphisms.
         let rate = match function {
-            Unary::Exp | Unary::Sinh | Unary::Cosh | Unary::Tanh => self.draw(4, 0) % self.q(),
+            Unary::Exp
+            | Unary::Sinh
+            | Unary::Cosh
+            | Unary::Tanh
+            | Unary::Sech
+            | Unary::Logistic
+            | Unary::Softplus
+            | Unary::LogCosh => self.draw(4, 0) % self.q(),
             _ => 1,
         };
         let exponential = residue::power(
@@ -291,7 +298,18 @@ impl ModularPoint {
             Unary::Sinh => residue::multiply(odd, half, self.p()),
             Unary::Tan => quotient(odd, residue::multiply(unit, even, self.p()))?,
             Unary::Tanh => quotient(odd, even)?,
+            Unary::Sech => quotient(2, even)?,
             Unary::Exp => exponential,
+            Unary::Logistic => quotient(exponential, residue::add(exponential, 1, self.p()))?,
+            Unary::LogCosh => {
+                let cosine = residue::multiply(even, half, self.p());
+                self.draw(128 + Unary::Ln as u64, cosine) % self.p()
+            }
+            // The logarithm of what it is written as.
+            Unary::Softplus => {
+                let sum = residue::add(exponential, 1, self.p());
+                self.draw(128 + Unary::Ln as u64, sum) % self.p()
+            }
             Unary::Abs => self.absolute_value(x.value),
             Unary::Signum => self.sign(x.value),
             Unary::Asin

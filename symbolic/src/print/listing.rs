@@ -75,12 +75,14 @@ impl Listing {
             solved,
             declared: declared.clone(),
         };
+        model.graph.leaves_exponentials = true;
+        let printed = printed.without_guards(&mut model.graph);
         let PrintedModel {
             energies,
             ref equations,
             ref solved,
             ref declared,
-        } = printed.without_guards(&mut model.graph);
+        } = printed.by_exponentials(&mut model.graph);
         let mut composer = Composer::new(model, energies, declared, solved);
         let energies = composer.energies();
         let events = composer.events();
@@ -102,7 +104,9 @@ impl Listing {
         ];
         sections.extend(recursion);
         sections.extend(solved);
-        Self::written(&composer.model.graph, &composer.letters, &sections)
+        let listing = Self::written(&composer.model.graph, &composer.letters, &sections);
+        composer.model.graph.leaves_exponentials = false;
+        listing
     }
 
     /// The sections as they are written.

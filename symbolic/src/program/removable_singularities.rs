@@ -173,9 +173,13 @@ impl Orders {
                 Unary::Cos
                 | Unary::Acos
                 | Unary::Cosh
+                | Unary::Sech
                 | Unary::Acosh
                 | Unary::Exp
                 | Unary::Ln
+                | Unary::Logistic
+                | Unary::Softplus
+                | Unary::LogCosh
                 | Unary::Signum => Some(Rational::ZERO),
             },
             Node::Binary(Binary::Min | Binary::Max, x, y) => self.least([*x, *y].into_iter()),

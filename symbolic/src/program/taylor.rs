@@ -12,6 +12,7 @@ mod external_functions;
 mod functions;
 mod implicit;
 mod linear_forms;
+mod logistic;
 mod quotients;
 mod terms;
 

@@ -1,6 +1,6 @@
 //! Differences that should vanish.
 
-use crate::limits::NEGLIGIBLE_DIFFERENCE;
+use crate::limits::{LARGEST_WITHIN_RANGE, NEGLIGIBLE_DIFFERENCE};
 use crate::validation::programs::Method;
 use crate::validation::sum_with_size::SumWithSize;
 
@@ -61,6 +61,14 @@ impl Comparisons {
     pub(crate) fn vanishing(&mut self, method: Method, balances: &[SumWithSize]) {
         for balance in balances {
             self.push(method, balance.total, balance.size);
+        }
+    }
+
+    /// Leaves out what has no value, where an intermediate result of this magnitude explains it.
+    pub(crate) fn forgive_overflow(&mut self, largest: f64) {
+        if largest.is_nan() || largest > LARGEST_WITHIN_RANGE {
+            self.0
+                .retain(|comparison| comparison.difference.is_finite());
         }
     }
 

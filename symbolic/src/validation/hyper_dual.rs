@@ -83,14 +83,31 @@ impl HyperDual {
 
     /// x^k.
     pub(crate) fn power(self, k: f64) -> Self {
-        let [f, slope, curvature, _] = power_derivatives(self.value, k);
-        self.lifted(f, slope, curvature)
+        // |x|ᵏ (x/|x|)ᵏ: higher powers of a large value, as in the derivatives of 1/x, are lost below the smallest number.
+        let Some((unit, size)) = self.by_size() else {
+            let [f, slope, curvature, _] = power_derivatives(self.value, k);
+            return self.lifted(f, slope, curvature);
+        };
+        let [f, slope, curvature, _] = power_derivatives(unit.value, k);
+        unit.lifted(f, slope, curvature).scaled(real_power(size, k))
+    }
+
+    /// x/2ⁿ and 2ⁿ for the 2ⁿ next to |x|, unless one of them is not in the range of numbers.
+    fn by_size(self) -> Option<(Self, f64)> {
+        let size = libm::ldexp(1.0, libm::ilogb(self.value).clamp(-1020, 1020));
+        let is_in_range = self.value.is_normal() && (1.0 / size).is_normal();
+        is_in_range.then(|| (self.scaled(1.0 / size), size))
     }
 
     /// ∂(x^k)/∂x.
     pub(crate) fn power_slope(self, k: f64) -> Self {
-        let [_, slope, curvature, third] = power_derivatives(self.value, k);
-        self.lifted(slope, curvature, third)
+        let Some((unit, size)) = self.by_size() else {
+            let [_, slope, curvature, third] = power_derivatives(self.value, k);
+            return self.lifted(slope, curvature, third);
+        };
+        let [_, slope, curvature, third] = power_derivatives(unit.value, k);
+        let scaled = unit.lifted(slope, curvature, third);
+        scaled.scaled(real_power(size, k - 1.0))
     }
 
     /// f(x).
@@ -259,6 +276,15 @@ pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
             let slope = 1.0 / (cosh * cosh);
             [f, slope, -2.0 * f * slope, (6.0 * f * f - 2.0) * slope]
         }
+        Unary::Sech => {
+            let tanh = libm::tanh(x);
+            [
+                f,
+                -f * tanh,
+                f * (1.0 - 2.0 * f * f),
+                f * tanh * (6.0 * f * f - 1.0),
+            ]
+        }
         Unary::Asinh => {
             let square = 1.0 / (1.0 + x * x);
             let slope = square.sqrt();
@@ -280,6 +306,21 @@ pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
         Unary::Ln => {
             let slope = 1.0 / x;
             [f, slope, -slope * slope, 2.0 * slope * slope * slope]
+        }
+        Unary::LogCosh => {
+            let (tanh, sech) = (libm::tanh(x), Unary::Sech.value(x));
+            [f, tanh, sech * sech, -2.0 * tanh * sech * sech]
+        }
+        Unary::Logistic | Unary::Softplus => {
+            let logistic = Unary::Logistic.value(x);
+            let slope = logistic * Unary::Logistic.value(-x);
+            // 1 − 2 σ(x).
+            let difference = -libm::tanh(x / 2.0);
+            if function == Unary::Softplus {
+                [f, logistic, slope, slope * difference]
+            } else {
+                [f, slope, slope * difference, slope * (1.0 - 6.0 * slope)]
+            }
         }
         Unary::Abs => [f, Unary::Signum.value(x), 0.0, 0.0],
         Unary::Signum => [f, 0.0, 0.0, 0.0],

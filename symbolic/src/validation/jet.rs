@@ -67,6 +67,10 @@ impl Number for Jet {
         Self(self.0.map(|x| x * factor))
     }
 
+    fn shifted(self, distance: f64) -> Self {
+        Self(self.0.map(|x| x + distance))
+    }
+
     fn power(self, k: f64) -> Self {
         let size = self.value().abs();
         if !size.is_normal() || !(1.0 / size).is_normal() {

@@ -27,6 +27,8 @@ pub(crate) struct Lagrange {
 
 /// What the equations give at one point.
 pub(crate) struct Values {
+    /// The largest magnitude of all that the energies and forces are made of.
+    pub(crate) largest: f64,
     pub(crate) lagrangian: f64,
     /// T and V, if they were declared.
     pub(crate) energies: Vec<f64>,
@@ -102,6 +104,7 @@ impl Lagrange {
         let n = self.coordinates;
         let symbol = |symbol: Symbol| moving(point, symbol, variation, accelerations);
         let values = self.tape.run(&symbol, perturbation);
+        let largest = values.iter().map(|x| x.value.abs()).fold(0.0, f64::max);
         let slots = self.tape.outputs();
         let at = |position: usize| values[slots[position] as usize];
         let lagrangian = self.gradient(&values, &self.lagrangian_weights(), perturbation);
@@ -111,6 +114,7 @@ impl Lagrange {
             Gradient::zero(n)
         };
         let mut result = Values {
+            largest,
             lagrangian: 0.0,
             energies: Vec::new(),
             momenta: Vec::with_capacity(n),

@@ -13,6 +13,8 @@ pub(crate) trait Number: Copy {
     fn multiply(self, y: Self) -> Self;
     fn divide(self, y: Self) -> Self;
     fn scaled(self, factor: f64) -> Self;
+    /// A number to which all parts are moved that much.
+    fn shifted(self, distance: f64) -> Self;
     fn power(self, k: f64) -> Self;
     fn unary(self, function: Unary) -> Self;
     fn binary(self, function: Binary, y: Self) -> Self;
@@ -48,6 +50,10 @@ impl Number for f64 {
 
     fn scaled(self, factor: f64) -> Self {
         self * factor
+    }
+
+    fn shifted(self, distance: f64) -> Self {
+        self + distance
     }
 
     fn power(self, k: f64) -> Self {
@@ -92,6 +98,16 @@ impl Number for HyperDual {
 
     fn divide(self, y: Self) -> Self {
         self * y.reciprocal()
+    }
+
+    fn shifted(self, distance: f64) -> Self {
+        let shift = Self {
+            value: distance,
+            first: distance,
+            second: distance,
+            mixed: distance,
+        };
+        self + shift
     }
 
     fn scaled(self, factor: f64) -> Self {

@@ -65,7 +65,7 @@ impl SeriesCheck {
     fn compare(&self, point: RealPoint, perturbation: Perturbation) -> Option<Vec<Comparison>> {
         let prepared = |symbol: Symbol| point.value(symbol);
         let prepared = self.preparation.evaluate(&prepared, perturbation);
-        let motion = self.motion(point, &prepared, perturbation)?;
+        let (motion, largest) = self.motion(point, &prepared, perturbation)?;
         let found = match self.quasi_velocities {
             Some(count) => {
                 self.recurrence_in_quasi_velocities(count, point, &prepared, &motion, perturbation)
@@ -76,33 +76,36 @@ impl SeriesCheck {
         for (found, expected) in found.iter().zip(&motion) {
             comparisons.values(Method::Accelerations, found, expected);
         }
+        comparisons.forgive_overflow(largest);
         Some(comparisons.0)
     }
 
-    /// The coefficients of the accelerations, by automatic differentiation.
+    /// The coefficients of the accelerations, by automatic differentiation, and the largest intermediate result.
     fn motion(
         &self,
         point: RealPoint,
         prepared: &[f64],
         perturbation: Perturbation,
-    ) -> Option<Coefficients> {
+    ) -> Option<(Coefficients, f64)> {
+        let mut largest = 0.0_f64;
         let mut motion: Coefficients = core::array::from_fn(|_| vec![0.0; self.coordinates]);
         for order in 0..motion.len() {
-            let along = self.along(point, prepared, &motion, perturbation);
+            let (along, size) = self.along(point, prepared, &motion, perturbation);
+            largest = largest.max(size);
             motion[order] = self.solution(&along, &motion, order)?;
         }
         let is_finite = motion.iter().flatten().all(|x| x.is_finite());
-        is_finite.then_some(motion)
+        is_finite.then_some((motion, largest))
     }
 
-    /// The outputs of the program along the motion, as far as it is known.
+    /// The outputs of the program along the motion, as far as it is known, and the largest coefficient of a result.
     fn along(
         &self,
         point: RealPoint,
         prepared: &[f64],
         motion: &Coefficients,
         perturbation: Perturbation,
-    ) -> Vec<Jet> {
+    ) -> (Vec<Jet>, f64) {
         let symbol = |symbol: Symbol| {
             let value = point.value(symbol);
             match symbol {
@@ -123,7 +126,9 @@ impl SeriesCheck {
         };
         let values = self.accelerations.run(&symbol, perturbation);
         let slots = self.accelerations.outputs().iter();
-        slots.map(|slot| values[*slot as usize]).collect()
+        let outputs = slots.map(|slot| values[*slot as usize]).collect();
+        let sizes = values.iter().flat_map(|jet| jet.0).map(f64::abs);
+        (outputs, sizes.fold(0.0, f64::max))
     }
 
     /// The coefficient of this order of the accelerations, where those of lower orders are known.

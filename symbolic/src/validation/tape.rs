@@ -52,6 +52,24 @@ fn unknown_function<N: Number>(function: ExternalFunction, arguments: &[N]) -> f
     1.3 + 0.7 * libm::sin(phase)
 }
 
+/// Whether a result is below the smallest normal number, where rounding is no longer relative to it.
+fn is_lost<N: Number>(entry: &Entry, result: N, values: &[N]) -> bool {
+    if result.value().abs() >= f64::MIN_POSITIVE {
+        return false;
+    }
+    let exists = |slot: Slot| values[slot as usize].value().abs() > 0.0;
+    match *entry {
+        Entry::Multiply(x, y) => exists(x) && exists(y),
+        Entry::Divide(x, _) | Entry::Power(_, x) => exists(x),
+        Entry::Scale(factor, x) => factor.abs() > 0.0 && exists(x),
+        Entry::Unary(function, _) => matches!(
+            function,
+            Unary::Exp | Unary::Sech | Unary::Logistic | Unary::Softplus
+        ),
+        _ => false,
+    }
+}
+
 impl Tape {
     fn application(
         &mut self,
@@ -122,7 +140,14 @@ impl Tape {
             };
             let is_loaded = matches!(entries[position], Entry::Symbol(_) | Entry::Constant(_));
             values[position] = match perturbation.0 {
-                Some(_) if !is_loaded => value.scaled(perturbation.factor(position)),
+                Some(_) if !is_loaded => {
+                    let value = value.scaled(perturbation.factor(position));
+                    if is_lost(&entries[position], value, values) {
+                        value.shifted(perturbation.shift(position))
+                    } else {
+                        value
+                    }
+                }
                 _ => value,
             };
             position += 1;

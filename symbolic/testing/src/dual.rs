@@ -40,11 +40,21 @@ fn slope<N: Number>(function: Unary, x: N) -> N {
             let tanh = x.unary(Unary::Tanh);
             one.add(minus.multiply(tanh.multiply(tanh)))
         }
+        Unary::Sech => {
+            let slope = x.unary(Unary::Sech).multiply(x.unary(Unary::Tanh));
+            minus.multiply(slope)
+        }
         Unary::Asinh => power(above, -1, 2),
         Unary::Acosh => power(square.add(minus), -1, 2),
         Unary::Atanh => power(below, -1, 1),
         Unary::Exp => x.unary(Unary::Exp),
         Unary::Ln => power(x, -1, 1),
+        Unary::Logistic => {
+            let logistic = x.unary(Unary::Logistic);
+            logistic.add(minus.multiply(logistic.multiply(logistic)))
+        }
+        Unary::Softplus => x.unary(Unary::Logistic),
+        Unary::LogCosh => x.unary(Unary::Tanh),
         Unary::Abs => x.unary(Unary::Signum),
         Unary::Signum => constant(0),
     }

@@ -8,6 +8,7 @@ mod functions;
 mod identities;
 mod matrices;
 mod normal_form;
+mod powers_at_zero;
 mod range;
 mod rationals;
 mod rotations;

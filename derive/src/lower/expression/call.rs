@@ -200,7 +200,8 @@ impl Lowerer<'_> {
             return self.application(function, arguments, call, context);
         }
         let written = name.to_string();
-        let unary = Unary::ALL.into_iter().find(|one| one.name() == written);
+        let mut unary = Unary::ALL.into_iter().filter(|one| one.is_written());
+        let unary = unary.find(|one| one.name() == written);
         let binary = Binary::ALL.into_iter().find(|one| one.name() == written);
         let of_arrays = builtins::arity_of_arrays(&written);
         let is_scalar = unary.is_some() || binary.is_some();
@@ -242,7 +243,12 @@ impl Lowerer<'_> {
         self.check_domain(&written, unary, arguments, &scalars)?;
         match (unary, binary) {
             (Some(function), _) => Some(self.graph.unary(function, scalars[0])),
-            (_, Some(function)) => Some(self.graph.binary(function, scalars[0], scalars[1])),
+            (_, Some(function)) => {
+                if function == Binary::Power {
+                    self.check_range(arguments, &scalars)?;
+                }
+                Some(self.graph.binary(function, scalars[0], scalars[1]))
+            }
             _ => self.power(&written, arguments, &scalars),
         }
         .map(Value::Scalar)
@@ -273,6 +279,24 @@ impl Lowerer<'_> {
         }
         let message = format!("`{name}` has no finite value at {number}");
         self.reject(arguments[0], message)
+    }
+
+    /// Rejects a power of numbers that is beyond the range of numbers, before it is written out.
+    fn check_range(&mut self, arguments: &[&Expr], values: &[Expression]) -> Option<()> {
+        let number = |x: &Expression| self.graph.as_constant(*x).map(Rational::to_f64);
+        let (Some(base), Some(exponent)) = (number(&values[0]), number(&values[1])) else {
+            return Some(());
+        };
+        let power = base.abs().powf(exponent);
+        let is_lost = power == 0.0 && base != 0.0;
+        if power.is_infinite() && base != 0.0 || is_lost {
+            let message = format!(
+                "{base} to the power {exponent} is outside of the range of `f64`, from 2.2e-308 to 1.8e308: choose units in \
+                 which numbers are nearer to 1"
+            );
+            return self.reject(arguments[1], message);
+        }
+        Some(())
     }
 
     /// A call of what is no function.
@@ -310,7 +334,10 @@ impl Lowerer<'_> {
                 .as_constant(values[1])
                 .and_then(Rational::to_integer)
             {
-                Some(exponent) if i32::try_from(exponent).is_ok() => Rational::integer(exponent),
+                Some(exponent) if i32::try_from(exponent).is_ok() => {
+                    self.check_range(arguments, values)?;
+                    Rational::integer(exponent)
+                }
                 _ => {
                     return self.reject(
                         arguments[1],

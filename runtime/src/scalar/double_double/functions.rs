@@ -244,6 +244,22 @@ impl Scalar for DoubleDouble {
         self.refined(Scalar::ln(self.high), Self::exp, Self::exp)
     }
 
+    fn sech(self) -> Self {
+        let small = (-self.abs()).exp();
+        (small + small) / (Self::one() + small * small)
+    }
+
+    fn logistic(self) -> Self {
+        // Of what is not positive, so that it does not overflow.
+        let small = (-self.abs()).exp();
+        let part = if self.is_negative() {
+            small
+        } else {
+            Self::one()
+        };
+        part / (Self::one() + small)
+    }
+
     fn sqrt(self) -> Self {
         let slope = |y: Self| y.times_power_of_two(1);
         self.refined(Scalar::sqrt(self.high), |y| y * y, slope)

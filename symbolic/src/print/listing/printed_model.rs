@@ -1,4 +1,5 @@
-//! What is listed of a model: its expressions without guards of removable singularities, which no reader wants.
+//! What is listed of a model: its expressions as a reader wants them, without guards of removable singularities, and
+//! with exponentials in place of functions that stand for sums of them.
 
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
@@ -23,6 +24,18 @@ impl PrintedModel {
             let mut plain = graph.replace(&roots, &sums).into_iter();
             self.for_each_expression(|x| *x = plain.next().unwrap_or(*x));
         }
+        self
+    }
+
+    /// The same with exponential functions in place of logistic ones.
+    pub(crate) fn by_exponentials(mut self, graph: &mut Graph) -> Self {
+        if !(graph.has_exponential || graph.has_hyperbolic) {
+            return self;
+        }
+        let mut roots = Vec::new();
+        self.for_each_expression(|x| roots.push(*x));
+        let mut plain = graph.by_exponentials(&roots).into_iter();
+        self.for_each_expression(|x| *x = plain.next().unwrap_or(*x));
         self
     }
 

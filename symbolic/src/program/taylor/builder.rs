@@ -80,6 +80,11 @@ impl Instructions {
         }
     }
 
+    /// The value of an operation that is in the list or in the program before it.
+    pub(super) fn known(&self, operation: &Operation) -> Option<Operand> {
+        self.numbers.get(operation).copied().map(Operand::Value)
+    }
+
     pub(super) fn emit(&mut self, operation: Operation) -> Operand {
         if let Some(value) = self.numbers.get(&operation) {
             return Operand::Value(*value);
@@ -147,6 +152,10 @@ pub(super) struct Builder<'a> {
     constants_of_motion: Vec<Symbol>,
     /// Sines and cosines, and hyperbolic ones, by their argument.
     pub(super) pairs: Vec<(Pair, Operand, [Series; 2])>,
+    /// sech and tanh by their argument, where both are needed.
+    pub(super) secants: Vec<(Operand, [Series; 2])>,
+    /// Logistic functions by their argument.
+    pub(super) logistics: Vec<(Operand, Series)>,
     /// Derivatives of external functions, by the positions of their arguments.
     pub(super) derivatives: Table<(ExternalFunction, usize), Rc<Derivative>>,
     /// Those that are in use and have no series yet.
@@ -183,6 +192,8 @@ impl<'a> Builder<'a> {
             convolutions: Numbered::new(),
             constants_of_motion,
             pairs: Vec::new(),
+            secants: Vec::new(),
+            logistics: Vec::new(),
             derivatives: Table::default(),
             pending: Vec::new(),
             applications: 0,

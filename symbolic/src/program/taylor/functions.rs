@@ -47,9 +47,16 @@ impl Builder<'_> {
     fn unpaired(&mut self, function: Unary, x: &Series, result: &Operand) -> Operand {
         match function {
             Unary::Tan => self.tangent(x, result, false),
-            Unary::Tanh => self.tangent(x, result, true),
+            Unary::Tanh => match self.known_secant(x) {
+                Some([_, tangent]) => tangent.coefficient,
+                None => self.tangent(x, result, true),
+            },
+            Unary::Sech => self.secant(x, result)[0].coefficient.clone(),
             Unary::Exp => self.exponential(x, result),
             Unary::Ln => self.logarithm(x),
+            Unary::Logistic => self.logistic(x, result).coefficient,
+            Unary::Softplus => self.softplus(x),
+            Unary::LogCosh => self.log_cosh(x),
             Unary::Atan => self.inverse_tangent(x, false),
             Unary::Atanh => self.inverse_tangent(x, true),
             Unary::Asin => self.inverse_sine(x, result, Unary::Cos),
