@@ -86,3 +86,27 @@ fn members_with_two_indices_are_not_taken_for_others() {
         "{page}"
     );
 }
+
+/// A cart has an equation of its own, and its links one.
+#[test]
+fn a_family_is_folded_beside_other_coordinates() {
+    let page = constant(
+        &expand(quote! {
+            #[lagrangian(
+                coordinates(x, theta[6]),
+                define(p[i] = [x, 0.0]
+                    + (0..=i).map(|k| l * [sin(theta[k]), -cos(theta[k])]).sum() for i in 0..6),
+                kinetic = 0.5 * cart * dot(x).powi(2)
+                    + (0..6).map(|i| 0.5 * m * dot(p[i]).norm_squared()).sum(),
+                potential = (0..6).map(|i| m * g * p[i].y).sum(),
+                force(x = push),
+            )]
+            struct Cart { cart: f64, m: f64, l: f64, g: f64, push: f64 }
+        }),
+        "EQUATIONS",
+    );
+    let line = "Σⱼ₌₀⁵ m l² (6 − max(i,j)) (θ\u{308}ⱼ cos(θᵢ − θⱼ) + θ\u{307}ⱼ² sin(θᵢ − θⱼ)) \
+                + m l (6 − i) (x\u{308} cos θᵢ + g sin θᵢ) = 0  (i = 0, …, 5)";
+    assert!(has_line(&page, line), "{page}");
+    assert!(!page.contains("too long"), "{page}");
+}

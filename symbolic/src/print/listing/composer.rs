@@ -1,6 +1,7 @@
 //! The sections of a listing.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use crate::limits::{
     LONGEST_LINE, LONGEST_SKIMMED, LONGEST_UNARRANGED, SHORTEST_FOLDED_SECTION, SHORTEST_SKIMMED,
@@ -185,10 +186,10 @@ impl<'a> Composer<'a> {
         let mut section = self.in_families(
             (section, is_long),
             |composer| composer.momentum_of_family(equations),
-            |composer, section| {
-                for (name, momentum) in names.iter().zip(&equations.momenta) {
-                    let left = Side::texts(&composer.momentum_name(name));
-                    composer.push(section, left, *momentum);
+            |composer, section, coordinates| {
+                for i in coordinates {
+                    let left = Side::texts(&composer.momentum_name(&names[i]));
+                    composer.push(section, left, equations.momenta[i]);
                 }
             },
         );
@@ -213,30 +214,40 @@ impl<'a> Composer<'a> {
         ]
     }
 
-    /// A section of lines, or of one equation for a family of coordinates where lines are too long or twice as long.
+    /// A section of lines, or of one equation for a family of coordinates where lines are too long or twice as long; `lines`
+    /// adds those of a range of coordinates.
     fn in_families(
         &mut self,
         (mut section, is_long): (Section, bool),
         family: impl Fn(&mut Self) -> Option<(Side, Side)>,
-        lines: impl FnOnce(&mut Self, &mut Section),
+        lines: impl Fn(&mut Self, &mut Section, Range<usize>),
     ) -> Section {
-        let mut folded = section.clone();
-        if is_long && let Some((left, right)) = family(self) {
-            self.push_arranged(&mut folded, left, right);
+        let empty = section.clone();
+        let all = 0..self.model.coordinates as usize;
+        let rows = Sampling::of(self).map(|sampling| sampling.rows());
+        let folded = |composer: &mut Self| {
+            let rows = rows.clone()?;
+            let (left, right) = family(composer)?;
+            let mut folded = empty.clone();
+            lines(composer, &mut folded, all.start..rows.start);
+            composer.push_arranged(&mut folded, left, right);
+            folded.stands_for_more(rows.len() - 1);
+            lines(composer, &mut folded, rows.end..all.end);
+            Some(folded)
+        };
+        if is_long && let Some(folded) = folded(self) {
             return folded;
         }
-        lines(self, &mut section);
-        if is_long || Sampling::of(self).is_none() {
+        lines(self, &mut section, all.clone());
+        if is_long || rows.is_none() {
             return section;
         }
         let length = section.written_length(&self.model.graph, &self.letters);
         if length >= SHORTEST_FOLDED_SECTION
-            && let Some((left, right)) = family(self)
+            && let Some(folded) = folded(self)
+            && 2 * folded.written_length(&self.model.graph, &self.letters) <= length
         {
-            self.push_arranged(&mut folded, left, right);
-            if 2 * folded.written_length(&self.model.graph, &self.letters) <= length {
-                return folded;
-            }
+            return folded;
         }
         section
     }
@@ -259,8 +270,8 @@ impl<'a> Composer<'a> {
         let section = self.in_families(
             (section, is_long),
             |composer| composer.lagrange_of_family(equations),
-            |composer, section| {
-                for i in 0..equations.mass.len() {
+            |composer, section, coordinates| {
+                for i in coordinates {
                     composer.push_lagrange(section, equations, i);
                 }
             },

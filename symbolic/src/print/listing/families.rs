@@ -5,6 +5,9 @@
 //! of M is another one, what it has besides stands beside the sum. All equations are compared with what is printed by an
 //! identity test (`identity/identity_testing.rs`): where it does not say yes, nothing is folded.
 
+use std::collections::BTreeMap;
+use std::ops::Range;
+
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
@@ -20,9 +23,11 @@ use crate::{Equations, Expression, Graph, Rational, Symbol};
 /// An entry of M that is folded has so many sums over the family at most; that of a chain of links has one.
 const MOST_SUMS: u64 = 3;
 
-/// A family of coordinates, the first and the last index, and a pair of members that is not special if there are many.
+/// A family of coordinates, the place of the first one, the first and the last index, and a pair of members that is not special
+/// if there are many.
 pub(crate) struct Sampling {
     pub(crate) families: Families,
+    pub(crate) place: usize,
     pub(crate) first: i64,
     pub(crate) last: i64,
     pub(crate) pair: [i64; 2],
@@ -31,7 +36,8 @@ pub(crate) struct Sampling {
 /// What is folded: equations, and the samples of their terms.
 struct Folding<'a> {
     equations: &'a [Expression],
-    mass: &'a [Vec<Expression>],
+    /// The part of M that concerns the family.
+    mass: Vec<Vec<Expression>>,
     /// The terms of a pair, which contain Mᵢⱼ times a rate.
     pair: Expression,
     /// What is added for one coordinate.
@@ -56,13 +62,14 @@ impl Composer<'_> {
         let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocity = self.model.velocity_symbols()[j];
+        let at_rest = self.at_rest(&sampling);
         let graph = &mut self.model.graph;
         let velocity = graph.symbol(velocity);
         let folding = Folding {
-            equations: &equations.momenta,
-            mass: &equations.mass,
+            equations: &equations.momenta[sampling.rows()],
+            mass: sampling.block(&equations.mass),
             pair: graph.multiply(equations.mass[i][j], velocity),
-            single: graph.zero(),
+            single: graph.substitute(&[equations.momenta[i]], &at_rest)[0],
             rate: Symbol::Velocity,
             unit: |symbol| match symbol {
                 Symbol::Velocity(_) => Some(Rational::ONE),
@@ -83,6 +90,7 @@ impl Composer<'_> {
         let [i, j] = sampling.positions();
         let velocities = self.model.velocity_symbols();
         let forces = &equations.generalized_forces;
+        let at_rest = self.at_rest(&sampling);
         let graph = &mut self.model.graph;
         let rest = graph.subtract(forces[i], equations.forcing[i]);
         let squared = graph.derivatives(&[rest], velocities[j])[0];
@@ -92,16 +100,21 @@ impl Composer<'_> {
         let centrifugal =
             graph.product([(squared, Rational::ONE), (velocity, Rational::integer(2))]);
         let inertial = graph.multiply(equations.mass[i][j], acceleration);
-        let zero = graph.zero();
-        let at_rest = velocities.iter().map(|velocity| (*velocity, zero));
-        let at_rest = at_rest.collect();
+        // What coordinates of other kinds do to the family.
+        let mut besides = vec![(graph.substitute(&[rest], &at_rest)[0], Rational::ONE)];
+        for (other, entry) in (0..).zip(&equations.mass[i]) {
+            if !sampling.rows().contains(&(other as usize)) {
+                let acceleration = graph.symbol(Symbol::Acceleration(other));
+                besides.push((graph.multiply(*entry, acceleration), Rational::ONE));
+            }
+        }
         let sides = equations.inverse_dynamics.iter().zip(forces);
         let sides: Vec<_> = sides.map(|(x, y)| graph.add(*x, *y)).collect();
         let folding = Folding {
-            equations: &sides,
-            mass: &equations.mass,
+            equations: &sides[sampling.rows()],
+            mass: sampling.block(&equations.mass),
             pair: graph.sum([(inertial, Rational::ONE), (centrifugal, Rational::HALF)]),
-            single: graph.substitute(&[rest], &at_rest)[0],
+            single: graph.sum(besides),
             rate: Symbol::Acceleration,
             unit: |symbol| match symbol {
                 Symbol::Velocity(_) => Some(Rational::ZERO),
@@ -110,9 +123,19 @@ impl Composer<'_> {
             },
         };
         let left = self.folded(&sampling, &folding)?;
-        let right = self.folded_forces(&sampling, forces)?;
+        let right = self.folded_forces(&sampling, &forces[sampling.rows()])?;
         let right = sampling.with_range(right);
         Some((Side::texts(&left), Side::texts(&right)))
+    }
+
+    /// The velocities of a family as zero.
+    fn at_rest(&mut self, sampling: &Sampling) -> BTreeMap<Symbol, Expression> {
+        let zero = self.model.graph.zero();
+        let velocities = &self.model.velocity_symbols()[sampling.rows()];
+        velocities
+            .iter()
+            .map(|velocity| (*velocity, zero))
+            .collect()
     }
 
     /// What is sampled, unless Mᵢⱼ is so long that what contains it would be left out: nothing is arranged for that.
@@ -133,7 +156,7 @@ impl Composer<'_> {
         if forces.iter().all(|force| graph.is_zero(*force)) {
             return Some(["0", "0"].map(String::from));
         }
-        let force = forces[sampling.positions()[0]];
+        let force = forces[sampling.positions()[0] - sampling.place];
         let point = self.first_point(forces)?;
         let values = point.evaluate(&self.model.graph, forces)?;
         let single = self.fitted(
@@ -221,7 +244,8 @@ impl Composer<'_> {
         let graph = &mut self.model.graph;
         let own = pair.instantiated(graph, families, &[index, index])?;
         let rate = graph.symbol((folding.rate)(u32::try_from(position).ok()?));
-        let entry = graph.multiply(folding.mass[position][position], rate);
+        let row = position - sampling.place;
+        let entry = graph.multiply(folding.mass[row][row], rate);
         let besides = graph.subtract(entry, own);
         let known = (point, &*others);
         let diagonal = self.fitted(sampling, besides, &[index], folding.unit, known)?;
@@ -337,16 +361,17 @@ impl Terms {
 }
 
 impl Sampling {
-    /// That of a model whose coordinates are all of one family.
+    /// That of a model of which some coordinates, one behind the other, are of one family.
     pub(crate) fn of(composer: &Composer<'_>) -> Option<Self> {
         let families = Families::of(&composer.declared.names);
-        let (first, last) = families.of_all_coordinates(composer.model.coordinates)?;
+        let (place, [first, last]) = families.longest_run(composer.model.coordinates)?;
         let count = last - first + 1;
         let fewest: i64 = FEWEST_FOLDED_LINES.try_into().ok()?;
         let start = first + count / 4;
         let pair = [start, start + (count + 1) / 3];
         (count >= fewest && pair[1] < last).then_some(Self {
             families,
+            place,
             first,
             last,
             pair,
@@ -356,7 +381,19 @@ impl Sampling {
     /// The positions of the pair among the coordinates.
     fn positions(&self) -> [usize; 2] {
         self.pair
-            .map(|index| usize::try_from(index - self.first).unwrap_or(0))
+            .map(|index| self.place + usize::try_from(index - self.first).unwrap_or(0))
+    }
+
+    /// The positions of the family among the coordinates.
+    pub(crate) fn rows(&self) -> Range<usize> {
+        let count = usize::try_from(self.last - self.first + 1).unwrap_or(0);
+        self.place..self.place + count
+    }
+
+    /// The rows and columns of the family.
+    fn block(&self, mass: &[Vec<Expression>]) -> Vec<Vec<Expression>> {
+        let rows = mass[self.rows()].iter();
+        rows.map(|row| row[self.rows()].to_vec()).collect()
     }
 
     /// All pairs, row by row.

@@ -45,14 +45,33 @@ impl Families {
         families
     }
 
-    /// The indices of the coordinates if all are members of one family and counted without gaps.
-    pub(crate) fn of_all_coordinates(&self, coordinates: u32) -> Option<(i64, i64)> {
-        let (family, first) = *self.places.get(&Symbol::Coordinate(0))?;
-        let last = first + i64::from(coordinates) - 1;
-        let in_order = (first..=last).zip(0..coordinates);
-        let mut in_order = in_order
-            .map(|(index, i)| self.members[family].get(&index) == Some(&Symbol::Coordinate(i)));
-        in_order.all(|one| one).then_some((first, last))
+    /// The longest run of coordinates that are members of one family and counted without gaps: the place of the first one,
+    /// and the first and the last index.
+    pub(crate) fn longest_run(&self, coordinates: u32) -> Option<(usize, [i64; 2])> {
+        let mut longest: Option<(usize, [i64; 2])> = None;
+        let mut place = 0;
+        while place < coordinates {
+            let run = self.run(place, coordinates);
+            let count = |run: &[i64; 2]| run[1] - run[0];
+            if let Some(run) = run {
+                if longest.is_none_or(|(_, before)| count(&run) > count(&before)) {
+                    longest = Some((place as usize, run));
+                }
+                place += u32::try_from(count(&run)).unwrap_or(0);
+            }
+            place += 1;
+        }
+        longest
+    }
+
+    /// The first and the last index of the members of a family that begin at a place.
+    fn run(&self, place: u32, coordinates: u32) -> Option<[i64; 2]> {
+        let (family, first) = *self.places.get(&Symbol::Coordinate(place))?;
+        let in_order = (first..).zip(place..coordinates);
+        let in_order = in_order
+            .take_while(|(index, i)| self.member(family, *index) == Some(Symbol::Coordinate(*i)));
+        let (last, _) = in_order.last()?;
+        Some([first, last])
     }
 
     /// The symbol of another member, or the same one if it is of none that moves.

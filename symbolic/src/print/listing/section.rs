@@ -35,6 +35,8 @@ pub(crate) struct Section {
     texts: Vec<String>,
     /// The numbers of symbols of the equations that are left out.
     left_out: Vec<u64>,
+    /// How many equations are said by others than lines of their own.
+    said_otherwise: usize,
     /// A sentence behind the equations, in Unicode and in LaTeX.
     pub(crate) sentence: [String; 2],
     /// How many characters may be added before lines are folded.
@@ -49,6 +51,7 @@ impl Section {
             lines: Vec::new(),
             texts: Vec::new(),
             left_out: Vec::new(),
+            said_otherwise: 0,
             sentence: [String::new(), String::new()],
             room: LONGEST_UNFOLDED_SECTION,
         }
@@ -57,6 +60,11 @@ impl Section {
     /// Whether a short equation may have room.
     pub(crate) const fn has_room(&self) -> bool {
         self.room > SHORTEST_LINE
+    }
+
+    /// Says that a line stands for so many equations more.
+    pub(crate) const fn stands_for_more(&mut self, count: usize) {
+        self.said_otherwise += count;
     }
 
     /// Leaves out an equation of so many symbols.
@@ -200,7 +208,8 @@ impl Section {
         let (Some(least), Some(most)) = (sizes.iter().min(), sizes.iter().max()) else {
             return String::new();
         };
-        let (left_out, all) = (sizes.len(), self.left_out.len() + self.lines.len());
+        let all = self.left_out.len() + self.lines.len() + self.said_otherwise;
+        let left_out = sizes.len();
         let which = match left_out {
             1 if all == 1 => "The equation is".to_owned(),
             1 => format!("One of {all} equations is"),
