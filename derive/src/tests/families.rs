@@ -110,3 +110,25 @@ fn a_family_is_folded_beside_other_coordinates() {
     assert!(has_line(&page, line), "{page}");
     assert!(!page.contains("too long"), "{page}");
 }
+
+/// A stiffness k and lengths that are called j are no indices.
+#[test]
+fn indices_have_letters_of_their_own() {
+    let page = constant(
+        &expand(quote! {
+            #[lagrangian(
+                coordinates(theta[6]),
+                define(p[a] = (0..=a).map(|b| j[b] * [sin(theta[b]), -cos(theta[b])]).sum() for a in 0..6),
+                kinetic = (0..6).map(|a| 0.5 * m[a] * dot(p[a]).norm_squared()).sum(),
+                potential = (0..6).map(|a| 0.5 * k * theta[a].powi(2)).sum(),
+            )]
+            struct Chain { m: [f64; 6], j: [f64; 6], k: f64 }
+        }),
+        "EQUATIONS",
+    );
+    assert!(
+        has_line(&page, "V = ½ k (Σₙ₌₀⁵ θₙ²)") || page.contains("Σₙ₌₀⁵"),
+        "{page}"
+    );
+    assert!(!page.contains("Σⱼ") && !page.contains("k="), "{page}");
+}

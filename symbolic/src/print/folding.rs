@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 use crate::limits::{FEWEST_FOLDED_LINES, FEWEST_FOLDED_TERMS};
 use crate::print::folding::token::{Line, Token, written};
 use crate::print::listing::as_declared::print_range;
+use crate::print::listing::index_letters::IndexLetters;
 use crate::print::notation::Notation;
 
 /// The line with runs of terms that differ by one in some of their indices as sums.
@@ -245,12 +246,13 @@ impl Folded {
     }
 
     /// The line as it is read, with the range of its index.
-    pub(crate) fn written(&self, notation: Notation) -> String {
-        let text = written(&self.line, notation);
+    pub(crate) fn written(&self, notation: Notation, letters: IndexLetters) -> String {
+        let text = written(&self.line, notation, letters);
         let Some((first, last)) = self.range else {
             return text;
         };
-        let [unicode, latex] = print_range("i", &first.to_string(), &last.to_string());
+        let [unicode, latex] =
+            print_range(&letters.text('i'), &first.to_string(), &last.to_string());
         match notation {
             Notation::Unicode => format!("{text}  ({unicode})"),
             Notation::Latex => format!("{text} \\quad ({latex})"),
@@ -366,7 +368,9 @@ mod tests {
         let marked = |line: &&str| tokens(&line.replace('[', "\u{E000}").replace(']', "\u{E001}"));
         let lines: Vec<_> = lines.iter().map(marked).collect();
         let folded = families(&lines).into_iter();
-        folded.map(|fold| fold.written(Notation::Unicode)).collect()
+        folded
+            .map(|fold| fold.written(Notation::Unicode, IndexLetters::default()))
+            .collect()
     }
 
     #[test]

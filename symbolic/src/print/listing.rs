@@ -14,6 +14,7 @@ pub(crate) mod energy;
 pub(crate) mod families;
 pub(crate) mod printed_model;
 pub(crate) mod index_families;
+pub(crate) mod index_letters;
 pub(crate) mod index_pattern;
 pub(crate) mod pattern_text;
 pub(crate) mod vector_text;

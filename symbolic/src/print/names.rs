@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::print::listing::index_letters::IndexLetters;
 use crate::print::notation::Notation;
 use crate::print::size::WrittenSizes;
 use crate::print::spelling::Spelling;
@@ -123,6 +124,18 @@ impl Letters {
         ];
         let spellings = lists.into_iter().flatten().chain(self.definitions.values());
         spellings.map(|spelling| spelling.print(0, Notation::Unicode))
+    }
+
+    /// The letters of indices, which are those of no name.
+    pub(crate) fn index_letters(&self) -> IndexLetters {
+        let lists = [
+            &self.coordinates,
+            &self.parameters,
+            &self.inputs,
+            &self.quasi_velocities,
+        ];
+        let spellings = lists.into_iter().flatten().chain(self.definitions.values());
+        IndexLetters::free(&spellings.map(Spelling::stem).collect())
     }
 
     /// A name with dots above it.

@@ -133,6 +133,11 @@ impl Spelling {
         spelling
     }
 
+    /// What stands on the line, without accents.
+    pub(crate) fn stem(&self) -> String {
+        self.stem.clone()
+    }
+
     /// A name that is printed as it is written.
     pub(crate) fn verbatim(name: &str) -> Self {
         Self {

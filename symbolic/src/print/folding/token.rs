@@ -1,5 +1,6 @@
 //! Printed lines as tokens: characters, indices, variables, sums.
 
+use crate::print::listing::index_letters::IndexLetters;
 use crate::print::notation::{Notation, subscript, superscript};
 
 /// The marks around an index.
@@ -36,7 +37,7 @@ pub(crate) fn tokens(text: &str) -> Line {
 }
 
 /// The line as it is read.
-pub(crate) fn written(line: &[Token], notation: Notation) -> String {
+pub(crate) fn written(line: &[Token], notation: Notation, letters: IndexLetters) -> String {
     let mut text = String::new();
     let mut bounds = 0;
     let mut previous = None;
@@ -44,16 +45,16 @@ pub(crate) fn written(line: &[Token], notation: Notation) -> String {
         match token {
             Token::Char(c) => text.push(*c),
             Token::Sum(variable, _) if notation == Notation::Unicode => {
-                text.extend(["Σ", &lowered(&variable.to_string()), "₌"]);
+                text.extend(["Σ", &lowered(&letters.text(*variable)), "₌"]);
                 bounds = 2;
             }
             Token::Sum(variable, _) => {
-                text.extend(["\\sum_{", &variable.to_string(), "="]);
+                text.extend(["\\sum_{", &letters.text(*variable), "="]);
                 bounds = 2;
             }
             Token::EndOfSum => {}
             Token::Index(_) | Token::Variable(..) => {
-                let index = index_text(token);
+                let index = index_text(token, letters);
                 match (notation, bounds) {
                     (Notation::Unicode, 1) => text.push_str(&raised(&index)),
                     (Notation::Unicode, _) => {
@@ -79,10 +80,10 @@ pub(crate) fn written(line: &[Token], notation: Notation) -> String {
     text
 }
 
-fn index_text(token: &Token) -> String {
+fn index_text(token: &Token, letters: IndexLetters) -> String {
     match token {
-        Token::Variable(c, 0) => c.to_string(),
-        Token::Variable(c, offset) => format!("{c}{offset:+}"),
+        Token::Variable(c, 0) => letters.text(*c),
+        Token::Variable(c, offset) => format!("{}{offset:+}", letters.written(*c)),
         Token::Index(index) => index.to_string(),
         _ => String::new(),
     }

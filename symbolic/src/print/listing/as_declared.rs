@@ -64,7 +64,20 @@ pub fn print_with_indices(
 /// The values of an index: `i = 0, …, 19`, or one by one where they are three.
 #[must_use]
 pub fn print_range(variable: &str, first: &str, last: &str) -> [String; 2] {
+    if first == last {
+        return [
+            format!("{variable} = {}", first.replace('-', "−")),
+            format!("{variable} = {first}"),
+        ];
+    }
     let between = match (first.parse::<i64>(), last.parse::<i64>()) {
+        (Ok(first), Ok(last)) if last - first == 1 => {
+            let minus = |index: i64| index.to_string().replace('-', "−");
+            return [
+                format!("{variable} = {}, {}", minus(first), minus(last)),
+                format!("{variable} = {first}, {last}"),
+            ];
+        }
         (Ok(first), Ok(last)) if last - first == 2 => {
             [(first + 1).to_string(), (first + 1).to_string()]
         }

@@ -15,6 +15,7 @@ use crate::limits::{FEWEST_FOLDED_LINES, LONGEST_UNARRANGED};
 use crate::print::listing::as_declared::print_range;
 use crate::print::listing::composer::Composer;
 use crate::print::listing::index_families::Families;
+use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{IndexPattern, Known};
 use crate::print::listing::pattern_text::{PatternText, sum_over};
 use crate::print::listing::section::Side;
@@ -80,8 +81,10 @@ impl Composer<'_> {
         let symbol = Symbol::Coordinate(u32::try_from(i).ok()?);
         let name = self.letters.print_both(symbol);
         let name = self.momentum_name(&name);
-        let left = PatternText::of_name(name, sampling.pair[0]);
-        Some((Side::texts(&left), Side::texts(&sampling.with_range(right))))
+        let indices = self.letters.index_letters();
+        let left = PatternText::of_name(name, sampling.pair[0], indices);
+        let right = sampling.with_range(indices, right);
+        Some((Side::texts(&left), Side::texts(&right)))
     }
 
     /// All of Lagrange's equations as one.
@@ -124,7 +127,7 @@ impl Composer<'_> {
         };
         let left = self.folded(&sampling, &folding)?;
         let right = self.folded_forces(&sampling, &forces[sampling.rows()])?;
-        let right = sampling.with_range(right);
+        let right = sampling.with_range(self.letters.index_letters(), right);
         Some((Side::texts(&left), Side::texts(&right)))
     }
 
@@ -334,7 +337,7 @@ impl Composer<'_> {
             Some(PatternText::of(pattern, graph, &letters))
         };
         let range = [sampling.first, sampling.last];
-        let sum = print(&terms.pair).map(|pair| sum_over(range, &pair));
+        let sum = print(&terms.pair).map(|pair| sum_over(range, &pair, letters.index_letters()));
         let others = [print(&terms.diagonal), print(&terms.single)];
         let all = sum.into_iter().chain(others.into_iter().flatten());
         Some(PatternText::total(all).texts)
@@ -403,9 +406,9 @@ impl Sampling {
     }
 
     /// With the range of the index behind.
-    fn with_range(&self, [unicode, latex]: [String; 2]) -> [String; 2] {
+    fn with_range(&self, indices: IndexLetters, [unicode, latex]: [String; 2]) -> [String; 2] {
         let [first, last] = [self.first, self.last].map(|index| index.to_string());
-        let range = print_range("i", &first, &last);
+        let range = print_range(&indices.text('i'), &first, &last);
         [
             format!("{unicode}  ({})", range[0]),
             format!("{latex} \\quad ({})", range[1]),

@@ -2,12 +2,13 @@
 
 use crate::print::folding::token::{MARKS, lowered};
 use crate::print::listing::as_declared::print_sum_sign;
+use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{Argument, Bound, IndexPattern};
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node, Rational, Symbol};
 
-/// The names of the indices.
-const INDICES: [&str; 2] = ["i", "j"];
+/// The usual letters of the indices.
+const INDICES: [char; 2] = ['i', 'j'];
 /// What an argument is called until it is printed.
 const FIRST_SIGN: u32 = 0xE010;
 
@@ -33,7 +34,8 @@ impl PatternText {
         let mut texts = [formula.to_string(), formula.in_latex().to_string()];
         let arguments = pattern.arguments.iter();
         let arguments = arguments.map(|argument| argument_texts(argument, &letters));
-        let index = of_bound(pattern.factor.of);
+        let indices = letters.index_letters();
+        let index = of_bound(pattern.factor.of, indices);
         let latex = index.replace('m', "\\m");
         for (argument, sign) in arguments.chain([[index, latex]]).zip(FIRST_SIGN..) {
             let sign = char::from_u32(sign).unwrap_or('Σ');
@@ -42,14 +44,14 @@ impl PatternText {
             }
         }
         Self {
-            texts: with_indices(texts, &pattern.sample),
+            texts: with_indices(texts, &pattern.sample, indices),
             is_sum: matches!(graph.node(whole), Node::Sum(terms) if terms.len() > 1),
         }
     }
 
     /// A name with an index i in place of a number.
-    pub(crate) fn of_name(name: [String; 2], number: i64) -> [String; 2] {
-        with_indices(name, &[number])
+    pub(crate) fn of_name(name: [String; 2], number: i64, indices: IndexLetters) -> [String; 2] {
+        with_indices(name, &[number], indices)
     }
 
     /// The sum of several; of none, 0.
@@ -77,9 +79,13 @@ impl PatternText {
 }
 
 /// The sum over the second index.
-pub(crate) fn sum_over([first, last]: [i64; 2], term: &PatternText) -> PatternText {
+pub(crate) fn sum_over(
+    [first, last]: [i64; 2],
+    term: &PatternText,
+    indices: IndexLetters,
+) -> PatternText {
     let [first, last] = [first, last].map(|index| index.to_string());
-    let signs = print_sum_sign(INDICES[1], &first, &last);
+    let signs = print_sum_sign(&indices.text(INDICES[1]), &first, &last);
     let brackets = [["(", ")"], ["\\left(", "\\right)"]];
     let texts = [0, 1].map(|notation| {
         let text = &term.texts[notation];
@@ -122,9 +128,10 @@ fn multiplied(
 
 /// What an argument is in print: `(Σₖ₌ᵢ⁵ mₖ)`, or `m_max(i,j)`.
 fn argument_texts(argument: &Argument, letters: &Letters) -> [String; 2] {
+    let indices = letters.index_letters();
     let mut member = letters.print_both(argument.member);
     let index = format!("{}{}{}", MARKS[0], argument.index, MARKS[1]);
-    let [first, last] = argument.bounds.map(of_bound);
+    let [first, last] = argument.bounds.map(|bound| of_bound(bound, indices));
     if !argument.is_sum {
         let below = [format!("_{first}"), first.replace('m', "\\m")];
         for (text, below) in member.iter_mut().zip(below) {
@@ -132,13 +139,13 @@ fn argument_texts(argument: &Argument, letters: &Letters) -> [String; 2] {
         }
         return member;
     }
-    let [unicode, latex] = print_sum_sign("k", &first, &last);
+    let [unicode, latex] = print_sum_sign(&indices.text('k'), &first, &last);
     let signs = [
         unicode,
         latex.replace("max", "\\max").replace("min", "\\min"),
     ];
     let brackets = [["(", ")"], ["\\left(", "\\right)"]];
-    let below = [lowered("k"), "k".into()];
+    let below = [lowered(&indices.text('k')), indices.text('k')];
     [0, 1].map(|notation| {
         let member = member[notation].replace(&index, &below[notation]);
         let [open, close] = brackets[notation];
@@ -147,21 +154,22 @@ fn argument_texts(argument: &Argument, letters: &Letters) -> [String; 2] {
 }
 
 /// The numbers of a sample as indices.
-fn with_indices(mut texts: [String; 2], sample: &[i64]) -> [String; 2] {
+fn with_indices(mut texts: [String; 2], sample: &[i64], indices: IndexLetters) -> [String; 2] {
     for (number, name) in sample.iter().zip(INDICES) {
+        let name = indices.text(name);
         let marked = format!("{}{number}{}", MARKS[0], MARKS[1]);
-        texts[0] = texts[0].replace(&marked, &lowered(name));
-        texts[1] = texts[1].replace(&marked, name);
+        texts[0] = texts[0].replace(&marked, &lowered(&name));
+        texts[1] = texts[1].replace(&marked, &name);
     }
     texts
 }
 
 /// An index as it is printed.
-fn of_bound(bound: Bound) -> String {
-    let [i, j] = INDICES;
+fn of_bound(bound: Bound, indices: IndexLetters) -> String {
+    let [i, j] = INDICES.map(|letter| indices.text(letter));
     match bound {
         Bound::Fixed(number) => number.to_string(),
-        Bound::Index(k) => INDICES[k].to_owned(),
+        Bound::Index(k) => indices.text(INDICES[k]),
         Bound::Greater => format!("max({i},{j})"),
         Bound::Lesser => format!("min({i},{j})"),
     }

@@ -121,6 +121,7 @@ impl Section {
     fn fitting(&self, graph: &Graph, letters: &Letters) -> ([Vec<String>; 2], Vec<u64>) {
         let mut left_out = self.left_out.clone();
         let mut room = LONGEST_SECTION;
+        let indices = letters.index_letters();
         let [unicode, latex] = self.folded(graph, letters);
         let (mut displayed, mut displays) = (Vec::new(), Vec::new());
         let size = |position: &usize| {
@@ -128,7 +129,7 @@ impl Section {
             u64::saturating_add(left.symbols(graph, letters), right.symbols(graph, letters))
         };
         for (unicode, latex) in unicode.iter().zip(&latex) {
-            let text = unicode.written(Notation::Unicode);
+            let text = unicode.written(Notation::Unicode, indices);
             let length = text.chars().count();
             if length > room.min(LONGEST_LINE) {
                 left_out.extend(unicode.members.iter().map(size));
@@ -136,7 +137,7 @@ impl Section {
             }
             room -= length;
             displayed.push(text);
-            displays.push(row(&latex.written(Notation::Latex)));
+            displays.push(row(&latex.written(Notation::Latex, indices)));
         }
         ([displayed, displays], left_out)
     }
@@ -192,11 +193,12 @@ impl Section {
                 "\\begin{{align*}}\n{displays}\n\\end{{align*}}"
             );
         }
+        let indices = letters.index_letters();
         let in_latex = left_out.replace('`', "").replace('_', "\\_");
         for [unicode, latex] in [&[left_out, in_latex], &self.sentence] {
             if !unicode.is_empty() {
-                let unicode = written(&tokens(unicode), Notation::Unicode);
-                let latex = written(&tokens(latex), Notation::Latex);
+                let unicode = written(&tokens(unicode), Notation::Unicode, indices);
+                let latex = written(&tokens(latex), Notation::Latex, indices);
                 let _ = writeln!(listing.unicode, "{unicode}");
                 let _ = writeln!(listing.latex, "{latex}");
             }
