@@ -115,7 +115,11 @@ macro_rules! dual_scalar {
             #[inline]
             fn powf(self, exponent: Self) -> Self {
                 let is_constant: fn(&Self) -> bool = $is_constant;
-                if is_constant(&exponent) {
+                // At 0 a power above the second has neither slope nor curvature, where quotients by the base have no value.
+                let is_flat = Scalar::signum(self.re) == 0.0 && exponent.re > 2.0;
+                if is_flat {
+                    Self::from_re(0.0)
+                } else if is_constant(&exponent) {
                     DualNum::powf(&self, exponent.re)
                 } else {
                     DualNum::powd(&self, exponent)

@@ -307,11 +307,15 @@ impl<S: Scalar, const D: usize> Scalar for Tangent<S, D> {
     // With a constant exponent there is a slope for every base that has a real power.
     fn powf(self, exponent: Self) -> Self {
         let value = self.value.powf(exponent.value);
-        let by_base = exponent.value * self.value.powf(exponent.value - S::one());
+        // 1 where a number is 0, and 0 elsewhere: x⁰ has the slope 0 at 0, too, and xʸ ln x counts as 0 there.
+        let guard = |x: S| S::one() - x.signum() * x.signum();
+        let less = exponent.value - S::one() + guard(exponent.value);
+        let by_base = exponent.value * self.value.powf(less);
         if exponent.is_constant() {
             self.chain(value, by_base)
         } else {
-            self.chain_of_two(exponent, value, [by_base, value * self.value.ln()])
+            let logarithm = (self.value + guard(self.value)).ln();
+            self.chain_of_two(exponent, value, [by_base, value * logarithm])
         }
     }
 

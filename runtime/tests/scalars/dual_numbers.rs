@@ -274,3 +274,22 @@ fn angles_and_roots_have_derivatives_on_the_axes() {
     let root = Scalar::sqrt(DualSVec64::<2>::from_re(4.0).derivative(0));
     assert_close("root", root.derivative_part(0), 0.25, 0.0);
 }
+
+#[test]
+fn powers_of_dual_numbers_have_their_slopes_at_zero() {
+    for (n, expected) in [
+        (0.0, [1.0, 0.0, 0.0]),
+        (1.0, [0.0, 1.0, 0.0]),
+        (2.0, [0.0, 0.0, 2.0]),
+        (2.5, [0.0, 0.0, 0.0]),
+        (3.0, [0.0, 0.0, 0.0]),
+    ] {
+        let power = Scalar::powf(Dual2_64::from_re(0.0).derivative(), Dual2_64::from_re(n));
+        let found = [power.re, power.v1, power.v2];
+        assert_eq!(
+            found.map(f64::to_bits),
+            expected.map(f64::to_bits),
+            "{n}: {found:?}"
+        );
+    }
+}

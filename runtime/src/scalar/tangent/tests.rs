@@ -85,3 +85,24 @@ fn roots_of_nothing_have_no_slopes() {
     let power = OfThree::variable(-2.0, Some(1)).powf(OfThree::constant(3.0));
     assert!((power.slopes()[1] - 12.0).abs() < 1e-12);
 }
+
+#[test]
+fn powers_have_their_slopes_at_zero() {
+    for (n, value, slope) in [
+        (0.0, 1.0, 0.0),
+        (1.0, 0.0, 1.0),
+        (2.0, 0.0, 0.0),
+        (2.5, 0.0, 0.0),
+    ] {
+        let base = OfThree::variable(0.0, Some(0));
+        for exponent in [OfThree::constant(n), OfThree::variable(n, Some(1))] {
+            let power = base.powf(exponent);
+            let found = [power.largest(), power.slopes()[0], power.slopes()[1]];
+            assert_eq!(
+                found.map(f64::to_bits),
+                [value, slope, 0.0].map(f64::to_bits),
+                "{n}: {found:?}"
+            );
+        }
+    }
+}
