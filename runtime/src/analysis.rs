@@ -26,6 +26,7 @@ mod oscillation_error;
 mod components;
 mod time_dependence;
 mod small_oscillations;
+mod linear_errors;
 mod normal_modes;
 mod null_vector;
 mod damped_modes;

@@ -48,6 +48,18 @@ pub(crate) const LEGENDRE_ROUNDING: f64 = 8.0;
 /// Newton's method for velocities is given up where a step of this length, relative to a whole one, does not come nearer.
 pub(crate) const SHORTEST_NEWTON_STEP: f64 = 1e-9;
 
+/// What may be missing of the momentum of a velocity that is held since M is infinite there, in machine epsilons of the largest momentum:
+/// some rounding errors of its terms.
+pub(crate) const HELD_MOMENTUM: f64 = 64.0;
+
+/// Sweeps over all velocities, each followed by Newton's method, before the search for velocities is given up: one is enough
+/// where one velocity has a singular momentum, some more where several are coupled.
+pub(crate) const LEGENDRE_SWEEPS: usize = 16;
+
+/// Bisections of the exponent of a velocity: of the 2044 exponents of `f64` eleven leave one, the others three of its digits,
+/// from where Newton's method converges.
+pub(crate) const LEGENDRE_BISECTIONS: usize = 22;
+
 /// Numbers whose magnitude is in this range are printed without an exponent.
 pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 
@@ -299,6 +311,14 @@ pub(crate) mod elliptic {
     /// some means. `f64` takes some ten, double-doubles some twenty.
     pub(crate) const DUPLICATIONS: usize = 64;
 
+    /// Where the last argument of `R_J` is larger than the others by this factor, it is exchanged: each duplication would only
+    /// quarter it.
+    pub(crate) const LARGE_LAST: f64 = 1024.0;
+
+    /// Characteristics of integrals of the third kind below this are exchanged for positive ones, since terms of both signs
+    /// would cancel.
+    pub(crate) const NEGATIVE_CHARACTERISTIC: f64 = -1.0;
+
     /// Arithmetic-geometric means at most. Convergence is quadratic: a ratio of 10⁻¹⁵⁰ takes some nine means to become of
     /// order 1, and six more for all digits of a double-double.
     pub(crate) const MEANS: usize = 24;
@@ -350,6 +370,19 @@ pub(crate) mod rigid_bodies {
     /// flat: each is rounded by some.
     #[cfg(feature = "alloc")]
     pub(crate) const FLAT_MESH: f64 = 1024.0;
+
+    /// Triangles whose distance is less than this part of their size are at one place: parts of a mesh that touch each other,
+    /// with coordinates that are rounded.
+    #[cfg(feature = "alloc")]
+    pub(crate) const COINCIDENT: f64 = 1e-9;
+
+    /// Winding numbers are whole up to this, unless the point is on an edge: sums of solid angles are rounded by much less.
+    #[cfg(feature = "alloc")]
+    pub(crate) const UNCERTAIN_WINDING: f64 = 0.05;
+
+    /// The largest triangles of a part of a mesh at which winding numbers are looked at, until they are whole.
+    #[cfg(feature = "alloc")]
+    pub(crate) const SAMPLED_TRIANGLES: usize = 64;
 }
 
 /// Equilibria, their stability, and linear control.

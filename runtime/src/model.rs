@@ -13,6 +13,7 @@ mod state_transition;
 mod operations;
 mod by_columns;
 mod lagrangian;
+mod legendre;
 mod constants_of_motion;
 mod motion_series;
 mod events;

@@ -5,7 +5,7 @@
 //! order: F. Tisseur, *Backward error and condition of polynomial eigenvalue problems*, Linear Algebra Appl. **309** (2000) 339–361,
 //! by entries, as D. J. Higham and N. J. Higham, *Structured backward error and condition of generalized eigenvalue problems*, SIAM J.
 //! Matrix Anal. Appl. **20** (1998) 493–512. The denominator vanishes where an eigenvalue is defective (J. H. Wilkinson, *The
-//! Algebraic Eigenvalue Problem*, 1965, 2.7 to 2.9).
+//! Algebraic Eigenvalue Problem*, 1965, 2.7 to 2.9). What the place of the equilibrium leaves undetermined in the entries is added.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
@@ -13,7 +13,7 @@ use super::null_vector::null_vector;
 use super::small_oscillations::SmallOscillations;
 use super::spectrum::modulus;
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::{DEFECTIVE, EIGENVALUE_ERRORS};
+use crate::limits::analysis::{DEFECTIVE, EIGENVALUE_ERRORS, VARIATION_ERRORS};
 
 type C = Complex<f64>;
 
@@ -87,7 +87,18 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let residual = 2.0 * modulus(sum(&|i, j| whole[(i, j)]));
         let most = libm::pow(epsilon, DEFECTIVE) * radius;
         let error = (bound + residual) / slope;
+        // What the place of the equilibrium leaves undetermined: to first order, or of a double eigenvalue the root.
+        let [of_position, of_velocity] = &self.errors;
+        let undetermined = pairs().map(|(i, j)| {
+            let entry =
+                of_position[(i, j)].largest() + modulus(value) * of_velocity[(i, j)].largest();
+            size(&left, i) * entry * size(&right, j) / scale[i]
+        });
+        let undetermined = VARIATION_ERRORS * undetermined.sum::<f64>();
+        let curvature = modulus(sum(&|i, j| C::new(self.coefficients(i, j)[2], 0.0)));
+        let of_place = (2.0 * undetermined / slope).min(2.0 * libm::sqrt(undetermined / curvature));
+        let of_place = if of_place.is_nan() { 0.0 } else { of_place };
         // 0/0 of a double zero is NaN.
-        if error <= most { error } else { most }
+        (if error <= most { error } else { most }) + of_place
     }
 }

@@ -13,13 +13,14 @@ use super::eigenvalues::eigenvalues;
 use super::exceeds;
 use super::force_balance::{UnbalancedForce, unbalanced_force};
 use super::jacobian_rows::Variables;
+use super::linear_errors::{gives_energy, linear_errors};
 use super::oscillation_error::OscillationError;
 use super::spectrum::Spectrum;
 use super::time_dependence::contains_time;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::NEGLIGIBLE;
 use crate::linalg::Factorization;
-use crate::model::{Lagrangian, State};
+use crate::model::{Lagrangian, Linearization, State};
 use crate::scalar::Scalar;
 
 /// The linear equations of small oscillations about an equilibrium or a steady motion, at which only ignorable coordinates move.
@@ -73,8 +74,77 @@ pub struct SmallOscillations<S: Scalar, const N: usize> {
     pub(super) eliminated: [SMatrix<S, N, N>; 2],
     /// The sizes of the terms of M ∂q̈/∂q̇, to which its rounding errors are in relation.
     pub(super) velocity_terms: SMatrix<S, N, N>,
+    /// How far `position` and `velocity` may be from those at the equilibrium beside which the state is, entry by entry.
+    pub(super) errors: [SMatrix<S, N, N>; 2],
+    /// Whether a force gives energy to small perturbations, to whatever order.
+    pub(super) gives_energy: bool,
     /// Whether the equations contain the time.
     pub(super) contains_time: bool,
+}
+
+/// The linear equations without what is eliminated.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reduced<S: Scalar, const N: usize> {
+    pub(super) mass: SMatrix<S, N, N>,
+    pub(super) position: SMatrix<S, N, N>,
+    pub(super) velocity: SMatrix<S, N, N>,
+    velocity_terms: SMatrix<S, N, N>,
+    pub(super) eliminated: [SMatrix<S, N, N>; 2],
+}
+
+impl<S: SingleNumber, const N: usize> Reduced<S, N> {
+    /// Those at a state.
+    pub(super) fn at<M>(model: &M, state: &State<S, N>, parts: &[Part; N]) -> Self
+    where
+        M: Lagrangian<N, S> + ?Sized,
+    {
+        let mass = model.mass_matrix(state);
+        let gradients = momentum_gradients(&HeldInputs(model), &under_held_inputs(state));
+        Self::of(parts, &mass, &gradients, &model.linearize(state))
+    }
+
+    fn of(
+        parts: &[Part; N],
+        mass: &SMatrix<S, N, N>,
+        gradients: &SMatrix<S, N, N>,
+        slopes: &Linearization<S, N>,
+    ) -> Self {
+        let (position, velocity) = (slopes.position, slopes.velocity);
+        let eliminated = eliminated_velocities(parts, mass, gradients);
+        let [by_position, by_velocity] = &eliminated;
+        let is_left = |i: usize| parts[i] != Part::Eliminated;
+        let is_coordinate = |i: usize| parts[i] == Part::Oscillating;
+        let keep = |matrix: SMatrix<S, N, N>, column: &dyn Fn(usize) -> bool| {
+            SMatrix::from_fn(|i, j| {
+                if is_left(i) && column(j) {
+                    matrix[(i, j)]
+                } else {
+                    S::zero()
+                }
+            })
+        };
+        let transposed = by_velocity.transpose();
+        let [mass_terms, velocity_terms, chain] =
+            [mass, &velocity, by_velocity].map(|matrix| matrix.map(S::abs));
+        Self {
+            velocity_terms: keep(
+                chain.transpose() * mass_terms * velocity_terms * chain,
+                &is_left,
+            ),
+            mass: keep(transposed * mass * by_velocity, &is_left),
+            position: keep(position + velocity * by_position, &is_coordinate),
+            velocity: keep(velocity * by_velocity, &is_left),
+            eliminated,
+        }
+    }
+}
+
+/// A state under the inputs of the model.
+fn under_held_inputs<S: Scalar, const N: usize>(state: &State<S, N>) -> Point<S, N, 0> {
+    Point {
+        state: *state,
+        inputs: SVector::zeros(),
+    }
 }
 
 /// Room for two eigenvalues for each coordinate.
@@ -108,44 +178,24 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let (position, velocity) = (slopes.position, slopes.velocity);
         check_steady::<S, M, N>(model, state, &[&position, &velocity])?;
         let mass = model.mass_matrix(state);
-        let point = Point {
-            state: *state,
-            inputs: SVector::zeros(),
-        };
-        let gradients = momentum_gradients(&HeldInputs(model), &point);
+        let gradients = momentum_gradients(&HeldInputs(model), &under_held_inputs(state));
         let constant = constant_momenta::<S, M, N>(&mass, &gradients, &position, &velocity);
         let parts = core::array::from_fn(|i| match (M::IGNORABLE[i], constant[i]) {
             (false, _) => Part::Oscillating,
             (true, false) => Part::Moving,
             (true, true) => Part::Eliminated,
         });
-        let eliminated = eliminated_velocities(&parts, &mass, &gradients);
-        let [by_position, by_velocity] = &eliminated;
-        let is_left = |i: usize| parts[i] != Part::Eliminated;
-        let is_coordinate = |i: usize| parts[i] == Part::Oscillating;
-        let keep = |matrix: SMatrix<S, N, N>, column: &dyn Fn(usize) -> bool| {
-            SMatrix::from_fn(|i, j| {
-                if is_left(i) && column(j) {
-                    matrix[(i, j)]
-                } else {
-                    S::zero()
-                }
-            })
-        };
-        let transposed = by_velocity.transpose();
-        let [mass_terms, velocity_terms, chain] =
-            [&mass, &velocity, by_velocity].map(|matrix| matrix.map(S::abs));
+        let reduced = Reduced::of(&parts, &mass, &gradients, &slopes);
         Ok(Self {
-            contains_time: contains_time(model, state, &slopes),
-            velocity_terms: keep(
-                chain.transpose() * mass_terms * velocity_terms * chain,
-                &is_left,
-            ),
             parts,
-            mass: keep(transposed * mass * by_velocity, &is_left),
-            position: keep(position + velocity * by_position, &is_coordinate),
-            velocity: keep(velocity * by_velocity, &is_left),
-            eliminated,
+            mass: reduced.mass,
+            position: reduced.position,
+            velocity: reduced.velocity,
+            eliminated: reduced.eliminated,
+            velocity_terms: reduced.velocity_terms,
+            errors: linear_errors(model, state, &parts, &reduced),
+            gives_energy: gives_energy(model, state, &reduced),
+            contains_time: contains_time(model, state, &slopes),
         })
     }
 
@@ -270,10 +320,7 @@ where
             return Err(OscillationError::Accelerated { name, acceleration });
         }
     }
-    let point = Point {
-        state: *state,
-        inputs: SVector::zeros(),
-    };
+    let point = under_held_inputs(state);
     let size = |x: &S| S::from_f64(x.abs().largest().max(1.0));
     let sizes = Variables {
         positions: state.q.map(|x| size(&x)),

@@ -5,6 +5,7 @@
 
 use nalgebra::{Complex, SMatrix};
 
+use super::components::components;
 use super::eigenvalue_errors::Located;
 use super::exceeds;
 use super::oscillation_error::OscillationError;
@@ -12,14 +13,16 @@ use super::small_oscillations::{Part, SmallOscillations, largest, negligible};
 use super::spectrum::modulus;
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::SINGULAR;
+use crate::limits::analysis::{SINGULAR, VARIATION_ERRORS};
+use crate::scalar::Scalar;
 
 /// The second variation of the potential energy, or of the effective potential: the signs of the eigenvalues of K φ = κ M φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SecondVariation {
     /// Positive definite: the potential has a minimum.
     PositiveDefinite,
-    /// No eigenvalue is negative, and some are zero to rounding: higher orders decide.
+    /// No eigenvalue is negative, and some are zero to rounding, or as far as the place of the equilibrium is known: higher orders
+    /// decide.
     PositiveSemidefinite,
     /// Some eigenvalues are negative: no minimum, and a maximum if all are.
     NotPositive {
@@ -57,7 +60,7 @@ pub enum Verdict {
     /// They neither grow nor decay to first order, though the potential has no minimum: gyroscopic stabilization, which dissipation
     /// destroys.
     LinearlyStable,
-    /// The first order does not decide: an eigenvalue is zero, two equal ones of coordinates that are coupled are on the imaginary axis,
+    /// The first order does not decide: an eigenvalue is zero, or may be at the equilibrium beside which the state is, two equal ones of coordinates that are coupled are on the imaginary axis,
     /// or there is damping that leaves some there, all to rounding. Or the equations contain the time: theorems of Lagrange and
     /// Dirichlet and of Lyapunov on eigenvalues hold for equations that do not.
     Undecided,
@@ -99,7 +102,8 @@ pub struct Stability {
     pub second_variation: SecondVariation,
     /// By the linearized motion.
     pub linear: LinearStability,
-    /// Whether no force gives energy to perturbations: the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite.
+    /// Whether no force gives energy to perturbations: the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite, and the generalized
+    /// forces give none to some small perturbations that are tried, so that forces of higher order count, too.
     pub is_passive: bool,
     /// Whether the equations of motion contain the time, or inputs that are functions of it: `second_variation` and `linear` are then
     /// those of the equations as they are at the time of the state, from which nothing follows for later ones.
@@ -120,7 +124,12 @@ impl Stability {
             LinearStability::Growing { .. } => Verdict::Unstable,
             LinearStability::Decaying { .. } => Verdict::AsymptoticallyStable,
             LinearStability::Neutral if is_minimum && self.is_passive => Verdict::Stable,
-            LinearStability::Neutral if self.is_degenerate => Verdict::Undecided,
+            LinearStability::Neutral
+                if self.is_degenerate
+                    || self.second_variation == SecondVariation::PositiveSemidefinite =>
+            {
+                Verdict::Undecided
+            }
             LinearStability::Neutral => Verdict::LinearlyStable,
         }
     }
@@ -175,39 +184,56 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
 
     fn second_variation(&self) -> SecondVariation {
         let stiffness = self.stiffness();
-        let scaled = self.scaled(&stiffness, SINGULAR * S::machine_epsilon());
+        let [of_position, _] = &self.errors;
+        let error = self.mass.map(S::abs) * of_position;
+        let units = self.units(&stiffness, SINGULAR * S::machine_epsilon());
+        let scaled = in_units(&stiffness, &units);
         let asymmetry = largest(&(scaled - scaled.transpose()));
         if self.parts.contains(&Part::Moving) || exceeds(asymmetry, negligible::<S>()) {
             return SecondVariation::NoPotential;
         }
-        match self.signs(&scaled, negligible::<S>()) {
+        match self.signs(&scaled, negligible::<S>(), &in_units(&error, &units)) {
             [0, 0] => SecondVariation::PositiveDefinite,
             [0, _] => SecondVariation::PositiveSemidefinite,
             [negative, _] => SecondVariation::NotPositive { negative },
         }
     }
 
-    /// Whether the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite, and whether it is zero: each entry to its own
-    /// rounding.
+    /// Whether no force gives energy: the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite; and whether it is zero: each entry
+    /// to its own rounding. Neither, where the error of the equilibrium does not allow to say.
     fn passivity(&self) -> (bool, bool) {
+        if self.gives_energy {
+            return (false, false);
+        }
         let forces = self.velocity_forces();
         let half = S::from_f64(0.5);
         let rounding = SINGULAR * S::machine_epsilon();
         let terms = self.velocity_terms + self.velocity_terms.transpose();
+        let [_, of_velocity] = &self.errors;
+        let error = self.mass.map(S::abs) * of_velocity;
+        let mut is_certain = true;
         let symmetric = SMatrix::<S, N, N>::from_fn(|i, j| {
             let entry = (forces[(i, j)] + forces[(j, i)]) * half;
-            let is_rounding = entry.abs().largest() <= rounding * terms[(i, j)].largest();
-            if is_rounding { S::zero() } else { entry }
+            let size = entry.abs().largest();
+            let of_rounding = rounding * terms[(i, j)].largest();
+            let of_place = VARIATION_ERRORS * (error[(i, j)] + error[(j, i)]).largest();
+            is_certain &= of_place <= size.max(of_rounding);
+            if size <= of_rounding {
+                S::zero()
+            } else {
+                entry
+            }
         });
         let is_free = largest(&symmetric) <= 0.0;
-        let scaled = self.scaled(&symmetric, 0.0);
-        (is_free || self.signs(&scaled, rounding)[0] == 0, is_free)
+        let scaled = in_units(&symmetric, &self.units(&symmetric, 0.0));
+        let is_passive = is_free || self.signs(&scaled, rounding, &SMatrix::zeros())[0] == 0;
+        (is_certain && is_passive, is_certain && is_free)
     }
 
-    /// A matrix on the coordinates that are left, with a unit for each in which the largest entry of its row is at most 1: by Sylvester's
-    /// law of inertia the signs of the eigenvalues are the same. A row counts as zero if it is less than `zero`
-    /// of the others, in units of the roots of inertia.
-    fn scaled(&self, matrix: &SMatrix<S, N, N>, zero: f64) -> SMatrix<S, N, N> {
+    /// A unit for each coordinate, in which the largest entry of its row of a matrix is at most 1: by Sylvester's law of
+    /// inertia the signs of the eigenvalues are the same. A row counts as zero if it is less than `zero` of the
+    /// others, in units of the roots of inertia: of those with which it shares inertia, so that its entries have their rounding.
+    fn units(&self, matrix: &SMatrix<S, N, N>, zero: f64) -> [f64; N] {
         let inertia: [f64; N] = core::array::from_fn(|i| {
             let inertia = self.mass[(i, i)].abs().largest();
             if inertia > 0.0 { inertia } else { 1.0 }
@@ -221,36 +247,66 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             });
             entries.fold(0.0, f64::max)
         });
-        let most = (0..N).fold(0.0, |most: f64, i| most.max(rows[i] / inertia[i]));
-        let unit = |i: usize| {
+        let labels = components(&[&self.mass]);
+        core::array::from_fn(|i| {
+            let sharing = (0..N).filter(|j| labels[*j] == labels[i]);
+            let most = sharing.fold(0.0, |most: f64, j| most.max(rows[j] / inertia[j]));
             let least = most * inertia[i];
             let size = if rows[i] > zero * least {
                 rows[i]
             } else {
                 least
             };
-            S::from_f64(if size > 0.0 { libm::sqrt(size) } else { 1.0 })
-        };
-        SMatrix::from_fn(|i, j| matrix[(i, j)] / unit(i) / unit(j))
+            if size > 0.0 { libm::sqrt(size) } else { 1.0 }
+        })
     }
 
-    /// How many eigenvalues of a symmetric matrix on the coordinates that are left are negative, and how many are zero.
-    fn signs(&self, matrix: &SMatrix<S, N, N>, zero: f64) -> [usize; 2] {
+    /// How many eigenvalues of a symmetric matrix on the coordinates that are left are negative, and how many are zero: up to
+    /// `zero` of their own, or up to what `error` makes of them. Coordinates that are not coupled are looked at apart.
+    fn signs(&self, matrix: &SMatrix<S, N, N>, zero: f64, error: &SMatrix<S, N, N>) -> [usize; 2] {
         let (variables, [_, count]) = self.variables();
-        let part = SMatrix::<S, N, N>::from_fn(|i, j| {
-            if i < count && j < count {
-                matrix[(variables[i], variables[j])]
-            } else {
-                S::zero()
+        let labels = components(&[matrix]);
+        let mut found = [0; 2];
+        for label in 0..N {
+            let mut members = [0; N];
+            let mut order = 0;
+            let all = variables.iter().take(count);
+            for (entry, i) in members.iter_mut().zip(all.filter(|i| labels[**i] == label)) {
+                *entry = *i;
+                order += 1;
             }
-        });
-        let (values, _) = symmetric_eigenvalues(&part, count);
-        let values = || values.iter().take(count).map(|value| value.largest());
-        [
-            values().filter(|value| *value < -zero).count(),
-            values().filter(|value| value.abs() <= zero).count(),
-        ]
+            let part = |whole: &SMatrix<S, N, N>| {
+                SMatrix::<S, N, N>::from_fn(|i, j| {
+                    if i < order && j < order {
+                        whole[(members[i], members[j])]
+                    } else {
+                        S::zero()
+                    }
+                })
+            };
+            let (values, vectors) = symmetric_eigenvalues(&part(matrix), order);
+            let error = part(error);
+            for k in 0..order {
+                let vector = vectors.column(k).map(S::abs);
+                let undetermined = VARIATION_ERRORS * vector.dot(&(error * vector)).largest();
+                let value = values[k].largest();
+                if value.abs() <= zero.max(undetermined) {
+                    found[1] += 1;
+                } else if value < 0.0 {
+                    found[0] += 1;
+                }
+            }
+        }
+        found
     }
+}
+
+/// A symmetric matrix in units of its rows and columns.
+fn in_units<S: Scalar, const N: usize>(
+    matrix: &SMatrix<S, N, N>,
+    units: &[f64; N],
+) -> SMatrix<S, N, N> {
+    SMatrix::from_fn(|i, j| matrix[(i, j)] / S::from_f64(units[i]) / S::from_f64(units[j]))
 }
 
 fn linear_stability(all: &[Located]) -> LinearStability {

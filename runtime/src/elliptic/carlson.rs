@@ -3,9 +3,13 @@
 //! B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numerical Algorithms **10** (1995) 13–26:
 //! the duplication theorem makes the arguments nearly equal, and a Taylor polynomial does the rest. The polynomial is
 //! used where its error is the square of the machine epsilon, so that derivative parts have all digits, too.
+//!
+//! `R_J` is the form of B. C. Carlson, *Computing elliptic integrals by duplication*, Numer. Math. **33** (1979) 1–16, in which
+//! nothing cancels however small p is; a p that is much larger than the other arguments, which duplication would approach by
+//! quarters only, is first exchanged for a small one: NIST Digital Library of Mathematical Functions, 19.21.12.
 
 use crate::integrate::SingleNumber;
-use crate::limits::elliptic::DUPLICATIONS;
+use crate::limits::elliptic::{DUPLICATIONS, LARGE_LAST};
 use crate::scalar::Scalar;
 
 /// By what factor the arguments have to be nearer to their mean than they are, for a relative error of the square of
@@ -22,11 +26,21 @@ fn largest<S: Scalar>(numbers: &[S]) -> f64 {
         .fold(0.0, |most: f64, x| most.max(x.abs().largest()))
 }
 
+/// Whether more than `most` of some arguments are zero, so that the integral diverges.
+fn diverges<S: Scalar>(arguments: &[S], most: usize) -> bool {
+    let zeros = arguments.iter().filter(|x| x.abs().largest() <= 0.0);
+    zeros.count() > most
+}
+
+fn infinity<S: Scalar>() -> S {
+    S::from_f64(f64::INFINITY)
+}
+
 fn number<S: Scalar>(numerator: f64, denominator: f64) -> S {
     S::ratio(numerator, denominator)
 }
 
-/// `R_F`(x, y, z) = ½ ∫₀^∞ dt/√((t + x)(t + y)(t + z)), for arguments that are not negative, at most one of them 0.
+/// `R_F`(x, y, z) = ½ ∫₀^∞ dt/√((t + x)(t + y)(t + z)), for arguments that are not negative; infinite if two are 0.
 ///
 /// ```
 /// use lagrangian::elliptic::carlson_rf;
@@ -36,8 +50,11 @@ fn number<S: Scalar>(numerator: f64, denominator: f64) -> S {
 /// ```
 #[must_use]
 pub fn carlson_rf<S: SingleNumber>(x: S, y: S, z: S) -> S {
-    let mean = (x + y + z) * number(1.0, 3.0);
     let start = [x, y, z];
+    if diverges(&start, 1) {
+        return infinity();
+    }
+    let mean = (x + y + z) * number(1.0, 3.0);
     let mut distance = nearness::<S>(3.0, 5.0) * largest(&start.map(|x| mean - x));
     let quarter = S::from_f64(0.25);
     let (mut arguments, mut a, mut scale) = (start, mean, S::one());
@@ -62,7 +79,7 @@ pub fn carlson_rf<S: SingleNumber>(x: S, y: S, z: S) -> S {
     series / a.sqrt()
 }
 
-/// `R_C`(x, y) = `R_F`(x, y, y), for x ≥ 0 and y > 0: an inverse circular or hyperbolic tangent.
+/// `R_C`(x, y) = `R_F`(x, y, y), for x ≥ 0 and y > 0: an inverse circular or hyperbolic tangent; infinite if y is 0.
 ///
 /// ```
 /// use lagrangian::elliptic::carlson_rc;
@@ -72,6 +89,9 @@ pub fn carlson_rf<S: SingleNumber>(x: S, y: S, z: S) -> S {
 /// ```
 #[must_use]
 pub fn carlson_rc<S: SingleNumber>(x: S, y: S) -> S {
+    if diverges(&[y], 0) {
+        return infinity();
+    }
     let mean = (x + y + y) * number(1.0, 3.0);
     let mut distance = nearness::<S>(3.0, 7.0) * largest(&[mean - x]);
     let quarter = S::from_f64(0.25);
@@ -102,8 +122,8 @@ pub fn carlson_rc<S: SingleNumber>(x: S, y: S) -> S {
     (S::one() + s * s * series) / a.sqrt()
 }
 
-/// `R_J`(x, y, z, p) = 3/2 ∫₀^∞ dt/((t + p)√((t + x)(t + y)(t + z))), for x, y, z that are not negative, at most one of them
-/// 0, and p > 0.
+/// `R_J`(x, y, z, p) = 3/2 ∫₀^∞ dt/((t + p)√((t + x)(t + y)(t + z))), for x, y, z that are not negative and p > 0; infinite
+/// if two of x, y and z are 0, or p is.
 ///
 /// ```
 /// use lagrangian::elliptic::carlson_rj;
@@ -113,30 +133,113 @@ pub fn carlson_rc<S: SingleNumber>(x: S, y: S) -> S {
 /// ```
 #[must_use]
 pub fn carlson_rj<S: SingleNumber>(x: S, y: S, z: S, p: S) -> S {
+    if diverges(&[x, y, z], 1) || diverges(&[p], 0) {
+        return infinity();
+    }
+    let is_large = p.largest() > LARGE_LAST * largest(&[x, y, z]);
+    if is_large {
+        with_large_last([x, y, z], p)
+    } else {
+        by_duplication([x, y, z, p])
+    }
+}
+
+/// `R_J` by duplication, in roots a, b, c and s of x, y, z and p.
+fn by_duplication<S: SingleNumber>(start: [S; 4]) -> S {
+    let [x, y, z, p] = start;
     let mean = (x + y + z + p + p) * number(1.0, 5.0);
-    let start = [x, y, z, p];
     let mut distance = nearness::<S>(0.25, 5.0) * largest(&start.map(|x| mean - x));
-    let mut delta = (p - x) * (p - y) * (p - z);
     let quarter = S::from_f64(0.25);
     let (mut arguments, mut a, mut scale, mut sum) = (start, mean, S::one(), S::zero());
     for _ in 0..DUPLICATIONS {
         if distance < a.abs().largest() {
             break;
         }
-        let [x, y, z, p] = arguments.map(Scalar::sqrt);
+        let roots = arguments.map(Scalar::sqrt);
+        let [x, y, z, _] = roots;
         let lambda = x * y + x * z + y * z;
-        let d = (p + x) * (p + y) * (p + z);
-        let e = delta / (d * d);
-        sum += scale / d * carlson_rc(S::one(), S::one() + e);
+        let (ratio, divisor) = elementary(&arguments, &roots, arguments[3] + lambda);
+        sum += scale / divisor * carlson_rc(S::one(), ratio);
         arguments = arguments.map(|x| (x + lambda) * quarter);
         a = (a + lambda) * quarter;
         scale *= quarter;
-        delta *= S::from_f64(1.0 / 64.0);
         distance *= 0.25;
     }
     let [x, y, z] = [start[0], start[1], start[2]].map(|x| (mean - x) * scale / a);
     let six = S::from_f64(6.0);
-    scale * third_kind_near_mean(x, y, z) / (a * a.sqrt()) + six * sum
+    scale / a / a.sqrt() * third_kind_near_mean(x, y, z) + six * sum
+}
+
+/// 1 + e and the divisor d = (s + a)(s + b)(s + c) of a duplication, where g = p + λ: with α = p (a + b + c) + a b c and β = s g they
+/// are 2 β/(α + β) and α + β. Where products would be beyond the range of numbers, α/β is a sum of quotients.
+fn elementary<S: SingleNumber>(arguments: &[S; 4], [a, b, c, s]: &[S; 4], g: S) -> (S, S) {
+    let (a, b, c, s) = (*a, *b, *c, *s);
+    let two = S::from_f64(2.0);
+    let range = libm::sqrt(libm::cbrt(S::min_positive().largest()));
+    let is_ordinary = |x: &S| (range..=1.0 / range).contains(&x.largest());
+    if arguments.iter().all(is_ordinary) {
+        let alpha = arguments[3] * (a + b + c) + a * b * c;
+        let beta = s * g;
+        let sum = alpha + beta;
+        return (two * beta / sum, sum);
+    }
+    let sizes = [a, b, c].map(Scalar::largest);
+    // The largest root is divided by s, and the product of the others by g, which is more than that.
+    let product = if sizes[0] >= sizes[1] && sizes[0] >= sizes[2] {
+        b * c / g * (a / s)
+    } else if sizes[1] >= sizes[2] {
+        a * c / g * (b / s)
+    } else {
+        a * b / g * (c / s)
+    };
+    let one_and_quotient = S::one() + s * (a + b + c) / g + product;
+    (two / one_and_quotient, one_and_quotient * s * g)
+}
+
+/// `R_J` where p is much larger than x, y and z: with the least of these as x, (p − x) R_J(p) = 3 R_F − 3 R_C(yz/x, pq/x) −
+/// (q − x) R_J(q), where (p − x)(q − x) = (y − x)(z − x), so that q is between x and a small part of the others. `R_F` is more than
+/// the other two terms.
+fn with_large_last<S: SingleNumber>([x, y, z]: [S; 3], p: S) -> S {
+    let three = S::from_f64(3.0);
+    let first = three * carlson_rf(x, y, z);
+    let [x, y, z] = ascending([x, y, z]);
+    let small = z.largest() / p.largest();
+    let leading = first / (p - x);
+    if libm::sqrt(small) < 0.25 * S::machine_epsilon() {
+        return leading;
+    }
+    // In a unit in which products with the smallest numbers are still in range.
+    let root = root_of_unit::<S>(z.largest());
+    let [x, y, z, p] = [x, y, z, p].map(|x| x * root * root);
+    let difference = (y - x) * ((z - x) / (p - x));
+    let q = x + difference;
+    if q.largest() <= 0.0 {
+        return leading;
+    }
+    let elementary = three * x.sqrt() * carlson_rc(y * (z / p), q) / p.sqrt();
+    let others = elementary + difference * by_duplication([x, y, z, q]);
+    leading - others / (p - x) * root * root * root
+}
+
+/// The root of the number, a power of four, by which `size` comes to three fifths of the exponents of the format.
+fn root_of_unit<S: SingleNumber>(size: f64) -> S {
+    let exponent = |x: f64| libm::frexp(x).1;
+    let target = exponent(S::min_positive().largest()) * -3 / 5;
+    S::from_f64(libm::ldexp(1.0, (target - exponent(size)) / 2))
+}
+
+fn ascending<S: SingleNumber>([x, y, z]: [S; 3]) -> [S; 3] {
+    let pair = |x: S, y: S| {
+        if y.largest() < x.largest() {
+            (y, x)
+        } else {
+            (x, y)
+        }
+    };
+    let (x, y) = pair(x, y);
+    let (y, z) = pair(y, z);
+    let (x, y) = pair(x, y);
+    [x, y, z]
 }
 
 /// The Taylor polynomial of `R_J` in the distances of x, y and z from the mean, relative to it.

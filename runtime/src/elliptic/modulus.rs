@@ -6,7 +6,7 @@
 
 use super::carlson::{carlson_rc, carlson_rf, carlson_rj};
 use crate::integrate::SingleNumber;
-use crate::limits::elliptic::MEANS;
+use crate::limits::elliptic::{MEANS, NEGATIVE_CHARACTERISTIC};
 
 /// The modulus k of elliptic functions, given by the parameter m = k² and its complement 1 − m.
 ///
@@ -87,6 +87,9 @@ impl<S: SingleNumber> Modulus<S> {
             return whole - self.third(characteristic, sine, -cosine);
         }
         let [x, y] = self.arguments(sine, cosine);
+        if characteristic.largest() < NEGATIVE_CHARACTERISTIC {
+            return sine * self.third_of_negative(characteristic, [x, y], sine * sine, cosine);
+        }
         let square = characteristic * sine * sine;
         let of_third = carlson_rj(x, y, S::one(), S::one() - square);
         self.first(sine, cosine) + square * sine * of_third * S::ratio(1.0, 3.0)
@@ -99,8 +102,31 @@ impl<S: SingleNumber> Modulus<S> {
             return S::from_f64(f64::INFINITY);
         }
         let [zero, one] = [S::zero(), S::one()];
+        if characteristic.largest() < NEGATIVE_CHARACTERISTIC {
+            return self.third_of_negative(characteristic, [zero, self.complement], one, zero);
+        }
         let of_third = carlson_rj(zero, self.complement, one, one - characteristic);
         self.complete_first() + characteristic * of_third * S::ratio(1.0, 3.0)
+    }
+
+    /// Π(n; φ|m)/sin φ for a negative n and 0 < φ ≤ ½π, a sum of terms of one sign: the integral `R_J` of p = 1 − n sin²φ, by that of
+    /// q = cos²φ + sin²φ (1 − m)/(1 − n) (NIST Digital Library of Mathematical Functions, 19.21.12). `x` and `y` are cos²φ and
+    /// 1 − m sin²φ.
+    fn third_of_negative(&self, n: S, [x, y]: [S; 2], square: S, cosine: S) -> S {
+        let one = S::one();
+        let divisor = one - n;
+        let part = square * self.complement / divisor;
+        let q = x + part;
+        let of_first = if cosine.abs().largest() > 0.0 {
+            carlson_rf(x, y, one) - n * cosine * carlson_rc(y, (one - n * square) * q)
+        } else {
+            self.complete_first()
+        };
+        if part.abs().largest() <= 0.0 {
+            return of_first / divisor;
+        }
+        let of_third = part * carlson_rj(x, y, one, q) * S::ratio(1.0, 3.0);
+        (of_first - n * of_third) / divisor
     }
 
     /// Π(n; am(u + v)|m) − Π(n; am u|m), for n ≤ 0: with all digits however small v is, and for any number of half periods.

@@ -51,6 +51,23 @@ pub(crate) const ROOM_FOR_SHAPES: f64 = 100.0;
 /// Rows and columns are scaled where their sum becomes less by this factor: the value of Parlett and Reinsch.
 pub(crate) const BALANCED: f64 = 0.95;
 
+/// How far an equilibrium may be from where it was found, in the distances from which on forces are those of the stiffness: they
+/// are a power of eight apart.
+pub(crate) const POSITION_ERRORS: f64 = 4.0;
+
+/// The first distance at which forces are looked at, a power of two in sizes of the coordinates, and one at which none are: between
+/// them are those of rounding, of coordinates that are small, and of coordinates that should be zero.
+pub(crate) const FIRST_DISTANCE: i32 = -100;
+/// See [`FIRST_DISTANCE`].
+pub(crate) const FARTHEST: f64 = 16.0;
+
+/// An eigenvalue of the second variation counts as zero if it changes by half of itself within the error of the equilibrium, and so do
+/// those of the linearized motion.
+pub(crate) const VARIATION_ERRORS: f64 = 2.0;
+
+/// The perturbations for which the power of forces is looked at, in sizes of the coordinates: small, of two orders.
+pub(crate) const ENERGY_SAMPLES: [f64; 2] = [1.0 / 1024.0, 1.0 / 1_048_576.0];
+
 /// Real parts of eigenvalues, in relation to the largest eigenvalue, are zero up to this power of the machine epsilon: that
 /// of the perturbation of a double eigenvalue. So are squares of frequencies, and what is not symmetric in a Hessian.
 pub(crate) const NEGLIGIBLE: f64 = 0.5;

@@ -2,17 +2,16 @@
 
 use core::fmt;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
 use super::emitted::no_velocities;
 use super::inputs::{Inputs, WithInputs};
 use super::lagrangian::Lagrangian;
+use super::legendre;
 use super::state::State;
 use crate::error_debug::debug_by_message;
-use crate::limits::{LEGENDRE_ITERATIONS, LEGENDRE_ROUNDING, SHORTEST_NEWTON_STEP};
-use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `hamiltonian`: its motion in coordinates and momenta.
@@ -65,7 +64,8 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     ///
     /// Where L is quadratic in the velocities they are [`solved_velocities`](Self::solved_velocities), or M(q, t) q̇ =
     /// p − p(q, 0, t) is factored here, and solved once more for the rounding errors that are left; else Newton's method goes
-    /// on until the velocities stay, with steps that are halved where they miss. Velocities are unique where L is convex in them.
+    /// on until the velocities stay, with steps that are halved where they miss. Velocities are unique where L is convex in them, and
+    /// are found there even if M is singular or infinite on the way, as it is at rest for L = |q̇|^(3/2) or q̇⁴.
     ///
     /// # Errors
     ///
@@ -76,7 +76,7 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         t: S,
         phase: &CanonicalPhase<S, N>,
     ) -> Result<SVector<S, N>, NoVelocities> {
-        let mut state = State {
+        let state = State {
             t,
             q: phase.q,
             v: SVector::zeros(),
@@ -85,45 +85,7 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         if solved.iter().all(|v| v.is_finite()) {
             return Ok(solved);
         }
-        let mut missing = phase.p - self.momenta(&state);
-        let mut change = f64::NAN;
-        for _ in 0..LEGENDRE_ITERATIONS {
-            let step = Factorization::new(self.mass_matrix(&state)).solve(&missing);
-            change = largest(&step);
-            if !change.is_finite() {
-                break;
-            }
-            let before = state.v;
-            let (mut factor, least) = (1.0, largest(&missing));
-            let reached = loop {
-                state.v = before + step * S::from_f64(factor);
-                missing = phase.p - self.momenta(&state);
-                if largest(&missing) < least || least == 0.0 {
-                    break true;
-                }
-                factor *= 0.5;
-                if factor < SHORTEST_NEWTON_STEP {
-                    break false;
-                }
-            };
-            if !reached {
-                state.v = before;
-            }
-            // What is left are rounding errors.
-            let rounding = S::machine_epsilon() * largest(&state.v);
-            if change <= LEGENDRE_ROUNDING * rounding {
-                return unique(self, &state);
-            }
-            if !reached {
-                let is_small = change <= S::machine_epsilon().sqrt() * largest(&state.v);
-                return if is_small {
-                    unique(self, &state)
-                } else {
-                    Err(NoVelocities::NotFound { change })
-                };
-            }
-        }
-        Err(NoVelocities::NotFound { change })
+        legendre::velocities(self, &state, &phase.p)
     }
 
     /// The Hamiltonian function H(q, p, t) = Σ pᵢ q̇ᵢ − L.
@@ -143,51 +105,6 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     {
         CanonicalEquations::new(self)
     }
-}
-
-/// The velocities of a state, unless L is not quadratic in the velocities and not convex there.
-fn unique<M, S, const N: usize>(
-    model: &M,
-    state: &State<S, N>,
-) -> Result<SVector<S, N>, NoVelocities>
-where
-    M: Lagrangian<N, S> + ?Sized,
-    S: Scalar,
-{
-    let mass = model.mass_matrix(state);
-    let v = SVector::zeros();
-    let is_quadratic = mass == model.mass_matrix(&State { v, ..*state });
-    if is_quadratic || is_positive_definite(mass) {
-        Ok(state.v)
-    } else {
-        Err(NoVelocities::NotConvex)
-    }
-}
-
-/// Whether all pivots are positive.
-fn is_positive_definite<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> bool {
-    for j in 0..N {
-        let pivot = matrix[(j, j)];
-        let least = pivot.smallest();
-        if least.is_nan() || least <= 0.0 {
-            return false;
-        }
-        for i in j + 1..N {
-            let factor = matrix[(i, j)] / pivot;
-            for k in j + 1..=i {
-                let change = factor * matrix[(k, j)];
-                matrix[(i, k)] -= change;
-            }
-        }
-    }
-    true
-}
-
-/// The largest magnitude of a component, in any lane.
-fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
-    let sizes = vector.iter().map(|component| component.abs().largest());
-    // What is not a number stays so.
-    sizes.fold(0.0, |most, size| if size <= most { most } else { size })
 }
 
 /// There are no velocities that have some momenta, or none was found.

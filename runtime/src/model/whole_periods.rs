@@ -7,8 +7,10 @@
 
 use core::f64::consts::TAU;
 
+use nalgebra::Vector2;
+
 use crate::limits::SMALL_ANGLE;
-use crate::linalg::lane_select::greater;
+use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
 /// 2π, the sum of four parts. The first two have so few bits that their products with a number of turns are exact, up
@@ -18,6 +20,8 @@ use crate::scalar::Scalar;
 /// digits than `f64` gains as many.
 struct FullTurn {
     parts: [f64; 4],
+    /// The third part and the fourth as three, the first of which has few bits, too: for more turns.
+    later_parts: [f64; 3],
     digits: i32,
 }
 
@@ -29,6 +33,11 @@ const BINARY64: FullTurn = FullTurn {
         -6.860_497_997_771_531_6e-15,
         3.391_371_064_147_56e-31,
     ],
+    later_parts: [
+        -6.860_498_040_023_527_5e-15,
+        4.225_199_626_794_971e-23,
+        -2.111_389_598_789_867_5e-39,
+    ],
     digits: 29,
 };
 
@@ -39,6 +48,11 @@ const BINARY32: FullTurn = FullTurn {
         -1.781_433_820_724_487_3e-5,
         -3.482_206_301_086_421_3e-9,
         2.288_475_566_583_491_2e-17,
+    ],
+    later_parts: [
+        -3.482_455_213_088_542_2e-9,
+        2.489_348_787_867_995_4e-13,
+        8.089_064_641_434_98e-21,
     ],
     digits: 12,
 };
@@ -79,6 +93,46 @@ impl FullTurn {
         let large = greater(size, S::from_f64(SMALL_ANGLE));
         turns * large * (S::one() - too_many) * angle.signum()
     }
+
+    /// The angle and its compensation less whole blocks of periods, where there are more turns than two to the power
+    /// `digits`; as they are in the lanes in which there are not, or in which there are more than the square of that. A block is as
+    /// many periods as a power of two, of at most those turns: its products with a number of blocks are exact.
+    fn less_blocks<S: Scalar>(&self, angle: S, compensation: S, period: f64) -> (S, S) {
+        let most_turns = libm::ldexp(1.0, self.digits);
+        let (_, bits) = libm::frexp(period - 0.5);
+        let block = libm::ldexp(1.0, self.digits - bits.max(0));
+        let size = angle.abs();
+        let is_many = greater(size, S::from_f64((most_turns - 0.5 * period) * TAU));
+        if is_many.largest() <= 0.0 {
+            return (angle, compensation);
+        }
+        let blocks = size * S::from_f64(1.0 / (block * period * TAU)) + S::from_f64(0.5);
+        // A larger number is too many, whatever it is; the number has no derivative parts.
+        let blocks = blocks.min(S::from_f64(2.0 * most_turns)).floor();
+        let count = blocks * S::from_f64(period);
+        let is_too_many = greater(count, S::from_f64(most_turns));
+        let count = count * is_many * (S::one() - is_too_many) * angle.signum();
+        let [first, second, ..] = self.parts;
+        let [third, fourth, fifth] = self.later_parts;
+        let product = |part: f64| count * S::from_f64(part) * S::from_f64(block);
+        let (rest, lost) = difference(angle - product(first), product(second));
+        let (rest, lost_then) = difference(rest, product(third));
+        let lost = lost + lost_then - product(fourth) - product(fifth);
+        let (rest, compensation_of_rest) = difference(rest, -(compensation + lost));
+        let pair = [rest, compensation_of_rest].into();
+        let other = [angle, compensation].into();
+        let [rest, compensation] = Vector2::select(pair, other, count.abs().signum()).into();
+        (rest, compensation)
+    }
+}
+
+/// x − y and its rounding error (T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. **18**
+/// (1971) 224–242).
+fn difference<S: Scalar>(x: S, y: S) -> (S, S) {
+    let difference = x - y;
+    let of_y = x - difference;
+    let of_x = difference + of_y;
+    (difference, (x - of_x) - (y - of_y))
 }
 
 /// Whether an angle is so large that subtracting periods gains digits.
@@ -88,13 +142,15 @@ pub(crate) fn is_large<S: Scalar>(angle: S) -> bool {
 }
 
 /// The angle `angle` + `compensation` less whole periods, each of so many full turns: nearest to zero, and unchanged in
-/// the lanes in which it is not large, or too large for the digits of 2π.
+/// the lanes in which it is not large, or too large for the digits of 2π: of `f64`, after some 10¹⁵ turns, where the distance of two
+/// numbers is a radian.
 #[inline(never)]
 #[cold]
 pub(crate) fn less_whole_periods<S: Scalar>(angle: S, compensation: S, period: u32) -> S {
     let Some(full_turn) = FullTurn::of::<S>() else {
         return angle;
     };
+    let (angle, compensation) = full_turn.less_blocks(angle, compensation, f64::from(period));
     let turns = full_turn.turns_in(angle, f64::from(period));
     let [first, second, third, fourth] = full_turn.parts.map(S::from_f64);
     // The differences are exact in `f64`: they have the last bit of the angle, or that of the product, and are small.
@@ -122,7 +178,12 @@ mod tests {
     #[test]
     fn the_parts_are_those_of_a_full_turn() {
         let tau = DoubleDouble::pi() * double(2.0);
-        for FullTurn { parts, digits } in [BINARY64, BINARY32] {
+        for full_turn in [BINARY64, BINARY32] {
+            let FullTurn {
+                parts,
+                later_parts,
+                digits,
+            } = full_turn;
             let sum = parts
                 .iter()
                 .rev()
@@ -133,9 +194,13 @@ mod tests {
                 1e-24
             };
             assert!((sum - tau).to_f64().abs() < bound);
+            let later = later_parts.iter().rev();
+            let later = later.fold(double(0.0), |sum, part| sum + double(*part));
+            let rest = double(parts[2]) + double(parts[3]);
+            assert!((later - rest).to_f64().abs() < bound);
             // The product with the most turns is exact.
             let most = libm::ldexp(1.0, digits) - 1.0;
-            for part in &parts[..2] {
+            for part in parts[..2].iter().chain(&later_parts[..1]) {
                 let product = double(*part) * double(most);
                 assert!(product.low().abs() <= 0.0);
                 if digits == BINARY32.digits {
@@ -173,10 +238,42 @@ mod tests {
         }
     }
 
+    /// Beyond 5·10⁸ turns: the angle is a whole number of turns, in numbers of more digits, and a rest.
+    #[test]
+    fn many_turns_are_removed_to_the_last_digit() {
+        let tau = DoubleDouble::pi() * double(2.0);
+        for period in [1_u32, 2, 3, 10, 64] {
+            for magnitude in 28..52 {
+                for step in 1..30 {
+                    let count = libm::floor(libm::ldexp(1.0 + f64::from(step) / 37.7, magnitude));
+                    let turns = f64::from(period) * libm::floor(count / f64::from(period));
+                    let rest = (f64::from(step) / 15.0 - 1.0) * 3.1 * f64::from(period);
+                    for sign in [1.0, -1.0] {
+                        let exact = (double(turns) * tau + double(rest)) * double(sign);
+                        let angle = exact.to_f64();
+                        let compensation = (exact - double(angle)).to_f64();
+                        let found = less_whole_periods(angle, compensation, period);
+                        // Of the product with 2π in double-doubles.
+                        let tolerance = 1e-15 * f64::from(period) + 1e-31 * turns;
+                        let error = found - sign * rest;
+                        assert!(
+                            error.abs() < tolerance,
+                            "{angle:e} {period}: {found}, {error:e}"
+                        );
+                    }
+                }
+            }
+        }
+        let angle = <f32 as Scalar>::from_f64(3e6);
+        let exact = 3e6 - libm::round(3e6 / core::f64::consts::TAU) * core::f64::consts::TAU;
+        let found = f64::from(less_whole_periods(angle, 0.0, 1));
+        assert!((found - exact).abs() < 1e-6, "{found} {exact}");
+    }
+
     #[test]
     fn a_lane_is_reduced_as_it_is_alone() {
         let angles = [
-            0.3, -7.9, 8.1, -1e3, 123_456.7, 3.2e9, -3.4e9, 1e15, -1e300, 8.0, 4.0e8,
+            0.3, -7.9, 8.1, -1e3, 123_456.7, 3.2e9, -3.4e9, 1e15, -1e300, 8.0, 4.0e8, -3.7e12,
         ];
         for period in [1, 2, 7] {
             for shift in 0..angles.len() {

@@ -10,7 +10,11 @@ mod closed;
 mod error;
 #[cfg(feature = "mesh-files")]
 mod files;
+mod parts;
+#[cfg(feature = "mesh-files")]
+mod stl;
 
+use alloc::vec;
 use alloc::vec::Vec;
 
 use nalgebra::{Matrix3, Vector3};
@@ -27,8 +31,8 @@ use crate::scalar::Scalar;
 /// A surface made of triangles.
 ///
 /// The vertices of each triangle are in counterclockwise order seen from outside, as in STL and OBJ files. Nothing is
-/// checked before [`solid`](Self::solid), which fails where the surface is open or inside out. Meshes may have
-/// several parts and cavities, whose triangles then are seen from inside the cavity.
+/// checked before [`solid`](Self::solid), which fails where the surface is open or a part of it inside out. Meshes may have
+/// several parts and cavities, whose triangles then are seen from inside the cavity. Vertices that no triangle has do not matter.
 ///
 /// ```
 /// use lagrangian::rigid_body::TriangleMesh;
@@ -59,11 +63,16 @@ impl<S: SingleNumber> TriangleMesh<S> {
     ///
     /// # Errors
     /// [`MeshError`] if an index has no vertex, a coordinate is not finite, the surface is open, neighbours are seen from
-    /// different sides, it is inside out, or encloses nothing. That it does not cut itself is not checked.
+    /// different sides, it or a part of it is inside out, parts are within each other without being cavities, or it encloses nothing.
+    /// That it does not cut itself is not checked.
     pub fn solid(&self) -> Result<Solid<S>, MeshError> {
         self.check_vertices()?;
-        self.check_closed()?;
+        let edges = self.closed_edges()?;
         let reference = self.middle();
+        let relative = |corners: [Vector3<S>; 3]| {
+            corners.map(|corner| (corner - reference).map(Scalar::largest))
+        };
+        parts::check_parts(&self.corners().map(relative).collect::<Vec<_>>(), &edges)?;
         let mut integrals = Integrals::zero();
         let mut scale = 0.0;
         for corners in self.corners() {
@@ -117,11 +126,18 @@ impl<S: SingleNumber> TriangleMesh<S> {
         Ok(())
     }
 
-    /// The mean of the vertices.
+    /// The mean of the vertices that triangles have.
     fn middle(&self) -> Vector3<S> {
+        let mut is_used = vec![false; self.vertices.len()];
+        for index in self.triangles.as_flattened() {
+            if let Some(entry) = is_used.get_mut(*index) {
+                *entry = true;
+            }
+        }
         let mut mean = Vector3::zeros();
         let mut weight = S::zero();
-        for vertex in &self.vertices {
+        let pairs = self.vertices.iter().zip(is_used);
+        for (vertex, _) in pairs.filter(|(_, is_used)| *is_used) {
             weight += S::one();
             mean += (vertex - mean).map(|component| component / weight);
         }

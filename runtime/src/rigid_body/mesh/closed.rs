@@ -1,4 +1,4 @@
-//! Whether a triangle mesh is a closed surface that has one outside.
+//! Whether a triangle mesh is a closed surface.
 
 use alloc::vec::Vec;
 
@@ -7,18 +7,21 @@ use super::error::MeshError;
 use crate::scalar::Scalar;
 
 /// An edge of a triangle.
-struct Edge {
+pub(super) struct Edge {
     /// Its vertices, the lower index first.
-    between: [usize; 2],
+    pub(super) between: [usize; 2],
     /// Whether the triangle goes from the lower index to the higher one.
-    ascends: bool,
+    pub(super) ascends: bool,
+    /// The index of the triangle.
+    pub(super) triangle: usize,
 }
 
 impl<S: Scalar> TriangleMesh<S> {
-    /// Fails unless as many triangles go along each edge in one direction as in the other.
-    pub(super) fn check_closed(&self) -> Result<(), MeshError> {
+    /// The edges of all triangles, those between two vertices one after another. Fails unless as many triangles go along each
+    /// edge in one direction as in the other.
+    pub(super) fn closed_edges(&self) -> Result<Vec<Edge>, MeshError> {
         let mut edges = self.edges();
-        edges.sort_unstable_by_key(|edge| edge.between);
+        edges.sort_unstable_by_key(|edge| (edge.between, edge.triangle));
         for group in edges.chunk_by(|a, b| a.between == b.between) {
             let ascending = group.iter().filter(|edge| edge.ascends).count();
             if 2 * ascending == group.len() {
@@ -32,19 +35,21 @@ impl<S: Scalar> TriangleMesh<S> {
                 MeshError::Open { from, to }
             });
         }
-        Ok(())
+        Ok(edges)
     }
 
     /// The edges of all triangles, without those that are points.
     fn edges(&self) -> Vec<Edge> {
-        let of_triangle = |[a, b, c]: &[usize; 3]| [[*a, *b], [*b, *c], [*c, *a]];
-        let edges = self.triangles.iter().flat_map(of_triangle);
-        let edges = edges.filter(|[from, to]| from != to);
-        edges
-            .map(|[from, to]| Edge {
+        let of_triangle = |(triangle, [a, b, c]): (usize, &[usize; 3])| {
+            [[*a, *b], [*b, *c], [*c, *a]].map(|[from, to]| Edge {
                 between: [from.min(to), from.max(to)],
                 ascends: from < to,
+                triangle,
             })
+        };
+        let edges = self.triangles.iter().enumerate().flat_map(of_triangle);
+        edges
+            .filter(|edge| edge.between[0] != edge.between[1])
             .collect()
     }
 }

@@ -44,6 +44,25 @@ pub enum MeshError {
         /// The volume.
         volume: f64,
     },
+    /// A part is inside out: the triangles of others are seen from outside, and it is a cavity in none of them.
+    PartInsideOut {
+        /// The index of the part, in the order of the first triangles of the parts.
+        part: usize,
+        /// The index of its first triangle.
+        triangle: usize,
+        /// Its volume.
+        volume: f64,
+    },
+    /// A part occupies space that another one occupies, too: it is within another part and no cavity of it, it is given twice, or
+    /// the parts intersect.
+    OverlappingPart {
+        /// The index of the part, in the order of the first triangles of the parts.
+        part: usize,
+        /// The index of its first triangle.
+        triangle: usize,
+        /// Its volume.
+        volume: f64,
+    },
     /// The surface encloses no volume, up to rounding errors.
     Flat {
         /// What rounding leaves.
@@ -78,6 +97,27 @@ impl fmt::Display for MeshError {
             Self::InsideOut { volume } => write!(
                 f,
                 "the surface is inside out, its volume is {}: vertices are in counterclockwise order seen from outside",
+                Readable(volume)
+            ),
+            Self::PartInsideOut {
+                part,
+                triangle,
+                volume,
+            } => write!(
+                f,
+                "part {part} of the surface, whose first triangle is {triangle}, is inside out, its volume is {}, and it is no \
+                 cavity of another part: interchange two vertices of each of its triangles",
+                Readable(volume)
+            ),
+            Self::OverlappingPart {
+                part,
+                triangle,
+                volume,
+            } => write!(
+                f,
+                "part {part} of the surface, whose first triangle is {triangle} and whose volume is {}, overlaps another part: \
+                 leave it out if it is there twice, join the parts if they intersect, or interchange two vertices of each of \
+                 its triangles if it is a cavity",
                 Readable(volume)
             ),
             Self::Flat { volume } => write!(

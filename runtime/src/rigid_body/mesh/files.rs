@@ -1,14 +1,14 @@
-//! Triangle meshes from files, read by the crates `stl_io` and `tobj`.
+//! Triangle meshes from files: STL is read here, OBJ by the crate `tobj`.
 
 use core::fmt;
 use std::collections::HashMap;
-use std::io::{BufRead, Read, Seek};
+use std::io::{BufRead, Read};
 use std::path::Path;
 use std::vec::Vec;
 
 use nalgebra::Vector3;
 
-use super::TriangleMesh;
+use super::{TriangleMesh, stl};
 use crate::error_debug::debug_by_message;
 
 /// Why a file has no mesh.
@@ -41,12 +41,13 @@ impl core::error::Error for MeshFileError {
 }
 
 impl TriangleMesh<f64> {
-    /// The mesh of an STL file, text or binary. Vertices with the same coordinates are one; normals are ignored.
+    /// The mesh of an STL file, text or binary: all its solids together. Vertices with the same coordinates are one; normals, names
+    /// and colours are ignored, and keywords may be in upper case.
     ///
     /// The format knows no unit; [`scaled`](Self::scaled) converts lengths.
     ///
     /// # Errors
-    /// [`MeshFileError::Stl`] if the file cannot be read.
+    /// [`MeshFileError::Stl`] if the file cannot be read; the source of the error says in which line, or why it is no binary file.
     ///
     /// ```
     /// use lagrangian::rigid_body::TriangleMesh;
@@ -60,11 +61,13 @@ impl TriangleMesh<f64> {
     /// assert!(mesh.solid().is_err());
     /// # Ok::<(), lagrangian::rigid_body::MeshFileError>(())
     /// ```
-    pub fn read_stl<R: Read + Seek>(reader: &mut R) -> Result<Self, MeshFileError> {
-        let mesh = stl_io::read_stl(reader).map_err(MeshFileError::Stl)?;
-        let positions = mesh.vertices.iter().map(|vertex| vertex.0.map(f64::from));
-        let positions: Vec<_> = positions.collect();
-        let triangles = mesh.faces.iter().map(|face| face.vertices);
+    pub fn read_stl<R: Read>(reader: &mut R) -> Result<Self, MeshFileError> {
+        let mut bytes = Vec::new();
+        reader.read_to_end(&mut bytes).map_err(MeshFileError::Stl)?;
+        let facets = stl::facets(&bytes).map_err(MeshFileError::Stl)?;
+        let positions = facets.as_flattened().iter();
+        let positions: Vec<_> = positions.map(|vertex| vertex.map(f64::from)).collect();
+        let triangles = (0..facets.len()).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
         Ok(Self::welded(&positions, triangles))
     }
 

@@ -1,0 +1,260 @@
+//! How far the linear equations at a state may be from those at the equilibrium beside which it was found.
+//!
+//! A search ends at a finite distance from the equilibrium, and where the second variation vanishes, as for V = x³, it ends where that
+//! has a sign that the equilibrium has not. The distance along each principal direction of K is estimated by Newton's correction, and by
+//! the force that rounding leaves undetermined, in units of the stiffness there: K is then evaluated at that distance on both sides.
+//! The rounding of forces is seen in their fourth differences: R. W. Hamming, *Introduction to Applied Numerical Analysis*, 1971,
+//! chapter 6; J. J. Moré and S. M. Wild, *Estimating computational noise*, SIAM J. Sci. Comput. **33** (2011) 1292–1314.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::components::components;
+use super::small_oscillations::{Part, Reduced};
+use super::symmetric_eigenvalues::symmetric_eigenvalues;
+use crate::integrate::SingleNumber;
+use crate::limits::analysis::{
+    ENERGY_SAMPLES, EQUILIBRIUM_TOLERANCE, FARTHEST, FIRST_DISTANCE, POSITION_ERRORS, SINGULAR,
+};
+use crate::model::{Lagrangian, State};
+use crate::scalar::Scalar;
+
+/// Signs with which principal directions are combined.
+const PATTERNS: [fn(usize) -> bool; 3] = [|_| true, |i| i % 2 == 0, |i| i % 4 < 2];
+
+/// How far ∂q̈/∂q and ∂q̈/∂q̇, as they are in small oscillations, may be from those at the equilibrium, entry by entry.
+pub(super) fn linear_errors<S, M, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    parts: &[Part; N],
+    reduced: &Reduced<S, N>,
+) -> [SMatrix<S, N, N>; 2]
+where
+    S: SingleNumber,
+    M: Lagrangian<N, S> + ?Sized,
+{
+    let place = Place {
+        model,
+        state,
+        parts,
+        reduced,
+    };
+    let mut errors = [SMatrix::<S, N, N>::zeros(); 2];
+    let displacements = place.displacements();
+    for pattern in PATTERNS {
+        let displacement = (0..N).fold(SVector::<S, N>::zeros(), |sum, k| {
+            let direction = displacements.column(k);
+            if pattern(k) {
+                sum + direction
+            } else {
+                sum - direction
+            }
+        });
+        if displacement.iter().all(|x| x.abs().largest() <= 0.0) {
+            continue;
+        }
+        for displacement in [displacement, -displacement] {
+            let beside = Reduced::at(model, &place.moved(&displacement), parts);
+            let changes = [
+                beside.position - reduced.position,
+                beside.velocity - reduced.velocity,
+            ];
+            for (error, change) in errors.iter_mut().zip(changes) {
+                // Beyond the domain of the model there is nothing to compare.
+                *error = error.zip_map(&change, |most, x| {
+                    if x.abs().largest() > most.largest() {
+                        x.abs()
+                    } else {
+                        most
+                    }
+                });
+            }
+        }
+    }
+    errors
+}
+
+/// A state beside an equilibrium.
+struct Place<'a, M: ?Sized, S: Scalar, const N: usize> {
+    model: &'a M,
+    state: &'a State<S, N>,
+    parts: &'a [Part; N],
+    reduced: &'a Reduced<S, N>,
+}
+
+impl<M, S, const N: usize> Place<'_, M, S, N>
+where
+    S: SingleNumber,
+    M: Lagrangian<N, S> + ?Sized,
+{
+    /// The state at a distance, under the same constant momenta.
+    fn moved(&self, displacement: &SVector<S, N>) -> State<S, N> {
+        let [by_position, _] = &self.reduced.eliminated;
+        State {
+            t: self.state.t,
+            q: self.state.q + displacement,
+            v: self.state.v + by_position * displacement,
+        }
+    }
+
+    /// How far the equilibrium may be along each principal direction of K, in the columns, and as far as positions are rounded.
+    fn displacements(&self) -> SMatrix<S, N, N> {
+        let half = S::from_f64(0.5);
+        let product = self.reduced.mass * self.reduced.position;
+        let stiffness = (product + product.transpose()) * -half;
+        let unit: [f64; N] = core::array::from_fn(|i| {
+            let row = stiffness.row(i);
+            let most = row
+                .iter()
+                .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+            if most > 0.0 { libm::sqrt(most) } else { 1.0 }
+        });
+        let scaled = SMatrix::<S, N, N>::from_fn(|i, j| {
+            stiffness[(i, j)] / S::from_f64(unit[i]) / S::from_f64(unit[j])
+        });
+        let labels = components(&[&scaled]);
+        let mut columns = SMatrix::<S, N, N>::zeros();
+        let mut count = 0;
+        for label in 0..N {
+            let mut members = [0; N];
+            let mut order = 0;
+            let all = (0..N).filter(|i| labels[*i] == label && self.parts[*i] == Part::Oscillating);
+            for (entry, i) in members.iter_mut().zip(all) {
+                *entry = i;
+                order += 1;
+            }
+            let block = SMatrix::<S, N, N>::from_fn(|i, j| {
+                if i < order && j < order {
+                    scaled[(members[i], members[j])]
+                } else {
+                    S::zero()
+                }
+            });
+            let (_, vectors) = symmetric_eigenvalues(&block, order);
+            for k in 0..order {
+                let mut direction = SVector::<S, N>::zeros();
+                for i in 0..order {
+                    direction[members[i]] = vectors[(i, k)] / S::from_f64(unit[members[i]]);
+                }
+                columns.set_column(count, &self.displacement(&stiffness, &direction));
+                count += 1;
+            }
+        }
+        let rounding = EQUILIBRIUM_TOLERANCE * S::machine_epsilon();
+        for i in (0..N).filter(|i| self.parts[*i] == Part::Oscillating) {
+            columns[(i, 0)] += self.state.q[i].abs() * S::from_f64(rounding);
+        }
+        columns
+    }
+
+    /// How far the equilibrium may be along a direction d: several times the distance from which on the force along d is that of the
+    /// stiffness κ = dᵀ K d on both sides, up to a factor of two; or, if there is none, the distance at which κ is another one.
+    fn displacement(
+        &self,
+        stiffness: &SMatrix<S, N, N>,
+        direction: &SVector<S, N>,
+    ) -> SVector<S, N> {
+        let longest = (0..N).fold(0.0, |most: f64, i| {
+            let size = self.state.q[i].abs().largest().max(1.0);
+            most.max(direction[i].abs().largest() / size)
+        });
+        let kappa = direction.dot(&(stiffness * direction)).largest();
+        let nothing = SVector::zeros();
+        if !(longest > 0.0 && kappa.abs() > 0.0) {
+            return nothing;
+        }
+        let direction = direction * S::from_f64(1.0 / longest);
+        let kappa = kappa / (longest * longest);
+        let lengths = || {
+            let lengths = (0..).map(|n| libm::ldexp(1.0, FIRST_DISTANCE + 3 * n));
+            let lengths = lengths.take_while(|length| *length < FARTHEST);
+            // Shorter ones are rounded away.
+            lengths.filter(|length| {
+                let moved = self.state.q + direction * S::from_f64(*length);
+                moved != self.state.q
+            })
+        };
+        let is_resolved = |length: f64| {
+            let force = |length: f64| {
+                let beside = self.moved(&(direction * S::from_f64(length)));
+                let force = self.reduced.mass * self.model.accelerations(&beside);
+                -direction.dot(&force).largest() / kappa
+            };
+            [length, -length].into_iter().all(|length| {
+                let ratio = force(length) / length;
+                (0.5..=2.0).contains(&ratio)
+            })
+        };
+        let is_another = |length: &f64| {
+            [*length, -length].into_iter().any(|length| {
+                let beside = self.moved(&(direction * S::from_f64(length)));
+                let beside = Reduced::at(self.model, &beside, self.parts);
+                let there = -(beside.mass * beside.position);
+                let there = direction.dot(&(there * direction)).largest();
+                (there - kappa).abs() >= kappa.abs()
+            })
+        };
+        let length = match lengths().find(|length| is_resolved(*length)) {
+            Some(length) => POSITION_ERRORS * length,
+            None => lengths().find(is_another).unwrap_or(0.0),
+        };
+        direction * S::from_f64(length)
+    }
+}
+
+/// Whether a generalized force gives energy to some small perturbation, to whatever order: (Q(q, q̇ + w) − Q(q, q̇)) w > 0.
+pub(super) fn gives_energy<S, M, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    reduced: &Reduced<S, N>,
+) -> bool
+where
+    S: SingleNumber,
+    M: Lagrangian<N, S> + ?Sized,
+{
+    let steepest = reduced
+        .position
+        .iter()
+        .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+    let rate = if steepest > 0.0 {
+        libm::sqrt(steepest)
+    } else {
+        1.0
+    };
+    let rounding = SINGULAR * S::machine_epsilon();
+    let moved = |sign: f64, pattern: fn(usize) -> bool| {
+        SVector::<S, N>::from_fn(|i, _| {
+            let size = state.q[i].abs().largest();
+            let size = if size > 0.0 { size } else { 1.0 };
+            S::from_f64(if pattern(i) {
+                sign * size
+            } else {
+                -sign * size
+            })
+        })
+    };
+    let power = |q: SVector<S, N>, w: SVector<S, N>| {
+        let still = State {
+            q: state.q + q,
+            ..*state
+        };
+        let moving = State {
+            v: still.v + w,
+            ..still
+        };
+        let [before, after] = [&still, &moving].map(|state| model.generalized_forces(state));
+        let terms = before.map(S::abs) + after.map(S::abs);
+        let power = (after - before).dot(&w).largest();
+        power > rounding * terms.dot(&w.map(S::abs)).largest()
+    };
+    let rate = S::from_f64(rate);
+    ENERGY_SAMPLES.into_iter().any(|size| {
+        PATTERNS.into_iter().any(|of_positions| {
+            PATTERNS.into_iter().any(|of_velocities| {
+                [size, -size].into_iter().any(|sign| {
+                    let w = moved(size, of_velocities) * rate;
+                    power(moved(sign, of_positions), w) || power(moved(sign, of_positions), -w)
+                })
+            })
+        })
+    })
+}

@@ -1,0 +1,231 @@
+//! The Legendre transformation: the velocities that have given momenta.
+//!
+//! Where L is convex in the velocities they minimize L − p q̇ (R. T. Rockafellar, *Convex Analysis*, 1970, section 26). Newton's method
+//! with steps that are halved finds them where M is regular and finite on its way. It is neither at rest for
+//! L = |q̇|^(3/2) or q̇⁴: the velocities are then changed one after another, each to the zero of its own momentum, which increases with
+//! it (P. Tseng, *Convergence of a block coordinate descent method for nondifferentiable minimization*, J. Optim. Theory
+//! Appl. **109** (2001) 475–494), until Newton's method goes on from there.
+
+use nalgebra::{Matrix1, SMatrix, SVector};
+
+use super::hamiltonian::NoVelocities;
+use super::lagrangian::Lagrangian;
+use super::state::State;
+use crate::limits::{
+    HELD_MOMENTUM, LEGENDRE_BISECTIONS, LEGENDRE_ITERATIONS, LEGENDRE_ROUNDING, LEGENDRE_SWEEPS,
+    SHORTEST_NEWTON_STEP,
+};
+use crate::linalg::Factorization;
+use crate::linalg::lane_select::{LaneSelect, greater};
+use crate::scalar::Scalar;
+
+/// The velocities with which the state has these momenta; those of `state` are where the search begins.
+pub(super) fn velocities<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    momenta: &SVector<S, N>,
+) -> Result<SVector<S, N>, NoVelocities>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let not_found = match newton(model, *state, momenta) {
+        Err(error @ NoVelocities::NotFound { .. }) => error,
+        result => return result,
+    };
+    let mut state = *state;
+    for _ in 0..LEGENDRE_SWEEPS {
+        for i in 0..N {
+            state.v[i] = zero_of_momentum(model, &state, momenta, i);
+        }
+        let missing = largest(&(momenta - model.momenta(&state)));
+        if !missing.is_finite() {
+            break;
+        }
+        let found = if missing == 0.0 {
+            unique(model, &state)
+        } else {
+            newton(model, state, momenta)
+        };
+        match found {
+            Err(NoVelocities::NotFound { .. }) => {}
+            Err(NoVelocities::NotConvex) if missing == 0.0 => break,
+            found => return found,
+        }
+    }
+    Err(not_found)
+}
+
+fn newton<M, S, const N: usize>(
+    model: &M,
+    mut state: State<S, N>,
+    momenta: &SVector<S, N>,
+) -> Result<SVector<S, N>, NoVelocities>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let mut missing = momenta - model.momenta(&state);
+    let mut change = f64::NAN;
+    for _ in 0..LEGENDRE_ITERATIONS {
+        let (mass, is_regular) = without_infinite(&model.mass_matrix(&state));
+        let step = Factorization::new(mass).solve(&missing.component_mul(&is_regular));
+        change = largest(&step);
+        if !change.is_finite() {
+            break;
+        }
+        let before = state.v;
+        let (mut factor, least) = (1.0, largest(&missing));
+        let reached = loop {
+            state.v = before + step * S::from_f64(factor);
+            missing = momenta - model.momenta(&state);
+            if largest(&missing) < least || least == 0.0 {
+                break true;
+            }
+            factor *= 0.5;
+            if factor < SHORTEST_NEWTON_STEP {
+                break false;
+            }
+        };
+        if !reached {
+            // Derivative parts are a step behind.
+            state.v = if S::DERIVATIVES > 0 {
+                before + step
+            } else {
+                before
+            };
+        }
+        // What is left are rounding errors.
+        let size = largest(&state.v);
+        let is_still = change <= LEGENDRE_ROUNDING * S::machine_epsilon() * size;
+        let is_small = !reached && change <= S::machine_epsilon().sqrt() * size;
+        let held = missing.component_mul(&is_regular.map(|regular| S::one() - regular));
+        let negligible = HELD_MOMENTUM * S::machine_epsilon() * largest(momenta);
+        if (is_still || is_small) && largest(&held) <= negligible {
+            return unique(model, &state);
+        }
+        if is_still || !reached {
+            break;
+        }
+    }
+    Err(NoVelocities::NotFound { change })
+}
+
+/// The mass matrix without the rows and columns of velocities at which it is not finite, as at rest for L = |q̇|^(3/2): these are
+/// held by ones; and which velocities are not.
+fn without_infinite<S: Scalar, const N: usize>(
+    mass: &SMatrix<S, N, N>,
+) -> (SMatrix<S, N, N>, SVector<S, N>) {
+    let (zero, one) = (S::zero(), S::one());
+    if mass.iter().all(|x| x.is_finite()) {
+        return (*mass, SVector::repeat(one));
+    }
+    // Where a number is not finite, its difference from itself is not a number, which `max` ignores.
+    let is_regular = SVector::<S, N>::from_fn(|i, _| {
+        let entry = mass[(i, i)];
+        zero.max(one + (entry - entry))
+    });
+    let regular = SMatrix::<S, N, N>::from_fn(|i, j| {
+        let entry = Matrix1::new(mass[(i, j)]);
+        let held = Matrix1::new(if i == j { one } else { zero });
+        entry.select(held, is_regular[i] * is_regular[j])[0]
+    });
+    (regular, is_regular)
+}
+
+/// The velocity of a coordinate at which its momentum is the given one, the other velocities being held: by bisection of the exponent,
+/// in each lane apart. Where there is no momentum, the velocity is too large.
+fn zero_of_momentum<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    momenta: &SVector<S, N>,
+    coordinate: usize,
+) -> S
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let missing = |velocity: S| {
+        let mut state = *state;
+        state.v[coordinate] = velocity;
+        momenta[coordinate] - model.momenta(&state)[coordinate]
+    };
+    let zero = S::zero();
+    let at_rest = missing(zero);
+    let sign = greater(at_rest, zero) - greater(zero, at_rest);
+    let mut least = S::min_positive();
+    let mut most = S::one() / least;
+    for _ in 0..LEGENDRE_BISECTIONS {
+        let middle = least.sqrt() * most.sqrt();
+        let is_less = greater(missing(sign * middle) * sign, zero);
+        least += is_less * (middle - least);
+        most = middle + is_less * (most - middle);
+    }
+    sign * least
+}
+
+/// The velocities of a state, unless L is not quadratic in the velocities and not convex there.
+fn unique<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+) -> Result<SVector<S, N>, NoVelocities>
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let mass = model.mass_matrix(state);
+    // Of all velocities other ones, also where some or all of these are zero.
+    let v = state.v.map(|v| S::from_f64(0.5) * v + S::from_f64(0.618));
+    let is_quadratic = mass == model.mass_matrix(&State { v, ..*state });
+    if is_quadratic || is_positive_definite(mass) || is_convex_beside(model, state) {
+        Ok(state.v)
+    } else {
+        Err(NoVelocities::NotConvex)
+    }
+}
+
+/// Whether M is positive definite at other velocities on all sides: L = q̇⁴ is convex at q̇ = 0 though M vanishes there.
+fn is_convex_beside<M, S, const N: usize>(model: &M, state: &State<S, N>) -> bool
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let fastest = largest(&state.v);
+    let size = if fastest > 0.0 { fastest } else { 1.0 };
+    let distance = S::from_f64(size * S::machine_epsilon().sqrt());
+    [1, 2].into_iter().all(|period| {
+        [distance, -distance].into_iter().all(|distance| {
+            let mut beside = *state;
+            for (i, v) in beside.v.iter_mut().enumerate() {
+                *v += if i % period == 0 { distance } else { -distance };
+            }
+            is_positive_definite(model.mass_matrix(&beside))
+        })
+    })
+}
+
+/// Whether all pivots are positive.
+fn is_positive_definite<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> bool {
+    for j in 0..N {
+        let pivot = matrix[(j, j)];
+        let least = pivot.smallest();
+        if least.is_nan() || least <= 0.0 {
+            return false;
+        }
+        for i in j + 1..N {
+            let factor = matrix[(i, j)] / pivot;
+            for k in j + 1..=i {
+                let change = factor * matrix[(k, j)];
+                matrix[(i, k)] -= change;
+            }
+        }
+    }
+    true
+}
+
+/// The largest magnitude of a component, in any lane.
+fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
+    let sizes = vector.iter().map(|component| component.abs().largest());
+    // What is not a number stays so.
+    sizes.fold(0.0, |most, size| if size <= most { most } else { size })
+}
