@@ -127,7 +127,7 @@ fn several_velocities() {
         f64::from(u32::try_from(seed >> 40).unwrap()) / f64::from(1 << 23) - 1.0
     };
     for n in 0..200 {
-        let size = [1.0, 10.0, 0.1, 30.0][n % 4];
+        let size = [1.0, 10.0, 0.1, 1e3][n % 4];
         let mut v: [f64; 3] = core::array::from_fn(|_| size * random());
         if n % 5 == 0 {
             v[n % 3] = 0.0;

@@ -4,7 +4,7 @@
 //! with steps that are halved finds them where M is regular and finite on its way. It is neither at rest for
 //! L = |q̇|^(3/2) or q̇⁴: the velocities are then changed one after another, each to the zero of its own momentum, which increases with
 //! it (P. Tseng, *Convergence of a block coordinate descent method for nondifferentiable minimization*, J. Optim. Theory
-//! Appl. **109** (2001) 475–494), until Newton's method goes on from there.
+//! Appl. **109** (2001) 475–494), and Newton's directions followed to where L − p q̇ is least along them.
 
 use nalgebra::{Matrix1, SMatrix, SVector};
 
@@ -29,46 +29,58 @@ where
     M: Lagrangian<N, S> + ?Sized,
     S: Scalar,
 {
-    let not_found = match newton(model, *state, momenta) {
-        Err(error @ NoVelocities::NotFound { .. }) => error,
-        result => return result,
-    };
     let mut state = *state;
+    let mut found = newton(model, &mut state, momenta);
     for _ in 0..LEGENDRE_SWEEPS {
+        match found {
+            Err(NoVelocities::NotFound { .. }) => {}
+            found => return found,
+        }
+        if !state.v.iter().all(|v| v.is_finite()) {
+            state.v.fill(S::zero());
+        }
+        let negligible = HELD_MOMENTUM * S::machine_epsilon() * largest(momenta);
         for i in 0..N {
-            state.v[i] = zero_of_momentum(model, &state, momenta, i);
+            let missing = momenta - model.momenta(&state);
+            let size = missing[i].abs().largest();
+            if size.is_nan() || size > negligible {
+                state.v[i] = zero_of_momentum(model, &state, momenta, i);
+            }
         }
         let missing = largest(&(momenta - model.momenta(&state)));
         if !missing.is_finite() {
             break;
         }
-        let found = if missing == 0.0 {
+        let next = if missing == 0.0 {
             unique(model, &state)
         } else {
-            newton(model, state, momenta)
+            descend(model, &mut state, momenta);
+            newton(model, &mut state, momenta)
         };
-        match found {
-            Err(NoVelocities::NotFound { .. }) => {}
+        match next {
             Err(NoVelocities::NotConvex) if missing == 0.0 => break,
-            found => return found,
+            // The first one says how it failed.
+            Err(NoVelocities::NotFound { .. }) => {}
+            next => found = next,
         }
     }
-    Err(not_found)
+    found
 }
 
+/// Newton's method from the velocities of a state, which go where it leads.
 fn newton<M, S, const N: usize>(
     model: &M,
-    mut state: State<S, N>,
+    state: &mut State<S, N>,
     momenta: &SVector<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
 where
     M: Lagrangian<N, S> + ?Sized,
     S: Scalar,
 {
-    let mut missing = momenta - model.momenta(&state);
+    let mut missing = momenta - model.momenta(state);
     let mut change = f64::NAN;
     for _ in 0..LEGENDRE_ITERATIONS {
-        let (mass, is_regular) = without_infinite(&model.mass_matrix(&state));
+        let (mass, is_regular) = without_infinite(&model.mass_matrix(state));
         let step = Factorization::new(mass).solve(&missing.component_mul(&is_regular));
         change = largest(&step);
         if !change.is_finite() {
@@ -78,7 +90,7 @@ where
         let (mut factor, least) = (1.0, largest(&missing));
         let reached = loop {
             state.v = before + step * S::from_f64(factor);
-            missing = momenta - model.momenta(&state);
+            missing = momenta - model.momenta(state);
             if largest(&missing) < least || least == 0.0 {
                 break true;
             }
@@ -102,13 +114,47 @@ where
         let held = missing.component_mul(&is_regular.map(|regular| S::one() - regular));
         let negligible = HELD_MOMENTUM * S::machine_epsilon() * largest(momenta);
         if (is_still || is_small) && largest(&held) <= negligible {
-            return unique(model, &state);
+            return unique(model, state);
         }
         if is_still || !reached {
             break;
         }
     }
     Err(NoVelocities::NotFound { change })
+}
+
+/// Newton's directions, each as far as L − p q̇ decreases along it: by bisection of its slope, which increases with the distance where L
+/// is convex, in each lane apart.
+fn descend<M, S, const N: usize>(model: &M, state: &mut State<S, N>, momenta: &SVector<S, N>)
+where
+    M: Lagrangian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let (zero, one) = (S::zero(), S::one());
+    for _ in 0..LEGENDRE_ITERATIONS {
+        let missing = momenta - model.momenta(state);
+        let (mass, is_regular) = without_infinite(&model.mass_matrix(state));
+        let step = Factorization::new(mass).solve(&missing.component_mul(&is_regular));
+        let before = state.v;
+        let change = largest(&step);
+        if !(change.is_finite() && change > S::machine_epsilon() * largest(&before)) {
+            return;
+        }
+        let mut decreases = |factor: S| {
+            state.v = before + step * factor;
+            let missing = momenta - model.momenta(state);
+            greater(missing.dot(&step), zero)
+        };
+        let mut near = decreases(one);
+        let mut far = one;
+        for _ in 0..LEGENDRE_BISECTIONS {
+            let middle = (near + far) * S::from_f64(0.5);
+            let is_near = decreases(middle);
+            near += is_near * (middle - near);
+            far = middle + is_near * (far - middle);
+        }
+        state.v = before + step * far;
+    }
 }
 
 /// The mass matrix without the rows and columns of velocities at which it is not finite, as at rest for L = |q̇|^(3/2): these are
