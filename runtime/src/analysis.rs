@@ -38,6 +38,7 @@ mod state_space;
 #[cfg(feature = "num-dual")]
 mod linear_outputs;
 mod riccati;
+mod matrix_sign;
 mod regulator;
 mod regulator_error;
 

@@ -44,6 +44,12 @@ pub fn linear_control() -> Value {
     document("linear_control.json")
 }
 
+/// Regulators of badly scaled problems.
+#[must_use]
+pub fn regulators() -> Value {
+    document("regulators.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

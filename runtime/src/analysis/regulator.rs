@@ -1,19 +1,23 @@
 //! The linear-quadratic regulator.
 //!
 //! R. E. Kalman, *Contributions to the theory of optimal control*, Bol. Soc. Mat. Mexicana **5** (1960) 102–119; B. D. O. Anderson and
-//! J. B. Moore, *Optimal Control: Linear Quadratic Methods*, 1990.
+//! J. B. Moore, *Optimal Control: Linear Quadratic Methods*, 1990. Where doubling leaves too few digits, or finds what does not stabilize
+//! the system, as where an unstable mode has no cost, the equation is solved by the sign of a matrix.
 
 use nalgebra::SMatrix;
 
 use super::controllability::Controllability;
+use super::eigenvalues::balancing;
 use super::exceeds;
+use super::matrix_sign::stabilizing;
 use super::regulator_error::RegulatorError;
 use super::riccati;
 use super::spectrum::{Spectrum, modulus};
 use super::state_space::{DiscreteStateSpace, StateSpace, poles};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
-use crate::limits::analysis::{BORDER, RICCATI_RESIDUAL};
+use crate::limits::analysis::{ACCURATE_RICCATI_RESIDUAL, BORDER, RICCATI_RESIDUAL, UNREACHED};
 use crate::linalg::Factorization;
+use crate::scalar::{DoubleDouble, Scalar};
 
 /// The linear-quadratic regulator u = −K x, which minimizes ∫ xᵀ Q x + uᵀ R u dt, or the sum of the same over samples.
 ///
@@ -42,7 +46,8 @@ pub struct Regulator<const D: usize, const U: usize> {
     pub cost: SMatrix<f64, D, D>,
     /// The eigenvalues of the closed loop A − B K.
     pub poles: Spectrum<D>,
-    /// The norm of what P leaves of the Riccati equation, in relation to its terms.
+    /// What P leaves of the Riccati equation, in relation to its terms: the largest entry, each in units of the terms of its row and
+    /// its column.
     pub residual: f64,
 }
 
@@ -62,7 +67,8 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
     ///
     /// # Errors
     ///
-    /// [`RegulatorError`]: weights that are none, or a mode that is not stabilized at any cost, or at none.
+    /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a mode that neither
+    /// grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes are stabilized with the least effort.
     pub fn regulator(
         &self,
         state_weight: &SMatrix<f64, D, D>,
@@ -86,7 +92,8 @@ impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, 
     ///
     /// # Errors
     ///
-    /// [`RegulatorError`]: weights that are none, or a mode that is not stabilized at any cost, or at none.
+    /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a mode that neither
+    /// grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes are stabilized with the least effort.
     pub fn regulator(
         &self,
         state_weight: &SMatrix<f64, D, D>,
@@ -106,47 +113,126 @@ impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, 
 impl<const D: usize, const U: usize> Problem<'_, D, U> {
     fn solved(&self) -> Result<Regulator<D, U>, RegulatorError> {
         self.check_weights()?;
-        self.check_modes()?;
+        if !self.a.iter().chain(self.b).all(|x| x.is_finite()) {
+            return Err(RegulatorError::NotFinite);
+        }
+        // Where scales are far apart, a mode may seem to be out of reach that is not: a regulator that is found decides.
+        let checked = self.check_modes();
+        let by_doubling = match checked {
+            Ok(()) => self.by_doubling(),
+            Err(_) => None,
+        };
+        if let Some(regulator) = by_doubling.filter(|x| x.residual <= ACCURATE_RICCATI_RESIDUAL) {
+            return Ok(regulator);
+        }
+        let found = self.by_sign();
+        let found = found.filter(|x| checked.is_ok() || self.is_certain(x));
+        let best = match (by_doubling, found) {
+            (Some(first), Some(second)) if first.residual < second.residual => Some(first),
+            (first, second) => second.or(first),
+        };
+        match best {
+            Some(regulator) if !exceeds(regulator.residual, RICCATI_RESIDUAL) => Ok(regulator),
+            Some(Regulator { residual, .. }) => {
+                checked.and(Err(RegulatorError::Inaccurate { residual }))
+            }
+            None => checked.and(Err(RegulatorError::NoConvergence)),
+        }
+    }
+
+    /// The regulator by doubling, where that finds one that stabilizes the system.
+    fn by_doubling(&self) -> Option<Regulator<D, U>> {
         let Self { a, b, q, r, .. } = *self;
         let g = b * Factorization::new(*r).solve(&b.transpose());
         let g = (g + g.transpose()) * 0.5;
-        let found = if self.is_discrete {
+        let cost = if self.is_discrete {
             riccati::discrete(a, &g, q)
         } else {
             riccati::continuous(a, &g, q)
         };
-        let cost = found.ok_or(RegulatorError::NoConvergence)?;
+        let cost = cost?;
         let gain = if self.is_discrete {
             let weight = r + b.transpose() * cost * b;
             Factorization::new(weight).solve(&(b.transpose() * cost * a))
         } else {
             Factorization::new(*r).solve(&(b.transpose() * cost))
         };
-        let residual = self.residual(&cost, &gain);
-        let poles = poles(&(a - b * gain)).ok_or(RegulatorError::NoConvergence)?;
-        if exceeds(residual, RICCATI_RESIDUAL) || poles.iter().any(|pole| self.excess(*pole) >= 0.0)
-        {
-            return Err(RegulatorError::Inaccurate { residual });
-        }
-        Ok(Regulator {
+        self.stabilizing(cost, gain)
+    }
+
+    /// The regulator in numbers of more digits, from the sign of a matrix.
+    fn by_sign(&self) -> Option<Regulator<D, U>> {
+        let [a, q] = [self.a, self.q].map(|matrix| matrix.map(DoubleDouble::from));
+        let b = self.b.map(DoubleDouble::from);
+        let r = self.r.map(DoubleDouble::from);
+        let g = b * Factorization::new(r).solve(&b.transpose());
+        let cost = stabilizing(&a, &g, &q, self.is_discrete)?;
+        let gain = if self.is_discrete {
+            Factorization::new(r + b.transpose() * cost * b).solve(&(b.transpose() * cost * a))
+        } else {
+            Factorization::new(r).solve(&(b.transpose() * cost))
+        };
+        self.stabilizing(cost.map(Scalar::largest), gain.map(Scalar::largest))
+    }
+
+    fn stabilizing(
+        &self,
+        cost: SMatrix<f64, D, D>,
+        gain: SMatrix<f64, U, D>,
+    ) -> Option<Regulator<D, U>> {
+        let poles = poles(&(self.a - self.b * gain))?;
+        let is_stable = poles.iter().all(|pole| self.excess(*pole) < 0.0);
+        is_stable.then(|| Regulator {
             gain,
             cost,
             poles,
-            residual,
+            residual: self.residual(&cost, &gain),
         })
     }
 
+    /// Whether rounding errors of the system leave the closed loop stable, in units in which it is balanced: no mode is stabilized by
+    /// a part of B that is rounding.
+    fn is_certain(&self, regulator: &Regulator<D, U>) -> bool {
+        let Regulator { gain, poles, .. } = regulator;
+        let closed = self.a - self.b * gain;
+        let exponents = balancing(&closed);
+        let terms = self.a.abs() + self.b.abs() * gain.abs();
+        let balanced = SMatrix::<f64, D, D>::from_fn(|i, j| {
+            libm::ldexp(terms[(i, j)], exponents[j] - exponents[i])
+        });
+        let rounding = UNREACHED * f64::EPSILON * balanced.norm();
+        poles.iter().all(|pole| self.excess(*pole) < -rounding)
+    }
+
+    /// The largest entry of what P leaves of the Riccati equation, in relation to its terms in the rows and columns of the entry, so that
+    /// states with small costs count as those with large ones.
     fn residual(&self, cost: &SMatrix<f64, D, D>, gain: &SMatrix<f64, U, D>) -> f64 {
         let Self { a, b, q, .. } = *self;
-        let [free, controlled, start] = if self.is_discrete {
-            let free = a.transpose() * cost * a;
-            [free, a.transpose() * cost * b * gain, *cost]
+        let [transposed, sizes] = [a.transpose(), cost.abs()];
+        let absolute = transposed.abs();
+        let (left, terms) = if self.is_discrete {
+            let controlled = transposed * cost * b * gain;
+            let left = transposed * cost * a - controlled - cost + q;
+            let terms = absolute * sizes * a.abs() + controlled.abs() + sizes + q.abs();
+            (left, terms)
         } else {
-            let free = a.transpose() * cost + cost * a;
-            [free, cost * b * gain, SMatrix::zeros()]
+            let controlled = cost * b * gain;
+            let left = transposed * cost + cost * a - controlled + q;
+            let terms = absolute * sizes + sizes * a.abs() + controlled.abs() + q.abs();
+            (left, terms)
         };
-        let left = free - controlled - start + q;
-        left.norm() / (free.norm() + controlled.norm() + start.norm() + q.norm())
+        let mut most = 0.0_f64;
+        for i in 0..D {
+            for j in 0..D {
+                let size = libm::sqrt(terms[(i, i)]) * libm::sqrt(terms[(j, j)]);
+                let size = size.max(terms[(i, j)]);
+                let ratio = left[(i, j)].abs() / size;
+                // Nothing of nothing is left where states have no cost.
+                let ratio = if left[(i, j)] == 0.0 { 0.0 } else { ratio };
+                most = if ratio <= most { most } else { ratio };
+            }
+        }
+        most
     }
 
     /// How far an eigenvalue is beyond the border of stability; negative if it is stable.

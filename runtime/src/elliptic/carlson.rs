@@ -218,7 +218,7 @@ fn with_large_last<S: SingleNumber>([x, y, z]: [S; 3], p: S) -> S {
     }
     let elementary = three * x.sqrt() * carlson_rc(y * (z / p), q) / p.sqrt();
     let others = elementary + difference * by_duplication([x, y, z, q]);
-    leading - others / (p - x) * root * root * root
+    leading - others * root / (p - x) * root * root
 }
 
 /// The root of the number, a power of four, by which `size` comes to three fifths of the exponents of the format.

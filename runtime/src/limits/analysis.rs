@@ -102,6 +102,13 @@ pub(crate) const UNREACHED: f64 = 64.0;
 /// The distance of eigenvalues from the border of stability, in relation to the largest one, below which they may be on it.
 pub(crate) const BORDER: f64 = 1e-9;
 
+/// A solution by doubling that leaves more than this of a Riccati equation, in relation to its terms, is computed with more digits.
+pub(crate) const ACCURATE_RICCATI_RESIDUAL: f64 = 1e-14;
+
+/// Steps towards the sign of a matrix: scaled, they take some ten, and one more for each halving of the angle between an eigenvalue and the
+/// imaginary axis.
+pub(crate) const SIGN_ITERATIONS: usize = 200;
+
 /// What a solution of a Riccati equation may leave of it, in relation to its terms.
 pub(crate) const RICCATI_RESIDUAL: f64 = 1e-8;
 

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod beyond_many_turns;
 mod driven;
 mod driver;
 mod ensemble;

@@ -9,5 +9,6 @@ mod hamiltonian;
 mod linear_control;
 mod many_turns;
 mod regularity;
+mod regulators;
 mod sampled_events;
 mod simultaneous_events;

@@ -1,9 +1,7 @@
 //! Meshes of several parts: which are solids, which cavities, and which neither; and files that hold several.
 #![cfg(feature = "std")]
 
-mod common;
-
-use common::assert_close;
+use crate::common::assert_close;
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::{MeshError, TriangleMesh};
 
