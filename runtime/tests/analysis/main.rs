@@ -11,6 +11,7 @@ mod equilibria;
 mod hostile_stability;
 mod legendre;
 mod linearization;
+mod regulators;
 mod small_oscillations;
 mod state_transition;
 mod steady_motions;
