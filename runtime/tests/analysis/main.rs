@@ -5,6 +5,7 @@ mod common;
 
 mod control;
 mod controllers;
+mod decided_stability;
 #[cfg(feature = "derivative-checks")]
 mod derivative_check;
 mod equilibria;

@@ -7,6 +7,7 @@ mod bodies;
 mod euler_equations;
 mod free_rotation;
 mod gyrodynamics;
+mod mesh_files;
 mod mesh_parts;
 mod meshes;
 mod momentum;
