@@ -77,18 +77,18 @@ impl<const D: usize> Double<D> {
                 }
                 let entries = self.rows()[i].as_flattened_mut().iter_mut();
                 for (x, y) in entries.zip(row.as_flattened()).skip(k) {
-                    *x = *x - factor * *y;
+                    *x -= factor * *y;
                 }
                 let entries = right.rows()[i].as_flattened_mut().iter_mut();
                 for (x, y) in entries.zip(of_right.as_flattened()) {
-                    *x = *x - factor * *y;
+                    *x -= factor * *y;
                 }
             }
         }
         for k in 0..order {
             let pivot = self.rows()[k].as_flattened()[k];
             for x in right.rows()[k].as_flattened_mut() {
-                *x = *x / pivot;
+                *x /= pivot;
             }
         }
         right
@@ -165,11 +165,12 @@ fn solution<const D: usize>(sign: &Double<D>) -> Square<D> {
             v[i] = left[i][k] - if i == k { length } else { number(0.0) };
         }
         for matrix in [&mut *left, &mut *right] {
+            #[allow(clippy::needless_range_loop)] // A column.
             for j in 0..D {
                 let products = (k..2 * D).map(|i| v[i] * matrix[i][j]);
                 let factor = products.fold(number(0.0), |sum, x| sum + x) / divisor;
                 for i in k..2 * D {
-                    matrix[i][j] = matrix[i][j] - factor * v[i];
+                    matrix[i][j] -= factor * v[i];
                 }
             }
         }

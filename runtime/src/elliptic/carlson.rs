@@ -196,8 +196,8 @@ fn elementary<S: SingleNumber>(arguments: &[S; 4], [a, b, c, s]: &[S; 4], g: S) 
     (two / one_and_quotient, one_and_quotient * s * g)
 }
 
-/// `R_J` where p is much larger than x, y and z: with the least of these as x, (p − x) R_J(p) = 3 R_F − 3 R_C(yz/x, pq/x) −
-/// (q − x) R_J(q), where (p − x)(q − x) = (y − x)(z − x), so that q is between x and a small part of the others. `R_F` is more than
+/// `R_J` where p is much larger than x, y and z: with the least of these as x, (p − x) `R_J`(p) = 3 `R_F` − 3 `R_C`(yz/x, pq/x) −
+/// (q − x) `R_J`(q), where (p − x)(q − x) = (y − x)(z − x), so that q is between x and a small part of the others. `R_F` is more than
 /// the other two terms.
 fn with_large_last<S: SingleNumber>([x, y, z]: [S; 3], p: S) -> S {
     let three = S::from_f64(3.0);

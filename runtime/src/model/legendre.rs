@@ -166,10 +166,10 @@ fn without_infinite<S: Scalar, const N: usize>(
     if mass.iter().all(|x| x.is_finite()) {
         return (*mass, SVector::repeat(one));
     }
-    // Where a number is not finite, its difference from itself is not a number, which `max` ignores.
+    // Where a number is not finite, zero times it is not a number, which `max` ignores.
     let is_regular = SVector::<S, N>::from_fn(|i, _| {
         let entry = mass[(i, i)];
-        zero.max(one + (entry - entry))
+        zero.max(one + entry * zero)
     });
     let regular = SMatrix::<S, N, N>::from_fn(|i, j| {
         let entry = Matrix1::new(mass[(i, j)]);

@@ -211,10 +211,8 @@ fn random_potentials_with_known_signs() {
         let kind = pick(&[0.0, 1.0, 2.0]);
         let sizes = [1.0, 2.0, 0.5, 10.0, 0.1];
         let mut d = [pick(&sizes), pick(&sizes), pick(&sizes)];
-        let (first, second) = (
-            pick(&[0.0, 1.0, 2.0]) as usize,
-            pick(&[0.0, 1.0, 2.0]) as usize,
-        );
+        let index = |x: f64| if x > 1.5 { 2 } else { usize::from(x > 0.5) };
+        let (first, second) = (index(pick(&[0.0, 1.0, 2.0])), index(pick(&[0.0, 1.0, 2.0])));
         if kind > 0.5 {
             d[first] = if kind > 1.5 { 0.0 } else { -d[first] };
             d[second] = d[second].min(pick(&[1.0, 0.0, 5.0]));

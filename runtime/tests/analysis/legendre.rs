@@ -168,7 +168,7 @@ fn other_scalars() {
         let root = number(p.abs()) * number(2.0) / (root + number(1.5));
         let error = (v.abs() - root * root).to_f64().abs();
         assert!(error <= 1e-28 * v.to_f64().abs(), "{p} {error:e}");
-        let single = CanonicalPhase::new([0.1_f32], [p as f32]);
+        let single = CanonicalPhase::new([0.1_f32], [<f32 as Scalar>::from_f64(p)]);
         let single = ThreeHalves.velocities(0.0_f32, &single).unwrap()[0];
         assert!((f64::from(single) - v.to_f64()).abs() <= 1e-6 * v.to_f64().abs());
     }

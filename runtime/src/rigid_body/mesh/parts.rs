@@ -183,7 +183,7 @@ enum Seen {
 
 fn seen(point: &V, corners: &Corners) -> Seen {
     let [a, b, c] = corners.map(|corner| corner - point);
-    let lengths = [&a, &b, &c].map(|x| x.norm());
+    let lengths = [&a, &b, &c].map(V::norm);
     let product = lengths[0] * lengths[1] * lengths[2];
     let sine = a.dot(&b.cross(&c));
     let cosine = product + a.dot(&b) * lengths[2] + b.dot(&c) * lengths[0] + c.dot(&a) * lengths[1];
