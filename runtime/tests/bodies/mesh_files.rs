@@ -2,7 +2,7 @@
 #![cfg(feature = "mesh-files")]
 
 use crate::mesh_parts::{CORNER, FACES, NOTHING, corner, volume, with};
-use lagrangian::rigid_body::MeshFileError;
+use lagrangian::rigid_body::{MeshError, MeshFileError, TriangleMesh};
 use std::fmt::Write;
 use std::io::Cursor;
 
