@@ -13,17 +13,24 @@ use serde_json::Value;
 fn main() {
     println!("cargo::rerun-if-env-changed=ADVERSARIAL_MODELS");
     let root = env::var("CARGO_MANIFEST_DIR").expect("cargo sets CARGO_MANIFEST_DIR");
-    let file =
-        env::var_os("ADVERSARIAL_MODELS").map_or("models/passing.json".into(), PathBuf::from);
-    let file = Path::new(&root).join(file);
-    println!("cargo::rerun-if-changed={}", file.display());
-    println!("cargo::rustc-env=MODELS={}", file.display());
+    let files = env::var_os("ADVERSARIAL_MODELS").map_or_else(
+        || vec!["models/passing.json".into(), "models/motions.json".into()],
+        |file| vec![PathBuf::from(file)],
+    );
+    let files: Vec<PathBuf> = files
+        .iter()
+        .map(|file| Path::new(&root).join(file))
+        .collect();
+    let joined = env::join_paths(&files).expect("paths without the separator of paths");
+    println!("cargo::rustc-env=MODELS={}", joined.display());
+    let documents: Vec<Value> = files.iter().map(|file| read_document(file)).collect();
 
-    let text = fs::read_to_string(&file).expect("the file of models can be read");
-    let document: Value = serde_json::from_str(&text).expect("the file of models is JSON");
     let folder = PathBuf::from(env::var("OUT_DIR").expect("cargo sets OUT_DIR"));
     let (mut modules, mut rows) = (String::new(), String::new());
-    for model in list(&document["models"]) {
+    let models = documents
+        .iter()
+        .flat_map(|document| list(&document["models"]));
+    for model in models {
         let id = text_of(&model["id"]);
         let path = folder.join(format!("{id}.rs"));
         write_file(&path, &source(model));
@@ -35,6 +42,12 @@ fn main() {
         "{modules}\n/// The models, by identifier.\npub const MODELS: &[(&str, Evaluate)] = &[\n{rows}];\n"
     );
     write_file(&folder.join("models.rs"), &table);
+}
+
+fn read_document(file: &Path) -> Value {
+    println!("cargo::rerun-if-changed={}", file.display());
+    let text = fs::read_to_string(file).expect("the file of models can be read");
+    serde_json::from_str(&text).expect("the file of models is JSON")
 }
 
 /// A model: its declaration, its constructor, and the function that evaluates all of it.
@@ -80,8 +93,32 @@ pub(crate) fn evaluate(at: &At) -> Vec<Found> {{
     )
 }
 
+/// The call that integrates motions of the model.
+fn motions(model: &Value) -> String {
+    let n = model["n"].as_u64().expect("a number of coordinates");
+    let call = match text_of(&model["motion"]["compared"]) {
+        "ends" if model["motion"]["reduced"] == true => {
+            let places = list(&model["ignorable"]);
+            let (k, rest) = (
+                places.len(),
+                usize::try_from(n).expect("few coordinates") - places.len(),
+            );
+            let places: Vec<String> = places.iter().map(ToString::to_string).collect();
+            format!(
+                "reduced_ends::<Model, {n}, {rest}, {k}>(&model, [{}], at)",
+                places.join(", ")
+            )
+        }
+        what => format!("{what}::<Model, {n}>(&model, at)"),
+    };
+    format!("crate::{call}\n        .into_iter()")
+}
+
 /// The call that evaluates the motion, and those chained to it for what else the model has.
 fn calls(model: &Value, inputs: &[&str]) -> String {
+    if model["motion"].is_object() {
+        return motions(model);
+    }
     let mut calls = format!(
         "crate::motion::<Model, {}>(&model, at)\n        .into_iter()",
         model["n"]
@@ -116,8 +153,11 @@ fn calls(model: &Value, inputs: &[&str]) -> String {
             0 => format!("vec![outputs.{name}]"),
             _ => format!("crate::rows(&outputs.{name})"),
         };
-        write!(calls, "\n        .chain([(\"output {name}\", {value})])")
-            .expect("strings accept everything");
+        write!(
+            calls,
+            "\n        .chain([(\"output {name}\", Ok({value}))])"
+        )
+        .expect("strings accept everything");
     }
     calls
 }
@@ -143,7 +183,7 @@ fn write_reduced(calls: &mut String, model: &Value, ignorable: &[Value]) {
             0 => format!("vec![outputs.{name}]"),
             _ => format!("crate::rows(&outputs.{name})"),
         };
-        format!("(\"reduced output {name}\", {value})")
+        format!("(\"reduced output {name}\", Ok({value}))")
     });
     let rows: Vec<String> = rows.collect();
     write!(

@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import document
-from building import built
+from building import OPTIMIZATION, built
 from kinds import KINDS
 from minimization import minimized
 from report import Report
@@ -35,7 +35,9 @@ def arguments():
     parser.add_argument("--kinds", type=lambda text: text.split(","), help="which, apart by commas; all if absent")
     parser.add_argument("--shard", type=int, default=120, help="how many models are compiled at a time")
     parser.add_argument("--each", type=int, default=3, help="how many models of each kind are selected")
+    parser.add_argument("--name", default="passing", help="the file of the models that are selected")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--optimize", type=int, default=0, help="the level of optimization of models, 1 for many motions")
     parser.add_argument("--limit", type=int, default=900, help="seconds for the compilation of a shard")
     parser.add_argument("--folder", type=Path, default=Path("target/adversarial"), help="where to build, and for findings")
     parser.add_argument("--id", help="the model to minimize")
@@ -46,6 +48,7 @@ def arguments():
     if unknown:
         parser.error(f"no kinds are named {', '.join(unknown)}: there are {', '.join(KINDS)}")
     given.folder = given.folder.resolve()
+    OPTIMIZATION[0] = given.optimize
     return given
 
 
@@ -81,12 +84,13 @@ def run(given):
 
 
 def select(given):
-    """Writes `passing.json` and `failing.json` from as many models of each kind as are asked for."""
+    """Writes `passing.json` and `failing.json`, or files of the names given, from as many models of each kind as are asked for."""
     count = given.each * len(given.kinds or KINDS)
     report, models = evaluated(document.all_generated(given.seed, count, given.kinds, given.jobs), given)
     fails = lambda model: model["id"] in report.wrong or model["id"] in report.refused
     command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
-    for name, contents in (("passing", "models that agree"), ("failing", "models that are wrong or refused")):
+    command += f" --name {given.name} --kinds {','.join(given.kinds)}" if given.kinds else ""
+    for name, contents in ((given.name, "models that agree"), ("failing", "models that are wrong or refused")):
         chosen = [model for model in models if fails(model) == (name == "failing")]
         path = MODELS / f"{name}.json"
         if chosen:

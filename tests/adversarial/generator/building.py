@@ -11,6 +11,7 @@ import document
 
 PACKAGE = "lagrangian-adversarial"
 ROOT = Path(__file__).resolve().parents[3]
+OPTIMIZATION = [0]  # The level for the models: many motions take less time than a slower build costs.
 
 
 class Build:
@@ -71,6 +72,7 @@ def cargo(arguments, file, folder, limit):
         # The macro keeps its debug assertions; nothing else of a debug build is wanted.
         "CARGO_PROFILE_DEV_DEBUG": "0",
         "CARGO_INCREMENTAL": "0",
+        **({"CARGO_PROFILE_DEV_OPT_LEVEL": str(OPTIMIZATION[0])} if OPTIMIZATION[0] else {}),
         # Times by pass are for nightly compilers, or for those who say so.
         "RUSTC_BOOTSTRAP": "lagrangian_adversarial",
     }
@@ -83,6 +85,11 @@ def expansion(text):
     return sum(float(x) for x in re.findall(r"time:\s+([0-9.]+).*\bmacro_expand_crate\b", text))
 
 
+def is_refusal(message):
+    """An error, or a warning that the simplified code was wrong and is not used."""
+    return message.get("level", "").startswith("error") or "defect of `lagrangian`" in message.get("rendered", "")
+
+
 def refusals(messages, known):
     """The errors by model, from the file that they are in."""
     refused = {}
@@ -90,7 +97,7 @@ def refusals(messages, known):
         if not line.startswith("{"):
             continue
         message = json.loads(line).get("message")
-        if not isinstance(message, dict) or not message.get("level", "").startswith("error"):
+        if not isinstance(message, dict) or not is_refusal(message):
             continue
         for span in message["spans"]:
             name = Path(span["file_name"]).stem

@@ -9,10 +9,12 @@ The derivative of each elementary function stands once, in `SLOPES`; everything 
 """
 
 import math
+from contextlib import contextmanager
 from fractions import Fraction
 
 from mpmath import mp, mpf
 
+from foreign import Foreign
 from rounding import Rounded
 
 
@@ -158,6 +160,8 @@ def reciprocal(x):
         return x.mapped("recip")
     if x == 0:
         raise NoValue("division by zero")
+    if isinstance(x, Foreign):
+        return x.called("recip")
     return 1 / x if isinstance(x, (mpf, Fraction, Rounded)) else 1 / float(x)
 
 
@@ -167,8 +171,45 @@ def apart(x, y):
         raise NoValue("a kink is near")
 
 
+class Decisions:
+    """Signs that branches have, whatever their arguments are, and the arguments."""
+
+    def __init__(self, signs):
+        self.signs, self.arguments = list(signs), []
+
+    def sign(self, x):
+        if len(self.arguments) == len(self.signs):
+            self.signs.append(1 if x > 0 else -1)
+        self.arguments.append(x)
+        return self.signs[len(self.arguments) - 1]
+
+
+DECISIONS = [None]
+GREATEST = [1e150]  # What an elementary function may be: beyond, its square has no number in binary64.
+
+
+@contextmanager
+def recorded(signs):
+    """While branches have the given signs, and beyond these those of their arguments."""
+    DECISIONS[0] = Decisions(signs)
+    try:
+        yield DECISIONS[0]
+    finally:
+        DECISIONS[0] = None
+
+
+def side(x):
+    """The sign of x, where a function has a kink or a jump at zero."""
+    if DECISIONS[0] is not None:
+        return DECISIONS[0].sign(value(x))
+    apart(value(x), 0)
+    return 1 if value(x) > 0 else -1
+
+
 def bare(function, x):
     """An elementary function of a number without derivatives."""
+    if isinstance(x, Foreign):
+        return x.called(function)
     library = mp if isinstance(x, mpf) else math
     if function in ("asin", "acos", "atanh") and abs(x) >= 0.998 or function == "acosh" and x <= 1.002:
         raise NoValue(function)
@@ -179,7 +220,7 @@ def bare(function, x):
     if function == "recip":
         return reciprocal(x)
     result = getattr(library, {"ln": "log"}.get(function, function))(x)
-    if abs(result) > 1e150:
+    if abs(result) > GREATEST[0]:
         raise NoValue("overflow")
     return Rounded.off(result) if isinstance(x, Rounded) else result
 
@@ -187,11 +228,10 @@ def bare(function, x):
 def apply(function, x):
     """An elementary function of one argument."""
     if function in ("abs", "signum"):
-        at = value(x)
-        apart(at, 0)
+        sign = side(x)
         if function == "signum":
-            return 1 if at > 0 else -1
-        return x if at > 0 else -x
+            return sign
+        return x if sign > 0 else -x
     if isinstance(x, Number):
         return x.mapped(function)
     return bare(function, promoted(x))
@@ -199,7 +239,7 @@ def apply(function, x):
 
 def promoted(x):
     """Integers and fractions are exact wherever they meet; functions of them are binary64 unless mpmath is at work."""
-    return x if isinstance(x, (mpf, float)) else (mpf(x) if PRECISE[0] else float(x))
+    return x if isinstance(x, (mpf, float, Foreign)) else (mpf(x) if PRECISE[0] else float(x))
 
 
 PRECISE = [True]
@@ -207,8 +247,12 @@ PRECISE = [True]
 
 def select(function, x, y):
     """`min` and `max`."""
-    apart(value(x), value(y))
-    return x if (value(x) < value(y)) == (function == "min") else y
+    if DECISIONS[0] is None:
+        apart(value(x), value(y))
+        less = value(x) < value(y)
+    else:
+        less = side(x - y) < 0
+    return x if less == (function == "min") else y
 
 
 def angle(y, x):

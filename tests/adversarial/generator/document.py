@@ -5,6 +5,7 @@ import random
 from multiprocessing import Pool
 
 from kinds import KINDS
+from motions import reference as motions
 from reference import references
 from spelling import declaration
 
@@ -17,7 +18,10 @@ def generated(job):
     rng = random.Random(f"{kind}/{seed}/{number}")
     model = KINDS[kind](rng)
     text = declaration(model, rng)
-    states, shapes = references(model, STATES, f"{kind}/{seed}/{number}/states")
+    if model.motion:
+        states, shapes = motions.states(model, f"{kind}/{seed}/{number}/motions"), {}
+    else:
+        states, shapes = references(model, STATES, f"{kind}/{seed}/{number}/states")
     return assembled(f"{kind}_{seed}_{number}", model, text, states, shapes)
 
 
@@ -31,9 +35,17 @@ def assembled(name, model, text, states, shapes):
         **({"ignorable": model.ignorable_places()} if model.ignorable else {}),
         "fields": [field(f) for f in model.fields],
         "outputs": shapes,
+        **(motion(model) if model.motion else {}),
         "declaration": text,
         "states": [spelled(state) for state in states],
     }
+
+
+def motion(model):
+    """What is integrated, in place of what is evaluated at states."""
+    asked = model.motion
+    what = "splits" if asked.split else "lanes" if asked.lanes else "ends"
+    return {"motion": {"compared": what, "methods": asked.methods, "reduced": asked.reduced, "events": asked.functions > 0}}
 
 
 def field(f):
@@ -46,7 +58,11 @@ def spelled(state):
     """Numbers as words in a string: binary64 numbers that are read back as they are."""
     words = lambda x: " ".join(repr(float(y)) for y in (x if isinstance(x, list) else [x]))
     tables = {key: {name: words(x) for name, x in state[key].items()} for key in ("values", "tolerances")}
-    return {**{key: words(state[key]) for key in ("t", "q", "qd", "params", "trial")}, **tables}
+    lists = ("t", "q", "qd", "params", "trial", "end", "starts")
+    row = {**{key: words(state[key]) for key in lists if key in state}, **tables}
+    if "run" in state:
+        row["run"] = {key: x if isinstance(x, (str, bool)) else words(x) for key, x in state["run"].items()}
+    return row
 
 
 def all_generated(seed, count, kinds, jobs):

@@ -19,9 +19,9 @@ from mpmath import mp, mpf
 import arrays
 from arrays import added, flat, solve
 import reduction
-from derivatives import PRECISE, Dual, NoValue, level
+from derivatives import GREATEST, PRECISE, Dual, NoValue, level
 from mechanics import Equations, outputs
-from rounding import DEVIATION, SCALE, UNIT, Rounded
+from rounding import DEVIATION, SCALE, UNIT, Rounded, Wide
 
 BITS = 240
 STEP = 2.0**-100
@@ -124,13 +124,14 @@ def by_duals(model, at, kind, i, _):
 
 def rounded_at_random(model, at, trial, rng):
     """The quantities, with `SCALE` times the errors of binary64 in inputs and operations."""
-    off = lambda x: Rounded(x * (1 + rng.choice((-1, 1)) * 2 * DEVIATION))
+    number = Wide if model.wide else Rounded
+    off = lambda x: number(x * (1 + rng.choice((-1, 1)) * 2 * DEVIATION))
     PRECISE[0], Rounded.rng = False, rng
     try:
         found, _, _ = quantities(model, at.mapped(off), [float(x) for x in trial], by_duals)
     finally:
         PRECISE[0] = True
-    return found
+    return {name: [float(x) for x in value] for name, value in found.items()}
 
 
 def of_solution(e):
@@ -144,6 +145,7 @@ def of_solution(e):
 
 def reference(model, at, rng):
     """Values and tolerances at a state with binary64 inputs; `NoValue` where it is of no use."""
+    GREATEST[0] = mpf(10) ** 9000 if model.wide else 1e150
     exact = at.mapped(mpf)
     trial = [round(rng.uniform(-3, 3), 3) for _ in at.q]
     values, shapes, e = quantities(model, exact, [mpf(x) for x in trial], by_differences)
@@ -273,12 +275,16 @@ TRIES = 40
 
 def drawn_state(model, rng, mode):
     fields = {f.name: drawn_field(f, rng, mode) for f in model.fields}
-    span = lambda label: model.q_draw.get(label[0], (-3.0, 3.0))
-    q = [rng.uniform(*span(label)) for label in model.coordinate_labels()]
+    q = [drawn_coordinate(model.q_draw.get(label[0], (-3.0, 3.0)), rng) for label in model.coordinate_labels()]
     v = [rng.uniform(-2.0, 2.0) for _ in q]
     if rng.random() < 0.1:
         v = [0.0 for _ in q]
     return Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
+
+
+def drawn_coordinate(draw, rng):
+    """Between two numbers, or what a function of the random source gives."""
+    return draw(rng) if callable(draw) else rng.uniform(*draw)
 
 
 def given_state(model, given, rng):

@@ -6,7 +6,7 @@ from collections import defaultdict
 
 class Report:
     def __init__(self):
-        self.rows = defaultdict(lambda: {"models": 0, "compared": 0, "refused": 0, "wrong": set(), "worst": 0.0, "at": ""})
+        self.rows = defaultdict(lambda: {"models": 0, "states": 0, "compared": 0, "refused": 0, "wrong": set(), "worst": 0.0, "at": ""})
         self.wrong, self.refused = {}, {}
         self.seconds = self.expansion = 0.0
         self.unusable = 0
@@ -17,6 +17,7 @@ class Report:
         self.expansion += build.expansion
         for m in models:
             self.rows[m["kind"]]["models"] += 1
+            self.rows[m["kind"]]["states"] += len(m["states"])
         for name, message in build.refused.items():
             self.rows[kinds[name]["kind"]]["refused"] += 1
             self.refused[name] = kinds[name], message
@@ -25,6 +26,11 @@ class Report:
 
     def add_comparison(self, model, c):
         row = self.rows[model["kind"]]
+        if c["refused"]:
+            if model["id"] not in self.refused:
+                row["refused"] += 1
+                self.refused[model["id"]] = model, f"{c['quantity']} at state {c['state']} {model['states'][c['state']]}:\n{c['refused']}"
+            return
         error, tolerance = float(c["error"]), float(c["tolerance"])
         row["compared"] += 1
         ratio = error / tolerance if tolerance > 0 else (0.0 if error == 0 else math.inf)
@@ -35,13 +41,14 @@ class Report:
             row["worst"], row["at"] = ratio, f"{c['quantity']} of {c['model']}"
 
     def __str__(self):
-        lines = [f"{'kind':24}{'models':>7}{'compared':>10}{'refused':>9}{'wrong':>7}   greatest error of those right / tolerance"]
+        lines = [f"{'kind':24}{'models':>7}{'states':>7}{'compared':>10}{'refused':>9}{'wrong':>7}   greatest error of those right / tolerance"]
         for kind, row in sorted(self.rows.items()):
-            counts = f"{row['models']:7}{row['compared']:10}{row['refused']:9}{len(row['wrong']):7}"
+            counts = f"{row['models']:7}{row['states']:7}{row['compared']:10}{row['refused']:9}{len(row['wrong']):7}"
             lines.append(f"{kind:24}{counts}   {row['worst']:.2g}  {row['at']}")
         total = sum(row["models"] for row in self.rows.values())
+        states = sum(row["states"] for row in self.rows.values())
         compared = sum(row["compared"] for row in self.rows.values())
-        lines.append(f"{'all':24}{total:7}{compared:10}{len(self.refused):9}{len(self.wrong):7}")
+        lines.append(f"{'all':24}{total:7}{states:7}{compared:10}{len(self.refused):9}{len(self.wrong):7}")
         lines.append(f"{self.unusable} models without a usable state; {self.seconds:.0f} s of compilation, "
                      f"{self.expansion:.0f} s of them in macros")
         return "\n".join(lines)
@@ -55,7 +62,7 @@ class Report:
             lines = [model["declaration"]]
             for c in comparisons:
                 state = model["states"][c["state"]]
-                given = {key: state[key] for key in ("t", "q", "qd", "params")}
+                given = {key: state[key] for key in ("t", "q", "qd", "params", "end", "starts", "run") if key in state}
                 lines.append(f"{c['quantity']} at state {c['state']} {given}:\n    found    {c['found']}\n    expected "
                              f"{c['expected']}\n    error {c['error']}, tolerance {c['tolerance']}")
             (folder / f"wrong_{name}.txt").write_text("\n".join(lines) + "\n")

@@ -7,6 +7,11 @@ seen, whatever the inputs are moved by, where the same products in another order
 """
 
 import random
+from fractions import Fraction
+
+from mpmath import mp, mpf
+
+from foreign import Foreign
 
 UNIT = 2.0**-53
 SCALE = 32.0
@@ -44,3 +49,77 @@ for name in ("__add__", "__radd__", "__sub__", "__rsub__"):
 for name in ("__mul__", "__rmul__", "__truediv__"):
     define(name, lambda other: abs(other) == 1)
 define("__rtruediv__", lambda _: False)
+
+
+class Wide(Foreign):
+    """Such a number without a greatest or least exponent, for terms that are beyond the range of binary64 where a sum is not."""
+
+    __slots__ = ("x",)
+
+    def __init__(self, x):
+        self.x = mpf(x)
+
+    @staticmethod
+    def off(x):
+        return Wide(x * (1 + mpf(DEVIATION * Rounded.rng.uniform(-1, 1))))
+
+    def __add__(self, other):
+        if not isinstance(other, (Wide, *PLAIN)):
+            return NotImplemented
+        return self if is_plain(other, 0) else Wide.off(self.x + bare(other))
+
+    def __mul__(self, other):
+        if not isinstance(other, (Wide, *PLAIN)):
+            return NotImplemented
+        return Wide(self.x * bare(other)) if is_plain(other, 1) or is_plain(other, -1) else Wide.off(self.x * bare(other))
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+    def __sub__(self, other):
+        return self + (-other)
+
+    def __rsub__(self, other):
+        return (-self) + other
+
+    def __neg__(self):
+        return Wide(-self.x)
+
+    def called(self, function):
+        if function == "recip":
+            return Wide.off(1 / self.x)
+        return Wide.off(getattr(mp, {"ln": "log"}.get(function, function))(self.x))
+
+    def __abs__(self):
+        return abs(self.x)
+
+    def __float__(self):
+        return float(self.x)
+
+    def __lt__(self, other):
+        return self.x < bare(other)
+
+    def __gt__(self, other):
+        return self.x > bare(other)
+
+    def __le__(self, other):
+        return self.x <= bare(other)
+
+    def __ge__(self, other):
+        return self.x >= bare(other)
+
+    def __eq__(self, other):
+        return self.x == bare(other)
+
+    __hash__ = None
+
+
+PLAIN = (int, float, mpf, Fraction)
+
+
+def bare(x):
+    return x.x if isinstance(x, Wide) else x
+
+
+def is_plain(x, number):
+    return not isinstance(x, Wide) and x == number

@@ -185,6 +185,9 @@ def declaration(model, rng):
     for force in model.forces:
         lines += table(printer, "force", [force])
     lines += table(printer, "output", model.outputs)
+    lines += table(printer, "event", model.events)
+    if model.taylor:
+        lines.append("    taylor,")
     if model.ignorable:
         lines.append(f"    routhian(Reduced{', half_angles' if model.half_angles else ''}),")
     lines += [")]", "pub struct Model {"]

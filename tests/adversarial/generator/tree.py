@@ -208,6 +208,12 @@ class Model:
     # The coordinates that are ignorable, by name; then there is a reduced model, in half angles or not.
     ignorable: list = field(default_factory=list)
     half_angles: bool = False
+    events: list = field(default_factory=list)
+    taylor: bool = False
+    # Whether its terms may be beyond the range of binary64 where it is not.
+    wide: bool = False
+    # What is integrated, and how it is compared; none if the model is evaluated at states alone.
+    motion: object = None
     # States to evaluate besides drawn ones: dictionaries of `q`, `v`, and parameters.
     states: list = field(default_factory=list)
 
@@ -257,6 +263,9 @@ class Model:
 
     def force(self, text, expression, indices=(), ranges=()):
         self.forces.append(Named(text, node(expression), indices, ranges))
+
+    def event(self, text, expression):
+        self.events.append(Named(text, node(expression)))
 
     def output(self, text, expression):
         self.outputs.append(Named(text, node(expression)))

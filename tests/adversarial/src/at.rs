@@ -1,6 +1,6 @@
 //! Where a model is evaluated.
 
-use lagrangian::State;
+use lagrangian::{Crossing, State};
 use nalgebra::SMatrix;
 use serde_json::Value;
 
@@ -12,6 +12,58 @@ pub struct At {
     v: Vec<f64>,
     params: Vec<f64>,
     trial: Vec<f64>,
+    /// The final time, if a motion is integrated.
+    end: f64,
+    /// Coordinates, velocities and final times of motions in lanes.
+    starts: Vec<f64>,
+    run: Option<Run>,
+}
+
+/// How a motion is split into runs, and what is watched for.
+#[derive(Clone, Debug)]
+pub(crate) struct Run {
+    pub(crate) method: String,
+    pub(crate) way: String,
+    /// Whether declared events are watched for, or a closure.
+    pub(crate) is_declared: bool,
+    /// The greatest step, or that of a method with fixed steps.
+    pub(crate) step: f64,
+    /// The indices of events among those declared, and their directions.
+    pub(crate) watched: [(usize, Crossing); 2],
+    /// Where the runs end.
+    pub(crate) times: Vec<f64>,
+}
+
+impl Run {
+    /// The run of the data.
+    fn new(run: &Value) -> Self {
+        let of = |name: &str| run[name].as_str().expect("a string").to_owned();
+        let watched = numbers(&run["watched"]);
+        let watched = [0, 2].map(|i| (index(watched[i]), crossing(watched[i + 1])));
+        Self {
+            method: of("method"),
+            way: of("way"),
+            is_declared: run["declared"]
+                .as_bool()
+                .expect("whether events are declared"),
+            step: numbers(&run["step"])[0],
+            watched,
+            times: numbers(&run["times"]),
+        }
+    }
+}
+
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // A small integer.
+fn index(number: f64) -> usize {
+    number as usize
+}
+
+fn crossing(direction: f64) -> Crossing {
+    match direction {
+        x if x > 0.0 => Crossing::Rising,
+        x if x < 0.0 => Crossing::Falling,
+        _ => Crossing::Either,
+    }
 }
 
 impl At {
@@ -23,13 +75,36 @@ impl At {
     #[must_use]
     pub fn new(state: &Value) -> Self {
         let of = |name: &str| numbers(&state[name]);
+        let some = |name: &str| state.get(name).map_or_else(Vec::new, numbers);
         Self {
             t: of("t")[0],
             q: of("q"),
             v: of("qd"),
             params: of("params"),
             trial: of("trial"),
+            end: some("end").first().copied().unwrap_or(f64::NAN),
+            starts: some("starts"),
+            run: state.get("run").map(Run::new),
         }
+    }
+
+    /// The final time of the motion, not a number where there is none.
+    pub(crate) fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// The states at which motions begin, and when they end.
+    pub(crate) fn starts<const N: usize>(&self) -> Vec<(State<f64, N>, f64)> {
+        let each = self.starts.chunks(2 * N + 1);
+        each.map(|start| {
+            let state = State::new(self.t, array(&start[..N]), array(&start[N..2 * N]));
+            (state, start[2 * N])
+        })
+        .collect()
+    }
+
+    pub(crate) fn run(&self) -> &Run {
+        self.run.as_ref().expect("how a motion is split into runs")
     }
 
     /// Time, coordinates and velocities.

@@ -8,8 +8,11 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::At;
 
-/// A quantity and its entries, row by row.
-pub type Found = (&'static str, Vec<f64>);
+/// The entries of a quantity row by row, or why there are none.
+pub type Entries = Result<Vec<f64>, String>;
+
+/// A quantity and its entries.
+pub type Found = (&'static str, Entries);
 
 /// The function that evaluates a model.
 pub type Evaluate = fn(&At) -> Vec<Found>;
@@ -22,21 +25,21 @@ pub fn motion<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
     let prepared = model.prepare();
     let trial = SVector::<f64, N>::from(at.trial::<N>());
     vec![
-        ("L", vec![model.lagrangian(&state)]),
-        ("h", vec![model.energy(&state)]),
-        ("p", rows(&model.momenta(&state))),
-        ("M", rows(&model.mass_matrix(&state))),
-        ("f", rows(&model.forcing(&state))),
-        ("Q", rows(&model.generalized_forces(&state))),
-        ("qdd", rows(&model.accelerations(&state))),
+        ("L", Ok(vec![model.lagrangian(&state)])),
+        ("h", Ok(vec![model.energy(&state)])),
+        ("p", Ok(rows(&model.momenta(&state)))),
+        ("M", Ok(rows(&model.mass_matrix(&state)))),
+        ("f", Ok(rows(&model.forcing(&state)))),
+        ("Q", Ok(rows(&model.generalized_forces(&state)))),
+        ("qdd", Ok(rows(&model.accelerations(&state)))),
         (
             "qdd",
-            rows(&model.accelerations_prepared(&state, &prepared)),
+            Ok(rows(&model.accelerations_prepared(&state, &prepared))),
         ),
-        ("inverse", rows(&model.inverse_dynamics(&state, &trial))),
-        ("dqdd_dq", rows(&linearization.position)),
-        ("dqdd_dqd", rows(&linearization.velocity)),
-        ("dqdd_dt", rows(&linearization.time)),
+        ("inverse", Ok(rows(&model.inverse_dynamics(&state, &trial)))),
+        ("dqdd_dq", Ok(rows(&linearization.position))),
+        ("dqdd_dqd", Ok(rows(&linearization.velocity))),
+        ("dqdd_dt", Ok(rows(&linearization.time))),
     ]
 }
 
@@ -45,8 +48,8 @@ pub fn motion<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
 pub fn energies<M: Energies<N>, const N: usize>(model: &M, at: &At) -> Vec<Found> {
     let state = at.state::<N>();
     vec![
-        ("T", vec![model.kinetic_energy(&state)]),
-        ("V", vec![model.potential_energy(&state)]),
+        ("T", Ok(vec![model.kinetic_energy(&state)])),
+        ("V", Ok(vec![model.potential_energy(&state)])),
     ]
 }
 
@@ -54,7 +57,7 @@ pub fn energies<M: Energies<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
 #[must_use]
 pub fn driven<M: Inputs<N, U>, const N: usize, const U: usize>(model: &M, at: &At) -> Vec<Found> {
     let jacobian = model.input_jacobian(&at.state::<N>());
-    vec![("dqdd_du", rows(&jacobian))]
+    vec![("dqdd_du", Ok(rows(&jacobian)))]
 }
 
 /// What a model has that is reduced by its ignorable coordinates: the reduced model at its state, and the way back.
@@ -73,26 +76,29 @@ where
     let places = SVector::from(ignorable.map(|i| full.q[i]));
     let linearization = reduced.linearize(&state);
     vec![
-        ("reduced constants", rows(&reduced.constants())),
+        ("reduced constants", Ok(rows(&reduced.constants()))),
         (
             "reduced velocities",
-            rows(&reduced.ignorable_velocities(&state)),
+            Ok(rows(&reduced.ignorable_velocities(&state))),
         ),
-        ("reduced routhian", vec![reduced.routhian(&state)]),
+        ("reduced routhian", Ok(vec![reduced.routhian(&state)])),
         (
             "reduced potential",
-            vec![reduced.effective_potential(&state)],
+            Ok(vec![reduced.effective_potential(&state)]),
         ),
-        ("reduced h", vec![reduced.energy(&state)]),
-        ("reduced p", rows(&reduced.momenta(&state))),
-        ("reduced Q", rows(&reduced.generalized_forces(&state))),
-        ("reduced qdd", rows(&reduced.accelerations(&state))),
-        ("reduced dqdd_dq", rows(&linearization.position)),
-        ("reduced dqdd_dqd", rows(&linearization.velocity)),
-        ("full state", rows(&reduced.full_state(&state, &places).v)),
+        ("reduced h", Ok(vec![reduced.energy(&state)])),
+        ("reduced p", Ok(rows(&reduced.momenta(&state)))),
+        ("reduced Q", Ok(rows(&reduced.generalized_forces(&state)))),
+        ("reduced qdd", Ok(rows(&reduced.accelerations(&state)))),
+        ("reduced dqdd_dq", Ok(rows(&linearization.position))),
+        ("reduced dqdd_dqd", Ok(rows(&linearization.velocity))),
+        (
+            "full state",
+            Ok(rows(&reduced.full_state(&state, &places).v)),
+        ),
         (
             "reconstruction",
-            reconstruction(model, &reduced, (&full, &state, places)),
+            Ok(reconstruction(model, &reduced, (&full, &state, places))),
         ),
     ]
 }

@@ -18,7 +18,7 @@ fn models_agree_with_an_independent_evaluation() {
         }
     };
     for c in &comparisons {
-        let row = worst.entry(c.quantity).or_insert(c);
+        let row = worst.entry(&c.quantity).or_insert(c);
         if ratio(c) > ratio(row) {
             *row = c;
         }

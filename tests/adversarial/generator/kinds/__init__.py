@@ -16,4 +16,22 @@ def kind(function):
     return function
 
 
-from kinds import bodies, branches, chains, domains, energies, forces, identities, ignorable, known, mechanisms, placed, vectors  # noqa: E402, F401
+from kinds import (  # noqa: E402, F401
+    bodies,
+    branches,
+    chains,
+    corners,
+    discontinuous,
+    domains,
+    energies,
+    forces,
+    identities,
+    ignorable,
+    known,
+    mechanisms,
+    placed,
+    steep,
+    turning,
+    vectors,
+    watched,
+)

@@ -1,0 +1,1 @@
+"""Motions: what is integrated, from states to ends, beside references that are integrated here."""
