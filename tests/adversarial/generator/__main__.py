@@ -35,6 +35,7 @@ def arguments():
     parser.add_argument("--kinds", type=lambda text: text.split(","), help="which, apart by commas; all if absent")
     parser.add_argument("--shard", type=int, default=120, help="how many models are compiled at a time")
     parser.add_argument("--each", type=int, default=3, help="how many models of each kind are selected")
+    parser.add_argument("--states", type=int, help="how many states of a model are selected at most")
     parser.add_argument("--name", default="passing", help="the file of the models that are selected")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--optimize", type=int, default=0, help="the level of optimization of models, 1 for many motions")
@@ -90,8 +91,9 @@ def select(given):
     fails = lambda model: model["id"] in report.wrong or model["id"] in report.refused
     command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
     command += f" --name {given.name} --kinds {','.join(given.kinds)}" if given.kinds else ""
+    command += f" --states {given.states}" if given.states else ""
     for name, contents in ((given.name, "models that agree"), ("failing", "models that are wrong or refused")):
-        chosen = [model for model in models if fails(model) == (name == "failing")]
+        chosen = [fewer(model, given.states) for model in models if fails(model) == (name == "failing")]
         path = MODELS / f"{name}.json"
         if chosen:
             document.write(path, chosen, {"command": command, "contents": contents})
@@ -100,6 +102,11 @@ def select(given):
         print(f"{len(chosen)} {contents}")
     print(report)
     return 0
+
+
+def fewer(model, most):
+    """The model with at most so many states."""
+    return model if most is None else {**model, "states": model["states"][:most]}
 
 
 def minimize(given):

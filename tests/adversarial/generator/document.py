@@ -45,7 +45,7 @@ def motion(model):
     """What is integrated, in place of what is evaluated at states."""
     asked = model.motion
     what = "splits" if asked.split else "lanes" if asked.lanes else "ends"
-    return {"motion": {"compared": what, "methods": asked.methods, "reduced": asked.reduced, "events": asked.functions > 0}}
+    return {"motion": {"compared": what, "reduced": asked.reduced}}
 
 
 def field(f):

@@ -87,7 +87,7 @@ fn evaluated(evaluate: Evaluate, state: &Value) -> Vec<(String, Entries)> {
 }
 
 /// The longest time for a state.
-const LONGEST: Duration = Duration::from_secs(10);
+const LONGEST: Duration = Duration::from_secs(60);
 
 /// Evaluates every model at its states, and compares all quantities.
 ///

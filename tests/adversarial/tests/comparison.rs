@@ -1,6 +1,6 @@
 //! That a comparison fails where it has to, and that data are read as they are written.
 
-use lagrangian_adversarial::{At, Comparison, Values};
+use lagrangian_adversarial::{At, Comparison, Values, compare_regulators};
 use nalgebra::SMatrix;
 use serde_json::json;
 
@@ -41,6 +41,33 @@ fn what_is_refused_is_not_right() {
         ..comparison(&[], &[])
     };
     assert!(!refused.is_within());
+}
+
+#[test]
+fn a_reference_that_is_off_is_noticed() {
+    // ẋ = x + u with the weights 1: P = K = 1 + √2.
+    let problem = |gain: &str| {
+        json!({ "regulators": [{
+            "id": "one", "kind": "by hand", "discrete": false, "states": 2, "inputs": 1,
+            "a": "1.0 0.0 0.0 -1.0", "b": "1.0 0.0", "q": "1.0 0.0 0.0 0.0", "r": "1.0",
+            "cost": "2.414213562373095 0.0 0.0 0.0", "gain": gain,
+            "tolerances": { "cost": "1e-13", "gain": "1e-13" },
+        }] })
+    };
+    let file = std::env::temp_dir().join(format!("regulators_{}.json", std::process::id()));
+    let are_within = |gain: &str| {
+        std::fs::write(&file, problem(gain).to_string()).expect("a temporary file");
+        let comparisons = compare_regulators(&file);
+        comparisons.iter().all(Comparison::is_within)
+    };
+    let found = [
+        "2.414213562373095 0.0",
+        "2.4142135623733 0.0",
+        "2.414213562373095 0.1",
+    ]
+    .map(are_within);
+    std::fs::remove_file(&file).expect("the temporary file");
+    assert_eq!(found, [true, false, false]);
 }
 
 fn at(params: &str) -> At {

@@ -1,14 +1,28 @@
-//! Generated models of every kind, against the references that were generated with them.
+//! Generated models and regulators of every kind, against the references that were generated with them.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
-use lagrangian_adversarial::{Comparison, MODELS, compare};
+use lagrangian_adversarial::{Comparison, MODELS, compare, compare_regulators};
 
 #[test]
 fn models_agree_with_an_independent_evaluation() {
     let comparisons = compare();
     // Without states nothing would be compared.
     assert!(comparisons.len() >= 12 * MODELS.len());
+    check(&comparisons);
+}
+
+#[test]
+fn regulators_are_those_of_scipy() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/regulators.json");
+    let comparisons = compare_regulators(&file);
+    assert!(comparisons.len() >= 2 * 30);
+    check(&comparisons);
+}
+
+/// Prints the worst comparison of each quantity, and fails if any is wrong.
+fn check(comparisons: &[Comparison]) {
     let mut worst: BTreeMap<&str, &Comparison> = BTreeMap::new();
     let ratio = |c: &Comparison| {
         if c.is_within() {
@@ -17,7 +31,7 @@ fn models_agree_with_an_independent_evaluation() {
             f64::INFINITY
         }
     };
-    for c in &comparisons {
+    for c in comparisons {
         let row = worst.entry(&c.quantity).or_insert(c);
         if ratio(c) > ratio(row) {
             *row = c;
@@ -48,4 +62,32 @@ fn models_agree_with_an_independent_evaluation() {
         wrong.len(),
         wrong.join("\n")
     );
+    for c in comparisons {
+        assert_mutations_are_noticed(c);
+    }
+}
+
+/// Fails unless the comparison would be wrong beside a reference of which one entry is off, is missing, or is one too many.
+fn assert_mutations_are_noticed(comparison: &Comparison) {
+    let beside = |expected: Vec<f64>| Comparison {
+        expected,
+        ..comparison.clone()
+    };
+    let expected = &comparison.expected;
+    // Beyond twice the tolerance from what was found at most a tolerance away, and told apart in binary64.
+    let distance = |x: f64| 2.1 * comparison.tolerance + 4.0 * f64::EPSILON * x.abs() + 1e-300;
+    for (i, x) in expected.iter().enumerate() {
+        for sign in [1.0, -1.0] {
+            let mut off = expected.clone();
+            off[i] += sign * distance(*x);
+            let (quantity, model) = (&comparison.quantity, &comparison.model);
+            assert!(
+                !beside(off).is_within(),
+                "entry {i} of {quantity} of {model}"
+            );
+        }
+    }
+    let fewer = expected[..expected.len().saturating_sub(1)].to_vec();
+    assert!(expected.is_empty() || !beside(fewer).is_within());
+    assert!(!beside([expected.as_slice(), &[0.0]].concat()).is_within());
 }

@@ -16,6 +16,7 @@ from motions.tracing import program
 TOLERANCE = 1e-19  # Of one step.
 NEAR = 1e-15  # Arguments that are as small as this at a crossing change their signs there, too.
 GRAZING = 1e-4  # A minimum of an argument, relative to its size nearby, so small that rounding may decide.
+ROUGH = 0.02  # The relative errors of points within a step are far below.
 MOST_STEPS = 400
 
 
@@ -117,14 +118,18 @@ class Motion:
         first = None
         for k, sign in enumerate(self.program.signs):
             for i in range(1, len(nodes)):
-                before, after = (n[1][1][k] * sign for n in nodes[i - 1 : i + 1])
-                if after < 0 and (before > 0 or i > 1):
-                    at = self.root((nodes[i - 1][0], before), (nodes[i][0], after), lambda out: out[1][k] * sign)
+                if nodes[i][1][1][k] * sign >= 0:
+                    continue
+                # The points within a step are midpoints that are not extrapolated: their signs are computed again.
+                around = range(max(i - 2, 0), min(i + 2, len(nodes)))
+                exact = [(nodes[j][0], self.inside(nodes[j][0])[1][k] * sign) for j in around]
+                pair = next((p for p in zip(exact, exact[1:]) if p[1][1] < 0 and (p[0][1] > 0 or p[0][0] != self.t)), None)
+                if pair is None and exact[0][0] == self.t and exact[1][1] < 0:
+                    raise Slides("back at once")
+                if pair is not None:
+                    at = self.root(*pair, lambda out: out[1][k] * sign)
                     first = at if first is None or abs(at - self.t) < abs(first - self.t) else first
                     break
-                if after < 0:
-                    # The start is the zero, to rounding: this branch was crossed there and comes back at once.
-                    raise Slides("back at once")
         return first
 
     def cross(self, t, direction):
@@ -156,7 +161,7 @@ class Motion:
 
     def find_events(self, nodes, limit, direction):
         for k in range(len(self.watched)):
-            points = [(t, out[2][k], out[3][k]) for t, out in nodes if (limit - t) * direction >= 0]
+            points = self.watched_points(nodes, k, limit, direction)
             if points[-1][0] != limit:
                 out = self.inside(limit)
                 points.append((limit, out[2][k], out[3][k]))
@@ -166,6 +171,17 @@ class Motion:
                     if c[1] < 0 <= d[1] or d[1] <= 0 < c[1]:
                         at = self.root(c[:2], d[:2], lambda out: out[2][k]) if d[1] != 0 else d[0]
                         self.events.append(Crossed(at, k, c[1] < 0, self.inside(at)[3][k]))
+
+    def watched_points(self, nodes, k, limit, direction):
+        """The function and its rate within the step; exactly where either is small, and might have another sign."""
+        inside = [(t, out) for t, out in nodes if (limit - t) * direction >= 0]
+        greatest = [max(abs(out[i][k]) for _, out in nodes) for i in (2, 3)]
+        points = []
+        for t, out in inside:
+            if any(abs(out[i][k]) < ROUGH * size for i, size in zip((2, 3), greatest)):
+                out = self.inside(t)
+            points.append((t, out[2][k], out[3][k]))
+        return points
 
     def monotone(self, k, a, b):
         """The parts between two points in which a watched function rises or falls."""
