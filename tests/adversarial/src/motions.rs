@@ -31,8 +31,8 @@ where
 {
     let (dynamics, start, end) = (model.dynamics(), at.state::<N>(), at.end());
     let [taylor, dop853] = [
-        last(Taylor::new(), &dynamics, start, end),
-        last(dop853(), &dynamics, start, end),
+        last(&Taylor::new(), &dynamics, start, end),
+        last(&dop853(), &dynamics, start, end),
     ];
     vec![("taylor", taylor.map(flat)), ("dop853", dop853.map(flat))]
 }
@@ -56,10 +56,10 @@ where
         let State { q, v, .. } = equations.full_state(end, &x);
         flat(Phase { q, v })
     };
-    let taylor = with_events(Taylor::new(), &dynamics, start, end);
-    let eighth_order = with_events(dop853(), &dynamics, start, end);
-    let reduced_taylor = with_events(Taylor::new(), &equations, (state, places), end);
-    let reduced_eighth_order = with_events(dop853(), &equations, (state, places), end);
+    let taylor = with_events(&Taylor::new(), &dynamics, start, end);
+    let eighth_order = with_events(&dop853(), &dynamics, start, end);
+    let reduced_taylor = with_events(&Taylor::new(), &equations, (state, places), end);
+    let reduced_eighth_order = with_events(&dop853(), &equations, (state, places), end);
     [
         named(["taylor", "taylor events"], taylor, flat),
         named(["dop853", "dop853 events"], eighth_order, flat),
@@ -95,7 +95,7 @@ pub(crate) fn flat<const N: usize>(x: Phase<f64, N>) -> Vec<f64> {
 
 /// The state at the final time; why it is not reached otherwise.
 pub(crate) fn last<I, D>(
-    method: I,
+    method: &I,
     dynamics: &D,
     start: impl InitialValue<D::State>,
     end: f64,
@@ -115,7 +115,7 @@ where
 }
 
 fn with_events<I, D>(
-    method: I,
+    method: &I,
     dynamics: &D,
     start: impl InitialValue<D::State>,
     end: f64,
@@ -165,7 +165,7 @@ where
             Ok(outcome) => Err(format!("{:?} at t = {}", outcome.reason, outcome.last.t)),
             Err(error) => Err(error.to_string()),
         };
-        let expected = last(Taylor::new(), &alone, *start, *end).map(flat);
+        let expected = last(&Taylor::new(), &alone, *start, *end).map(flat);
         let differences = match (&found, expected) {
             (Ok(found), Ok(expected)) => {
                 Ok(found.iter().zip(&expected).map(|(x, y)| x - y).collect())

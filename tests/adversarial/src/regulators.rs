@@ -1,4 +1,4 @@
-//! Linear-quadratic regulators beside those of SciPy.
+//! Linear-quadratic regulators beside those of `SciPy`.
 
 use std::{fs, path::Path};
 
