@@ -14,6 +14,8 @@ impl<'a> Layout<'a> {
         if let (None, Node::Unary(function, x)) =
             (self.letters.definition(base), self.graph.node(base))
             && exponent.is_integer()
+            // The exponent of ln cosh x would be that of cosh x.
+            && (exponent.is_one() || *function != Unary::LogCosh)
         {
             return self.call(line, *function, *x, exponent, factor.before_bar);
         }
