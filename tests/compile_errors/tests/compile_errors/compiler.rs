@@ -30,7 +30,8 @@ pub(crate) fn compile_together(cases: &[Case]) -> HashMap<PathBuf, String> {
         "fn main() {}\nfn wrong_type() -> u8 { \"\" }\nfn moved(s: String) -> [String; 2] { [s, s] }\n",
     );
     for (index, case) in cases.iter().enumerate() {
-        writeln!(source, "#[path = {:?}] mod case_{index};", case.path()).expect("strings grow");
+        let path = case.path().display().to_string();
+        writeln!(source, "#[path = {path:?}] mod case_{index};").expect("strings grow");
     }
     let mut command = command();
     command.arg("-");
