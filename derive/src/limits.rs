@@ -28,6 +28,9 @@ pub(crate) const STATEMENTS_PER_TRANSFER: usize = 8;
 /// How many variables are declared at once, those that are assigned and the results of pieces.
 pub(crate) const DECLARED_AT_ONCE: usize = 200;
 
+/// The characters of a switching function's formula in an error.
+pub(crate) const LONGEST_SWITCHING_FUNCTION: usize = 60;
+
 /// The cost of M beyond which it is computed column by column. That of thirty joints in space costs ten thousand, a tenth of
 /// what thirty columns of momenta do; that of a hundred joints would cost more than ten times as much, and the time to compile
 /// grows with it. Loops over the links of one kind would lift it.

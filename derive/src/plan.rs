@@ -31,4 +31,4 @@ pub(crate) use table::{
     is_method,
 };
 pub(crate) use taylor_method::{NoTaylorSeries, Rates, TaylorMethod};
-pub(crate) use value_series::{EventSeries, ValueSeries};
+pub(crate) use value_series::{BranchSeries, EventSeries, ValueSeries};

@@ -63,7 +63,8 @@ pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
 pub use taylor::recurrences;
 pub use taylor::{
-    BranchVisitor, Series, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
+    BranchVisitor, Series, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant,
+    TaylorStepper,
 };
 pub(crate) use taylor::{Convolutions, OnlineConvolutions, PairedConvolutions};
 pub use taylor::{Ensemble, TaylorLanes};

@@ -72,9 +72,9 @@ pub use integrate::{
     Integrator, Interpolant, MetConditions, ObservationKind, Observer, Occurrence, Outcome,
     Predicate, Progress, Reaction, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
     RunningIntegration, Sample, Series, SetTypicalSizes, SingleNumber, Singularity, Statistics,
-    Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason, Taylor, TaylorCoefficients,
-    TaylorInterpolant, TaylorStepper, TypicalSizes, Unconditional, Unobserved, Watched, WithSizes,
-    ZeroCrossing,
+    Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason, SwitchingFunction, Taylor,
+    TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes, Unconditional, Unobserved,
+    Watched, WithSizes, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};

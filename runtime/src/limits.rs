@@ -235,6 +235,56 @@ pub(crate) mod taylor {
     /// Passages to other branches of the equations that are checked in a step; a step with more of them is shortened.
     pub(crate) const MOST_CROSSINGS: usize = 16;
 
+    /// A switching function whose value at the beginning of a step exceeds its other terms by this factor has one sign.
+    pub(crate) const ONE_SIGN: f64 = 1.0 + 1e-12;
+
+    /// The last two terms of a switching function's series, over the sum of all, up to which changes of its sign are looked for;
+    /// more where those of the motion are larger. What a contact of this depth does is of the order of the power 3/2 of it. The
+    /// time of a change is then refined by values of the function itself.
+    pub(crate) const CONVERGED: f64 = 1e-10;
+
+    /// By how many halvings a step is shortened at once where the series of a switching function does not converge.
+    pub(crate) const MOST_HALVINGS: u32 = 16;
+
+    /// Values of a switching function that are this many rounding errors of the sum of its terms have no sign.
+    pub(crate) const SIGN_UNCERTAINTY: f64 = 32.0;
+
+    /// Parts of a step, in its length, within which two changes of sign are none: what happens between them is below all errors.
+    pub(crate) const MIN_PART: f64 = 1.0 / 1_073_741_824.0;
+
+    /// Parts that are looked at in one step, at most. A change of sign takes some ten where others are near.
+    pub(crate) const ISOLATION_STEPS: u32 = 1024;
+
+    /// Times that differ by this many rounding errors are not distinguished in the search for changes of sign.
+    pub(crate) const RESOLUTION: f64 = 64.0;
+
+    /// How far before a change of sign the polynomial of a step is compared with the equations, in parts of the step.
+    pub(crate) const BEFORE: f64 = 1.0 / 65_536.0;
+
+    /// The first time behind a discontinuity surface at which a step may end, in rounding errors of the time.
+    pub(crate) const FIRST_PUSH: f64 = 16.0;
+
+    /// By how much that time is farther away each time if the sign of the switching function is not certain there.
+    pub(crate) const PUSH_GROWTH: f64 = 4.0;
+
+    /// The longest time behind a discontinuity surface, in lengths of the step.
+    pub(crate) const LARGEST_PUSH: f64 = 1.0 / 256.0;
+
+    /// Newton steps by which the time of a crossing is refined. Each adds ten digits, or one order of derivative parts.
+    pub(crate) const ROOT_ITERATIONS: u32 = 4;
+
+    /// Series that are computed behind a discontinuity surface at one time at most; two are enough as a rule.
+    pub(crate) const SETTLING: u32 = 8;
+
+    /// And at least on scalars with derivative parts: each makes one more order of them right.
+    pub(crate) const SETTLING_OF_DERIVATIVES: u32 = 3;
+
+    /// A step to a discontinuity surface is short if it takes this many rounding errors of the time.
+    pub(crate) const SHORT_PASSAGE: f64 = 1024.0;
+
+    /// After so many short steps in a row passages accumulate. There may be as many surfaces that are crossed at once.
+    pub(crate) const MOST_SHORT_PASSAGES: u32 = 64;
+
     /// The least default of the singularity tolerance, that of the other methods.
     pub(crate) const SINGULARITY_TOLERANCE: f64 = super::dormand_prince::TOLERANCE;
 
@@ -251,6 +301,9 @@ pub(crate) mod taylor {
     /// And by this many rounding errors of the state and of its change. By judgement: the rounding error of a derivative
     /// is amplified by its condition.
     pub(crate) const RESIDUAL_ROUNDING: f64 = 4096.0;
+
+    /// What is allowed of them behind a change of sign of a switching function.
+    pub(crate) const CROSSING_ROUNDING: f64 = 64.0;
 
     /// A step whose derivative differs by more is divided by this.
     pub(crate) const SHORTENING: f64 = 2.0;

@@ -11,9 +11,11 @@ use super::body::{Body, SymbolReader};
 use super::emitter::Emitter;
 use super::locals::Locals;
 use super::model_symbols::element;
+use super::printed_names::printed_names;
 use super::signatures::InputsFrom;
 use super::writer::Writer;
-use crate::plan::{AccelerationOutputs, Rates, TaylorMethod, ValueSeries};
+use crate::limits::LONGEST_SWITCHING_FUNCTION;
+use crate::plan::{AccelerationOutputs, BranchSeries, Rates, TaylorMethod};
 
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
@@ -63,7 +65,9 @@ impl Emitter<'_> {
         let signature = self.parameters_of_motion();
         let body = self.series(&series.motion, InputsFrom::Fields);
         let branches = self.branches(InputsFrom::Fields);
+        let names = self.switching_functions();
         let items = quote! {
+            #names
             fn taylor_series<const HALF: usize>(&self, state: #state, #signature) { #body }
             #branches
         };
@@ -94,7 +98,9 @@ impl Emitter<'_> {
             #branches
         };
         let branches = self.branches_of_held_inputs(&taking_inputs);
+        let names = self.switching_functions();
         let held = quote! {
+            #names
             fn taylor_series<const HALF: usize>(&self, state: #state, #signature) {
                 let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
                 <Self as #taking_inputs>::taylor_series_with(
@@ -119,9 +125,25 @@ impl Emitter<'_> {
         }
     }
 
-    /// The series of the arguments of branches, for equations that have some.
-    fn branch_series(&self) -> Option<&ValueSeries> {
+    /// The series of the switching functions, for equations that have some.
+    fn branch_series(&self) -> Option<&BranchSeries> {
         self.series?.branches.as_ref()
+    }
+
+    /// What is known of the switching functions, for equations that have some.
+    fn switching_functions(&self) -> Option<TokenStream> {
+        let series = self.branch_series()?;
+        let root = &self.declaration.root;
+        let names = printed_names(self.lowered);
+        let functions = series.functions.iter().zip(&series.are_inner);
+        let functions = functions.map(|(function, is_inner)| {
+            let formula = self.model.graph.display(*function, &names);
+            let name = formula.limit(LONGEST_SWITCHING_FUNCTION).to_string();
+            quote!(#root::SwitchingFunction { name: #name, is_inner: #is_inner })
+        });
+        Some(quote! {
+            const SWITCHING_FUNCTIONS: &'static [#root::SwitchingFunction] = &[#(#functions),*];
+        })
     }
 
     /// The method that visits the series of the arguments of branches, for equations that have some.
@@ -129,7 +151,7 @@ impl Emitter<'_> {
         let series = self.branch_series()?;
         let (root, scalar) = (&self.declaration.root, &self.scalar);
         let signature = self.parameters_of_series();
-        let body = self.body_of_series(series, inputs);
+        let body = self.body_of_series(&series.series, inputs);
         let visit = quote!(visit: &mut #root::BranchVisitor<'_, #scalar>);
         let visited = quote!(#root::__private::visit_branches(&{ #body }, visit););
         if inputs == InputsFrom::Fields {

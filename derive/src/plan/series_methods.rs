@@ -4,15 +4,15 @@ use lagrangian_symbolic::{Equations, Model};
 
 use super::methods::Methods;
 use super::taylor_method::{NoTaylorSeries, TaylorMethod};
-use super::value_series::{EventSeries, ValueSeries};
+use super::value_series::{BranchSeries, EventSeries};
 
 /// The methods for Taylor series.
 pub(crate) struct SeriesMethods {
     pub(crate) motion: TaylorMethod,
     /// That of the event functions, if they have series.
     pub(crate) events: Option<EventSeries>,
-    /// That of the arguments of branches of the equations of motion, if there are some.
-    pub(crate) branches: Option<ValueSeries>,
+    /// That of the switching functions of the equations of motion, if there are some.
+    pub(crate) branches: Option<BranchSeries>,
 }
 
 impl SeriesMethods {
@@ -26,7 +26,7 @@ impl SeriesMethods {
         Ok(Self {
             motion: methods.taylor_method(model, equations)?,
             events: methods.event_series(&model.graph, branches)?,
-            branches: ValueSeries::of_branches(model, equations)?,
+            branches: BranchSeries::derive(model, equations)?,
         })
     }
 }

@@ -1,7 +1,7 @@
 //! The Taylor series of values along a motion.
 
 use lagrangian_symbolic::{
-    Equations, Graph, Model, Program, SeriesOutputs, TaylorProgram, ValueSeriesCheck,
+    Equations, Expression, Graph, Model, Program, SeriesOutputs, TaylorProgram, ValueSeriesCheck,
 };
 
 use super::method::Method;
@@ -14,6 +14,14 @@ pub(crate) struct EventSeries {
     pub(crate) series: ValueSeries,
     /// For each event the indices of the values at whose zeros it has another branch.
     pub(crate) branches: Vec<Vec<usize>>,
+}
+
+/// The program for the Taylor coefficients of the switching functions of the equations of motion.
+pub(crate) struct BranchSeries {
+    pub(crate) series: ValueSeries,
+    pub(crate) functions: Vec<Expression>,
+    /// Whether each is one of another one, too.
+    pub(crate) are_inner: Vec<bool>,
 }
 
 /// The program for the Taylor coefficients of values along a motion.
@@ -65,10 +73,12 @@ impl ValueSeries {
             program: taylor,
         }))
     }
+}
 
+impl BranchSeries {
     /// The series of the arguments whose signs distinguish branches of the equations of motion; none where there are no
     /// branches.
-    pub(crate) fn of_branches(
+    pub(crate) fn derive(
         model: &mut Model,
         equations: &Equations,
     ) -> Result<Option<Self>, NoTaylorSeries> {
@@ -76,13 +86,23 @@ impl ValueSeries {
         let of_equations: Vec<_> = mass.chain(&equations.forcing).copied().collect();
         let mut roots = vec![equations.lagrangian, model.dissipation];
         roots.extend(model.forces.iter().chain(&of_equations));
-        let arguments = model.graph.branch_arguments(&roots);
-        if arguments.is_empty() {
+        let functions = model.graph.branch_arguments(&roots);
+        if functions.is_empty() {
             return Ok(None);
         }
         let mut layout = ProgramLayout::new();
-        let values = layout.add(&arguments);
+        let values = layout.add(&functions);
         let program = Program::schedule(&model.graph, &layout.groups());
-        Self::of(&model.graph, &program, &values)
+        let series = ValueSeries::of(&model.graph, &program, &values)?;
+        let of_functions = model.graph.branch_arguments(&functions);
+        let are_inner = functions
+            .iter()
+            .map(|function| of_functions.contains(function))
+            .collect();
+        Ok(series.map(|series| Self {
+            series,
+            are_inner,
+            functions,
+        }))
     }
 }

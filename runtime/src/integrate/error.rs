@@ -75,6 +75,16 @@ pub enum IntegrationError {
         /// The coordinates that make it so; its relative pivot is the inertia relative to that elsewhere.
         singularity: Singularity,
     },
+    /// A motion cannot leave a discontinuity surface of its equations: on both sides of it they lead back to it, as dry friction
+    /// does at rest. There is then no motion on either side, but a sliding mode (A. F. Filippov, *Differential Equations with
+    /// Discontinuous Righthand Sides* (1988), § 4), which the method does not follow. So is a motion whose passages through
+    /// such a surface accumulate.
+    SlidingMode {
+        /// The time from which on it stays there.
+        time: f64,
+        /// The switching function that is zero there, such as ẋ for `signum(dot(x))`.
+        function: &'static str,
+    },
     /// So many steps were taken before the end that the integration gave up. A [`Driver`](crate::Driver) stops without
     /// an error instead, by [`StopReason::StepLimit`](crate::StopReason::StepLimit).
     TooManySteps {
@@ -191,6 +201,7 @@ impl fmt::Display for IntegrationError {
                 step,
                 singularity,
             } => write_vanishing(f, (time, step), &singularity),
+            Self::SlidingMode { time, function } => write_sliding(f, time, function),
             Self::TooManySteps { time, limit } => {
                 write!(
                     f,
@@ -297,6 +308,18 @@ fn write_no_series(f: &mut fmt::Formatter<'_>, time: f64, component: ComponentNa
     write!(
         f,
         "at t = {time} {component} has no Taylor series: a higher derivative is not finite; integrate by `Dop853`"
+    )
+}
+
+/// The message of a sliding mode, with the remedy.
+fn write_sliding(f: &mut fmt::Formatter<'_>, time: f64, function: &str) -> fmt::Result {
+    let time = Readable(time);
+    write!(
+        f,
+        "from t = {time} on the motion cannot leave {function} = 0, where the equations are discontinuous: on both sides they lead \
+         back to it (a sliding mode, such as sticking by dry friction), and that is no motion on either side. Make them \
+         continuous, as by tanh(u/w) in place of signum(u), with a small w, or declare an event there, stop at it, and go on \
+         with the equations that hold on the surface"
     )
 }
 

@@ -26,11 +26,10 @@ pub use event_dynamics::{EventDynamics, SingleNumber};
 pub(crate) use event_time::{Located, moved};
 pub use functions::{EventValues, Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
+pub(crate) use location::Bracket;
 pub(crate) use memory::Memory;
 pub use met_conditions::MetConditions;
-pub(crate) use polynomial::Polynomial;
 pub(crate) use sampling::restart;
-pub(crate) use window::double_double;
 
 /// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

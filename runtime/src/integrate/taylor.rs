@@ -3,10 +3,12 @@
 //! R. E. Moore, *Interval Analysis* (1966), chapter 11; À. Jorba & M. Zou, *A Software Package for the Numerical
 //! Integration of ODEs by Means of High-Order Taylor Methods*, Experimental Mathematics **14** (2005) 99–117.
 
+mod bernstein;
 mod branch_crossings;
 pub(super) mod coefficients;
 mod convolutions;
 mod interpolant;
+mod junction;
 mod ensemble;
 mod lanes;
 mod paired_convolutions;
@@ -24,7 +26,7 @@ pub(crate) use ensemble::Running;
 pub use interpolant::TaylorInterpolant;
 pub use lanes::TaylorLanes;
 pub(crate) use paired_convolutions::PairedConvolutions;
-pub use series::Series;
+pub use series::{Series, SwitchingFunction};
 pub use stepper::TaylorStepper;
 
 use super::checkpoint::Resume;
@@ -47,12 +49,34 @@ use crate::scalar::Scalar;
 ///
 /// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative
 /// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial
-/// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. The corners of |u|,
-/// sgn u, min, max and atan2 in a declaration are found by the series of their arguments ([`Series::branches`]), however short a
-/// contact is. For another force that acts for a shorter time, such as a pulse of an external function, set
-/// [`max_step`](Self::max_step) to less than its duration. With dual
+/// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that acts for
+/// a shorter time, such as a pulse of an external function, set [`max_step`](Self::max_step) to less than its duration. With dual
 /// numbers the derivative parts count, too, relative to their largest component, so that a derivative is as accurate
 /// where the value rests.
+///
+/// # Corners and jumps
+///
+/// The corners and jumps of |u|, sgn u, min, max and atan2 in a declaration are found by the series of their switching functions
+/// ([`Series::branches`]), however short a contact is. Where the equations behind one differ from the polynomial, the step ends
+/// there, to the digits of the scalar, and the next one begins on the branch behind: square waves, relays, forces that are switched
+/// on, dry friction that reverses. Sensitivities (dual numbers, [`StateTransition`](crate::StateTransition)) jump with the force.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -signum(x)))]
+/// struct Relay;
+///
+/// // Parabolas between x = 1 and x = −1, with the period 4√2.
+/// let start = State::new(0.0, [1.0], [0.0]);
+/// let end = Taylor::new().integrate_to(&Relay.dynamics(), start, 40.0 * 2.0_f64.sqrt())?;
+/// assert!((end.x.q[0] - 1.0).abs() < 1e-12);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// Where the equations on both sides of a discontinuity surface lead back to it, as dry friction that holds a mass, the motion
+/// cannot leave it: [`IntegrationError::SlidingMode`] names the switching function and the time.
 ///
 /// It integrates what has a [`Series`]: a model with the clause `taylor` in its declaration.
 ///

@@ -2,7 +2,7 @@
 
 use super::dynamics::{ComponentName, Dynamics};
 use super::singularity::Singularity;
-use super::taylor::{BranchVisitor, Series, TaylorCoefficients};
+use super::taylor::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -165,5 +165,9 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for WithSizes<'_, D, D::State> 
         visit: &mut BranchVisitor<'_, S>,
     ) {
         self.dynamics.branches(t, x, unit, motion, visit);
+    }
+
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        self.dynamics.switching_function(index)
     }
 }

@@ -4,11 +4,11 @@ use nalgebra::SVector;
 
 use super::common_dynamics::{errors_of_the_model, reduced};
 use super::inputs::Inputs;
-use super::motion_series::MotionSeriesWith;
+use super::motion_series::{MotionSeriesWith, switching_function};
 use super::phase::Phase;
 use super::signals::Signals;
 use super::state::State;
-use crate::integrate::{BranchVisitor, Dynamics, Series, TaylorCoefficients};
+use crate::integrate::{BranchVisitor, Dynamics, Series, SwitchingFunction, TaylorCoefficients};
 use crate::scalar::Scalar;
 
 /// A system under inputs u(t) that are [`Signals`]; made by [`Inputs::driven_by`].
@@ -107,5 +107,9 @@ where
         self.signals.series::<HALF>(t, unit, inputs);
         self.model
             .branch_series_with(inputs, &x.at(t), unit, motion, visit);
+    }
+
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        switching_function::<M, S, N>(index)
     }
 }

@@ -8,7 +8,7 @@ use super::lagrangian::Lagrangian;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{BranchVisitor, Series, TaylorCoefficients};
+use crate::integrate::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `taylor`: recurrences for the Taylor coefficients of its motions.
@@ -30,8 +30,11 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     );
 
-    /// The Taylor coefficients of each argument whose sign distinguishes branches of the equations of motion, along a motion
-    /// through a state ([`Series::branches`]).
+    /// The switching functions of [`branch_series`](Self::branch_series), in order.
+    const SWITCHING_FUNCTIONS: &'static [SwitchingFunction] = &[];
+
+    /// The Taylor coefficients of each switching function, an argument whose sign distinguishes branches of the equations of
+    /// motion, along a motion through a state ([`Series::branches`]).
     fn branch_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
@@ -82,6 +85,8 @@ where
     M: MotionSeriesWith<N, U, S> + ?Sized,
     S: Scalar,
 {
+    const SWITCHING_FUNCTIONS: &'static [SwitchingFunction] = M::SWITCHING_FUNCTIONS;
+
     #[inline]
     fn taylor_series<const HALF: usize>(
         &self,
@@ -108,6 +113,16 @@ where
     }
 }
 
+/// What is known of a switching function of a model.
+pub(super) fn switching_function<M, S, const N: usize>(index: usize) -> SwitchingFunction
+where
+    M: MotionSeries<N, S> + ?Sized,
+    S: Scalar,
+{
+    let function = M::SWITCHING_FUNCTIONS.get(index).copied();
+    function.unwrap_or_default()
+}
+
 /// The series of equations of motion, of a model that they own or refer to.
 macro_rules! series_of_the_model {
     () => {
@@ -132,6 +147,10 @@ macro_rules! series_of_the_model {
             visit: &mut BranchVisitor<'_, S>,
         ) {
             self.model.branch_series(&x.at(t), unit, motion, visit);
+        }
+
+        fn switching_function(&self, index: usize) -> SwitchingFunction {
+            switching_function::<M, S, N>(index)
         }
     };
 }

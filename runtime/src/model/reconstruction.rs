@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::common_dynamics::{allowed_error, component_name, reduced};
 use super::events::Events;
-use super::motion_series::MotionSeries;
+use super::motion_series::{MotionSeries, switching_function};
 use super::phase::Phase;
 use super::reconstructed_phase::ReconstructedPhase;
 use super::routhian::{Routhian, RouthianSeries};
@@ -13,7 +13,8 @@ use super::singular_configuration::{
     vanishing_inertia, vanishing_inertia_in_lane,
 };
 use crate::integrate::{
-    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, Singularity, TaylorCoefficients,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, Singularity, SwitchingFunction,
+    TaylorCoefficients,
 };
 use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;
@@ -191,6 +192,10 @@ where
     ) {
         let of_phase = of_phase(motion);
         self.model.branch_series(&x.at(t), unit, &of_phase, visit);
+    }
+
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        switching_function::<M, S, N>(index)
     }
 }
 

@@ -4,11 +4,14 @@
 mod common;
 
 mod beyond_many_turns;
+mod branches;
+mod counted_calls;
 mod driven;
 mod driver;
 mod ensemble;
 mod ensemble_errors;
 mod errors;
+mod jumps;
 mod lanes;
 mod long_run;
 mod methods;
@@ -16,7 +19,10 @@ mod order;
 mod precision;
 mod recurrences;
 mod running;
+#[cfg(feature = "num-dual")]
+mod saltation;
 mod series_by_hand;
+mod sliding;
 mod taylor;
 mod tolerances;
 mod units;

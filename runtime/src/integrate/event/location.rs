@@ -7,16 +7,16 @@
 use crate::limits::events::DIVISIONS;
 
 /// An end of a bracket: a time, and the value of the function there.
-pub(super) type End = (f64, f64);
+pub(crate) type End = (f64, f64);
 
 /// The proposals of times within a bracket that shrinks.
-pub(super) struct Bracket {
+pub(crate) struct Bracket {
     width: f64,
     divisions: usize,
 }
 
 impl Bracket {
-    pub(super) fn new(a: f64, b: f64) -> Self {
+    pub(crate) fn new(a: f64, b: f64) -> Self {
         Self {
             width: (b - a).abs(),
             divisions: 0,
@@ -25,7 +25,7 @@ impl Bracket {
 
     /// A time between the ends, whose values have different signs if they are known; none where there is no number
     /// between them.
-    pub(super) fn divide(&mut self, (a, of_a): End, (b, of_b): End) -> Option<f64> {
+    pub(crate) fn divide(&mut self, (a, of_a): End, (b, of_b): End) -> Option<f64> {
         let middle = a + 0.5 * (b - a);
         let is_end = |t: f64| t.to_bits() == a.to_bits() || t.to_bits() == b.to_bits();
         if self.divisions >= DIVISIONS || is_end(middle) {

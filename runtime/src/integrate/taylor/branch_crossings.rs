@@ -1,81 +1,211 @@
 //! Where a motion passes from one branch of its equations to another.
 //!
 //! A series continues the branch on which a step begins: that of |u|, sgn u, min, max and atan2. A contact that begins and
-//! ends within a step does not show at its end. The arguments whose signs distinguish branches have series of their own, whose
-//! zeros are found as those of declared events are; between two of them the series is compared with the equations.
+//! ends within a step does not show at its end. The switching functions, whose signs distinguish branches, have series of
+//! their own. Behind each change of their signs the series of the motion is compared with the equations; where they differ, the
+//! step ends at that change (L. Dieci & L. Lopez, *A survey of numerical methods for IVPs of ODEs with discontinuous
+//! right-hand side*, J. Comput. Appl. Math. **236** (2012) 3967–3991, section 3).
 
-use crate::integrate::event::Polynomial;
-use crate::limits::taylor::MOST_CROSSINGS;
-use crate::scalar::DoubleDouble;
+use super::bernstein::UnitPolynomial;
+use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::taylor::{CONVERGED, MOST_CROSSINGS, MOST_HALVINGS, ONE_SIGN};
 
-/// Visits the Taylor coefficients of arguments of branches, those of one after those of another.
+/// Visits the Taylor coefficients of each switching function in turn.
 pub type BranchVisitor<'a, S> = dyn FnMut(&mut dyn Iterator<Item = S>) + 'a;
 
-/// The zeros of arguments of branches within a step, in parts of it and ascending.
+/// A change of the sign of a switching function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Crossing {
+    /// Where it is, as a part of the step.
+    pub(super) at: f64,
+    /// The index of the switching function.
+    pub(super) function: usize,
+}
+
+/// The changes of sign of switching functions within a step, in order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BranchCrossings {
-    zeros: [f64; MOST_CROSSINGS],
+    crossings: [Crossing; MOST_CROSSINGS],
     count: usize,
-    /// Whether there are more of them, or terms of a series are too large for numbers.
-    overflows: bool,
+    /// How many functions have been looked at.
+    functions: usize,
+    /// A part of the step within which two times are the same but for rounding.
+    resolution: f64,
+    /// The part of the step over which the series of all functions converge; 1 or less.
+    pub(super) converging: f64,
+    /// A function that is zero at the end of the step but for rounding.
+    pub(super) at_end: Option<usize>,
+    /// Whether a function is nothing but rounding errors, so that its changes of sign are unknown.
+    pub(super) has_noise: bool,
+}
+
+/// A step in which switching functions change their signs.
+pub(super) struct SearchedStep<T, M> {
+    /// Its length in units of the series.
+    pub(super) length: f64,
+    /// The machine epsilon of the coefficients.
+    pub(super) epsilon: f64,
+    /// The greater of the last two terms of the motion's series at the end of the step, over the sum of all.
+    pub(super) last_terms: T,
+    /// The sum of the terms of the motion's series in its largest component.
+    pub(super) size: M,
 }
 
 impl BranchCrossings {
-    pub(super) const NONE: Self = Self {
-        zeros: [1.0; MOST_CROSSINGS],
-        count: 0,
-        overflows: false,
-    };
-
-    /// Whether a step has more zeros than are kept, or a length at which terms of a series overflow: it is too long to be checked.
-    pub(super) fn overflows(&self) -> bool {
-        self.overflows
+    /// None, in a step of which a part of this length is a rounding error of the time.
+    pub(super) fn none(resolution: f64) -> Self {
+        Self {
+            crossings: [Crossing {
+                at: 1.0,
+                function: 0,
+            }; MOST_CROSSINGS],
+            count: 0,
+            functions: 0,
+            resolution,
+            converging: 1.0,
+            at_end: None,
+            has_noise: false,
+        }
     }
 
-    /// Adds the zeros of an argument with these coefficients, over a step that is so many units of its series long. An argument
-    /// that has no series at the beginning of the step has none.
-    pub(super) fn add(
+    /// Adds the changes of sign of the next function, which has these coefficients. One that has no series at the beginning of
+    /// the step has none.
+    pub(super) fn add<T: Fn() -> f64, M: Fn() -> f64>(
         &mut self,
-        coefficients: impl Iterator<Item = DoubleDouble>,
-        length: f64,
-        epsilon: f64,
+        coefficients: impl Iterator<Item = f64>,
+        step: &SearchedStep<T, M>,
     ) {
-        let mut has_series = true;
-        let coefficients =
-            coefficients.inspect(|coefficient| has_series &= coefficient.to_f64().is_finite());
-        let Some(polynomial) = Polynomial::over(coefficients, length, epsilon) else {
-            self.overflows |= has_series;
-            return;
-        };
-        if polynomial.has_one_sign() {
+        let function = self.functions;
+        self.functions += 1;
+        let (mut terms, mut count) = ([0.0; MOST_COEFFICIENTS], 0);
+        let (mut power, mut rest, mut is_finite) = (1.0, 0.0, true);
+        for (term, coefficient) in terms.iter_mut().zip(coefficients) {
+            is_finite &= coefficient.is_finite();
+            // A high power may be infinite.
+            *term = if coefficient == 0.0 {
+                0.0
+            } else {
+                coefficient * power
+            };
+            rest += term.abs();
+            power *= step.length;
+            count += 1;
+        }
+        rest -= terms[0].abs();
+        if !is_finite || terms[0].abs() > ONE_SIGN * rest {
             return;
         }
-        let mut next = polynomial.next_root(0.0, 0.0);
-        while let Some(root) = next {
-            if root.before * root.behind < 0.0 {
-                let Some(zero) = self.zeros.get_mut(self.count) else {
-                    self.overflows = true;
-                    return;
-                };
-                *zero = root.at;
-                self.count += 1;
-                self.zeros[..self.count].sort_unstable_by(f64::total_cmp);
+        let terms = &terms[..count];
+        let part = converging_part(terms, || CONVERGED.max((step.last_terms)()));
+        if part < 1.0 {
+            if rest <= NOISE * step.epsilon * (step.size)() {
+                self.has_noise = true;
+            } else {
+                self.converging = self.converging.min(part);
             }
-            next = polynomial.next_root(root.until, root.behind);
+            return;
+        }
+        let polynomial = UnitPolynomial::new(terms.iter().copied(), step.epsilon);
+        self.add_changes(function, &polynomial);
+    }
+
+    fn add_changes(&mut self, function: usize, polynomial: &UnitPolynomial) {
+        let resolution = self.resolution;
+        if self.begins_on_other_branch(polynomial) {
+            self.insert(Crossing { at: 0.0, function });
+        }
+        for change in polynomial.sign_changes(resolution) {
+            let is_at_begin = change.at <= resolution;
+            if !is_at_begin {
+                self.insert(Crossing {
+                    at: change.at,
+                    function,
+                });
+            }
+        }
+        let (value, slope) = (polynomial.value(1.0), polynomial.slope(1.0));
+        let has_no_sign = value.abs() <= polynomial.uncertainty(1.0);
+        if has_no_sign && slope != 0.0 || value.abs() <= resolution * slope.abs() {
+            self.at_end = self.at_end.or(Some(function));
         }
     }
 
-    /// Two times between each zero and the next, or the end of the step. They divide it by the golden section: what is symmetric
-    /// or antisymmetric about the middle does not vanish at both.
-    pub(super) fn times_between(&self) -> impl Iterator<Item = f64> + '_ {
-        let zeros = &self.zeros[..self.count];
-        let next = zeros.iter().skip(1).chain(core::iter::once(&1.0));
-        zeros.iter().zip(next).flat_map(|(zero, next)| {
-            let minor = GOLDEN_SECTION * (next - zero);
-            [zero + minor, next - minor]
+    /// Whether the sign with which a step begins, by which its branch was chosen, is not that behind its beginning.
+    fn begins_on_other_branch(&self, polynomial: &UnitPolynomial) -> bool {
+        let mut coefficients = polynomial.coefficients().iter();
+        let value = coefficients.next().copied().unwrap_or(0.0);
+        let slope = polynomial.coefficients().get(1).copied().unwrap_or(0.0);
+        if value.abs() > self.resolution * slope.abs() {
+            return false;
+        }
+        let uncertainty = polynomial.uncertainty(1.0);
+        let mut behind = coefficients.filter(|term| term.abs() > uncertainty);
+        let Some(behind) = behind.next() else {
+            return false;
+        };
+        value == 0.0 || value * behind < 0.0
+    }
+
+    /// Adds a change, unless there is one at that time already. Of more than are kept, those that come last are left out: the
+    /// step is to end before them.
+    fn insert(&mut self, crossing: Crossing) {
+        let kept = &self.crossings[..self.count];
+        let is_together = |other: &Crossing| (other.at - crossing.at).abs() <= self.resolution;
+        if kept.iter().any(is_together) {
+            return;
+        }
+        let position = kept.partition_point(|other| other.at <= crossing.at);
+        if self.count == MOST_CROSSINGS {
+            let last = kept.last().map_or(1.0, |last| last.at.max(crossing.at));
+            self.converging = self.converging.min(last);
+        } else {
+            self.count += 1;
+        }
+        let mut moved = crossing;
+        for slot in self.crossings.iter_mut().take(self.count).skip(position) {
+            core::mem::swap(slot, &mut moved);
+        }
+    }
+
+    /// Each change of sign with two times between it and the next, or the end of the step. They divide it by the golden section:
+    /// what is symmetric or antisymmetric about the middle does not vanish at both.
+    pub(super) fn with_times_behind(&self) -> impl Iterator<Item = (Crossing, [f64; 2])> + '_ {
+        let crossings = &self.crossings[..self.count];
+        let next = crossings.iter().skip(1).map(|next| next.at);
+        let pairs = crossings.iter().zip(next.chain(core::iter::once(1.0)));
+        pairs.filter_map(|(crossing, next)| {
+            let minor = GOLDEN_SECTION * (next - crossing.at);
+            let is_within = next - crossing.at > self.resolution;
+            is_within.then_some((*crossing, [crossing.at + minor, next - minor]))
         })
     }
 }
+
+/// The part of a step over which the last two terms are small in relation to the sum of all.
+fn converging_part(terms: &[f64], allowed: impl Fn() -> f64) -> f64 {
+    let (mut part, mut limit) = (1.0, CONVERGED);
+    for halving in 0..MOST_HALVINGS {
+        let (mut power, mut sum, mut last) = (1.0, 0.0, [0.0; 2]);
+        for term in terms {
+            let size = (term * power).abs();
+            sum += size;
+            last = [last[1], size];
+            power *= part;
+        }
+        let greatest = f64::max(last[0], last[1]);
+        if greatest > limit * sum && halving == 0 {
+            limit = allowed();
+        }
+        if greatest <= limit * sum {
+            break;
+        }
+        part *= 0.5;
+    }
+    part
+}
+
+/// Terms below so many rounding errors of those of the motion are rounding errors.
+const NOISE: f64 = 64.0;
 
 /// The smaller part, (3 − √5)/2.
 const GOLDEN_SECTION: f64 = 0.381_966_011_250_105_1;

@@ -63,7 +63,37 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
     where
         X: VectorSpace<S>,
     {
-        let tau = S::from_f64(tau.abs());
+        self.last_terms_in(S::from_f64(tau), S::largest)
+    }
+
+    /// The same of what `read` reads of a scalar, such as the value in a lane.
+    pub(super) fn last_terms_in<S: Scalar>(&self, tau: S, read: impl Fn(S) -> f64) -> f64
+    where
+        X: VectorSpace<S>,
+    {
+        let (sum, last) = self.term_sizes(tau);
+        let ratios = last.iter().flat_map(|last| {
+            let pairs = last.components().zip(sum.components());
+            pairs.map(|(last, sum)| read(last / sum))
+        });
+        ratios.fold(0.0, f64::max)
+    }
+
+    /// The sum of the magnitudes of all terms at τ but the constant, in the component in which it is greatest.
+    pub(super) fn change_size_in<S: Scalar>(&self, tau: S, read: impl Fn(S) -> f64) -> f64
+    where
+        X: VectorSpace<S>,
+    {
+        let (sum, _) = self.term_sizes(tau);
+        sum.components().map(read).fold(0.0, f64::max)
+    }
+
+    /// The sum of the magnitudes of the terms at τ but the constant, and those of the last two.
+    fn term_sizes<S: Scalar>(&self, tau: S) -> (X, [X; 2])
+    where
+        X: VectorSpace<S>,
+    {
+        let tau = tau.abs();
         let sizes = |x: &X| x.map(Scalar::abs);
         let (mut sum, mut power) = (self.initial.zeroed(), S::one());
         let mut last = [sum.clone(), sum.clone()];
@@ -74,11 +104,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
             let [_, before] = last;
             last = [before, size];
         }
-        let ratios = last.iter().flat_map(|last| {
-            let pairs = last.components().zip(sum.components());
-            pairs.map(|(last, sum)| (last / sum).largest())
-        });
-        ratios.fold(0.0, f64::max)
+        (sum, last)
     }
 
     /// The coefficients about τ.

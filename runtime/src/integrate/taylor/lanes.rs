@@ -6,18 +6,20 @@
 
 mod checks;
 mod expansion;
+mod passage;
 
 use expansion::largest_ratios;
+use passage::Arrivals;
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
-use super::step_size::{limiting_component, too_small, unit_near};
+use super::step_size::unit_near;
 use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Statistics;
 use crate::integrate::tolerance::{Tolerance, time_scale};
-use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP, SHORTENING};
+use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
@@ -62,6 +64,10 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
     time_scale: [f64; L],
     /// Whether a lane has been set since the last step.
     is_new: [bool; L],
+    /// The switching function whose discontinuity surface the motion in a lane cannot leave, if there is one.
+    sliding: [Option<usize>; L],
+    /// How many of the last steps of each lane ended at discontinuity surfaces after nothing but rounding errors of the time.
+    short_passages: [u32; L],
     statistics: [Statistics; L],
     errors: [Option<IntegrationError>; L],
 }
@@ -83,6 +89,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             length: [0.0; L],
             time_scale: [1.0 / FIRST_UNIT; L],
             is_new: [true; L],
+            sliding: [None; L],
+            short_passages: [0; L],
             statistics: [Statistics::default(); L],
             errors: [None; L],
         }
@@ -100,6 +108,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.previous.1.set_lane(lane, x);
         self.length[lane] = 0.0;
         self.is_new[lane] = true;
+        self.sliding[lane] = None;
+        self.short_passages[lane] = 0;
         self.statistics[lane] = Statistics::default();
         self.errors[lane] = None;
     }
@@ -182,7 +192,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         self.begin(dynamics);
-        let mut moving = self.moving(ends);
+        let mut moving = self.moving(dynamics, ends);
         if !any(&moving) {
             return;
         }
@@ -192,59 +202,75 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut targets = self.time;
         let mut pending = moving;
         let mut component = [None; L];
+        // Of lanes whose steps end at discontinuity surfaces.
+        let mut arrivals = None;
         loop {
             for lane in lanes(&pending) {
-                let least =
-                    (MIN_STEP * f64::EPSILON * self.time[lane].abs()).max(f64::MIN_POSITIVE);
-                let remaining = ends[lane] - self.time[lane];
-                if LANDING * proposed[lane] >= remaining.abs() {
-                    targets[lane] = ends[lane];
-                } else if proposed[lane] > least {
-                    targets[lane] = self.time[lane] + proposed[lane].copysign(remaining);
-                } else {
+                let target = self.target(lane, proposed[lane], ends[lane]);
+                targets[lane] = target.unwrap_or_else(|| {
                     self.too_small(dynamics, lane, proposed[lane], component[lane]);
                     (moving[lane], pending[lane]) = (false, false);
-                    targets[lane] = self.time[lane];
-                }
+                    self.time[lane]
+                });
             }
             let reached = self.at(&targets);
-            let beyond = self.check(dynamics, &targets, (&reached, middle), &pending);
+            let verdicts = self.check(dynamics, &targets, (&reached, middle), &pending);
             for lane in lanes(&pending) {
-                let length = (targets[lane] - self.time[lane]).abs();
-                match beyond[lane] {
-                    None => pending[lane] = false,
-                    Some(index) => {
-                        component[lane] = Some(index);
-                        self.statistics[lane].rejected += 1;
-                        proposed[lane] = length / SHORTENING;
-                    }
-                }
+                let judged = (lane, verdicts[lane], middle);
+                let times = (targets[lane], ends[lane]);
+                let rejection = self.rejection(dynamics, judged, times, &mut arrivals);
+                let Some((part, beyond)) = rejection else {
+                    pending[lane] = false;
+                    continue;
+                };
+                component[lane] = beyond.or(component[lane]);
+                self.statistics[lane].rejected += 1;
+                proposed[lane] = part * (targets[lane] - self.time[lane]).abs();
             }
             if !any(&pending) {
-                self.accept(&moving, &targets, &proposed, reached.state);
+                let ended = (&targets, &proposed);
+                self.accept(&moving, ended, reached.state, arrivals.as_ref());
                 return;
             }
         }
+    }
+
+    /// Where a step of a lane ends that is proposed on the way to `end`; none if it is too small.
+    fn target(&self, lane: usize, proposed: f64, end: f64) -> Option<f64> {
+        let time = self.time[lane];
+        let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
+        let remaining = end - time;
+        if LANDING * proposed >= remaining.abs() {
+            return Some(end);
+        }
+        (proposed > least).then(|| time + proposed.copysign(remaining))
     }
 
     /// Ends a step of the lanes that move.
     fn accept(
         &mut self,
         moving: &[bool; L],
-        targets: &[f64; L],
-        proposed: &[f64; L],
+        (targets, proposed): (&[f64; L], &[f64; L]),
         mut state: Compensated<X>,
+        arrivals: Option<&Arrivals<X, L>>,
     ) {
         for lane in (0..L).filter(|&lane| !moving[lane]) {
             state.copy_lane(lane, &self.state);
         }
+        if let Some(arrivals) = arrivals {
+            arrivals.copy_to(&mut state);
+        }
         let previous = core::mem::replace(&mut self.state, state);
         self.previous = (self.time, previous, self.unit);
         for lane in lanes(moving) {
+            self.statistics[lane].steps += 1;
+            if arrivals.is_some_and(|arrivals| self.arrive(lane, arrivals)) {
+                continue;
+            }
             self.length[lane] = (targets[lane] - self.time[lane]).abs();
             self.time_scale[lane] = self.time_scale[lane].max(self.length[lane]);
             self.time[lane] = targets[lane];
-            self.statistics[lane].steps += 1;
+            self.short_passages[lane] = 0;
             if proposed[lane].is_normal() {
                 self.unit[lane] = unit_near(proposed[lane]);
             }
@@ -252,12 +278,18 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// The lanes without an error that are not at their ends.
-    fn moving(&mut self, ends: &[f64; L]) -> [bool; L] {
+    fn moving<D>(&mut self, dynamics: &D, ends: &[f64; L]) -> [bool; L]
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
         core::array::from_fn(|lane| {
             let remaining = ends[lane] - self.time[lane];
             if self.errors[lane].is_none() && !remaining.is_finite() {
                 let time = ends[lane];
                 self.fail(lane, IntegrationError::NonFiniteTime { time });
+            }
+            if remaining.abs() > 0.0 {
+                self.stop_sliding(dynamics, lane);
             }
             self.errors[lane].is_none() && remaining.abs() > 0.0
         })
@@ -340,26 +372,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let (change, slope) = self.coefficients.change_and_derivative(tau);
         let state = self.state.plus(change);
         Reached { tau, state, slope }
-    }
-
-    /// The error of a step that is too small.
-    #[cold]
-    fn too_small<D>(&mut self, dynamics: &D, lane: usize, step: f64, rejected: Option<usize>)
-    where
-        D: Series<Lanes<L>, State = X> + ?Sized,
-    {
-        let component = rejected.unwrap_or_else(|| {
-            let weights = Tolerance::weights(&self.allowed(dynamics));
-            limiting_component(&self.coefficients, &weights, |ratio| ratio.lane(lane))
-        });
-        let (t, time) = (Lanes(self.time), self.time[lane]);
-        let error = too_small(
-            dynamics.vanishing_inertia_in_lane(lane, t, self.state.value()),
-            (time, step),
-            dynamics.component_name(component),
-            self.method.tolerance::<Lanes<L>>(),
-        );
-        self.fail(lane, error);
     }
 }
 

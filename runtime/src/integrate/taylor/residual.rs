@@ -1,7 +1,7 @@
 //! The residual of a Taylor polynomial in the differential equations.
 
 use crate::integrate::dynamics::Dynamics;
-use crate::limits::taylor::{CHANGES, MOVED_EPSILONS, RESIDUAL_PER_ORDER, RESIDUAL_ROUNDING};
+use crate::limits::taylor::{CHANGES, CROSSING_ROUNDING, MOVED_EPSILONS, RESIDUAL_PER_ORDER};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -19,9 +19,20 @@ pub(super) struct Allowance<S> {
     /// The order of the polynomial.
     pub(super) order: f64,
     pub(super) tolerance: ErrorTolerance<S>,
+    /// The rounding errors of the state and of its change that are allowed.
+    pub(super) roundings: f64,
 }
 
 impl<S: Scalar> Allowance<S> {
+    /// What is allowed behind a change of sign of a switching function: less, since a step that ends there for nothing costs
+    /// little, and a jump that is passed over counts once for each crossing.
+    pub(super) fn behind_crossings(self) -> Self {
+        Self {
+            roundings: CROSSING_ROUNDING,
+            ..self
+        }
+    }
+
     /// An error with the component at which the derivative of the motion is not that of the polynomial: the motion is
     /// then not the one that the series at its beginning says.
     #[inline]
@@ -48,7 +59,7 @@ impl<S: Scalar> Allowance<S> {
         point: &Point<S, D::State>,
         derivative: &D::State,
     ) -> [D::State; 2] {
-        let rounding = RESIDUAL_ROUNDING * S::machine_epsilon();
+        let rounding = self.roundings * S::machine_epsilon();
         let several = RESIDUAL_PER_ORDER * self.order;
         let tolerance = ErrorTolerance {
             relative: self.tolerance.relative * several + rounding,
@@ -76,17 +87,23 @@ impl<S: Scalar> Allowance<S> {
         allowed: &mut D::State,
     ) {
         for alternation in [1.0, -1.0] {
-            let epsilon = MOVED_EPSILONS * S::machine_epsilon();
-            let mut sign = 1.0;
-            let moved = point.state.map(|x| {
-                sign *= alternation;
-                x + x.abs() * S::from_f64(sign * epsilon)
-            });
-            let mut change = dynamics.derivative(point.t + point.t * S::from_f64(epsilon), &moved);
+            let (t, moved) = moved(point.t, &point.state, alternation);
+            let mut change = dynamics.derivative(t, &moved);
             change.add_scaled(-S::one(), derivative);
             allowed.add_scaled(self.h * S::from_f64(CHANGES), &change.map(Scalar::abs));
         }
     }
+}
+
+/// A time and a state, moved by some rounding errors; components in one direction and the other in turn, or always in the same.
+pub(super) fn moved<S: Scalar, X: VectorSpace<S>>(t: S, state: &X, alternation: f64) -> (S, X) {
+    let epsilon = MOVED_EPSILONS * S::machine_epsilon();
+    let mut sign = 1.0;
+    let moved = state.map(|x| {
+        sign *= alternation;
+        x + x.abs() * S::from_f64(sign * epsilon)
+    });
+    (t + t * S::from_f64(epsilon), moved)
 }
 
 /// The first component that is not at most what is allowed; one that is not finite is not.

@@ -24,11 +24,15 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     );
 
-    /// The Taylor coefficients, along the motion through (t, x) with these coefficients, of each argument whose sign
-    /// distinguishes branches of the equations, such as u for |u| and u − v for max(u, v). Where one changes its sign within a
-    /// step, the series is compared with the equations behind it.
+    /// The Taylor coefficients, along the motion through (t, x) with these coefficients, of each switching function: an argument
+    /// whose sign distinguishes branches of the equations, such as u for |u| and u − v for max(u, v). Where one changes its sign
+    /// within a step, the series is compared with the equations behind it; where they differ, the step ends there, and the next
+    /// one begins on the branch behind.
     ///
-    /// Without this method the equations are taken for smooth: a contact within a step may then be passed over.
+    /// Only the coefficient of order 0 is asked for where `motion` is the series about another state.
+    ///
+    /// Without this method the equations are taken for smooth: a contact within a step may then be passed over, and a jump is
+    /// not passed.
     fn branches<const HALF: usize>(
         &self,
         t: S,
@@ -38,5 +42,30 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         visit: &mut BranchVisitor<'_, S>,
     ) {
         let _ = (t, x, unit, motion, visit);
+    }
+
+    /// What is known of the switching function of an index, for which [`branches`](Self::branches) visits the coefficients.
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        let _ = index;
+        SwitchingFunction::default()
+    }
+}
+
+/// What is known of a switching function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SwitchingFunction {
+    /// What it is called in error messages: its formula, such as `ẋ` for `signum(dot(x))`.
+    pub name: &'static str,
+    /// Whether other switching functions have other branches where it changes its sign, as max(|x| − 1, 0) has for x. A step
+    /// then ends there, so that their series are those of their branches.
+    pub is_inner: bool,
+}
+
+impl Default for SwitchingFunction {
+    fn default() -> Self {
+        Self {
+            name: "a switching function",
+            is_inner: false,
+        }
     }
 }

@@ -1,11 +1,10 @@
 //! The steps of the Taylor series method.
 
 mod checks;
+mod passage;
 
 use super::interpolant::TaylorInterpolant;
-use super::step_size::{
-    Proposal, limiting_component, too_small, unit_near, weighted_norm, weights,
-};
+use super::step_size::{Proposal, limiting_component, unit_near, weighted_norm, weights};
 use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
@@ -18,6 +17,7 @@ use crate::limits::taylor::{
 };
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
+use checks::Verdict;
 
 /// Takes the steps of a [`Taylor`] method.
 ///
@@ -49,6 +49,10 @@ pub struct TaylorStepper<X, const HALF: usize> {
     time_scale: f64,
     /// Whether the other polynomial is that of the last step.
     has_last: bool,
+    /// The switching function whose discontinuity surface the motion cannot leave, if there is one.
+    sliding: Option<usize>,
+    /// How many of the last steps ended at discontinuity surfaces after nothing but rounding errors of the time.
+    short_passages: u32,
     statistics: Statistics,
 }
 
@@ -91,6 +95,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             length: 0.0,
             time_scale,
             has_last: false,
+            sliding: None,
+            short_passages: 0,
             statistics: Statistics {
                 evaluations: 1,
                 ..Statistics::default()
@@ -179,6 +185,14 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         })
     }
 
+    /// Ends a step of this length, with the other polynomial, whose coefficients need not be known.
+    fn accept(&mut self, length: f64) {
+        self.exchanged = !self.exchanged;
+        self.time_scale = self.time_scale.max(length);
+        self.has_last = true;
+        self.statistics.steps += 1;
+    }
+
     /// The component that limits the step from the present time.
     fn limiting_component<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &self,
@@ -237,6 +251,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         if remaining == 0.0 {
             return Ok(());
         }
+        if let Some(function) = self.sliding {
+            return Err(self.sliding_error(dynamics, function));
+        }
         self.has_last = false;
         let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
@@ -246,14 +263,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         loop {
             let lands = LANDING * step >= remaining.abs();
             if !lands && step <= least {
-                let component = rejected.unwrap_or_else(|| self.limiting_component(dynamics));
-                let here = self.polynomial().from.value();
-                return Err(too_small(
-                    dynamics.vanishing_inertia(S::from_f64(time), here),
-                    (time, step),
-                    dynamics.component_name(component),
-                    self.method.tolerance::<S>(),
-                ));
+                return Err(self.too_small(dynamics, step, rejected));
             }
             let end = if lands {
                 target
@@ -261,25 +271,35 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                 time + step.copysign(remaining)
             };
             let length = (end - time).abs();
-            match self.check(dynamics, end, proposal, !lands && rejected.is_none()) {
-                Ok(proposal) => {
+            let is_needed = !lands && rejected.is_none();
+            let beyond = match self.check(dynamics, end, proposal, is_needed) {
+                Verdict::Agrees(proposal) => {
                     if step.is_normal() {
                         self.unit = unit_near(step);
                     }
-                    self.exchanged = !self.exchanged;
                     self.proposal = proposal;
                     self.length = length;
-                    self.time_scale = self.time_scale.max(length);
-                    self.has_last = true;
-                    self.statistics.steps += 1;
+                    self.short_passages = 0;
+                    self.accept(length);
                     return Ok(());
                 }
+                Verdict::Crosses(crossing) => {
+                    match self.pass(dynamics, (crossing, proposal), (end, target)) {
+                        Ok(()) => return Ok(()),
+                        Err(component) => Err(component),
+                    }
+                }
+                Verdict::Converges(part) => Ok(part),
+                Verdict::Differs(component) => Err(component),
+            };
+            self.statistics.rejected += 1;
+            step = match beyond {
+                Ok(part) => part * length,
                 Err(component) => {
                     rejected = Some(component);
-                    self.statistics.rejected += 1;
-                    step = length / SHORTENING;
+                    length / SHORTENING
                 }
-            }
+            };
         }
     }
 
@@ -293,6 +313,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
     fn restart(&mut self, _: &D) {
         self.has_last = false;
         self.proposal = None;
+        self.sliding = None;
+        self.short_passages = 0;
     }
 
     fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {

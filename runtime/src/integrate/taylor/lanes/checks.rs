@@ -2,16 +2,30 @@
 
 use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::branch_crossings::BranchCrossings;
+use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::step_size::power;
 use crate::limits::events::MOST_COEFFICIENTS;
-use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, NEGLIGIBLE_TERM};
+use crate::limits::taylor::{
+    INNER_CHECKS, LONG_STEP, NEGLIGIBLE_TERM, RESIDUAL_ROUNDING, RESOLUTION,
+};
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
 /// For each lane the component that is not what the series says, if there is one.
 type Beyond<const L: usize> = [Option<usize>; L];
+
+/// Whether the polynomial of a lane is the motion within a step.
+#[derive(Clone, Copy)]
+pub(super) enum Verdict {
+    Agrees,
+    /// It is not in a component.
+    Differs(usize),
+    /// It is known in this part of the step alone, in which the series of all switching functions converge.
+    Converges(f64),
+    /// It is not behind a change of sign of a switching function.
+    Crosses(Crossing),
+}
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// The checks of a step to `targets`, in the lanes that are `pending`, as those of
@@ -22,90 +36,204 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         targets: &[f64; L],
         (reached, middle): (&Reached<X, L>, Lanes<L>),
         pending: &[bool; L],
-    ) -> Beyond<L>
+    ) -> [Verdict; L]
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         let time = self.time;
         let h = Lanes(*targets) - Lanes(time);
-        let mut beyond = self.check_at(dynamics, (Lanes(*targets), reached), h.abs(), pending);
-        self.check_branches(dynamics, h, (reached.tau, pending), &mut beyond);
+        let mut verdicts = [Verdict::Agrees; L];
+        // Lanes of which nothing is known yet.
+        let mut open = *pending;
+        for lane in lanes(pending) {
+            if let Some((index, _)) = non_finite(reached.state.value(), lane) {
+                (verdicts[lane], open[lane]) = (Verdict::Differs(index), false);
+            }
+        }
+        let crossings = self.crossings(dynamics, h, reached.tau, &open);
+        for lane in lanes(&open) {
+            if crossings[lane].converging < 1.0 {
+                verdicts[lane] = Verdict::Converges(crossings[lane].converging);
+                open[lane] = false;
+            }
+        }
+        self.check_crossings(dynamics, h, &crossings, (&mut verdicts, &mut open));
+        if !any(&open) {
+            return verdicts;
+        }
+        let allowance = self.allowance(h.abs());
+        let found = self.check_at(dynamics, (Lanes(*targets), reached), &allowance, &open);
+        for lane in lanes(&open) {
+            if let Some(component) = found[lane] {
+                open[lane] = false;
+                verdicts[lane] = match crossings[lane].at_end {
+                    Some(function) => Verdict::Crosses(Crossing { at: 1.0, function }),
+                    None => Verdict::Differs(component),
+                };
+            }
+        }
+        let mut inner = self.is_uncertain_within(h, (reached.tau, middle), &open);
+        for lane in lanes(&open) {
+            inner[lane] |= crossings[lane].has_noise;
+        }
+        let found = self.check_within(dynamics, (h, &allowance), inner);
+        for lane in lanes(&open) {
+            if let Some(component) = found[lane] {
+                verdicts[lane] = Verdict::Differs(component);
+            }
+        }
+        verdicts
+    }
+
+    /// The lanes, of those that are asked for, whose steps of lengths `h` are so long, or of so low a degree, that much may happen
+    /// within them that the series do not see.
+    pub(super) fn is_uncertain_within(
+        &self,
+        h: Lanes<L>,
+        (tau, middle): (Lanes<L>, Lanes<L>),
+        asked: &[bool; L],
+    ) -> [bool; L] {
         // The terms of half the order hardly count there.
-        let middle = middle * power(reached.tau.abs(), HALF);
-        let low_degree = middle.0.map(|ratio| ratio < NEGLIGIBLE_TERM);
-        let mut inner = core::array::from_fn(|lane| {
+        let middle = middle * power(tau.abs(), HALF);
+        core::array::from_fn(|lane| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
-            pending[lane] && beyond[lane].is_none() && (is_long || low_degree[lane])
-        });
+            asked[lane] && (is_long || middle.0[lane] < NEGLIGIBLE_TERM)
+        })
+    }
+
+    /// The check at times within steps of lengths `h`, in the lanes that are asked for.
+    pub(super) fn check_within<D>(
+        &mut self,
+        dynamics: &D,
+        (h, allowance): (Lanes<L>, &Allowance<Lanes<L>>),
+        mut asked: [bool; L],
+    ) -> Beyond<L>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let mut beyond = [None; L];
         for i in 1..=INNER_CHECKS {
-            if !any(&inner) {
+            if !any(&asked) {
                 break;
             }
             let part = Lanes::from_f64(f64::from(i) / f64::from(INNER_CHECKS + 1));
-            let t = Lanes(time) + h * part;
-            let found = self.check_at(dynamics, (t, &self.at(&t.0)), h.abs(), &inner);
+            let t = Lanes(self.time) + h * part;
+            let found = self.check_at(dynamics, (t, &self.at(&t.0)), allowance, &asked);
             for lane in 0..L {
-                if inner[lane] && found[lane].is_some() {
-                    (beyond[lane], inner[lane]) = (found[lane], false);
+                if asked[lane] && found[lane].is_some() {
+                    (beyond[lane], asked[lane]) = (found[lane], false);
                 }
             }
         }
         beyond
     }
 
-    /// The check behind each time within a step at which a motion passes to another branch of the equations. With too many of
-    /// them, the first component is taken to be beyond, so that the step is shortened.
-    fn check_branches<D>(
-        &mut self,
+    /// The changes of sign of switching functions in the steps of the lanes that are asked for.
+    fn crossings<D>(
+        &self,
         dynamics: &D,
         h: Lanes<L>,
-        (tau, pending): (Lanes<L>, &[bool; L]),
-        beyond: &mut Beyond<L>,
-    ) where
+        tau: Lanes<L>,
+        asked: &[bool; L],
+    ) -> [BranchCrossings; L]
+    where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         let (t, unit) = (Lanes(self.time), Lanes(self.unit));
-        let mut crossings = [BranchCrossings::NONE; L];
+        let mut crossings = core::array::from_fn(|lane| {
+            let (time, h) = (self.time[lane].abs(), h.0[lane].abs());
+            BranchCrossings::none(RESOLUTION * f64::EPSILON * (time + h) / h)
+        });
+        if !any(asked) {
+            return crossings;
+        }
+        let motion = &self.coefficients;
         let from = self.state.reduced(dynamics);
-        dynamics.branches(t, &from, unit, &self.coefficients, &mut |argument| {
+        dynamics.branches(t, &from, unit, motion, &mut |function| {
             let mut coefficients = [Lanes::from_f64(0.0); MOST_COEFFICIENTS];
             let mut count = 0;
-            for (slot, coefficient) in coefficients.iter_mut().zip(argument) {
+            for (slot, coefficient) in coefficients.iter_mut().zip(function) {
                 *slot = coefficient;
                 count += 1;
             }
-            for (lane, crossings) in crossings.iter_mut().enumerate() {
-                let of_lane = coefficients[..count].iter().map(|x| x.0[lane].into());
-                crossings.add(of_lane, tau.0[lane], f64::EPSILON);
+            for lane in lanes(asked) {
+                let step = SearchedStep {
+                    length: tau.0[lane],
+                    epsilon: f64::EPSILON,
+                    last_terms: || motion.last_terms_in(tau, |x| x.lane(lane)),
+                    size: || motion.change_size_in(tau, |x| x.lane(lane)),
+                };
+                let of_lane = coefficients[..count].iter().map(|x| x.0[lane]);
+                crossings[lane].add(of_lane, &step);
             }
         });
-        for (beyond, crossings) in beyond.iter_mut().zip(&crossings) {
-            *beyond = beyond.or(crossings.overflows().then_some(0));
-        }
-        let mut times = crossings.each_ref().map(BranchCrossings::times_between);
+        crossings
+    }
+
+    /// The checks behind each change of sign of a switching function, in the lanes that are open. Those in which one fails are
+    /// not open any more.
+    fn check_crossings<D>(
+        &mut self,
+        dynamics: &D,
+        h: Lanes<L>,
+        crossings: &[BranchCrossings; L],
+        (verdicts, open): (&mut [Verdict; L], &mut [bool; L]),
+    ) where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let mut behind = crossings.each_ref().map(BranchCrossings::with_times_behind);
         loop {
-            let parts = times.each_mut().map(Iterator::next);
-            let asked = core::array::from_fn(|lane| {
-                pending[lane] && beyond[lane].is_none() && parts[lane].is_some()
+            let next: [_; L] = core::array::from_fn(|lane| {
+                let behind = behind.get_mut(lane).filter(|_| open[lane]);
+                behind.and_then(Iterator::next)
             });
-            if !any(&asked) {
+            if next.iter().all(Option::is_none) {
                 return;
             }
-            let t = t + h * Lanes(parts.map(|part| part.unwrap_or(1.0)));
-            let found = self.check_at(dynamics, (t, &self.at(&t.0)), h.abs(), &asked);
-            for lane in lanes(&asked) {
-                beyond[lane] = beyond[lane].or(found[lane]);
+            for lane in lanes(open) {
+                let inner = next[lane].filter(|(crossing, _)| {
+                    dynamics.switching_function(crossing.function).is_inner
+                });
+                if let Some((crossing, _)) = inner {
+                    verdicts[lane] = Verdict::Crosses(crossing);
+                    open[lane] = false;
+                }
+            }
+            let allowance = self.allowance(h.abs()).behind_crossings();
+            for which in 0..2 {
+                let parts = next.map(|next| next.map(|(_, times)| times[which]));
+                let asked = core::array::from_fn(|lane| open[lane] && parts[lane].is_some());
+                if !any(&asked) {
+                    break;
+                }
+                let t = Lanes(self.time) + h * Lanes(parts.map(|part| part.unwrap_or(0.0)));
+                let found = self.check_at(dynamics, (t, &self.at(&t.0)), &allowance, &asked);
+                for lane in lanes(&asked) {
+                    if let (Some(_), Some((crossing, _))) = (found[lane], next[lane]) {
+                        verdicts[lane] = Verdict::Crosses(crossing);
+                        open[lane] = false;
+                    }
+                }
             }
         }
     }
 
-    /// The check at one time in each lane, for steps of the lengths `h`. Rounding explains a difference, and the tolerance
-    /// does.
-    fn check_at<D>(
+    /// What residuals may be in steps of lengths `h`.
+    pub(super) fn allowance(&self, h: Lanes<L>) -> Allowance<Lanes<L>> {
+        Allowance {
+            h,
+            order: number(Self::ORDER),
+            tolerance: self.tolerance(h),
+            roundings: RESIDUAL_ROUNDING,
+        }
+    }
+
+    /// The check at one time in each lane. Rounding explains a difference, and the tolerance does.
+    pub(super) fn check_at<D>(
         &mut self,
         dynamics: &D,
         (t, reached): (Lanes<L>, &Reached<X, L>),
-        h: Lanes<L>,
+        allowance: &Allowance<Lanes<L>>,
         pending: &[bool; L],
     ) -> Beyond<L>
     where
@@ -116,11 +244,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             t,
             state: reached.state.reduced(dynamics),
             slope: reached.slope.map(|component| component * unit),
-        };
-        let allowance = Allowance {
-            h,
-            order: number(Self::ORDER),
-            tolerance: self.tolerance(h),
         };
         let derivative = dynamics.derivative(t, &point.state);
         let [residual, mut allowed] = allowance.residual(dynamics, &point, &derivative);

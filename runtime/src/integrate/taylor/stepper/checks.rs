@@ -1,28 +1,39 @@
 //! Whether a polynomial is the motion: at the end of a step, within it, and behind passages to other branches of the equations.
 
 use super::TaylorStepper;
-use crate::integrate::event::double_double;
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::branch_crossings::BranchCrossings;
+use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::coefficients::number;
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::step_size::{Proposal, unit_near};
-use crate::limits::taylor::{INNER_CHECKS, LONG_STEP};
+use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, RESIDUAL_ROUNDING, RESOLUTION};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
+/// Whether the polynomial is the motion within a step.
+pub(super) enum Verdict {
+    /// It is, with what the polynomial about the end says about the next step, if that is known.
+    Agrees(Option<Proposal>),
+    /// It is not in a component.
+    Differs(usize),
+    /// It is known in this part of the step alone, in which the series of all switching functions converge.
+    Converges(f64),
+    /// It is not behind a change of sign of a switching function.
+    Crosses(Crossing),
+}
+
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
-    /// Whether the polynomial is the motion until the time `end`: an error with the component at which its derivative
-    /// is not that of the motion there, or at times within a step that is long or for which a polynomial of low degree
-    /// is enough. The polynomial about `end`, whose first coefficient is the derivative there, becomes the other one;
-    /// unless it is `needed`, its coefficients are left for later. What it says about the next step, if they are not.
+    /// Whether the polynomial is the motion until the time `end`: whether its derivative is that of the motion there, behind each
+    /// change of sign of a switching function, and at times within a step that is long or for which a polynomial of low degree
+    /// is enough. The polynomial about `end`, whose first coefficient is the derivative there, becomes the other one; unless it
+    /// is `needed`, its coefficients are left for later.
     pub(super) fn check<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         end: f64,
         proposal: Proposal,
         needed: bool,
-    ) -> Result<Option<Proposal>, usize>
+    ) -> Verdict
     where
         X: VectorSpace<S>,
     {
@@ -30,14 +41,22 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let tau: S = self.polynomials[present].argument(end);
         let (state, slope) = self.polynomials[present].state_and_derivative(tau);
         if let Some((index, _)) = state.value().first_non_finite() {
-            return Err(index);
+            return Verdict::Differs(index);
+        }
+        let h = (end - self.polynomials[present].time).abs();
+        let allowance = self.allowance(h);
+        let crossings = self.crossings(dynamics, end);
+        if crossings.converging < 1.0 {
+            return Verdict::Converges(crossings.converging);
+        }
+        if let Some(crossing) = self.first_crossing(dynamics, end, &crossings) {
+            return Verdict::Crosses(crossing);
         }
         let point = Point {
             t: S::from_f64(end),
             state: state.reduced(dynamics),
             slope,
         };
-        let h = (end - self.polynomials[present].time).abs();
         self.polynomials[next].time = end;
         self.polynomials[next].from = state;
         let mut next_proposal = None;
@@ -52,14 +71,54 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             self.statistics.evaluations += 1;
             dynamics.derivative(point.t, &point.state)
         };
-        let allowance = self.allowance(h);
-        allowance.check(dynamics, &point, &derivative)?;
-        let largest = tau.abs().largest();
-        if h > LONG_STEP * self.length || proposal.is_of_low_degree(largest, HALF) {
-            self.check_within(dynamics, end, &allowance)?;
+        if let Err(component) = allowance.check(dynamics, &point, &derivative) {
+            return match crossings.at_end {
+                Some(function) => Verdict::Crosses(Crossing { at: 1.0, function }),
+                None => Verdict::Differs(component),
+            };
         }
-        self.check_branches(dynamics, end, largest.copysign(tau.smallest()), &allowance)?;
-        Ok(next_proposal)
+        if crossings.has_noise || self.is_uncertain_within(proposal, h, tau) {
+            if let Err(component) = self.check_within(dynamics, end, &allowance) {
+                return Verdict::Differs(component);
+            }
+        }
+        Verdict::Agrees(next_proposal)
+    }
+
+    /// The first change of sign of a switching function behind which the polynomial is not the motion.
+    fn first_crossing<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        end: f64,
+        crossings: &BranchCrossings,
+    ) -> Option<Crossing>
+    where
+        X: VectorSpace<S>,
+    {
+        let h = (end - self.polynomial().time).abs();
+        for (crossing, times) in crossings.with_times_behind() {
+            if dynamics.switching_function(crossing.function).is_inner {
+                return Some(crossing);
+            }
+            let allowance = self.allowance(h).behind_crossings();
+            for part in times {
+                if self.check_at(dynamics, (end, part), &allowance).is_err() {
+                    return Some(crossing);
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether a step of a length is so long, or a polynomial of so low a degree is enough for it, that much may happen within it
+    /// that the series does not see.
+    pub(super) fn is_uncertain_within<S: Scalar>(
+        &self,
+        proposal: Proposal,
+        h: f64,
+        tau: S,
+    ) -> bool {
+        h > LONG_STEP * self.length || proposal.is_of_low_degree(tau.abs().largest(), HALF)
     }
 
     /// Whether the polynomial about the present time, if its coefficients are known, has the derivative of these dynamics there.
@@ -81,16 +140,17 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.proposal.is_none() || allowance.check(dynamics, &point, &derivative).is_ok()
     }
 
-    fn allowance<S: Scalar>(&self, h: f64) -> Allowance<S> {
+    pub(super) fn allowance<S: Scalar>(&self, h: f64) -> Allowance<S> {
         Allowance {
             h: S::from_f64(h),
             order: number(2 * HALF),
             tolerance: self.tolerance(h),
+            roundings: RESIDUAL_ROUNDING,
         }
     }
 
     /// The check at times within a step.
-    fn check_within<S: Scalar, D: Series<S, State = X> + ?Sized>(
+    pub(super) fn check_within<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         end: f64,
@@ -107,7 +167,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     }
 
     /// The check at a part of a step.
-    fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
+    pub(super) fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         (end, part): (f64, f64),
@@ -129,36 +189,33 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         allowance.check(dynamics, &point, &derivative)
     }
 
-    /// The check behind each time within a step at which the motion passes to another branch of the equations. A step with
-    /// too many of them is to be shortened: an error with the first component.
-    fn check_branches<S: Scalar, D: Series<S, State = X> + ?Sized>(
-        &mut self,
+    /// The changes of sign of switching functions in a step.
+    fn crossings<S: Scalar, D: Series<S, State = X> + ?Sized>(
+        &self,
         dynamics: &D,
         end: f64,
-        length: f64,
-        allowance: &Allowance<S>,
-    ) -> Result<(), usize>
+    ) -> BranchCrossings
     where
         X: VectorSpace<S>,
     {
-        let polynomial = &self.polynomials[usize::from(self.exchanged)];
+        let polynomial = self.polynomial();
         let (t, unit) = (S::from_f64(polynomial.time), S::from_f64(polynomial.unit));
-        let mut crossings = BranchCrossings::NONE;
-        dynamics.branches(
-            t,
-            &polynomial.from.reduced(dynamics),
-            unit,
-            &polynomial.coefficients,
-            &mut |argument| {
-                crossings.add(argument.map(double_double), length, S::machine_epsilon());
-            },
-        );
-        if crossings.overflows() {
-            return Err(0);
-        }
-        for part in crossings.times_between() {
-            self.check_at(dynamics, (end, part), allowance)?;
-        }
-        Ok(())
+        let epsilon = S::machine_epsilon();
+        let h = (end - polynomial.time).abs();
+        let resolution = RESOLUTION * epsilon * (polynomial.time.abs() + h) / h;
+        let mut crossings = BranchCrossings::none(resolution);
+        let tau: S = polynomial.argument(end);
+        let step = SearchedStep {
+            length: tau.largest(),
+            epsilon,
+            last_terms: || polynomial.coefficients.last_terms_in(tau, S::largest),
+            size: || polynomial.coefficients.change_size_in(tau, S::largest),
+        };
+        let from = polynomial.from.reduced(dynamics);
+        let motion = &polynomial.coefficients;
+        dynamics.branches(t, &from, unit, motion, &mut |function| {
+            crossings.add(function.map(Scalar::largest), &step);
+        });
+        crossings
     }
 }

@@ -1,0 +1,306 @@
+//! The changes of sign of a polynomial in the unit interval.
+//!
+//! J. M. Lane & R. F. Riesenfeld, *Bounds on a Polynomial*, BIT **21** (1981) 112–117: a polynomial changes its sign at most as
+//! often as its Bernstein coefficients do, and those of a part of the interval follow by subdivision (de Casteljau). Parts are
+//! halved until each has one change or none. The arithmetic is that of `f64`: values below its errors have no sign.
+
+use crate::integrate::event::Bracket;
+use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::taylor::{ISOLATION_STEPS, MIN_PART, SIGN_UNCERTAINTY};
+
+/// A polynomial of an argument from 0 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct UnitPolynomial {
+    /// The coefficients of powers.
+    powers: Coefficients,
+    /// The errors of the terms.
+    epsilon: f64,
+}
+
+/// A change of sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SignChange {
+    /// The first number behind it.
+    pub(super) at: f64,
+    /// The sign behind it.
+    pub(super) behind: f64,
+}
+
+/// As many numbers as a polynomial has coefficients.
+#[derive(Clone, Copy, Debug)]
+struct Coefficients {
+    values: [f64; MOST_COEFFICIENTS],
+    count: usize,
+}
+
+impl Coefficients {
+    fn get(&self) -> &[f64] {
+        self.values.get(..self.count).unwrap_or_default()
+    }
+
+    fn get_mut(&mut self) -> &mut [f64] {
+        self.values.get_mut(..self.count).unwrap_or_default()
+    }
+
+    /// The Bernstein coefficients on the unit interval from those of powers: bⱼ = Σ C(j, k)/C(n, k) cₖ.
+    fn to_bernstein(mut self) -> Self {
+        let degree = self.count.saturating_sub(1);
+        let all = self.get_mut();
+        let mut factor = 1.0;
+        for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
+            factor *= number(k) / number(degree + 1 - k);
+            *coefficient *= factor;
+        }
+        for i in 1..=degree {
+            for j in (i..=degree).rev() {
+                all[j] += all[j - 1];
+            }
+        }
+        self
+    }
+
+    /// Those on the part of the interval behind `u`.
+    fn behind(mut self, u: f64) -> Self {
+        let count = self.count;
+        let all = self.get_mut();
+        for length in (1..count).rev() {
+            for j in 0..length {
+                all[j] += u * (all[j + 1] - all[j]);
+            }
+        }
+        self
+    }
+
+    /// Those on the part of the interval before `u`.
+    fn before(mut self, u: f64) -> Self {
+        let count = self.count;
+        let all = self.get_mut();
+        for i in 1..count {
+            for j in (i..count).rev() {
+                all[j] = all[j - 1] + u * (all[j] - all[j - 1]);
+            }
+        }
+        self
+    }
+
+    /// The first and the last sign that is certain, and how often the sign changes.
+    fn signs(&self, uncertainty: f64) -> Signs {
+        let mut signs = Signs::default();
+        for value in self.get() {
+            if value.abs() > uncertainty {
+                let sign = value.signum();
+                signs.changes += u32::from(signs.last * sign < 0.0);
+                if signs.last == 0.0 {
+                    signs.first = sign;
+                }
+                signs.last = sign;
+            }
+        }
+        signs
+    }
+}
+
+#[derive(Clone, Copy, Default)]
+struct Signs {
+    first: f64,
+    last: f64,
+    changes: u32,
+}
+
+impl UnitPolynomial {
+    /// The polynomial with these coefficients, which have relative errors of this machine epsilon; those that are more than any
+    /// method has are left out.
+    pub(super) fn new(coefficients: impl Iterator<Item = f64>, epsilon: f64) -> Self {
+        let mut powers = Coefficients {
+            values: [0.0; MOST_COEFFICIENTS],
+            count: 0,
+        };
+        for (slot, coefficient) in powers.values.iter_mut().zip(coefficients) {
+            *slot = coefficient;
+            powers.count += 1;
+        }
+        Self {
+            powers,
+            epsilon: epsilon.max(f64::EPSILON),
+        }
+    }
+
+    pub(super) fn coefficients(&self) -> &[f64] {
+        self.powers.get()
+    }
+
+    /// What errors of the terms make of a value up to `u`.
+    pub(super) fn uncertainty(&self, u: f64) -> f64 {
+        let coefficients = self.coefficients().iter().rev();
+        let sum = coefficients.fold(0.0, |sum, a| sum * u + a.abs());
+        SIGN_UNCERTAINTY * self.epsilon * sum
+    }
+
+    /// The value at `u`.
+    pub(super) fn value(&self, u: f64) -> f64 {
+        let coefficients = self.coefficients().iter().rev();
+        coefficients.fold(0.0, |sum, a| sum * u + a)
+    }
+
+    /// The derivative at `u`.
+    pub(super) fn slope(&self, u: f64) -> f64 {
+        let coefficients = self.coefficients().iter().enumerate().skip(1).rev();
+        coefficients.fold(0.0, |sum, (k, a)| sum * u + a * number(k))
+    }
+
+    /// The changes of sign, in order. Arguments that differ by `resolution` are not distinguished.
+    pub(super) fn sign_changes(&self, resolution: f64) -> SignChanges<'_> {
+        SignChanges {
+            polynomial: self,
+            resolution,
+            bernstein: self.powers.to_bernstein(),
+            left: 0.0,
+            width: 1.0,
+            sign: 0.0,
+            certain: 0.0,
+            steps: 0,
+        }
+    }
+
+    /// The first number behind the change of a sign between two arguments.
+    fn change_between(&self, a: f64, b: f64, sign: f64) -> f64 {
+        let value = |u| sign * self.value(u);
+        let mut ends = [a, b].map(|u| (u, value(u)));
+        let mut bracket = Bracket::new(a, b);
+        while let Some(u) = bracket.divide(ends[0], ends[1]) {
+            let there = value(u);
+            ends[usize::from(there <= 0.0)] = (u, there);
+        }
+        ends[1].0
+    }
+}
+
+/// The changes of sign of a polynomial.
+pub(super) struct SignChanges<'a> {
+    polynomial: &'a UnitPolynomial,
+    resolution: f64,
+    bernstein: Coefficients,
+    /// Where the next part begins.
+    left: f64,
+    width: f64,
+    /// The last sign that was certain, 0 before there is one.
+    sign: f64,
+    /// Up to where it was certain.
+    certain: f64,
+    steps: u32,
+}
+
+impl SignChanges<'_> {
+    /// Goes on to the next part, which is twice as long.
+    fn advance(&mut self, right: f64) {
+        self.left = right;
+        self.width *= 2.0;
+    }
+
+    /// A change to the sign `behind`, up to `right`.
+    fn change(&mut self, behind: f64, right: f64) -> SignChange {
+        let before = if self.sign == 0.0 { -behind } else { self.sign };
+        let at = self.polynomial.change_between(self.certain, right, before);
+        (self.sign, self.certain) = (behind, right);
+        SignChange { at, behind }
+    }
+}
+
+impl Iterator for SignChanges<'_> {
+    type Item = SignChange;
+
+    fn next(&mut self) -> Option<SignChange> {
+        while self.left < 1.0 && self.steps < ISOLATION_STEPS {
+            self.steps += 1;
+            let right = (self.left + self.width).min(1.0);
+            let part = if right - self.left >= 1.0 {
+                self.bernstein
+            } else {
+                let rest = self.bernstein.behind(self.left);
+                rest.before((right - self.left) / (1.0 - self.left))
+            };
+            let signs = part.signs(self.polynomial.uncertainty(right));
+            let from_before = self.sign * signs.first < 0.0;
+            let changes = signs.changes + u32::from(from_before);
+            let least = self.resolution.max(MIN_PART * self.left);
+            if changes > 1 && right - self.left > least {
+                self.width = 0.5 * (right - self.left);
+                continue;
+            }
+            self.advance(right);
+            if signs.last == 0.0 {
+                continue;
+            }
+            let start = self.sign;
+            if changes > 0 && start * signs.last <= 0.0 && (start != 0.0 || signs.changes % 2 == 1)
+            {
+                return Some(self.change(signs.last, right));
+            }
+            (self.sign, self.certain) = (signs.last, right);
+        }
+        None
+    }
+}
+
+/// A small number.
+fn number(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::UnitPolynomial;
+
+    /// The coefficients of Π (u − rᵢ).
+    fn with_roots(roots: &[f64]) -> Vec<f64> {
+        let mut coefficients = vec![1.0];
+        for root in roots {
+            let mut product = vec![0.0; coefficients.len() + 1];
+            for (k, a) in coefficients.iter().enumerate() {
+                product[k] -= root * a;
+                product[k + 1] += a;
+            }
+            coefficients = product;
+        }
+        coefficients
+    }
+
+    fn check(roots: &[f64], expected: &[f64], tolerance: f64) {
+        let polynomial = UnitPolynomial::new(with_roots(roots).into_iter(), f64::EPSILON);
+        let found: Vec<_> = polynomial
+            .sign_changes(1e-15)
+            .map(|change| change.at)
+            .collect();
+        assert_eq!(found.len(), expected.len(), "{roots:?}: {found:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() <= tolerance, "{roots:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn changes_of_sign_are_found_in_order() {
+        check(&[0.3], &[0.3], 1e-15);
+        check(&[0.5], &[0.5], 1e-15);
+        check(&[0.9, 0.1, 0.25], &[0.1, 0.25, 0.9], 1e-13);
+        check(&[0.5, 0.25, 0.75, 0.125], &[0.125, 0.25, 0.5, 0.75], 1e-12);
+        check(&[-0.5, 1.5, 0.7, 3.0], &[0.7], 1e-14);
+        check(&[-0.5, 1.5, 3.0], &[], 0.0);
+        check(&[0.5, 0.500_001], &[0.5, 0.500_001], 1e-10);
+        check(&[0.0, 0.5], &[0.5], 1e-15);
+    }
+
+    #[test]
+    fn where_zero_is_touched_no_sign_changes() {
+        check(&[0.5, 0.5], &[], 0.0);
+        check(&[0.3, 0.3, 0.3, 0.3], &[], 0.0);
+        check(&[0.3, 0.3, 0.3], &[0.3], 1e-4);
+        check(&[0.7, 0.3, 0.3], &[0.7], 1e-13);
+    }
+
+    #[test]
+    fn slopes_are_derivatives() {
+        let polynomial = UnitPolynomial::new([1.0, 2.0, 3.0, 4.0].into_iter(), f64::EPSILON);
+        assert!((polynomial.slope(0.5) - (2.0 + 3.0 + 3.0)).abs() < 1e-14);
+        assert!((polynomial.value(0.5) - (1.0 + 1.0 + 0.75 + 0.5)).abs() < 1e-14);
+    }
+}

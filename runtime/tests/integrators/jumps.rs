@@ -1,0 +1,228 @@
+//! Forces with jumps under the Taylor series method: steps end at discontinuity surfaces and go on behind them.
+
+use core::f64::consts::PI;
+
+use lagrangian::prelude::*;
+use lagrangian::{DoubleDouble, Polynomial, Scalar};
+
+/// A square wave, ẍ = a sgn sin ωt.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = a * signum(sin(omega * t))))]
+struct SquareWave {
+    a: f64,
+    omega: f64,
+}
+
+/// x and ẋ of a square wave from rest: half periods of parabolas.
+fn wave(a: f64, omega: f64, t: f64) -> [f64; 2] {
+    let half = PI / omega;
+    let whole = (t / half).floor();
+    let rest = t - whole * half;
+    let is_odd = whole.rem_euclid(2.0) > 0.5;
+    // ẋ is a triangle between 0 and a·half; over each half period x grows by a·half²/2.
+    let x = whole * 0.5 * a * half * half;
+    if is_odd {
+        let v = a * half;
+        [x + v * rest - 0.5 * a * rest * rest, v - a * rest]
+    } else {
+        [x + 0.5 * a * rest * rest, a * rest]
+    }
+}
+
+#[test]
+fn square_waves_are_parabolas() {
+    for i in 0..6 {
+        let omega = 0.5 + 2.733 * f64::from(i);
+        let model = SquareWave { a: 1.5, omega };
+        let dynamics = model.dynamics();
+        for end in [20.0, 7.3, 2.0 * PI / omega, -11.0] {
+            let start = State::new(0.0, [0.0], [0.0]);
+            let found = Taylor::new().integrate_to(&dynamics, start, end).unwrap();
+            // Backwards, x(−t) = −x(t), since the force is odd in time.
+            let [x, v] = wave(1.5, omega, end.abs());
+            let [x, v] = if end < 0.0 { [-x, v] } else { [x, v] };
+            // The phase ωt is rounded at each jump, and what the velocity loses there, the position loses for a long time.
+            assert!(
+                (found.x.q[0] - x).abs() < 1e-12,
+                "{omega} {end}: {:e}",
+                found.x.q[0] - x
+            );
+            assert!(
+                (found.x.v[0] - v).abs() < 1e-13,
+                "{omega} {end}: {:e}",
+                found.x.v[0] - v
+            );
+        }
+    }
+}
+
+/// Two thousand jumps, with hardly more steps.
+#[test]
+fn many_jumps_take_few_steps() {
+    let model = SquareWave { a: 1.0, omega: 1.0 };
+    let (dynamics, start) = (model.dynamics(), State::new(0.0, [0.0], [0.0]));
+    let jumps = 2000.0;
+    let end = PI * jumps;
+    let outcome = Taylor::new()
+        .driver()
+        .run_until(&dynamics, start, end)
+        .unwrap();
+    let [x, v] = wave(1.0, 1.0, end);
+    assert!(
+        (outcome.last.x.v[0] - v).abs() < 1e-12,
+        "{:e}",
+        outcome.last.x.v[0] - v
+    );
+    assert!(
+        (outcome.last.x.q[0] / x - 1.0).abs() < 1e-14,
+        "{:e}",
+        outcome.last.x.q[0] / x - 1.0
+    );
+    let statistics = outcome.statistics;
+    assert!(statistics.steps < 2500, "{statistics:?}");
+    assert!(statistics.evaluations < 60_000, "{statistics:?}");
+}
+
+/// A relay without hysteresis, ẍ = −sgn(x − x₀).
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -signum(x - x0)))]
+struct Relay {
+    x0: f64,
+}
+
+/// From x₀ + 1 at rest: parabolas of duration √2 each, with the period 4√2.
+fn relay(x0: f64, t: f64) -> [f64; 2] {
+    let quarter = 2.0_f64.sqrt();
+    let period = 4.0 * quarter;
+    let t = t - (t / period).floor() * period;
+    let t = if t > 3.0 * quarter { t - period } else { t };
+    if t.abs() <= quarter {
+        [x0 + 1.0 - 0.5 * t * t, -t]
+    } else {
+        let t = t - 2.0 * quarter;
+        [x0 - 1.0 + 0.5 * t * t, t]
+    }
+}
+
+#[test]
+fn relays_switch_thousands_of_times() {
+    for x0 in [0.0_f64, 0.3, -70.0] {
+        let model = Relay { x0 };
+        let start = State::new(0.0, [x0 + 1.0], [0.0]);
+        let times: Vec<f64> = (1..=40).map(|i| 151.7 * f64::from(i)).collect();
+        let trajectory = Taylor::new()
+            .sample(&model.dynamics(), start, &times)
+            .unwrap();
+        for sample in trajectory.samples() {
+            let [x, v] = relay(x0, sample.t);
+            // Rounding errors of the energy are a random walk, and the phase sums them.
+            let jumps = sample.t / 8.0_f64.sqrt();
+            let tolerance = 16.0 * f64::EPSILON * (1.0 + x0.abs()) * jumps.powf(1.5);
+            assert!(
+                (sample.x.q[0] - x).abs() < tolerance,
+                "{x0} {}: {:e}",
+                sample.t,
+                sample.x.q[0] - x
+            );
+            assert!((sample.x.v[0] - v).abs() < tolerance, "{x0} {}", sample.t);
+        }
+    }
+}
+
+/// A force that is switched on.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), potential = 0.5 * x.powi(2), force(x = 0.5 + 0.5 * signum(t - t0)))]
+struct Step {
+    t0: f64,
+}
+
+/// At the beginning, the end, at samples, between, and at late times.
+#[test]
+fn steps_in_time_wherever_they_are() {
+    for t0 in [0.0, 1.0, 0.3, 1e-9, 1e-300, 2.0 - 1e-15, 2.0, 0.7] {
+        for late in [0.0, 1e3, -1e6] {
+            let model = Step { t0: t0 + late };
+            let t0 = model.t0 - late;
+            let (dynamics, start) = (model.dynamics(), State::new(late, [1.0], [0.0]));
+            let times = [late + 0.3, late + 1.0, late + 1.5, late + 2.0, late + 2.0];
+            let trajectory = Taylor::new().sample(&dynamics, start, &times).unwrap();
+            let running =
+                Taylor::new().integrate_to(&dynamics, trajectory.samples()[3].clone(), late + 3.0);
+            let all = trajectory.samples().iter().cloned().chain(running);
+            for sample in all {
+                let t = sample.t - late;
+                let since = (t - t0).max(0.0);
+                let expected = t.cos() + 1.0 - since.cos();
+                let tolerance = 1e-14 + 8.0 * f64::EPSILON * late.abs();
+                assert!(
+                    (sample.x.q[0] - expected).abs() < tolerance,
+                    "{t0} {late} {t}: {:e}",
+                    sample.x.q[0] - expected
+                );
+            }
+        }
+    }
+}
+
+/// A mass that is driven by a signal through a relay, and one that is held.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = signum(u - x)))]
+struct Follower {
+    #[lagrangian(input)]
+    u: f64,
+}
+
+#[test]
+fn relays_of_driven_motions() {
+    let model = Follower { u: 0.0 };
+    // u = t/4: in the frame of the signal a relay.
+    let driven = model.driven_by([Polynomial([0.0, 0.25])]);
+    let start = State::new(0.0, [1.0], [0.25]);
+    for t in [3.0, 40.0, 500.0] {
+        let end = Taylor::new().integrate_to(&driven, start, t).unwrap();
+        let expected = relay(0.0, t)[0] + 0.25 * t;
+        assert!(
+            (end.x.q[0] - expected).abs() < 1e-11,
+            "{t}: {:e}",
+            end.x.q[0] - expected
+        );
+    }
+    let held = model.with_inputs([0.5]);
+    let start = State::new(0.0, [1.5], [0.0]);
+    let end = Taylor::new()
+        .integrate_to(&held.dynamics(), start, 40.0)
+        .unwrap();
+    assert!((end.x.q[0] - relay(0.5, 40.0)[0]).abs() < 1e-12);
+}
+
+/// A relay without constants.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -signum(x)))]
+struct UnitRelay;
+
+fn on<S: Scalar, const HALF: usize>(method: Taylor<HALF>, t: f64) -> S {
+    let start = State::new(S::zero(), [S::one()], [S::zero()]);
+    method
+        .integrate_to(&UnitRelay.dynamics(), start, t)
+        .unwrap()
+        .x
+        .q[0]
+}
+
+#[test]
+fn other_scalars_and_orders() {
+    let expected = relay(0.0, 20.0)[0];
+    assert!((f64::from(on::<f32, 6>(Taylor::order_12(), 20.0)) - expected).abs() < 2e-4);
+    assert!((on::<f64, 8>(Taylor::order_16(), 20.0) - expected).abs() < 1e-13);
+    // To 28 digits: after 3 half periods at −1 + (t − 6√2)²/2.
+    let two = DoubleDouble::from(2.0);
+    let half = two * two.sqrt();
+    let rest = DoubleDouble::from(20.0) - half * DoubleDouble::from(7.0);
+    let exact = rest * rest / two - DoubleDouble::from(1.0);
+    let found = on::<DoubleDouble, 20>(Taylor::order_40(), 20.0);
+    assert!(
+        (found - exact).to_f64().abs() < 1e-28,
+        "{:e}",
+        (found - exact).to_f64()
+    );
+}
