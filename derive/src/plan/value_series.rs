@@ -101,8 +101,8 @@ impl BranchSeries {
             .collect();
         Ok(series.map(|series| Self {
             series,
-            are_inner,
             functions,
+            are_inner,
         }))
     }
 }

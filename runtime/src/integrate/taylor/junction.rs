@@ -156,7 +156,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Junction<'_, S, D, HAL
             if size.is_nan() || size > largest {
                 break;
             }
-            root = root - correction;
+            root -= correction;
             if S::DERIVATIVES == 0 && size <= 0.0 {
                 break;
             }

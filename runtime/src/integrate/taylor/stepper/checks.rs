@@ -77,10 +77,10 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
                 None => Verdict::Differs(component),
             };
         }
-        if crossings.has_noise || self.is_uncertain_within(proposal, h, tau) {
-            if let Err(component) = self.check_within(dynamics, end, &allowance) {
-                return Verdict::Differs(component);
-            }
+        if (crossings.has_noise || self.is_uncertain_within(proposal, h, tau))
+            && let Err(component) = self.check_within(dynamics, end, &allowance)
+        {
+            return Verdict::Differs(component);
         }
         Verdict::Agrees(next_proposal)
     }
