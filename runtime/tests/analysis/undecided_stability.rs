@@ -139,9 +139,9 @@ fn small_second_derivatives_are_decided() {
         for c3 in [0.0, 1.0, -1.0] {
             for scale in [1.0, 1e-8, 1e8] {
                 let model = Line {
+                    scale,
                     c2,
                     c3,
-                    scale,
                     ..FLAT
                 };
                 let found = found_near(&model, [0.1 * c2]);

@@ -262,7 +262,7 @@ fn many_parts() {
         match (turned, mesh.solid()) {
             (None, found) => assert_close(found.unwrap().content() / expected, 1.0, 1e-13),
             (Some(_), Err(MeshError::PartInsideOut { triangle, .. })) => {
-                assert_eq!(triangle, first)
+                assert_eq!(triangle, first);
             }
             (Some(_), other) => panic!("{other:?}"),
         }
