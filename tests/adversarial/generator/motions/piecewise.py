@@ -41,13 +41,14 @@ class Crossed:
 class Motion:
     """A motion from (t, y), with the times at which branches were `crossings`, and the `events` of watched functions."""
 
-    def __init__(self, model, fields, watched, t, y, tolerance=TOLERANCE, start_step=None):
+    def __init__(self, model, fields, watched, t, y, tolerance=TOLERANCE, longest=1.0):
         self.model, self.fields, self.watched = model, fields, watched
         self.t, self.y, self.tolerance = real(t), [real(x) for x in y], tolerance
         self.crossings, self.events, self.steps = [], [], 0
         self.programs = {}
         self.program = self.recorded(())
-        self.h = start_step or real(1) / 8
+        self.longest = real(longest)
+        self.h = min(self.longest, real(1) / 8)
 
     def recorded(self, signs):
         if signs not in self.programs:
@@ -65,7 +66,7 @@ class Motion:
             self.steps += 1
             if self.steps > MOST_STEPS:
                 raise NoValue("too many steps")
-            h = min(abs(h), abs(end - self.t)) * direction
+            h = min(abs(h), self.longest, abs(end - self.t)) * direction
             nodes = [(self.t, self.program(self.t, self.y))]
             see = lambda t, y, out: nodes.append((t, out))
             y, error = step(self.program, self.t, self.y, h, see)

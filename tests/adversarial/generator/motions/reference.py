@@ -35,6 +35,7 @@ class Asked:
     lanes: int = 0  # How many motions are integrated in lanes.
     split: int = 0  # In how many ways a motion is split into runs.
     pair: str | None = None  # The parameter that is subtracted in the first event, set so that two of its zeros are close.
+    step: float = 1.0  # The longest step of the reference, less than the time in which anything happens.
     functions: int = 0  # How many functions are watched.
 
 
@@ -51,7 +52,7 @@ class Reference:
     def __init__(self, model, at, end, rng):
         exact = at.mapped(real)
         watched = [e.expression for e in model.events]
-        run = lambda at, tolerance: Motion(model, at.fields, watched, at.t, [*at.q, *at.v], tolerance).to(end)
+        run = lambda at, tolerance: Motion(model, at.fields, watched, at.t, [*at.q, *at.v], tolerance, model.motion.step).to(end)
         motion, near = run(exact, PRECISE), run(perturbed(exact, rng), LOOSE)
         same = [e.which for e in motion.events] == [e.which for e in near.events]
         if not same or len(motion.crossings) != len(near.crossings):
