@@ -2,7 +2,8 @@
 //! section 3.3).
 //!
 //! `\left` and `\right` have to stand in one row, so that brackets within which a row ends are written with `\bigl` and `\bigr`.
-//! Nothing is broken within braces: there are numerators, denominators and arguments of roots.
+//! Nothing is broken within braces, where there are numerators, denominators and arguments of roots, nor within the brackets
+//! around the arguments of a function.
 
 use crate::limits::LONGEST_ROW;
 
@@ -83,13 +84,19 @@ fn broken(text: &str, first: usize) -> String {
     written
 }
 
-/// The places before signs outside of braces, each with how many brackets it is in, and the brackets.
+/// The places before signs outside of braces and of arguments, each with how many brackets it is in, and the brackets.
 fn scan(text: &str) -> (Vec<(usize, usize)>, Vec<Bracket>) {
     let (mut signs, mut brackets, mut open) = (Vec::new(), Vec::new(), Vec::new());
     let mut braces = 0_usize;
+    // Brackets around arguments, and within these.
+    let mut of_arguments = 0_usize;
     for (position, c) in text.char_indices() {
-        let rest = &text[position..];
+        let (before, rest) = text.split_at(position);
         match c {
+            '\\' if of_arguments > 0 && rest.starts_with("\\left") => of_arguments += 1,
+            '\\' if of_arguments > 0 && rest.starts_with("\\right") => of_arguments -= 1,
+            '\\' if rest.starts_with("\\left(") && ends_with_name(before) => of_arguments = 1,
+            _ if of_arguments > 0 => {}
             '{' => braces += 1,
             '}' => braces = braces.saturating_sub(1),
             '\\' if rest.starts_with("\\left|") => braces += 1,
@@ -110,6 +117,11 @@ fn scan(text: &str) -> (Vec<(usize, usize)>, Vec<Bracket>) {
         }
     }
     (signs, brackets)
+}
+
+/// Whether a bracket that follows is one around the arguments of a function: before others there is a space.
+fn ends_with_name(text: &str) -> bool {
+    text.ends_with(|c: char| c.is_alphanumeric() || c == '}')
 }
 
 /// Finds ends of rows in a part of a text: before signs in so many brackets, or in more where a term is too long.
@@ -174,6 +186,18 @@ mod tests {
         for row in row.split(CONTINUED) {
             let [left, right] = ["\\left", "\\right"].map(|word| row.matches(word).count());
             assert_eq!(left, right, "{row}");
+        }
+    }
+
+    #[test]
+    fn arguments_are_whole() {
+        for function in ["\\sin", "\\sin^{2}", "\\operatorname{f}"] {
+            for length in 80..140 {
+                let stiffness = "k".repeat(length);
+                let call = format!("{function}\\left(\\left(q_{{1}} + l\\right) + q_{{2}}\\right)");
+                let row = row(&format!("x = {stiffness} {call} + m + l"));
+                assert!(row.contains(&call), "{row}");
+            }
         }
     }
 
