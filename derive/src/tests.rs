@@ -8,6 +8,7 @@ mod golden;
 mod huge_powers;
 mod half_typed;
 mod pages;
+mod pair_sums;
 mod printed;
 mod robustness;
 mod roots;

@@ -4,6 +4,7 @@
 //! Indices are marked where names are printed. A fold is taken only if the pattern, with its index put in and its sums
 //! written out, is again the line that was printed.
 
+pub(crate) mod others;
 pub(crate) mod token;
 
 use std::collections::BTreeMap;
@@ -14,8 +15,8 @@ use crate::print::listing::as_declared::print_range;
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::notation::Notation;
 
-/// The line with runs of terms that differ by one in some of their indices as sums.
-pub(crate) fn with_sums(line: &[Token]) -> Line {
+/// The line with runs of so many terms or more that differ by one in some of their indices as sums.
+fn with_sums(line: &[Token], fewest: usize) -> Line {
     let mut inner = Line::new();
     let mut position = 0;
     while position < line.len() {
@@ -23,7 +24,7 @@ pub(crate) fn with_sums(line: &[Token]) -> Line {
         inner.push(line[position].clone());
         if end > position {
             let (content, close) = content(&line[position + 1..end]);
-            let content = with_sums(content);
+            let content = with_sums(content, fewest);
             inner.extend(content);
             inner.extend(close.iter().cloned());
             inner.push(line[end].clone());
@@ -44,7 +45,7 @@ pub(crate) fn with_sums(line: &[Token]) -> Line {
             step = found;
             end += 1;
         }
-        let folds = end - start >= FEWEST_FOLDED_TERMS;
+        let folds = end - start >= fewest;
         let step = step.filter(|_| folds);
         let (negative, first) = &terms[start];
         folded.extend(sign(start == 0, *negative, &inner));
@@ -297,11 +298,12 @@ pub(crate) fn families(lines: &[Line]) -> Vec<Folded> {
 fn with_sums_of_sides(line: &[Token]) -> Line {
     let equals = [' ', '=', ' '].map(Token::Char);
     let position = line.windows(3).position(|window| window == equals);
+    let side = |line: &[Token]| with_sums(line, FEWEST_FOLDED_TERMS);
     let folded = position.map_or_else(
-        || with_sums(line),
+        || side(line),
         |position| {
             let (left, right) = (&line[..position], &line[position + 3..]);
-            [with_sums(left), equals.to_vec(), with_sums(right)].concat()
+            [side(left), equals.to_vec(), side(right)].concat()
         },
     );
     if without_sums(&folded).is_some_and(|whole| whole == line) {

@@ -16,6 +16,7 @@ pub(crate) mod printed_model;
 pub(crate) mod index_families;
 pub(crate) mod index_letters;
 pub(crate) mod index_pattern;
+pub(crate) mod pair_sums;
 pub(crate) mod pattern_text;
 pub(crate) mod vector_text;
 pub(crate) mod recursion_text;

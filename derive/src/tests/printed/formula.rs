@@ -28,6 +28,8 @@ pub(super) enum Formula {
         bounds: [String; 2],
         term: Box<Formula>,
     },
+    /// A variable, the index whose value it does not take, and a term.
+    SumOfOthers(String, String, Box<Formula>),
     SumOfLinks(String, Box<Formula>),
 }
 
@@ -133,6 +135,7 @@ impl Parser<'_> {
                 | Token::Root
                 | Token::Rate
                 | Token::Sum { .. }
+                | Token::SumOfOthers { .. }
                 | Token::SumOfLinks(_),
             ) => true,
             _ => false,
@@ -194,6 +197,9 @@ impl Parser<'_> {
                 bounds,
                 term: Box::new(self.term()?),
             }),
+            Token::SumOfOthers { variable, but } => {
+                Ok(Formula::SumOfOthers(variable, but, Box::new(self.term()?)))
+            }
             Token::SumOfLinks(variable) => {
                 Ok(Formula::SumOfLinks(variable, Box::new(self.term()?)))
             }

@@ -145,13 +145,19 @@ fn sign(characters: &mut Characters<'_>, adjacent: bool) -> Option<Token> {
     found.map(|(_, token)| token)
 }
 
-/// `{j=0}^{9}`, or `j` alone.
+/// `{j=0}^{9}`, `{j \ne i}`, or `j` alone.
 fn sum(characters: &mut Characters<'_>) -> Reading<Token> {
     if !characters.take("{") {
         let variable = characters.take_while(char::is_alphabetic);
         return Ok(Token::SumOfLinks(variable.to_owned()));
     }
     let below = characters.take_group(['{', '}'])?;
+    if let Some((variable, but)) = below.split_once(" \\ne ") {
+        return Ok(Token::SumOfOthers {
+            variable: variable.to_owned(),
+            but: but.to_owned(),
+        });
+    }
     let (variable, first) = below.split_once('=').ok_or("a sum without a lower bound")?;
     if !characters.take("^{") {
         return Err("a sum without an upper bound".into());

@@ -31,6 +31,7 @@ pub(super) fn surroundings(subject: &Subject, state: &State) -> Reading<Surround
     let mut surroundings = Surroundings {
         names: BTreeMap::new(),
         indices: Indices::new(),
+        ranges: BTreeMap::new(),
         functions: subject.functions.clone(),
         external,
         rates: BTreeMap::new(),

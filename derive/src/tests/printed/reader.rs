@@ -187,14 +187,19 @@ impl<'a> Reader<'a> {
             .each_ref()
             .map(|side| self.notation.formula(side));
         let (left, right) = (left?, right?);
+        let ranges = equation.ranges.iter();
+        let ranges = ranges.map(|(variable, first, last)| (variable.clone(), (*first, *last)));
+        let ranges: BTreeMap<_, _> = ranges.collect();
         for case in equation.cases() {
             let case_text = format!("{case:?}");
             for surroundings in [&mut self.free, &mut self.moving] {
                 surroundings.indices.clone_from(&case);
+                surroundings.ranges.clone_from(&ranges);
             }
             let read = self.case(&left, &right, &case);
             for surroundings in [&mut self.free, &mut self.moving] {
                 surroundings.indices.clear();
+                surroundings.ranges.clear();
             }
             found.extend(read.map_err(|e| format!("{e} at {case_text}"))?);
         }

@@ -17,6 +17,8 @@ pub(super) struct Surroundings {
     /// By what is printed, without dots.
     pub(super) names: BTreeMap<String, Value>,
     pub(super) indices: Indices,
+    /// The first and the last value of the indices of an equation.
+    pub(super) ranges: BTreeMap<String, (i64, i64)>,
     pub(super) functions: Vec<String>,
     pub(super) external: External,
     /// Names with dots that are given by equations of their own, as those of a recursion.
@@ -87,7 +89,20 @@ impl Surroundings {
                 variable,
                 bounds,
                 term,
-            } => self.sum(variable, bounds, term),
+            } => {
+                let [first, last] = bounds.each_ref().map(|bound| {
+                    let index = index_value(bound, &self.indices);
+                    index.ok_or(format!("the bound {bound} is no integer"))
+                });
+                self.sum(variable, first?..=last?, term)
+            }
+            Formula::SumOfOthers(variable, but, term) => {
+                let range = self.ranges.get(but).zip(self.indices.get(but));
+                let ((first, last), own) = range.ok_or(format!("others than which {but}?"))?;
+                let (first, last, own) = (*first, *last, *own);
+                let others = (first..=last).filter(move |index| *index != own);
+                self.sum(variable, others, term)
+            }
             Formula::SumOfLinks(variable, term) => {
                 let mut sum = Value::Scalar(Jet::ZERO);
                 for link in self.behind.clone() {
@@ -100,15 +115,17 @@ impl Surroundings {
         }
     }
 
-    fn sum(&mut self, variable: &str, bounds: &[String; 2], term: &Formula) -> Reading<Value> {
-        let [first, last] = bounds.each_ref().map(|bound| {
-            index_value(bound, &self.indices).ok_or(format!("the bound {bound} is no integer"))
-        });
+    fn sum(
+        &mut self,
+        variable: &str,
+        values: impl Iterator<Item = i64>,
+        term: &Formula,
+    ) -> Reading<Value> {
         if self.indices.contains_key(variable) || self.names.contains_key(variable) {
             return Err(format!("the index {variable} has another meaning"));
         }
         let mut sum = Value::Scalar(Jet::ZERO);
-        for index in first?..=last? {
+        for index in values {
             self.indices.insert(variable.to_owned(), index);
             let term = self.value(term);
             self.indices.remove(variable);

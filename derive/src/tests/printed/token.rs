@@ -37,6 +37,11 @@ pub(super) enum Token {
         variable: String,
         bounds: [String; 2],
     },
+    /// The sign of a sum over all values of an index but another one's.
+    SumOfOthers {
+        variable: String,
+        but: String,
+    },
     /// The sign of a sum over the links behind one.
     SumOfLinks(String),
 }

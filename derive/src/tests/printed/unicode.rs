@@ -139,11 +139,17 @@ fn is_sum(text: &str) -> bool {
         .is_some_and(|c| c == '_' || BELOW.iter().any(|(below, _)| *below == c))
 }
 
-/// `Σₖ₌₀ⁱ⁻¹ `, `Σ_(k=max(i,j))^(19) ` or `Σⱼ `.
+/// `Σₖ₌₀ⁱ⁻¹ `, `Σ_(k=max(i,j))^(19) `, `Σ_(j≠i) ` or `Σⱼ `.
 fn sum(characters: &mut Characters<'_>) -> Reading<Token> {
     characters.take("Σ");
     let [below, above] = if characters.take("_(") {
         let below = characters.take_group(['(', ')'])?.to_owned();
+        if let Some((variable, but)) = below.split_once('≠') {
+            return Ok(Token::SumOfOthers {
+                variable: variable.to_owned(),
+                but: but.to_owned(),
+            });
+        }
         if !characters.take("^(") {
             return Err("a sum without an upper bound".into());
         }

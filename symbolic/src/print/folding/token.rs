@@ -15,6 +15,8 @@ pub(crate) enum Token {
     Variable(char, i64),
     /// A sum over a variable, of terms with a minus sign or without, from the index that follows to the next.
     Sum(char, bool),
+    /// A sum over a variable, which is any member of the family but i.
+    SumOfOthers(char),
     EndOfSum,
 }
 
@@ -51,6 +53,14 @@ pub(crate) fn written(line: &[Token], notation: Notation, letters: IndexLetters)
             Token::Sum(variable, _) => {
                 text.extend(["\\sum_{", &letters.text(*variable), "="]);
                 bounds = 2;
+            }
+            Token::SumOfOthers(variable) => {
+                let (j, i) = (letters.text(*variable), letters.text('i'));
+                let [before, between, after] = match notation {
+                    Notation::Unicode => ["Σ_(", "≠", ") "],
+                    Notation::Latex => ["\\sum_{", " \\ne ", "} "],
+                };
+                text.extend([before, &j, between, &i, after]);
             }
             Token::EndOfSum => {}
             Token::Index(_) | Token::Variable(..) => {

@@ -266,6 +266,7 @@ impl<'a> Composer<'a> {
         ]);
         let method = "the methods `mass_matrix`, `forcing` and `inverse_dynamics`";
         let section = Section::new(Some(heading), method);
+        let empty = section.clone();
         let is_long = self.is_long(&equations.inverse_dynamics);
         let section = self.in_families(
             (section, is_long),
@@ -276,32 +277,20 @@ impl<'a> Composer<'a> {
                 }
             },
         );
+        let section = self.shorter_by_pairs(equations, section, empty);
         self.mention(section)
     }
 
     /// Adds Lagrange's equation of a coordinate if there is room.
-    fn push_lagrange(&mut self, section: &mut Section, equations: &Equations, i: usize) {
-        let force = equations.generalized_forces[i];
-        let row = &equations.mass[i];
-        let roots = [row, &[equations.forcing[i]][..]].concat();
+    pub(crate) fn push_lagrange(&mut self, section: &mut Section, equations: &Equations, i: usize) {
+        let roots = [&*equations.mass[i], &[equations.forcing[i]]].concat();
         let symbols = self.model.graph.written_symbols(&roots, &self.letters);
         if symbols > LONGEST_UNARRANGED || !section.has_room() {
             section.leave_out(symbols);
             return;
         }
-        let mut terms = Vec::new();
-        for (j, entry) in (0..).zip(row) {
-            let entry = self.arranged(*entry);
-            let graph = &mut self.model.graph;
-            let acceleration = graph.symbol(Symbol::Acceleration(j));
-            terms.push((graph.multiply(entry, acceleration), Rational::ONE));
-        }
-        let graph = &mut self.model.graph;
-        let rest = graph.subtract(force, equations.forcing[i]);
-        let rest = graph.arranged_by_velocities(rest, &self.letters);
-        terms.push((rest, Rational::ONE));
-        let left = Side::Expression(graph.sum(terms));
-        let right = Side::Expression(self.arranged(force));
+        let sides = arranged_lagrange(&mut self.model.graph, equations, i, &self.letters);
+        let [left, right] = sides.map(Side::Expression);
         self.push_arranged(section, left, right);
     }
 
@@ -335,6 +324,26 @@ impl<'a> Composer<'a> {
         }
         section
     }
+}
+
+/// The sides of Lagrange's equation of a coordinate as they are short to read in these letters.
+pub(crate) fn arranged_lagrange(
+    graph: &mut Graph,
+    equations: &Equations,
+    i: usize,
+    letters: &Letters,
+) -> [Expression; 2] {
+    let force = equations.generalized_forces[i];
+    let mut terms = Vec::new();
+    for (j, entry) in (0..).zip(&equations.mass[i]) {
+        let entry = graph.arranged(*entry, letters);
+        let acceleration = graph.symbol(Symbol::Acceleration(j));
+        terms.push((graph.multiply(entry, acceleration), Rational::ONE));
+    }
+    let rest = graph.subtract(force, equations.forcing[i]);
+    let rest = graph.arranged_by_velocities(rest, letters);
+    terms.push((rest, Rational::ONE));
+    [graph.sum(terms), graph.arranged(force, letters)]
 }
 
 /// The sentence that these quantities are constant.

@@ -1,11 +1,11 @@
-//! The families among coordinates and parameters: their members have an index.
+//! The families among coordinates, parameters and inputs: their members have an index.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::print::names::Names;
 use crate::{Expression, Graph, Node, Symbol};
 
-/// The members of families among coordinates and parameters.
+/// The members of families among coordinates, parameters and inputs.
 pub(crate) struct Families {
     /// Of each family the member at an index.
     members: Vec<BTreeMap<i64, Symbol>>,
@@ -23,11 +23,11 @@ impl Families {
             with_several_indices: BTreeSet::new(),
         };
         let mut numbers = BTreeMap::new();
-        for (kind, names) in [&names.coordinates, &names.parameters]
+        for (kind, names) in [&names.coordinates, &names.parameters, &names.inputs]
             .into_iter()
             .enumerate()
         {
-            let symbol = [Symbol::Coordinate, Symbol::Parameter][kind];
+            let symbol = [Symbol::Coordinate, Symbol::Parameter, Symbol::Input][kind];
             for (i, name) in (0..).zip(names) {
                 let Some((stem, index, rest)) = taken_apart(name) else {
                     if name.contains('[') {
@@ -83,13 +83,14 @@ impl Families {
             Symbol::Velocity(_) => Symbol::Velocity,
             Symbol::Acceleration(_) => Symbol::Acceleration,
             Symbol::Parameter(_) => Symbol::Parameter,
+            Symbol::Input(_) => Symbol::Input,
             _ => Symbol::Coordinate,
         };
         let Some((_, to)) = moves.iter().find(|(from, _)| *from == index) else {
             return Some(symbol);
         };
         match self.members[family].get(to)? {
-            Symbol::Coordinate(i) | Symbol::Parameter(i) => Some(back(*i)),
+            Symbol::Coordinate(i) | Symbol::Parameter(i) | Symbol::Input(i) => Some(back(*i)),
             _ => None,
         }
     }
@@ -117,6 +118,21 @@ impl Families {
         let members = self.members[family].iter();
         let within = members.filter(move |(index, _)| (first..=last).contains(*index));
         within.map(|(_, member)| *member)
+    }
+
+    /// The families of coordinates of which all members are counted without gaps: the positions of these, from the first
+    /// index on.
+    pub(crate) fn of_coordinates(&self) -> impl Iterator<Item = (i64, Vec<usize>)> {
+        self.members.iter().filter_map(|members| {
+            let (first, _) = members.first_key_value()?;
+            let in_order = (*first..).zip(members).map(|(expected, (index, member))| {
+                let Symbol::Coordinate(i) = member else {
+                    return None;
+                };
+                (*index == expected).then_some(*i as usize)
+            });
+            Some((*first, in_order.collect::<Option<_>>()?))
+        })
     }
 
     /// Whether each symbol of an expression has one index or none.
