@@ -61,7 +61,10 @@ impl FormulaPrinter<'_> {
             ("kinetic_energy", [body, r, p]) => self.kinetic_energy(body, r, p),
             ("potential_energy", [body, r, p, g]) => self.potential_energy(body, r, p, g),
             ("powi" | "powf", [base, exponent]) => self.power(base, exponent),
-            ("dot", [x, y]) if method => self.between(x, y, "·", " \\cdot "),
+            ("dot", [x, y]) if method => {
+                let product = self.between(x, y, "·", " \\cdot ")?;
+                Some(Notation::new(product.texts, Precedence::InnerProduct))
+            }
             ("cross", [x, y]) => self.between(x, y, " × ", " \\times "),
             ("norm" | "abs", [x]) => Some(bars(self.print(x)?)),
             ("norm_squared", [x]) => Some(bars(self.print(x)?).followed_by("²", "^{2}")),
@@ -307,7 +310,7 @@ fn inner_product(x: &Notation, y: &Notation) -> Notation {
         format!("{}·{}", x.texts[0], y.texts[0]),
         format!("{} \\cdot {}", x.texts[1], y.texts[1]),
     ];
-    Notation::new(both, Precedence::Product)
+    Notation::new(both, Precedence::InnerProduct)
 }
 
 /// The axis along which a vector of components points, its only component other than zero without its sign, and whether it has

@@ -5,6 +5,9 @@
 pub(super) enum Precedence {
     /// A sum, or anything with a minus sign in front.
     Sum,
+    /// An inner product of vectors, perhaps with a minus sign in front: with a factor beside it, it would look like a product
+    /// of three numbers.
+    InnerProduct,
     /// A product or quotient, or a sum over an index.
     Product,
     /// A function of something.
@@ -82,7 +85,8 @@ impl Notation {
     /// A term more, or one less.
     pub(super) fn plus(self, term: Self, minus: bool) -> Self {
         let negative = term.texts[0].starts_with('−');
-        let term = if minus && term.precedence == Precedence::Sum {
+        let is_signed = negative || term.precedence == Precedence::Sum;
+        let term = if minus && is_signed {
             term.at_least(Precedence::Product)
         } else {
             term
@@ -104,11 +108,15 @@ impl Notation {
     }
 
     pub(super) fn negated(self) -> Self {
-        let [unicode, latex] = self.at_least(Precedence::Product).texts;
-        Self::new(
-            [format!("−{unicode}"), format!("-{latex}")],
-            Precedence::Sum,
-        )
+        let is_inner =
+            self.precedence == Precedence::InnerProduct && !self.texts[0].starts_with('−');
+        let (least, precedence) = if is_inner {
+            (Precedence::InnerProduct, Precedence::InnerProduct)
+        } else {
+            (Precedence::Product, Precedence::Sum)
+        };
+        let [unicode, latex] = self.at_least(least).texts;
+        Self::new([format!("−{unicode}"), format!("-{latex}")], precedence)
     }
 
     /// A product, with a dot where a word or a number would run into its neighbour.
@@ -119,7 +127,14 @@ impl Notation {
         } else {
             self.at_least(Precedence::Product)
         };
-        let right = other.at_least(Precedence::Product);
+        let half_of_inner = is_number(&left.texts[0])
+            && other.precedence == Precedence::InnerProduct
+            && !other.texts[0].starts_with('−');
+        let right = if half_of_inner {
+            other
+        } else {
+            other.at_least(Precedence::Product)
+        };
         // What a sum over an index or a function's argument comprises ends there.
         let left = if left.texts[0].starts_with('Σ') {
             let open = left.precedence;
