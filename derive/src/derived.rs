@@ -45,13 +45,14 @@ impl Derived {
             .ok()?;
         let shapes = &lowered.outputs;
         let mut methods = Methods::schedule(&mut model, &equations, shapes, &requested);
-        let disagreements =
-            methods.validate(&validator, &mut model, &mut equations, (shapes, &requested));
+        // What applies them cannot be validated.
         let undeclared = methods.undeclared(&model.graph);
         if !undeclared.is_empty() {
             defects::report_undeclared(&undeclared, declaration, diagnostics);
             return None;
         }
+        let disagreements =
+            methods.validate(&validator, &mut model, &mut equations, (shapes, &requested));
         if methods.unrepresentable().is_some() {
             defects::report_at_energy(declaration, UNREPRESENTABLE, diagnostics);
             return None;

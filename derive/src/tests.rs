@@ -7,6 +7,7 @@ mod families;
 mod golden;
 mod huge_powers;
 mod half_typed;
+mod mixed_derivatives;
 mod pages;
 mod pair_sums;
 mod printed;

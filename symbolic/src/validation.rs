@@ -13,6 +13,7 @@ mod comparison;
 mod hyper_dual;
 mod jet;
 mod lagrange;
+mod mixed_derivatives;
 mod number;
 mod perturbation;
 mod programs;

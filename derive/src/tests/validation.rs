@@ -81,7 +81,7 @@ fn what_is_derived_agrees() {
 }
 
 /// The same program with one instruction changed, if it is one that can be.
-fn altered(program: &Program, position: usize) -> Option<Program> {
+pub(super) fn altered(program: &Program, position: usize) -> Option<Program> {
     let mut program = program.clone();
     let instructions = program
         .groups

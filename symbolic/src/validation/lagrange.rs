@@ -11,8 +11,8 @@ use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::sum_with_size::SumWithSize;
-use crate::validation::tape::Tape;
-use crate::{Model, Symbol};
+use crate::validation::tape::{StandIns, Tape};
+use crate::{Expression, Graph, Model, Symbol};
 
 /// The energies, the dissipation and the forces of a model as they were first built.
 pub(crate) struct Lagrange {
@@ -75,7 +75,8 @@ impl Variation {
 }
 
 impl Lagrange {
-    pub(crate) fn new(model: &Model) -> Self {
+    /// The equations of `model`, whose graph may have become `graph`.
+    pub(crate) fn new(model: &Model, graph: &Graph, stand_ins: &StandIns) -> Self {
         let energies = match model.energies {
             Energies::Natural { kinetic, potential } => vec![kinetic, potential],
             Energies::General(lagrangian) => vec![lagrangian],
@@ -83,9 +84,14 @@ impl Lagrange {
         let mut roots = energies.clone();
         roots.push(model.dissipation);
         roots.extend(&model.forces);
+        let tape = |roots: &[Expression]| {
+            let mut tape = Tape::of_expressions(graph, roots);
+            tape.use_stand_ins(stand_ins);
+            tape
+        };
         Self {
-            tape: Tape::of_expressions(&model.graph, &roots),
-            outputs: Tape::of_expressions(&model.graph, &model.outputs),
+            tape: tape(&roots),
+            outputs: tape(&model.outputs),
             coordinates: model.coordinates as usize,
             inputs: model.inputs as usize,
             energies: energies.len(),

@@ -5,7 +5,7 @@ use crate::validation::linearization_check::LinearizationOutputs;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::requested_check::{RequestedPrograms, RequestedTapes};
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::tape::Tape;
+use crate::validation::tape::{StandIns, Tape};
 use crate::{Program, Symbol};
 
 /// A validated method: one or more programs that are accepted or rejected together.
@@ -168,7 +168,7 @@ pub(crate) struct Tapes {
 }
 
 impl Tapes {
-    pub(crate) fn new(programs: &Programs<'_>) -> Self {
+    pub(crate) fn new(programs: &Programs<'_>, stand_ins: &StandIns) -> Self {
         let (accelerations, pivots) = match programs.accelerations {
             AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
             AccelerationProgram::System(program) => (program, None),
@@ -192,21 +192,26 @@ impl Tapes {
             }
         });
         let energies = programs.energies.iter().flatten();
+        let tape_of = |programs: &mut dyn Iterator<Item = &Program>| {
+            let mut tape = Tape::of_programs(programs);
+            tape.use_stand_ins(stand_ins);
+            tape
+        };
+        let tape = |program: &Program| tape_of(&mut core::iter::once(program));
         Self {
-            lagrangian: Tape::of_program(programs.lagrangian),
-            energies: Tape::of_programs(energies.copied()),
-            energy: Tape::of_program(programs.energy),
-            momenta: Tape::of_program(programs.momenta),
-            mass_matrix: programs.mass_matrix.map(Tape::of_program),
-            forcing: Tape::of_program(programs.forcing),
-            generalized_forces: Tape::of_program(programs.generalized_forces),
-            inverse_dynamics: Tape::of_program(programs.inverse_dynamics),
-            outputs: Tape::of_programs(programs.outputs.iter().copied()),
-            linearization: linearization
-                .map(|(programs, outputs)| (programs.map(Tape::of_program), outputs)),
-            requested: RequestedTapes::new(&programs.requested),
-            preparation: Tape::of_program(programs.preparation),
-            accelerations: Tape::of_program(accelerations),
+            lagrangian: tape(programs.lagrangian),
+            energies: tape_of(&mut energies.copied()),
+            energy: tape(programs.energy),
+            momenta: tape(programs.momenta),
+            mass_matrix: programs.mass_matrix.map(tape),
+            forcing: tape(programs.forcing),
+            generalized_forces: tape(programs.generalized_forces),
+            inverse_dynamics: tape(programs.inverse_dynamics),
+            outputs: tape_of(&mut programs.outputs.iter().copied()),
+            linearization: linearization.map(|(programs, outputs)| (programs.map(tape), outputs)),
+            requested: RequestedTapes::new(&programs.requested, stand_ins),
+            preparation: tape(programs.preparation),
+            accelerations: tape(accelerations),
             pivots,
         }
     }

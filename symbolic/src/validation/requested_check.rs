@@ -8,7 +8,7 @@ use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, SensitivityProgram};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::sum_with_size::SumWithSize;
-use crate::validation::tape::Tape;
+use crate::validation::tape::{StandIns, Tape};
 use crate::{Program, Symbol};
 
 /// The programs of what clauses ask for.
@@ -42,21 +42,26 @@ struct Sensitivities {
 }
 
 impl RequestedTapes {
-    pub(crate) fn new(programs: &RequestedPrograms<'_>) -> Self {
+    pub(crate) fn new(programs: &RequestedPrograms<'_>, stand_ins: &StandIns) -> Self {
+        let tape = |program: &Program| {
+            let mut tape = Tape::of_program(program);
+            tape.use_stand_ins(stand_ins);
+            tape
+        };
         let sensitivities = programs.sensitivities.as_ref();
         Self {
-            momentum_rates: programs.momentum_rates.map(Tape::of_program),
-            velocities: programs.velocities.map(Tape::of_program),
-            energy_rate: programs.energy_rate.map(Tape::of_program),
+            momentum_rates: programs.momentum_rates.map(tape),
+            velocities: programs.velocities.map(tape),
+            energy_rate: programs.energy_rate.map(tape),
             sensitivities: sensitivities.map(|program| Sensitivities {
-                tape: Tape::of_program(program.program),
+                tape: tape(program.program),
                 outputs: match program.pivots {
                     Some(pivots) => LinearizationOutputs::Solved(pivots),
                     None => LinearizationOutputs::System,
                 },
                 parameters: program.parameters.to_vec(),
             }),
-            regressor: programs.regressor.map(|all| all.map(Tape::of_program)),
+            regressor: programs.regressor.map(|all| all.map(tape)),
         }
     }
 

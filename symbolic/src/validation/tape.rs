@@ -6,6 +6,9 @@
 
 mod expressions;
 mod programs;
+mod stand_ins;
+
+pub(crate) use stand_ins::StandIns;
 
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::number::Number;

@@ -14,19 +14,21 @@ use crate::limits::{
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Lagrange, Values, Variation};
 use crate::validation::linearization_check::LinearizationCheck;
+use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::sum_with_size::SumWithSize;
-use crate::validation::tape::Tape;
+use crate::validation::tape::{StandIns, Tape};
 use crate::{Energies, Model, Node, Symbol};
 
 /// Lagrange's equations of a model, the reference of all comparisons.
 pub struct Validator {
     lagrange: Lagrange,
-    /// Whether energies contain external functions of several arguments, whose mixed second derivatives may depend on
+    stand_ins: StandIns,
+    /// Whether the declared derivatives of external functions in the energies leave it open that mixed ones depend on
     /// their order.
-    has_mixed_derivatives: bool,
+    has_unequal_derivatives: bool,
 }
 
 impl Validator {
@@ -40,21 +42,33 @@ impl Validator {
         };
         energies.push(model.dissipation);
         let mut parts = graph.descendants(&energies).into_iter();
+        let has_several_arguments = parts.any(|part| match graph.node(part) {
+            Node::Application(_, arguments) => arguments.len() > 1,
+            _ => false,
+        });
+        if !has_several_arguments {
+            let stand_ins = StandIns::default();
+            return Self {
+                lagrange: Lagrange::new(model, graph, &stand_ins),
+                stand_ins,
+                has_unequal_derivatives: false,
+            };
+        }
+        let mixed = MixedDerivatives::of(graph, &energies);
         Self {
-            lagrange: Lagrange::new(model),
-            has_mixed_derivatives: parts.any(|part| match graph.node(part) {
-                Node::Application(_, arguments) => arguments.len() > 1,
-                _ => false,
-            }),
+            lagrange: Lagrange::new(model, &mixed.graph, &mixed.stand_ins),
+            stand_ins: mixed.stand_ins,
+            has_unequal_derivatives: !mixed.are_equal,
         }
     }
 
     /// The methods whose programs do not compute what the equations say; none where no random point is in the
-    /// domain, and none that takes second derivatives of external functions of several arguments.
+    /// domain, and none that takes second derivatives where the declared ones of an external function may depend on
+    /// their order.
     #[must_use]
     pub fn disagreements(&self, programs: Programs<'_>) -> BTreeSet<Method> {
         let mut found = BTreeSet::new();
-        let tapes = Tapes::new(&programs);
+        let tapes = Tapes::new(&programs, &self.stand_ins);
         let mut points = 0;
         let mut undefined = Vec::new();
         for number in 0..VALIDATION_ATTEMPTS {
@@ -95,7 +109,7 @@ impl Validator {
                 found.insert(method);
             }
         }
-        if self.has_mixed_derivatives {
+        if self.has_unequal_derivatives {
             found.retain(|method| method.takes_first_derivatives());
         }
         found
