@@ -12,6 +12,7 @@ mod energies;
 mod events;
 mod forces;
 mod at_rest;
+mod rest;
 mod in_frames;
 mod ablation;
 
@@ -59,7 +60,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         repetitions: 0,
         within_index: false,
         within_derivative: false,
-        at_rest: false,
+        at_rest: None,
         rotations: 0,
         definitions: &declaration.clauses.definitions,
         defining: None,

@@ -19,3 +19,4 @@ mod steep;
 mod table;
 mod timing;
 mod validation;
+mod velocities;

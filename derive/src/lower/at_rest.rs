@@ -1,16 +1,17 @@
 //! The definitions of a declaration at rest: with all time derivatives zero.
 //!
 //! At rest a velocity does not depend on the coordinates: the velocity of a moving frame is a time derivative,
-//! too, or a product ω × r as in (1.4), which vanishes with them. The sum of a position and a velocity leaves the
+//! too, or a product ω × r as in (1.4), which belongs to the rate of r. The sum of a position and a velocity leaves the
 //! position. As expressions of q and q̇ the two do not differ: hence the definitions are lowered once more, in
 //! a graph of their own.
 
 use core::mem;
 
-use lagrangian_symbolic::{Graph, Symbol};
+use lagrangian_symbolic::Graph;
 use proc_macro2::Ident;
 
 use crate::lower::expression::Lowerer;
+use crate::lower::rest::Rest;
 use crate::lower::scope::{Binding, Scope};
 use crate::syntax::declaration::Declaration;
 
@@ -18,6 +19,7 @@ use crate::syntax::declaration::Declaration;
 pub(super) struct AtRest {
     graph: Graph,
     scope: Scope,
+    rest: Rest,
 }
 
 impl AtRest {
@@ -25,18 +27,23 @@ impl AtRest {
     pub(super) fn new(lowerer: &mut Lowerer<'_>, declaration: &Declaration) -> Self {
         let mut graph = Graph::new();
         let scope = Scope::new(declaration, &mut graph);
-        let mut at_rest = Self { graph, scope };
+        let mut at_rest = Self {
+            graph,
+            scope,
+            rest: Rest::default(),
+        };
         // What has a value only in motion has no power at rest; that is no error of the user's.
         let before = mem::take(lowerer.diagnostics);
         let repetitions = mem::take(&mut lowerer.repetitions);
         at_rest.exchange(lowerer);
-        lowerer.at_rest = true;
+        lowerer.at_rest = Some(Rest::default());
         lowerer.declare_functions(&declaration.clauses.functions);
         for definition in &declaration.clauses.definitions {
             lowerer.define(definition);
         }
-        lowerer.at_rest = false;
+        let rest = lowerer.at_rest.take();
         at_rest.exchange(lowerer);
+        at_rest.rest = rest.unwrap_or_default();
         lowerer.repetitions = repetitions;
         *lowerer.diagnostics = before;
         at_rest
@@ -59,11 +66,10 @@ impl AtRest {
             Some(Binding::Family(_, family)) => family.members.get(member).cloned(),
             _ => None,
         };
-        let Some(component) = value.and_then(|value| value.components().get(component).copied())
-        else {
-            return true;
-        };
-        let is_coordinate = |symbol| matches!(symbol, Symbol::Coordinate(_));
-        self.graph.contains(&[component], is_coordinate)
+        value.is_none_or(|value| {
+            let components = value.components();
+            self.rest
+                .depends_on_position(&mut self.graph, components, component)
+        })
     }
 }

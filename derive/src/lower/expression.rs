@@ -25,6 +25,7 @@ use crate::diagnostics::Diagnostics;
 use crate::limits::in_range;
 use crate::lower::builtins;
 use crate::lower::hints;
+use crate::lower::rest::Rest;
 use crate::lower::scope::{Binding, Origin, Scope};
 use crate::lower::value::Value;
 use crate::syntax::named::NamedExpression;
@@ -51,8 +52,8 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) within_index: bool,
     /// Whether the derivative of a function is lowered, which contains neither coordinates nor the time.
     pub(crate) within_derivative: bool,
-    /// Whether the system is at rest, so that all time derivatives are zero.
-    pub(crate) at_rest: bool,
+    /// The velocities of what is defined, where the system is at rest.
+    pub(crate) at_rest: Option<Rest>,
     /// The number of rotations by angles, and of angular velocities, so far.
     pub(crate) rotations: usize,
     /// What is defined by the declaration.

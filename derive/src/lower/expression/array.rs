@@ -142,16 +142,14 @@ impl Lowerer<'_> {
         let value = match written.as_str() {
             "dot" => graph.dot_product(first, second).map(Value::Scalar),
             "cross" => {
-                // ω × r is the velocity that a frame in motion adds, (1.4): nothing while it rests.
-                let zero = graph.zero();
-                let product = graph.cross_product(first, second).map(Value::Array);
-                product.map(|product| {
-                    if self.at_rest {
-                        product.shape().filled(zero)
-                    } else {
-                        product
+                let product = graph.cross_product(first, second);
+                let product = match (product, &mut self.at_rest) {
+                    (Some(product), Some(rest)) => {
+                        Some(rest.cross_product(graph, [first, second], &product))
                     }
-                })
+                    (product, _) => product,
+                };
+                product.map(Value::Array)
             }
             "outer" => graph.outer_product(first, second).map(Value::Array),
             _ => graph.component_product(first, second).map(Value::Array),

@@ -240,7 +240,7 @@ impl Lowerer<'_> {
             return None;
         };
         self.check_differentiable(call, &Value::Array(center.clone()))?;
-        if self.at_rest {
+        if self.at_rest.is_some() {
             return Some(self.graph.zero());
         }
         let velocity = self.graph.matrix_time_derivative(&center, self.coordinates);

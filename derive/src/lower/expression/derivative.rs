@@ -26,9 +26,8 @@ impl Lowerer<'_> {
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
         let value = self.lower(argument, ExpressionContext::Observation)?;
-        if self.at_rest {
-            let zero = self.graph.zero();
-            return Some(value.shape().filled(zero));
+        if let Some(rest) = &mut self.at_rest {
+            return Some(rest.rate(&mut self.graph, value));
         }
         let mut components = value.components().iter();
         let varies = components.any(|component| self.graph.contents(*component).varies());

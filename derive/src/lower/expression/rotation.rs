@@ -8,7 +8,6 @@ use syn::{Expr, ExprCall};
 use super::{ExpressionContext, Lowerer};
 use crate::limits::MOST_ROTATIONS;
 use crate::lower::value::Value;
-use crate::syntax::shape::Shape;
 
 /// The result of a function of angles about axes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -151,13 +150,9 @@ impl Lowerer<'_> {
         self.count_rotation(call)?;
         let value = Value::Array(rotation.clone());
         self.check_differentiable(call, &value)?;
-        if self.at_rest {
-            let of_three = Shape::Array {
-                rows: 3,
-                columns: 1,
-            };
-            let zero = self.graph.zero();
-            return Some(of_three.filled(zero));
+        if let Some(rest) = &mut self.at_rest {
+            let velocity = rest.angular_velocity(&mut self.graph, rotation);
+            return Some(Value::Array(velocity));
         }
         let velocity = if inertial {
             self.graph
