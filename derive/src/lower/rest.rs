@@ -23,7 +23,7 @@ pub(crate) struct Rest {
 
 /// A position of which there is a product, and the rate of one of its components.
 struct Position {
-    position: Matrix,
+    vector: Matrix,
     rate: Expression,
     /// The number of the product.
     product: u32,
@@ -136,7 +136,7 @@ impl Rest {
             let rate = self.rate_of(graph, component);
             let unknown = self.unknown();
             let position = Position {
-                position: position.clone(),
+                vector: position.clone(),
                 rate,
                 product: number,
             };
@@ -198,9 +198,9 @@ impl Rest {
             }
             let product = graph.symbol(*symbol);
             let mut known = equations.iter_mut();
-            match known.find(|(other, _)| {
-                other.position == position.position && other.rate == position.rate
-            }) {
+            match known
+                .find(|(other, _)| other.vector == position.vector && other.rate == position.rate)
+            {
                 Some((_, sum)) => *sum = graph.add(*sum, product),
                 None => equations.push((position, product)),
             }
