@@ -20,3 +20,4 @@ mod table;
 mod timing;
 mod validation;
 mod velocities;
+mod single_quotients;

@@ -10,6 +10,7 @@ pub(crate) mod application;
 pub(crate) mod layout;
 pub(crate) mod formula;
 pub(crate) mod arrangement;
+pub(crate) mod single_quotient;
 pub(crate) mod size;
 pub(crate) mod folding;
 pub(crate) mod listing;

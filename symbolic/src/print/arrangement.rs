@@ -59,6 +59,8 @@ impl Graph {
             candidates.push((self.by_velocities(&polynomial), 1));
             candidates.push((self.collected(polynomial), margin));
         }
+        let quotient = self.as_single_quotient(expression);
+        candidates.extend(quotient.map(|quotient| (quotient, margin)));
         let best = self.shortest_of(&candidates, letters);
         if best == expression {
             return expression;
@@ -85,7 +87,7 @@ impl Graph {
     }
 
     /// `expression` as Σ cᵢ·mᵢ, where `atoms` are not taken apart, unless there are too many terms.
-    fn monomials_over(
+    pub(crate) fn monomials_over(
         &mut self,
         expression: Expression,
         atoms: &BTreeSet<Expression>,
@@ -129,7 +131,7 @@ impl Graph {
     }
 
     /// The expressions that a polynomial over `atoms` is made of, operands first.
-    fn descendants_above(
+    pub(crate) fn descendants_above(
         &self,
         expression: Expression,
         atoms: &BTreeSet<Expression>,
@@ -151,7 +153,7 @@ impl Graph {
 
     /// A polynomial with pairs of terms joined by sin²a + cos²a = 1 and by the addition theorems, as long as there
     /// are pairs.
-    fn joined_circular(&mut self, mut polynomial: Polynomial) -> Polynomial {
+    pub(crate) fn joined_circular(&mut self, mut polynomial: Polynomial) -> Polynomial {
         loop {
             let mut changed = false;
             let monomials: Vec<_> = polynomial.keys().copied().collect();
@@ -323,7 +325,7 @@ impl Graph {
     }
 
     /// A polynomial with common factors taken out, the most frequent first.
-    fn collected(&mut self, polynomial: Polynomial) -> Expression {
+    pub(crate) fn collected(&mut self, polynomial: Polynomial) -> Expression {
         let common = self.common(&polynomial);
         let inverse: Factors = common.iter().map(|(x, k)| (*x, -k)).collect();
         let mut rest: Polynomial = Polynomial::new();
