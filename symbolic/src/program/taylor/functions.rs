@@ -257,18 +257,55 @@ impl Builder<'_> {
         self.over_order(&derivative_of_result)
     }
 
-    /// x Dw = c w Dx for w = xᶜ. Where x is 0, higher terms count as 0, as for a square root.
+    /// x Dw = c w Dx for w = xᶜ. Where x is 0, this equation says nothing: the terms are those of 1, x, x² and x³ for
+    /// these exponents, and higher ones count as 0 for others, as for a square root.
     fn power(&mut self, x: &Series, exponent: &Series, result: &Operand) -> Operand {
         let w = self.unknown_factor();
         let product = self.times_change(w, result, &x.coefficient);
-        let exponent = self.invariant(&exponent.constant);
-        let change = self.multiply(&exponent, &product);
+        let of_exponent = self.invariant(&exponent.constant);
+        let change = self.multiply(&of_exponent, &product);
         let of_x = self.factor(&x.coefficient);
         let reciprocal = self.reciprocal_or_zero(&x.constant);
         let (derivative, _) = self.inverse_by(of_x, &reciprocal, &change);
-        let coefficient = self.over_order(&derivative);
+        let mut coefficient = self.over_order(&derivative);
+        if !matches!(exponent.constant, Operand::Constant(_) | Operand::Pi) {
+            let at_zero = self.power_at_zero(x, exponent);
+            coefficient = self.add(&coefficient, &at_zero);
+        }
         self.define(w, &coefficient);
         coefficient
+    }
+
+    /// The coefficient of x, x² or x³ where x is 0 and the exponent 1, 2 or 3; 0 elsewhere.
+    fn power_at_zero(&mut self, x: &Series, exponent: &Series) -> Operand {
+        let vanishes = self.is_zero(&x.constant);
+        let vanishes = self.invariant(&vanishes);
+        // It has no term of order 0; powers of a large x would overflow.
+        let y = self.multiply(&vanishes, &x.coefficient);
+        let of_y = self.factor(&y);
+        let square = self.convolve(of_y, of_y);
+        let of_square = self.factor(&square);
+        let cube = self.convolve(of_square, of_y);
+        let mut sum = ZERO;
+        for (n, power) in (1..).zip([y, square, cube]) {
+            let whole = Operand::Constant(Rational::integer(n));
+            let difference = Operation::Subtract(exponent.constant.clone(), whole);
+            let difference = self.initial.emit(difference);
+            let weight = self.is_zero(&difference);
+            let weight = self.invariant(&weight);
+            let term = self.multiply(&weight, &power);
+            sum = self.add(&sum, &term);
+        }
+        sum
+    }
+
+    /// 1 where a term of order 0 is 0, and 0 elsewhere.
+    fn is_zero(&mut self, constant: &Operand) -> Operand {
+        let sign = Operation::Unary(Unary::Signum, constant.clone());
+        let sign = self.initial.emit(sign);
+        let square = self.initial.emit(Operation::Multiply(sign.clone(), sign));
+        let one = Operand::Constant(Rational::ONE);
+        self.initial.emit(Operation::Subtract(one, square))
     }
 
     /// w = exp(y ln x).
