@@ -45,11 +45,11 @@ pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
 pub use event::{
-    Crossing, DeclaredEvents, Event, EventDynamics, EventValues, MetConditions, Occurrence,
+    Both, Crossing, DeclaredEvents, Event, EventDynamics, EventValues, MetConditions, Occurrence,
     Reaction, SingleNumber, Watched, ZeroCrossing,
 };
 pub use integrator::{IntegrationMethod, Integrator};
-pub use observer::{ObservationKind, Observer, Progress, Unobserved};
+pub use observer::{ObservationKind, Observer, Observers, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,

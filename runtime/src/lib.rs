@@ -66,15 +66,15 @@ pub use model::emitted as __private;
 #[cfg(feature = "derivative-checks")]
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
-    Advance, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint, ComponentName,
-    Crossing, DeclaredEvents, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Driver,
-    Dynamics, Event, EventDynamics, EventValues, InitialValue, IntegrationError, IntegrationMethod,
-    Integrator, Interpolant, MetConditions, ObservationKind, Observer, Occurrence, Outcome,
-    Predicate, Progress, Reaction, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
-    RunningIntegration, Sample, Series, SetTypicalSizes, SingleNumber, Singularity, Statistics,
-    Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason, SwitchingFunction, Taylor,
-    TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes, Unconditional, Unobserved,
-    Watched, WithSizes, ZeroCrossing,
+    Advance, Both, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint,
+    ComponentName, Crossing, DeclaredEvents, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper,
+    Driver, Dynamics, Event, EventDynamics, EventValues, InitialValue, IntegrationError,
+    IntegrationMethod, Integrator, Interpolant, MetConditions, ObservationKind, Observer,
+    Observers, Occurrence, Outcome, Predicate, Progress, Reaction, Resume, RungeKutta,
+    RungeKuttaMemory, RungeKuttaStepper, RunningIntegration, Sample, Series, SetTypicalSizes,
+    SingleNumber, Singularity, Statistics, Step, StepPolynomial, Stepper, Steps, StopCondition,
+    StopReason, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
+    TypicalSizes, Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
 };
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};

@@ -51,9 +51,9 @@ pub struct Checkpoint<M> {
 }
 
 /// What is known of event functions at the end of a step: a bit for each event.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct EventSigns {
+pub struct EventSigns {
     pub(super) positive: u64,
     pub(super) negative: u64,
     /// Whether time goes forwards; none before the first step.
@@ -63,6 +63,28 @@ pub(crate) struct EventSigns {
 }
 
 impl EventSigns {
+    /// Of two lists of events the signs of both, the first of which has `count` events.
+    pub(super) fn followed_by(self, other: Self, count: usize) -> Self {
+        let shifted = |bits: u64| MetConditions::from_bits(bits).shifted(count).bits();
+        Self {
+            positive: self.positive | shifted(other.positive),
+            negative: self.negative | shifted(other.negative),
+            forwards: self.forwards.or(other.forwards),
+            touching: self.touching.or(other.touching.shifted(count)),
+        }
+    }
+
+    /// The signs of the events from an index on.
+    pub(super) fn behind(self, count: usize) -> Self {
+        let rest = |bits: u64| MetConditions::from_bits(bits).behind(count).bits();
+        Self {
+            positive: rest(self.positive),
+            negative: rest(self.negative),
+            forwards: self.forwards,
+            touching: self.touching.behind(count),
+        }
+    }
+
     /// Whether each value is positive, and whether it is negative.
     pub(super) fn bits(values: &[f64]) -> [u64; 2] {
         [1.0, -1.0].map(|sign| {

@@ -19,12 +19,12 @@ use super::dense_solution::{DenseSolution, Segments};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::Integrator;
-use super::observer::{Observer, Unobserved};
+use super::observer::{Observer, Observers, Unobserved};
 use super::outcome::Outcome;
 #[cfg(feature = "alloc")]
 use super::reacting::{React, Unreacting};
 use super::sample::InitialValue;
-use super::stop_condition::{Predicate, StopCondition, Unconditional};
+use super::stop_condition::{Extensible, Predicate, StopCondition, Unconditional};
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
 use crate::limits::MAX_STEPS;
@@ -159,30 +159,41 @@ impl<I, C, O> Driver<I, C, O> {
     /// Stops after the first step at whose end `condition(t, x)` holds. A closure names the type of the state, which is
     /// that of the dynamics: `|t, x: &Phase<f64, N>|` of a mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|`
     /// under a controller with states.
+    ///
+    /// Conditions and [events](Self::events) all count, in whatever order they are set. In that order they are numbered: a
+    /// condition is one, and events as many as there are.
     #[must_use]
-    pub fn stop_when<F>(self, condition: F) -> Driver<I, Predicate<F>, O> {
+    pub fn stop_when<F>(self, condition: F) -> Driver<I, C::With<Predicate<F>>, O>
+    where
+        C: Extensible,
+    {
         self.with_condition(Predicate(condition))
     }
 
-    fn with_condition<E>(self, condition: E) -> Driver<I, E, O> {
+    /// Adds conditions behind those that there are.
+    fn with_condition<E>(self, conditions: E) -> Driver<I, C::With<E>, O>
+    where
+        C: Extensible,
+    {
         Driver {
             integrator: self.integrator,
             max_steps: self.max_steps,
             singularity_tolerance: self.singularity_tolerance,
-            condition,
+            condition: self.condition.with(conditions),
             observer: self.observer,
         }
     }
 
-    /// Calls `observer` at every sample and at the end of every step; it may stop the integration.
+    /// Calls `observer` at every sample, at every event and at the end of every step; it may stop the integration. Of several
+    /// observers each is called, in the order in which they are set, also where one before it stops.
     #[must_use]
-    pub fn observe<E>(self, observer: E) -> Driver<I, C, E> {
+    pub fn observe<E>(self, observer: E) -> Driver<I, C, Observers<O, E>> {
         Driver {
             integrator: self.integrator,
             max_steps: self.max_steps,
             singularity_tolerance: self.singularity_tolerance,
             condition: self.condition,
-            observer,
+            observer: Observers(self.observer, observer),
         }
     }
 

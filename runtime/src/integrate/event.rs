@@ -7,6 +7,8 @@
 //! 43–54, show that the error of an integration which restarts at an event is of the order of the method.
 
 mod detection;
+mod both;
+mod junction;
 mod last_step;
 mod location;
 mod memory;
@@ -14,22 +16,24 @@ mod sampling;
 mod values;
 mod functions;
 mod event_dynamics;
+mod bernstein;
 mod polynomial;
 mod window;
+mod exclusion;
 mod declared;
 mod event_time;
 mod met_conditions;
 
+pub use both::Both;
 pub use declared::DeclaredEvents;
-pub(crate) use detection::{Detection, Occurring};
+pub(crate) use detection::{Detection, EventFunctions, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
-pub(crate) use event_time::{Located, moved};
+pub(crate) use event_time::{Located, differs, moved};
 pub use functions::{EventValues, Watched, ZeroCrossing};
 pub(crate) use last_step::LastStep;
 pub(crate) use location::Bracket;
-pub(crate) use memory::Memory;
+pub(crate) use memory::{Memory, Remembers};
 pub use met_conditions::MetConditions;
-pub(crate) use sampling::restart;
 
 /// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,12 +56,6 @@ impl Crossing {
             Self::Falling => falls,
             Self::Either => rises || falls,
         }
-    }
-
-    /// The same between the initial time and the next distinguishable time. For either direction, a change
-    /// of sign there is taken for the zero at the initial time.
-    pub(crate) fn after_start(self, before: f64, after: f64) -> bool {
-        self != Self::Either && self.between(before, after)
     }
 }
 
@@ -128,7 +126,8 @@ impl Event {
 /// What is to happen after the reaction to an event ([`Driver::run_reacting`](crate::Driver::run_reacting)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reaction {
-    /// Nothing was changed: the integration goes on as if nothing had happened. Changes of the state are dropped.
+    /// Nothing was changed: the integration goes on as if nothing had happened. A state that was changed all the same counts as
+    /// [`Changed`](Self::Changed); of the dynamics the integration cannot know.
     Unchanged,
     /// The state or the dynamics were changed: the method begins anew from there.
     Changed,

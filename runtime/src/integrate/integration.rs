@@ -1,11 +1,9 @@
 //! The loop of the driver: steps, samples, events and observations.
 
-use core::ops::ControlFlow;
-
 use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::{Detection, LastStep, Located, Memory, MetConditions, Occurring, moved};
+use super::event::{Detection, LastStep, Located, MetConditions, Occurring, moved};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::sample::Sample;
@@ -27,11 +25,13 @@ pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S> + ?Sized, T, C: 
     /// The number of steps, rejected ones included, at which to stop.
     pub(crate) step_limit: u64,
     pub(crate) condition: &'a mut C,
-    pub(crate) memory: &'a mut Memory<C::Values>,
+    pub(crate) memory: &'a mut C::Memory,
     /// Whether events that do not stop the integration interrupt it.
     pub(crate) reacts: bool,
     /// Whether nothing is left to visit in the last step.
     pub(crate) is_visited: bool,
+    /// Events that were found, before which the integration stops.
+    pub(crate) pending: Option<Occurring>,
     pub(crate) observer: &'a mut O,
     pub(crate) collector: &'a mut dyn Collector<S, D, T>,
     /// Up to date at any time, so that it is valid after an error, too.
@@ -52,8 +52,8 @@ pub(crate) enum Beginning {
 /// Why a loop over steps ends.
 pub(crate) enum Interruption {
     Stop(StopReason),
-    /// Events call for a reaction.
-    Reaction(Occurring),
+    /// Events call for a reaction, after which there may be a reason to stop.
+    Reaction(Occurring, Option<StopReason>),
 }
 
 impl From<StopReason> for Interruption {
@@ -81,6 +81,10 @@ where
         let interruption = match begun {
             Ok(()) => self.complete()?,
             Err(reason) => reason.into(),
+        };
+        let interruption = match interruption {
+            Interruption::Stop(reason) => self.close(reason),
+            reaction @ Interruption::Reaction(..) => reaction,
         };
         if !self.is_visited {
             // The motion ends, or a reaction is called for, within the last step.
@@ -118,9 +122,42 @@ where
             if self.stepper.statistics().attempts() >= self.step_limit {
                 return Ok(StopReason::StepLimit.into());
             }
-            self.step()?;
+            if let Err(error) = self.step() {
+                self.close(StopReason::Error);
+                return Err(error);
+            }
             self.is_visited = false;
         }
+    }
+
+    /// Reports the events that belong to what ends here, where rounding does not tell them from its end.
+    fn close(&mut self, reason: StopReason) -> Interruption {
+        let here = self.outcome.last.clone();
+        let mut step = LastStep::new(self.dynamics, self.stepper);
+        let pending = self.pending.take();
+        let events = (self.condition).close(self.memory, &mut step, &here, pending);
+        if !events.any() {
+            return reason.into();
+        }
+        let met = self.outcome.met;
+        // The integration stops in any case.
+        let _ = self.report(events, &here);
+        self.outcome.met = met;
+        if events
+            .indices()
+            .any(|event| self.condition.is_terminal(event))
+        {
+            let is_met = reason == StopReason::Condition;
+            let met = Some(met).filter(|_| is_met).unwrap_or_default();
+            self.outcome.met = met.or(events);
+            return StopReason::Condition.into();
+        }
+        self.outcome.last = here;
+        if self.reacts && reason != StopReason::Error {
+            let t = self.outcome.last.t;
+            return Interruption::Reaction(Occurring { t, events }, Some(reason));
+        }
+        reason.into()
     }
 
     /// Takes one step.
@@ -213,9 +250,33 @@ where
         occurring: Occurring,
         there: &Sample<D::State>,
     ) -> Result<(), Interruption> {
-        self.samples_until(there.t)?;
-        self.outcome.occurred = self.outcome.occurred.or(occurring.events);
-        for event in occurring.events.indices() {
+        if let Err(reason) = self.samples_until(there.t) {
+            self.pending = Some(occurring);
+            return Err(reason.into());
+        }
+        self.report(occurring.events, there)?;
+        let mut events = occurring.events.indices();
+        if events.any(|event| self.condition.is_terminal(event)) {
+            self.notify(ObservationKind::Step)?;
+            self.outcome.met = occurring.events;
+            return Err(StopReason::Condition.into());
+        }
+        if self.reacts {
+            return Err(Interruption::Reaction(occurring, None));
+        }
+        Ok(())
+    }
+
+    /// Tells of events at a time, all of them, even if an observer stops at one.
+    fn report(
+        &mut self,
+        events: MetConditions,
+        there: &Sample<D::State>,
+    ) -> Result<(), StopReason> {
+        self.outcome.occurred = self.outcome.occurred.or(events);
+        let mut told = Ok(());
+        let mut stopping = MetConditions::default();
+        for event in events.indices() {
             let located = Located {
                 dynamics: self.dynamics,
                 t: there.t,
@@ -229,27 +290,18 @@ where
                 x: moved(self.dynamics, t, &there.x, delay),
             };
             self.collector.event(event, t + delay, &self.outcome.last.x);
-            self.notify(ObservationKind::Event(event))?;
+            told = told.and(self.notify(ObservationKind::Event(event)));
+            stopping = stopping.or(self.outcome.met);
         }
-        let mut events = occurring.events.indices();
-        if events.any(|event| self.condition.event(event).is_terminal()) {
-            self.notify(ObservationKind::Step)?;
-            self.outcome.met = occurring.events;
-            return Err(StopReason::Condition.into());
-        }
-        if self.reacts {
-            return Err(Interruption::Reaction(occurring));
-        }
-        Ok(())
+        self.outcome.met = stopping;
+        told
     }
 
     /// The reason to stop, if the condition on the present state holds.
     fn check_condition(&mut self) -> Result<(), StopReason> {
-        if self
-            .condition
-            .holds(self.stepper.time(), self.stepper.state())
-        {
-            self.outcome.met = MetConditions::of([true].into_iter());
+        let holding = (self.condition).holding(self.stepper.time(), self.stepper.state());
+        if holding.any() {
+            self.outcome.met = holding;
             return Err(StopReason::Condition);
         }
         Ok(())
@@ -289,10 +341,12 @@ where
             end: self.end,
             statistics: self.stepper.statistics(),
         };
-        match self.observer.observe(&progress) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(StopReason::Observer),
+        let stopping = self.observer.stopping(&progress);
+        if stopping.any() {
+            self.outcome.met = stopping;
+            return Err(StopReason::Observer);
         }
+        Ok(())
     }
 }
 

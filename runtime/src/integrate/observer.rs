@@ -3,6 +3,7 @@
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, Ordering};
 
+use super::event::MetConditions;
 use super::stepper::Statistics;
 
 /// What a [`Driver`](crate::Driver) calls at every sample, at every event and at the end of every step: a closure that
@@ -10,6 +11,18 @@ use super::stepper::Statistics;
 pub trait Observer<X> {
     /// Called with the present state; [`ControlFlow::Break`] stops the integration.
     fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()>;
+
+    /// Which of the observers that this one is made of stop the integration, in [`Outcome::met`](crate::Outcome::met).
+    #[doc(hidden)]
+    fn stopping(&mut self, progress: &Progress<'_, X>) -> MetConditions {
+        MetConditions::of(core::iter::once(self.observe(progress).is_break()))
+    }
+
+    /// How many observers this one is made of.
+    #[doc(hidden)]
+    fn count(&self) -> usize {
+        1
+    }
 }
 
 impl<X, F: FnMut(&Progress<'_, X>) -> ControlFlow<()>> Observer<X> for F {
@@ -63,6 +76,36 @@ impl<X> Observer<X> for Unobserved {
     #[inline]
     fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+
+    fn count(&self) -> usize {
+        0
+    }
+}
+
+/// The observers of a [`Driver`](crate::Driver), each of which is called; made by
+/// [`Driver::observe`](crate::Driver::observe).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Observers<A, B>(pub(crate) A, pub(crate) B);
+
+impl<X, A: Observer<X>, B: Observer<X>> Observer<X> for Observers<A, B> {
+    #[inline]
+    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
+        if self.stopping(progress).any() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    #[inline]
+    fn stopping(&mut self, progress: &Progress<'_, X>) -> MetConditions {
+        let first = self.0.stopping(progress);
+        first.or(self.1.stopping(progress).shifted(self.0.count()))
+    }
+
+    fn count(&self) -> usize {
+        self.0.count() + self.1.count()
     }
 }
 

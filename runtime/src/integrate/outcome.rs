@@ -16,7 +16,7 @@ pub enum StopReason {
     /// is resolved, 100 ε (|t| + h) after steps of the length h; or within an eighth of the step where its function does
     /// not leave its rounding errors; or twice where it does not leave zero.
     Zeno,
-    /// The observer stopped it.
+    /// An observer stopped it.
     Observer,
     /// The steps that the driver allows at a time were taken ([`Driver::max_steps`](crate::Driver::max_steps)). It can go
     /// on from there.
@@ -32,7 +32,8 @@ pub struct Outcome<X> {
     pub last: Sample<X>,
     /// Why it is the last.
     pub reason: StopReason,
-    /// Which stop conditions were met there, or which events occurred; none unless they are the reason.
+    /// Which stop conditions were met there, or which events occurred, or which observers stopped: those that are the reason,
+    /// numbered in the order in which they were set, and none for another reason.
     pub met: MetConditions,
     /// Which events have occurred at any time. An observer sees each of them, and a trajectory lists them.
     pub occurred: MetConditions,

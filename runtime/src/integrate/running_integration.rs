@@ -5,7 +5,7 @@ use super::collector::Uncollected;
 use super::driver::{Driver, check_times};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::Memory;
+use super::event::Remembers as _;
 use super::integrator::Integrator;
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
@@ -64,9 +64,8 @@ impl<I, C, O> Driver<I, C, O> {
 /// driver are with it. Between two steps it can be asked within the last one, and its state or its dynamics can be
 /// changed. Nothing is allocated.
 ///
-/// Each call looks for events anew from where it begins: a zero of an event function there, to rounding, is not reported,
-/// as at an initial time. To see every event, integrate through all times in one call, as
-/// [`Driver::run_through`](crate::Driver::run_through) does.
+/// Each event is reported by one call: one that is at the end of a call to rounding by that call
+/// ([`Driver::events`](crate::Driver::events)), also where the dynamics are changed there.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -116,7 +115,7 @@ where
     dynamics: &'a D,
     stepper: I::Stepper,
     /// What is known of event functions at the end of the last step, if the integration goes on from there.
-    memory: Option<Memory<C::Values>>,
+    memory: Option<C::Memory>,
     /// The same as far as a checkpoint has it.
     events: Option<EventSigns>,
 }
@@ -160,7 +159,7 @@ where
     }
 
     /// What is known of event functions, if the integration goes on in the same direction.
-    fn recall_events(&mut self, end: f64) -> Option<Memory<C::Values>> {
+    fn recall_events(&mut self, end: f64) -> Option<C::Memory> {
         let (t, x) = (self.time(), self.stepper.state());
         let condition = self.driver.condition_mut();
         let known = match (self.memory.take(), self.events.take()) {
@@ -214,7 +213,7 @@ where
             events: self
                 .memory
                 .as_ref()
-                .map(Memory::event_signs)
+                .map(C::Memory::event_signs)
                 .or(self.events),
         }
     }

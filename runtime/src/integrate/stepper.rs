@@ -60,6 +60,11 @@ pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
     /// The cost so far.
     fn statistics(&self) -> Statistics;
 
+    /// The state from which the last step was taken, where it is known.
+    fn previous_state(&self) -> Option<&X> {
+        None
+    }
+
     /// What comes of the Taylor polynomial of the last step, where there is one: events are found by it.
     fn visit_polynomial<V: StepPolynomial<S, X>>(&self, visitor: V) -> Option<V::Output> {
         let _ = visitor;

@@ -8,13 +8,15 @@ use crate::integrate::dense_output::DenseOutput;
 use crate::integrate::dense_solution::DenseSolution;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::{Crossing, DeclaredEvents, Event, Reaction, Watched, ZeroCrossing};
+use crate::integrate::event::{
+    Both, Crossing, DeclaredEvents, Event, Reaction, Watched, ZeroCrossing,
+};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::reacting::Reacting;
 use crate::integrate::sample::InitialValue;
-use crate::integrate::stop_condition::StopCondition;
+use crate::integrate::stop_condition::{Extensible, StopCondition};
 #[cfg(feature = "alloc")]
 use crate::integrate::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
 use crate::scalar::Scalar;
@@ -23,12 +25,15 @@ impl<I, C, O> Driver<I, C, O> {
     /// Stops where `function(t, x)` crosses zero in either direction; see
     /// [`stop_at_crossing`](Self::stop_at_crossing).
     #[must_use]
-    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, ZeroCrossing<F>, O> {
+    pub fn stop_at_zero<F>(self, function: F) -> Driver<I, C::With<ZeroCrossing<F>>, O>
+    where
+        C: Extensible,
+    {
         self.stop_at_crossing(Crossing::Either, function)
     }
 
-    /// Stops where `function(t, x)` crosses zero in the direction `crossing`, or reaches it: a terminal
-    /// [event](Self::events). For several event functions, `function` returns an array of values and `crossing` is an
+    /// Stops where `function(t, x)` crosses zero in the direction `crossing`, a [`Crossing`] or an [`Event`], or reaches it: a
+    /// terminal [event](Self::events), whether or not it says so itself. For several event functions, `function` returns an array of values and `crossing` is an
     /// array of the same length; [`Outcome::met`] tells which of them stopped the integration. A closure names the type
     /// of the state, as under [`stop_when`](Self::stop_when).
     #[must_use]
@@ -36,14 +41,22 @@ impl<I, C, O> Driver<I, C, O> {
         self,
         crossing: W,
         function: F,
-    ) -> Driver<I, ZeroCrossing<F, W>, O> {
-        self.events(crossing, function)
+    ) -> Driver<I, C::With<ZeroCrossing<F, W>>, O>
+    where
+        C: Extensible,
+    {
+        self.with_condition(ZeroCrossing {
+            function,
+            events: crossing,
+            stops: true,
+            parts: None,
+        })
     }
 
     /// Watches for events, at which `function(t, x)` crosses zero. Time and value are of the scalar of the integration: with
     /// dual numbers the time of an event has derivatives, and with double-doubles their digits. `events` is an [`Event`]
     /// or, for a function that returns an array of values, an array of the same length. Each says in which direction the function crosses zero,
-    /// and whether the integration stops there. The others are seen by the observer, are listed in a
+    /// and whether the integration stops there; a [`Crossing`] is an event that does not. The others are seen by the observer, are listed in a
     /// [`Trajectory`](crate::Trajectory), and may be reacted to ([`run_reacting`](Self::run_reacting)). A closure names
     /// the type of the state, as under [`stop_when`](Self::stop_when).
     ///
@@ -53,18 +66,36 @@ impl<I, C, O> Driver<I, C, O> {
     /// not detected, nor are two between neighbouring times. Where the function is NaN, or zero for a while, the last sign
     /// counts. From zero there is no crossing: a function that reaches zero and stays there is reported once.
     ///
-    /// A zero at the initial time is not a crossing, so that an integration can go on from where an event has stopped one.
+    /// Of two integrations, the second of which goes on from the state at which the first has ended, for whatever reason, each
+    /// event is reported by one: by the first if its function has reached zero or changed its sign in that state, and otherwise by
+    /// the second. A function is zero there where rounding cannot tell it from zero: where a few roundings of the time and of
+    /// the components of the state change it by as much as its value or, for an event in either direction, where it changes its
+    /// sign within the resolution of time. The first integration reports that it has reached zero, and the second leaves zero,
+    /// which is no crossing; so it is at any initial time. Within an integration, too, a value nearer to zero than that does not
+    /// say that the sign has changed.
+    ///
+    /// What was set before counts as well: see [`stop_when`](Self::stop_when).
     #[must_use]
-    pub fn events<F, W: Watched>(self, events: W, function: F) -> Driver<I, ZeroCrossing<F, W>, O> {
+    pub fn events<F, W: Watched>(
+        self,
+        events: W,
+        function: F,
+    ) -> Driver<I, C::With<ZeroCrossing<F, W>>, O>
+    where
+        C: Extensible,
+    {
         self.with_condition(ZeroCrossing {
             function,
             events,
+            stops: false,
             parts: None,
         })
     }
 
     /// Watches for events that the model declares, each by its index: `[(Ball::FLOOR, Event::falling())]`. They are
-    /// numbered in the order in which they stand here.
+    /// numbered in the order in which they stand here, behind conditions and events that were set before
+    /// ([`stop_when`](Self::stop_when)). To which of two integrations an event belongs is decided as for other
+    /// [events](Self::events).
     ///
     /// Under the [`Taylor`](crate::Taylor) method, with the clause `taylor` in the declaration, the function of an event is
     /// a polynomial within a step, and all its zeros are found: two that are next to each other, and one without a change
@@ -100,7 +131,10 @@ impl<I, C, O> Driver<I, C, O> {
     pub fn declared_events<const K: usize>(
         self,
         events: [(usize, Event); K],
-    ) -> Driver<I, DeclaredEvents<K>, O> {
+    ) -> Driver<I, C::With<DeclaredEvents<K>>, O>
+    where
+        C: Extensible,
+    {
         self.with_condition(DeclaredEvents {
             events,
             parts: None,
@@ -227,22 +261,25 @@ impl<I, C, O> Driver<I, C, O> {
     }
 }
 
-impl<I, F, W, O> Driver<I, ZeroCrossing<F, W>, O> {
-    /// Sets the number of equal parts of each step at whose ends event functions are evaluated: 8 by default, and 1 for
-    /// methods without dense output.
-    #[must_use]
-    pub fn event_samples(mut self, parts: u32) -> Self {
-        self.condition.parts = Some(parts);
-        self
-    }
+/// Sets the number of parts of steps for the events that were set last.
+macro_rules! event_samples {
+    ($([$($parameter:tt)*] $conditions:ty, $last:ident => $place:expr;)*) => {$(
+        impl<I, O, $($parameter)*> Driver<I, $conditions, O> {
+            /// Sets the number of equal parts of each step at whose ends the functions of the events that were set last are
+            /// evaluated, where they have no series: 8 by default, and 1 for methods without dense output.
+            #[must_use]
+            pub fn event_samples(mut self, parts: u32) -> Self {
+                let $last = &mut self.condition;
+                $place.parts = Some(parts);
+                self
+            }
+        }
+    )*};
 }
 
-impl<I, O, const K: usize> Driver<I, DeclaredEvents<K>, O> {
-    /// Sets the number of equal parts of each step at whose ends event functions are evaluated where they have no series:
-    /// 8 by default, and 1 for methods without dense output.
-    #[must_use]
-    pub fn event_samples(mut self, parts: u32) -> Self {
-        self.condition.parts = Some(parts);
-        self
-    }
+event_samples! {
+    [F, W] ZeroCrossing<F, W>, last => last;
+    [const K: usize] DeclaredEvents<K>, last => last;
+    [A, F, W] Both<A, ZeroCrossing<F, W>>, last => last.1;
+    [A, const K: usize] Both<A, DeclaredEvents<K>>, last => last.1;
 }

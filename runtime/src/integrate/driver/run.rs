@@ -5,7 +5,7 @@ use crate::integrate::collector::Collector;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::event::{
-    self, LastStep, Located, Memory, MetConditions, Occurring, Reaction, moved,
+    LastStep, Located, MetConditions, Occurring, Reaction, differs, moved,
 };
 use crate::integrate::integration::{Beginning, Integration, Interruption, check_singularity};
 use crate::integrate::integrator::Integrator;
@@ -62,7 +62,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn advance<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
         system: &mut impl React<S, D>,
-        (stepper, memory): (&mut I::Stepper, &mut Option<Memory<C::Values>>),
+        (stepper, memory): (&mut I::Stepper, &mut Option<C::Memory>),
         times: &[f64],
         steps: u64,
         collector: &mut dyn Collector<S, D, I::Stepper>,
@@ -94,7 +94,7 @@ impl<I, C, O> Driver<I, C, O> {
     fn advance_parts<S: Scalar, D: Dynamics<S> + ?Sized, R: React<S, D>>(
         &mut self,
         system: &mut R,
-        (stepper, memory): (&mut I::Stepper, &mut Memory<C::Values>),
+        (stepper, memory): (&mut I::Stepper, &mut C::Memory),
         (mut waiting, steps): (&[f64], u64),
         collector: &mut dyn Collector<S, D, I::Stepper>,
         outcome: &mut Outcome<D::State>,
@@ -122,13 +122,14 @@ impl<I, C, O> Driver<I, C, O> {
                 memory: &mut *memory,
                 reacts: R::REACTS,
                 is_visited,
+                pending: None,
                 observer: &mut self.observer,
                 collector: &mut *collector,
                 outcome: &mut *outcome,
             };
-            let occurring = match part.run(beginning)? {
+            let (occurring, stop) = match part.run(beginning)? {
                 Interruption::Stop(reason) => return Ok(reason),
-                Interruption::Reaction(occurring) => occurring,
+                Interruption::Reaction(occurring, stop) => (occurring, stop),
             };
             is_visited = part.is_visited;
             let (reaction, x) = self.react(system, stepper, occurring);
@@ -149,6 +150,9 @@ impl<I, C, O> Driver<I, C, O> {
                     }
                     (is_visited, beginning) = (true, Beginning::Changed);
                 }
+            }
+            if let Some(reason) = stop {
+                return Ok(reason);
             }
         }
     }
@@ -177,10 +181,11 @@ impl<I, C, O> Driver<I, C, O> {
                 step,
             };
             let delay = located.delay(&mut self.condition, event);
-            let mut there = moved(dynamics, here, &x, delay);
+            let before = moved(dynamics, here, &x, delay);
+            let mut there = before.clone();
             match system.react(event, here + delay, &mut there) {
-                Reaction::Unchanged => {}
-                Reaction::Changed => {
+                Reaction::Unchanged if !differs(&before, &there) => {}
+                Reaction::Unchanged | Reaction::Changed => {
                     all = Reaction::Changed;
                     x = moved(system.dynamics(), here + delay, &there, -delay);
                 }
@@ -195,7 +200,7 @@ impl<I, C, O> Driver<I, C, O> {
         &mut self,
         dynamics: &D,
         stepper: &mut I::Stepper,
-        memory: &mut Memory<C::Values>,
+        memory: &mut C::Memory,
         occurring: Occurring,
         x: &D::State,
     ) -> Result<MetConditions, IntegrationError>
@@ -208,9 +213,7 @@ impl<I, C, O> Driver<I, C, O> {
         self.check_state(dynamics, &Sample { t, x: x.clone() })?;
         stepper.restart_at(dynamics, t, x.clone())?;
         let condition = &mut self.condition;
-        Ok(event::restart(
-            condition, memory, dynamics, occurring, &x, step,
-        ))
+        Ok(condition.restart(memory, dynamics, occurring, &x, step))
     }
 
     /// Checks the settings and the initial value. The singularity comes before the derivative: where M is

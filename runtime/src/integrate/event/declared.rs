@@ -5,13 +5,12 @@
 
 use core::ops::ControlFlow;
 
-use super::detection::Detection;
+use super::detection::{Detection, EventFunctions, detection_by_functions};
+use super::exclusion::Exclusion;
 use super::memory::Memory;
 use super::polynomial::{Polynomial, Root};
 use super::window::{Search, Window};
-use super::{
-    Crossing, Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling,
-};
+use super::{Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::{LEAST_WINDOW, MOST_COEFFICIENTS};
@@ -32,7 +31,7 @@ impl<const K: usize> DeclaredEvents<K> {
     }
 }
 
-impl<S, D, const K: usize> Detection<S, D> for DeclaredEvents<K>
+impl<S, D, const K: usize> EventFunctions<S, D> for DeclaredEvents<K>
 where
     S: SingleNumber,
     D: EventDynamics<S> + ?Sized,
@@ -78,6 +77,9 @@ where
                 memory.window = step.begin();
                 (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             }
+            if self.excludes_events(memory, step) {
+                return None;
+            }
             let Some((window, polynomials)) = self.window(memory.window, step) else {
                 return sampling::next(self, memory, step);
             };
@@ -90,7 +92,61 @@ where
     }
 }
 
+impl<S, D, const K: usize> Detection<S, D> for DeclaredEvents<K>
+where
+    S: SingleNumber,
+    D: EventDynamics<S> + ?Sized,
+{
+    detection_by_functions!(S, D);
+}
+
 impl<const K: usize> DeclaredEvents<K> {
+    /// Whether none of the events can occur in a step, of which nothing was looked at yet. Then that is all of it.
+    fn excludes_events<S, D, T>(
+        &mut self,
+        memory: &mut Memory<[f64; K]>,
+        step: &mut LastStep<'_, S, D, T>,
+    ) -> bool
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
+        let (begin, end) = (step.begin(), step.end());
+        let is_special = memory.touching.or(memory.left).or(memory.at_zero).any();
+        if is_special || memory.until - begin != 0.0 || memory.window - begin != 0.0 {
+            return false;
+        }
+        let middle = step.at(begin + 0.5 * (end - begin));
+        let Some([from, to]) = step.ends() else {
+            return false;
+        };
+        let dynamics = step.dynamics();
+        let values = [
+            self.values(dynamics, middle.t, &middle.x),
+            self.values(dynamics, end, to),
+        ];
+        let exclusion = Exclusion {
+            events: self,
+            dynamics,
+            from,
+            end,
+            values,
+        };
+        let Some(signs) = step.polynomial(exclusion).flatten() else {
+            return false;
+        };
+        // A sign that differs from that before the step changes where it begins.
+        let mut pairs = signs.iter().zip(&memory.signs);
+        if pairs.any(|(sign, before)| sign * before < 0.0 || before.is_nan()) {
+            return false;
+        }
+        memory.signs = signs;
+        memory.window = end;
+        memory.arrive(end);
+        true
+    }
+
     /// The window that begins at a time, with the polynomials of the event functions; none if they have no series.
     ///
     /// A series does not see corners, as those of |x| and max(x, y). Where dynamics tell at which zeros there are some, the
@@ -106,7 +162,9 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
+        // A window that is shorter than the resolution of time might not advance it.
         let least = LEAST_WINDOW * (step.end() - step.begin()).abs();
+        let least = least.max(step.resolution(begin));
         let (mut begin, mut end) = (begin, step.end());
         let mut shift = step.resolution(begin).copysign(end - begin);
         let mut from = step.at(begin);
@@ -117,6 +175,7 @@ impl<const K: usize> DeclaredEvents<K> {
                 dynamics: step.dynamics(),
                 from: &from,
                 end,
+                least,
                 resolution,
             };
             let expansion = step.polynomial(search)??;
@@ -184,8 +243,11 @@ impl<const K: usize> DeclaredEvents<K> {
             };
             let touching = polynomials.iter().zip(memory.resume).map(touches);
             let touching = MetConditions::of(touching);
+            let departs =
+                |(polynomial, sign): (&Polynomial, f64)| polynomial.slope(1.0) * sign > 0.0;
+            let departing = MetConditions::of(polynomials.iter().zip(memory.signs).map(departs));
             memory.arrive(window.end);
-            memory.touching = touching;
+            (memory.touching, memory.departing) = (touching, departing.and(touching));
             (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             memory.window = window.end;
             return None;
@@ -211,10 +273,9 @@ impl<const K: usize> DeclaredEvents<K> {
             }
         }
         memory.arrive(step.after(time));
-        Some(Occurring {
-            t: self.just_behind(memory, step, time, &found, events),
-            events,
-        })
+        let t = self.just_behind(memory, step, time, &found, events);
+        memory.note_zeros(events, t);
+        Some(Occurring { t, events })
     }
 
     /// The first root of an event's polynomial that is one of its event.
@@ -226,8 +287,8 @@ impl<const K: usize> DeclaredEvents<K> {
         (window, from, near): (Window<K>, f64, f64),
     ) -> Option<Root> {
         let crossing = self.event(event).crossing();
-        let is_at_start = from <= 0.0 && memory.is_leaving;
-        let deflated = is_at_start && memory.at_zero.contains(event);
+        let is_left = from <= 0.0 && memory.left.contains(event);
+        let deflated = is_left || from <= 0.0 && memory.at_zero.contains(event);
         let polynomial = if deflated {
             polynomial.over_argument()
         } else {
@@ -241,7 +302,7 @@ impl<const K: usize> DeclaredEvents<K> {
             0.0
         };
         let mut next = polynomial.next_root(from.max(memory.resume[event]), sign);
-        if from <= 0.0 && !memory.is_leaving {
+        if from <= 0.0 && !deflated {
             next = match self.at_last_end(event, &polynomial, memory, (from, near, next)) {
                 ControlFlow::Continue(next) => next,
                 ControlFlow::Break(root) => return Some(root),
@@ -249,9 +310,8 @@ impl<const K: usize> DeclaredEvents<K> {
         }
         for _ in 0..MOST_COEFFICIENTS {
             let root = window.behind(event, next?);
-            // A zero at the initial time is no crossing, whatever rounding makes of it.
-            let is_initial =
-                is_at_start && !deflated && root.at <= near && crossing == Crossing::Either;
+            // The zero that is left is no crossing, whatever rounding makes of it.
+            let is_initial = is_left && root.at <= near;
             let behind = if root.before * root.behind < 0.0 {
                 root.behind
             } else {
@@ -281,7 +341,9 @@ impl<const K: usize> DeclaredEvents<K> {
         let touches = memory.touching.contains(event)
             && before * behind > 0.0
             && crossing.between(before, 0.0);
-        let returns = next.filter(|root| root.at <= near && root.behind * before > 0.0);
+        let returns = next.filter(|root| {
+            root.at <= near && root.behind * before > 0.0 && root.before * root.behind < 0.0
+        });
         let crosses = crossing.between(before, behind) && behind != 0.0;
         match returns {
             Some(root) if !touches => {

@@ -88,6 +88,12 @@ fn is_zero<S: Scalar>(x: S) -> bool {
     x == S::zero() && (0..S::DERIVATIVES).all(vanishes)
 }
 
+/// Whether two states differ, in derivative parts too.
+pub(crate) fn differs<S: Scalar, X: VectorSpace<S>>(a: &X, b: &X) -> bool {
+    let pairs = a.components().zip(b.components());
+    pairs.into_iter().any(|(a, b)| !is_zero(a - b))
+}
+
 /// What `f64` does not have of a value that is zero to rounding.
 fn beyond_f64<S: Scalar>(value: S) -> S {
     if S::machine_epsilon() < f64::EPSILON {

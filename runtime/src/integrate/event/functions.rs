@@ -1,8 +1,9 @@
 //! Event functions that are closures.
 
+use super::detection::detection_by_functions;
 use super::event_dynamics::SingleNumber;
 use super::values::Values;
-use super::{Crossing, Detection, Event};
+use super::{Crossing, Detection, Event, EventFunctions};
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::{Lanes, Scalar};
 
@@ -94,7 +95,7 @@ impl Watched for Crossing {
     type Values = f64;
 
     fn event(&self, _: usize) -> Event {
-        Event::new(*self).terminal()
+        Event::new(*self)
     }
 }
 
@@ -115,11 +116,13 @@ pub struct ZeroCrossing<F, W = Crossing> {
     pub(crate) function: F,
     /// What is watched for.
     pub(crate) events: W,
+    /// Whether the integration stops at each of them, whatever it says itself.
+    pub(crate) stops: bool,
     /// The parts of a step at whose ends the function is evaluated, if it is set.
     pub(crate) parts: Option<u32>,
 }
 
-impl<S, D, F, W, R> Detection<S, D> for ZeroCrossing<F, W>
+impl<S, D, F, W, R> EventFunctions<S, D> for ZeroCrossing<F, W>
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
@@ -138,10 +141,22 @@ where
     }
 
     fn event(&self, index: usize) -> Event {
-        self.events.event(index)
+        let event = self.events.event(index);
+        if self.stops { event.terminal() } else { event }
     }
 
     fn parts(&self) -> Option<u32> {
         self.parts
     }
+}
+
+impl<S, D, F, W, R> Detection<S, D> for ZeroCrossing<F, W>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    W: Watched,
+    F: FnMut(S, &D::State) -> R,
+    R: EventValues<S, Numbers = W::Values>,
+{
+    detection_by_functions!(S, D);
 }

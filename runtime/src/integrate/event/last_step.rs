@@ -55,6 +55,11 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         self.stepper.visit_polynomial(visitor)
     }
 
+    /// The states between which the step leads, where they are known.
+    pub(crate) fn ends(&self) -> Option<[&D::State; 2]> {
+        Some([self.stepper.previous_state()?, self.stepper.state()])
+    }
+
     /// The sample at a time within the step.
     pub(crate) fn at(&mut self, t: f64) -> Sample<D::State> {
         let x = if t - self.stepper.time() == 0.0 {

@@ -40,10 +40,16 @@ pub struct Memory<V> {
     /// Of polynomials: the events whose functions are zero to rounding at the end of the last window. Where they do not cross
     /// it, they have touched it.
     pub(super) touching: MetConditions,
+    /// Those of them whose functions move away from zero already.
+    pub(super) departing: MetConditions,
     /// The direction of time in the steps that were looked at.
     forwards: Option<bool>,
     /// The events to which the reaction was from which the method began anew: their functions are zero there.
     pub(super) at_zero: MetConditions,
+    /// The events whose functions are zero where a run begins, or where the last one has ended.
+    pub(super) left: MetConditions,
+    /// When each function was zero last: at an event, or where a run began or ended. NaN if it never was.
+    pub(super) zero_at: V,
     /// The time of the last reaction to each event.
     reactions: V,
     /// How many times each event has occurred in a row, within a short time.
@@ -58,8 +64,8 @@ pub(super) fn has_sign(value: f64) -> bool {
 impl<V: Values> Memory<V> {
     /// The memory at the initial time, where the functions have these values.
     pub(super) fn new(start: f64, values: V) -> Self {
-        let mut reactions = V::ZERO;
-        reactions.as_mut_slice().fill(f64::NAN);
+        let mut never = V::ZERO;
+        never.as_mut_slice().fill(f64::NAN);
         Self {
             until: start,
             signs: values,
@@ -74,8 +80,11 @@ impl<V: Values> Memory<V> {
             ahead: V::ZERO,
             at_zero: MetConditions::default(),
             touching: MetConditions::default(),
+            departing: MetConditions::default(),
             forwards: None,
-            reactions,
+            left: MetConditions::default(),
+            zero_at: never,
+            reactions: never,
             in_a_row: V::ZERO,
         }
     }
@@ -87,12 +96,13 @@ impl<V: Values> Memory<V> {
             reactions: self.reactions,
             in_a_row: self.in_a_row,
             at_event: self.at_event,
+            zero_at: self.zero_at,
             ..Self::new(start, signs)
         };
     }
 
     /// What a checkpoint has of it.
-    pub(crate) fn event_signs(&self) -> EventSigns {
+    fn signs_of_checkpoint(&self) -> EventSigns {
         let [positive, negative] = EventSigns::bits(self.signs.as_slice());
         EventSigns {
             positive,
@@ -103,7 +113,7 @@ impl<V: Values> Memory<V> {
     }
 
     /// This memory of the functions at the time of a checkpoint, with what that has of them.
-    pub(crate) fn recalled(mut self, stored: EventSigns) -> Self {
+    fn with_signs(mut self, stored: EventSigns) -> Self {
         for (event, value) in self.signs.as_mut_slice().iter_mut().enumerate() {
             let sign = stored.sign(event);
             if *value * sign <= 0.0 || value.is_nan() {
@@ -111,15 +121,36 @@ impl<V: Values> Memory<V> {
             }
         }
         self.forwards = stored.forwards;
-        self.is_leaving = stored.forwards.is_none();
+        self.is_leaving = stored.forwards.is_none() || self.left.any();
         self.touching = stored.touching;
         self
     }
 
     /// Whether what is known serves an integration from `t` towards `end`: one in the same direction.
-    pub(crate) fn goes_on(&self, t: f64, end: f64) -> bool {
+    fn serves(&self, t: f64, end: f64) -> bool {
         let forwards = end >= t;
         t - self.until == 0.0 && self.forwards.is_none_or(|before| before == forwards)
+    }
+
+    /// The sign that an event's function has before its next zero: between two events of one step that of its polynomial.
+    pub(super) fn sign_before(&self, event: usize) -> f64 {
+        let [ahead, sign] = [&self.ahead, &self.signs].map(|signs| signs.as_slice().get(event));
+        let known = ahead.filter(|ahead| has_sign(**ahead)).or(sign);
+        known.copied().unwrap_or(f64::NAN)
+    }
+
+    /// Notes that events occur at a time.
+    pub(super) fn note_zeros(&mut self, events: MetConditions, t: f64) {
+        for event in events.indices() {
+            if let Some(last) = self.zero_at.as_mut_slice().get_mut(event) {
+                *last = t;
+            }
+        }
+    }
+
+    /// Functions leave zero from a time on, as from an initial one.
+    pub(super) fn leave_from(&mut self, t: f64) {
+        (self.start, self.is_leaving, self.departure) = (t, true, 0.0);
     }
 
     /// Whether a value of an event function says anything: during the cooldown it may be a rounding error.
@@ -223,7 +254,9 @@ impl<V: Values> Memory<V> {
         self.is_leaving = false;
         self.departure = 0.0;
         self.at_zero = MetConditions::default();
+        self.left = MetConditions::default();
         self.touching = MetConditions::default();
+        self.departing = MetConditions::default();
     }
 
     /// Notes that no event has occurred up to a time with these values.
@@ -239,6 +272,7 @@ impl<V: Values> Memory<V> {
             0.0
         };
         self.is_leaving = false;
+        self.left = MetConditions::default();
         self.go_to(time);
     }
 
@@ -247,5 +281,45 @@ impl<V: Values> Memory<V> {
             self.forwards = Some(time > self.until);
         }
         self.until = time;
+    }
+}
+
+/// What is known of events between the calls of an integration.
+pub trait Remembers: Sized {
+    /// What a checkpoint has of it.
+    fn event_signs(&self) -> EventSigns;
+
+    /// This memory of the functions at the time of a checkpoint, with what that has of them.
+    #[must_use]
+    fn recalled(self, stored: EventSigns) -> Self;
+
+    /// Whether what is known serves an integration from `t` towards `end`: one in the same direction.
+    fn goes_on(&self, t: f64, end: f64) -> bool;
+}
+
+impl<V: Values> Remembers for Memory<V> {
+    fn event_signs(&self) -> EventSigns {
+        self.signs_of_checkpoint()
+    }
+
+    fn recalled(self, stored: EventSigns) -> Self {
+        self.with_signs(stored)
+    }
+
+    fn goes_on(&self, t: f64, end: f64) -> bool {
+        self.serves(t, end)
+    }
+}
+
+/// Nothing is known without events.
+impl Remembers for () {
+    fn event_signs(&self) -> EventSigns {
+        EventSigns::default()
+    }
+
+    fn recalled(self, _: EventSigns) {}
+
+    fn goes_on(&self, _: f64, _: f64) -> bool {
+        true
     }
 }

@@ -6,10 +6,43 @@
 pub struct MetConditions(u64);
 
 impl MetConditions {
+    /// How many conditions there can be.
+    pub(crate) const MOST: usize = 64;
+
     /// The set of the indices at which the iterator is true.
     pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {
         let bits = (0..u64::BITS).zip(conditions);
         Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
+    }
+
+    /// The set whose indices are the bits of a number.
+    pub(crate) fn from_bits(bits: u64) -> Self {
+        Self(bits)
+    }
+
+    pub(crate) fn bits(self) -> u64 {
+        self.0
+    }
+
+    /// The set in a list before which there are so many other conditions.
+    #[must_use]
+    pub(crate) fn shifted(self, count: usize) -> Self {
+        let count = u32::try_from(count).unwrap_or(u32::MAX);
+        Self(self.0.checked_shl(count).unwrap_or(0))
+    }
+
+    /// Of the conditions from an index on.
+    #[must_use]
+    pub(crate) fn behind(self, count: usize) -> Self {
+        let count = u32::try_from(count).unwrap_or(u32::MAX);
+        Self(self.0.checked_shr(count).unwrap_or(0))
+    }
+
+    /// Of the conditions before an index.
+    #[must_use]
+    pub(crate) fn before(self, count: usize) -> Self {
+        let others = self.behind(count).shifted(count);
+        Self(self.0 & !others.0)
     }
 
     /// Adds an index below 64.
@@ -35,6 +68,18 @@ impl MetConditions {
     /// The indices, from the lowest.
     pub fn indices(self) -> impl Iterator<Item = usize> {
         (0..64).filter(move |i| self.contains(*i))
+    }
+
+    /// The indices of this set that are not in another one.
+    #[must_use]
+    pub(crate) fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// The intersection of two sets.
+    #[must_use]
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
     }
 
     /// The union of two sets.

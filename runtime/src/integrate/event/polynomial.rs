@@ -9,6 +9,7 @@
 #[cfg(test)]
 mod tests;
 
+use super::bernstein::{self, Variations, as_number};
 use super::location::Bracket;
 use crate::limits::events::{
     DISPLACEMENTS, ISOLATION_STEPS, LEAST_WIDTH, MOST_COEFFICIENTS, NEAR, UNCERTAINTY,
@@ -19,6 +20,8 @@ use crate::scalar::DoubleDouble;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polynomial {
     coefficients: [DoubleDouble; MOST_COEFFICIENTS],
+    /// By how much they may be wrong.
+    errors: [f64; MOST_COEFFICIENTS],
     /// How many of them there are.
     count: usize,
     /// Their machine epsilon.
@@ -50,31 +53,6 @@ enum Finding {
     NoRoot { last: f64 },
 }
 
-/// The changes of sign in a sequence.
-#[derive(Clone, Copy, Default)]
-struct Variations {
-    first: f64,
-    last: f64,
-    count: u32,
-    /// Whether some terms have no certain sign.
-    is_uncertain: bool,
-}
-
-impl Variations {
-    fn push(&mut self, value: f64, least: f64) {
-        if value.abs() > least {
-            let sign = value.signum();
-            if self.count == 0 && self.last == 0.0 {
-                self.first = sign;
-            }
-            self.count += u32::from(self.last * sign < 0.0);
-            self.last = sign;
-        } else {
-            self.is_uncertain = true;
-        }
-    }
-}
-
 impl Polynomial {
     /// The polynomial with these coefficients, which have relative errors of this machine epsilon; none if there are too
     /// many, or one is not finite.
@@ -91,6 +69,8 @@ impl Polynomial {
                 return None;
             }
             *polynomial.coefficients.get_mut(polynomial.count)? = coefficient;
+            polynomial.errors[polynomial.count] =
+                UNCERTAINTY * epsilon * coefficient.to_f64().abs();
             polynomial.count += 1;
         }
         Some(polynomial)
@@ -120,6 +100,7 @@ impl Polynomial {
     /// The polynomial 0.
     pub(super) const ZERO: Self = Self {
         coefficients: [DoubleDouble::ZERO; MOST_COEFFICIENTS],
+        errors: [0.0; MOST_COEFFICIENTS],
         count: 0,
         epsilon: 0.0,
     };
@@ -136,15 +117,34 @@ impl Polynomial {
         self.coefficients.get(..self.count).unwrap_or_default()
     }
 
-    fn coefficients_mut(&mut self) -> &mut [DoubleDouble] {
-        self.coefficients.get_mut(..self.count).unwrap_or_default()
-    }
-
     /// The polynomial over u, without its constant.
     pub(super) fn over_argument(mut self) -> Self {
-        self.coefficients_mut().rotate_left(1);
-        self.count = self.count.saturating_sub(1);
+        let count = self.count;
+        if let Some(coefficients) = self.coefficients.get_mut(..count) {
+            coefficients.rotate_left(1);
+        }
+        if let Some(errors) = self.errors.get_mut(..count) {
+            errors.rotate_left(1);
+        }
+        self.count = count.saturating_sub(1);
         self
+    }
+
+    /// This polynomial, given another one whose coefficients differ by rounding errors: they are no better than that. An error
+    /// of the constant shifts the function and makes no zeros.
+    pub(super) fn compared_with(mut self, other: &Self) -> Self {
+        let pairs = self.coefficients.iter().zip(&other.coefficients);
+        for (error, (a, b)) in self.errors.iter_mut().zip(pairs).skip(1) {
+            *error = error.max((*a - *b).to_f64().abs());
+        }
+        self
+    }
+
+    /// Whether all that it changes is within the errors of the coefficients: then it has no zeros.
+    fn is_constant(&self) -> bool {
+        let sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
+        let [sizes, errors] = [sizes.skip(1).sum::<f64>(), self.errors.iter().skip(1).sum()];
+        sizes <= errors
     }
 
     /// Whether the constant exceeds all that the other terms are in the unit interval.
@@ -177,7 +177,7 @@ impl Polynomial {
     }
 
     /// The derivative at `u`.
-    fn slope(&self, u: f64) -> f64 {
+    pub(super) fn slope(&self, u: f64) -> f64 {
         let (u, zero) = (DoubleDouble::from(u), DoubleDouble::from(0.0));
         let coefficients = self.coefficients().iter().enumerate().skip(1).rev();
         let sum = coefficients.fold(zero, |sum, (k, a)| sum * u + *a * number(k));
@@ -186,9 +186,8 @@ impl Polynomial {
 
     /// What the errors of the coefficients make of a value up to `u`: one that is not larger has no sign.
     fn uncertainty(&self, u: f64) -> f64 {
-        let coefficients = self.coefficients().iter().rev();
-        let sum = coefficients.fold(0.0, |sum, a| sum * u + a.to_f64().abs());
-        UNCERTAINTY * self.epsilon * sum
+        let errors = self.errors.get(..self.count).unwrap_or_default();
+        errors.iter().rev().fold(0.0, |sum, error| sum * u + error)
     }
 
     /// The sign at `u`, if it has one.
@@ -238,7 +237,7 @@ impl Polynomial {
 
     /// The first root behind `from`, up to 1. The sign behind `from` is given where it is that behind another root.
     pub(crate) fn next_root(&self, from: f64, mut sign: f64) -> Option<Root> {
-        if self.has_one_sign() {
+        if self.has_one_sign() || self.is_constant() {
             return None;
         }
         let (mut left, mut width) = (from, 1.0 - from);
@@ -352,40 +351,36 @@ impl Polynomial {
         bisect(a, b, |u| self.uncertainty(u) - sign * self.value(u))
     }
 
-    /// The variations of the Bernstein coefficients on an interval and of their differences, those of the derivative:
-    /// bᵢ = Σ C(i, k)/C(n, k) cₖ for p(a + (b − a) s) = Σ cₖ sᵏ.
+    /// The variations of the Bernstein coefficients on an interval and of their differences, those of the derivative. Plain numbers
+    /// are enough where their rounding errors change no sign.
     fn variations(&self, a: f64, b: f64) -> [Variations; 2] {
-        let mut bernstein = *self;
-        let all = bernstein.coefficients_mut();
-        let degree = all.len().saturating_sub(1);
-        let (shift, width) = (DoubleDouble::from(a), DoubleDouble::from(b - a));
-        for i in 0..degree {
-            for j in (i..degree).rev() {
-                let upper = all[j + 1];
-                all[j] += shift * upper;
-            }
-        }
-        // (b − a)ᵏ/C(n, k).
-        let mut factor = DoubleDouble::from(1.0);
-        for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
-            factor = factor * width * number(k) / number(degree + 1 - k);
-            *coefficient *= factor;
-        }
-        for i in 1..=degree {
-            for j in (i..=degree).rev() {
-                let lower = all[j - 1];
-                all[j] += lower;
-            }
-        }
         let least = self.uncertainty(b);
-        let (mut values, mut slopes) = (Variations::default(), Variations::default());
-        for coefficient in &*all {
-            values.push(coefficient.to_f64(), least);
+        let mut plain = [0.0; MOST_COEFFICIENTS];
+        let plain = plain.get_mut(..self.count).unwrap_or_default();
+        let mut sum = 0.0;
+        for (place, a) in plain.iter_mut().zip(self.coefficients()).rev() {
+            *place = a.to_f64();
+            sum = sum * b + place.abs();
         }
-        for pair in all.windows(2) {
-            slopes.push((pair[1] - pair[0]).to_f64(), 0.0);
+        bernstein::between(plain, a, b);
+        let rounding = bernstein::ROUNDINGS * sum * f64::EPSILON * as_number(self.count);
+        let is_certain = |value: &f64| value.abs() > least + rounding;
+        let differ = |pair: &[f64]| (pair[1] - pair[0]).abs() > 2.0 * rounding;
+        if plain.iter().all(is_certain) && plain.windows(2).all(differ) {
+            let differences = plain.windows(2).map(|pair| pair[1] - pair[0]);
+            return [
+                Variations::of(plain.iter().copied(), least),
+                Variations::of(differences, 0.0),
+            ];
         }
-        [values, slopes]
+        let mut all = self.coefficients;
+        let all = all.get_mut(..self.count).unwrap_or_default();
+        bernstein::between(all, a, b);
+        let differences = all.windows(2).map(|pair| (pair[1] - pair[0]).to_f64());
+        [
+            Variations::of(all.iter().map(|value| value.to_f64()), least),
+            Variations::of(differences, 0.0),
+        ]
     }
 }
 
@@ -402,5 +397,5 @@ fn bisect(a: f64, b: f64, function: impl Fn(f64) -> f64) -> f64 {
 
 /// A small number.
 fn number(n: usize) -> DoubleDouble {
-    DoubleDouble::from(f64::from(u32::try_from(n).unwrap_or(u32::MAX)))
+    DoubleDouble::from(as_number(n))
 }

@@ -1,19 +1,25 @@
 //! Detection of events by sampling: where the signs of an event function at two neighbouring times differ, it has
 //! crossed zero between them.
 
+use super::junction::rounding;
 use super::location::Bracket;
 use super::memory::Memory;
 use super::met_conditions::MetConditions;
 use super::values::Values;
-use super::{Detection, LastStep, Occurring};
+use super::{EventFunctions, LastStep, Occurring};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::{Advance, derivative_apart};
-use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, MOVED_EPSILONS, PARTS};
+use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, PARTS};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 /// The next events within the last step.
-pub(super) fn next<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Advance<S, D>>(
+pub(super) fn next<
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    G: EventFunctions<S, D>,
+    T: Advance<S, D>,
+>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
     step: &mut LastStep<'_, S, D, T>,
@@ -22,29 +28,44 @@ pub(super) fn next<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Ad
     let parts = source.parts().unwrap_or(usual).max(1);
     while let Some(time) = memory.next_time(step, parts) {
         let sample = step.at(time);
-        let values = source.values(step.dynamics(), time, &sample.x);
-        if crossings(source, memory, &values).any() {
-            return Some(locate(source, memory, step, (time, values)));
+        let mut values = source.values(step.dynamics(), time, &sample.x);
+        let crossed = crossings(source, memory, &values);
+        if crossed.any() {
+            let noise = rounding(source, step.dynamics(), (time, &sample.x), &values);
+            if crossed
+                .indices()
+                .any(|event| has_crossed(event, &values, &noise))
+            {
+                return Some(locate(source, memory, step, (time, values)));
+            }
+            // Nearer to zero than rounding tells, all of them: what follows decides.
+            for event in crossed.indices() {
+                if let Some(value) = values.as_mut_slice().get_mut(event) {
+                    *value = 0.0;
+                }
+            }
         }
         memory.pass(time, &values);
     }
     None
 }
 
+/// Whether a value that differs in sign is certain, or exactly zero: a function that reaches zero may stay there.
+fn has_crossed<V: Values>(event: usize, values: &V, noise: &V) -> bool {
+    let [value, noise] = [values, noise].map(|values| values.as_slice().get(event).copied());
+    let pair = value.zip(noise);
+    pair.is_some_and(|(value, noise)| value == 0.0 || value.abs() > noise || noise.is_nan())
+}
+
 /// The events whose functions have crossed zero where they have these values.
-fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
+fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>>(
     source: &G,
     memory: &Memory<G::Values>,
     values: &G::Values,
 ) -> MetConditions {
     let pairs = memory.signs.as_slice().iter().zip(values.as_slice());
     let crossed = pairs.enumerate().map(|(i, (before, after))| {
-        let crossing = source.event(i).crossing();
-        let crosses = if memory.is_leaving {
-            crossing.after_start(*before, *after)
-        } else {
-            crossing.between(*before, *after)
-        };
+        let crosses = source.event(i).crossing().between(*before, *after);
         crosses && memory.counts(i, *after)
     });
     MetConditions::of(crossed)
@@ -52,7 +73,7 @@ fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
 
 /// The first events up to a time at which some have occurred. The time is that just after the zero; events within the
 /// resolution of time occur together.
-fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Advance<S, D>>(
+fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advance<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
     step: &mut LastStep<'_, S, D, T>,
@@ -79,10 +100,21 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Advance<S, 
             }
         }
     }
-    memory.at_event = values;
     let sample = step.at(step.after(time));
     let after = source.values(step.dynamics(), sample.t, &sample.x);
-    events = events.or(crossings(source, memory, &after));
+    let later = crossings(source, memory, &after).without(events);
+    if later.any() {
+        events = events.or(later);
+        (time, values) = together(
+            source,
+            memory,
+            step,
+            later,
+            [(time, values), (sample.t, after)],
+        );
+    }
+    memory.at_event = values;
+    memory.note_zeros(events, time);
     let noise = rounding(source, step.dynamics(), (sample.t, &sample.x), &after);
     let hysteresis = memory.hysteresis.as_slice().iter();
     memory.within_rounding = MetConditions::of(hysteresis.map(|least| *least > 0.0));
@@ -99,28 +131,26 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>, T: Advance<S, 
     Occurring { t: time, events }
 }
 
-/// By how much the values change when the state is moved by some rounding errors.
-fn rounding<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
+/// The first time between two at which events have occurred that have not at the first one: whatever goes on from there finds
+/// none of them before its zero.
+fn together<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advance<S, D>>(
     source: &mut G,
-    dynamics: &D,
-    (t, x): (f64, &D::State),
-    values: &G::Values,
-) -> G::Values {
-    let epsilon = S::from_f64(MOVED_EPSILONS * S::machine_epsilon());
-    let mut noise = G::Values::ZERO;
-    for alternation in [1.0, -1.0] {
-        let mut sign = S::one();
-        let moved = x.map(|component| {
-            sign *= S::from_f64(alternation);
-            component + component * sign * epsilon
-        });
-        let there = source.values(dynamics, t, &moved);
-        let pairs = there.as_slice().iter().zip(values.as_slice());
-        for (noise, (there, here)) in noise.as_mut_slice().iter_mut().zip(pairs) {
-            *noise = noise.max((there - here).abs());
+    memory: &Memory<G::Values>,
+    step: &mut LastStep<'_, S, D, T>,
+    events: MetConditions,
+    [(mut before, _), (mut time, mut values)]: [(f64, G::Values); 2],
+) -> (f64, G::Values) {
+    let mut bracket = Bracket::new(before, time);
+    while let Some(middle) = bracket.divide((before, f64::NAN), (time, f64::NAN)) {
+        let sample = step.at(middle);
+        let found = source.values(step.dynamics(), middle, &sample.x);
+        if events.without(crossings(source, memory, &found)).any() {
+            before = middle;
+        } else {
+            (time, values) = (middle, found);
         }
     }
-    noise
+    (time, values)
 }
 
 /// The sign of an event function after a reaction is that of its rate, taken along the derivative of the changed state.
@@ -128,7 +158,7 @@ fn rounding<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
 /// If it has come back by then, the event occurs again. (F. Biscani & D. Izzo, *Revisiting high-order Taylor methods for
 /// astrodynamics and celestial mechanics*, Mon. Not. R. Astron. Soc. **504** (2021) 2614, take for the cooldown the error
 /// of the event function over its rate, a time; a value does not depend on how the rate changes.)
-pub(crate) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: Detection<S, D>>(
+pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
     dynamics: &D,

@@ -1,9 +1,14 @@
 //! The values of event functions.
 
+use super::met_conditions::MetConditions;
+
 /// The values of one event function or of several.
 pub trait Values: Copy {
     /// As many zeros.
     const ZERO: Self;
+
+    /// How many there are.
+    const COUNT: usize;
 
     /// The values.
     fn as_slice(&self) -> &[f64];
@@ -14,6 +19,7 @@ pub trait Values: Copy {
 
 impl Values for f64 {
     const ZERO: Self = 0.0;
+    const COUNT: usize = 1;
 
     fn as_slice(&self) -> &[f64] {
         core::slice::from_ref(self)
@@ -26,9 +32,10 @@ impl Values for f64 {
 
 impl<const K: usize> Values for [f64; K] {
     const ZERO: Self = {
-        assert!(K <= 64, "at most 64 conditions at a time");
+        assert!(K <= MetConditions::MOST, "at most 64 conditions at a time");
         [0.0; K]
     };
+    const COUNT: usize = K;
 
     fn as_slice(&self) -> &[f64] {
         self

@@ -5,7 +5,8 @@ use super::{DeclaredEvents, EventDynamics, SingleNumber};
 use crate::integrate::sample::Sample;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{LEAST_WINDOW, UNCERTAINTY};
+use crate::limits::events::{MOVED_EPSILONS, UNCERTAINTY};
+use crate::linalg::VectorSpace;
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// A part of a step, over which the series of the event functions converge.
@@ -106,6 +107,8 @@ pub(super) struct Search<'a, D: ?Sized, X, const K: usize> {
     pub(super) from: &'a Sample<X>,
     /// Where it ends at the latest.
     pub(super) end: f64,
+    /// How short it may become.
+    pub(super) least: f64,
     /// The shortest time that is safely distinguishable.
     pub(super) resolution: f64,
 }
@@ -132,6 +135,8 @@ where
         let motion = shifted.as_ref().unwrap_or(motion);
         let (time, unit_of_time) = (S::from_f64(*begin), S::from_f64(unit));
         let series = (self.dynamics).event_series(time, x, unit_of_time, motion)?;
+        let (moved, moved_motion) = moved_by_rounding(x, motion);
+        let other = (self.dynamics).event_series(time, &moved, unit_of_time, &moved_motion)?;
         let allowed = UNCERTAINTY * S::machine_epsilon();
         let allowed = allowed.max(motion.last_terms((self.end - begin) / unit));
         let whole = self.end - begin;
@@ -148,7 +153,7 @@ where
             for index in branches.clone() {
                 converge &= polynomial_of(&series, *index, length)?.last_terms() <= allowed;
             }
-            if converge || part <= LEAST_WINDOW {
+            if converge || 0.5 * part * whole.abs() < self.least {
                 break;
             }
             part *= 0.5;
@@ -172,6 +177,11 @@ where
                 *polynomial = polynomial_of(&series, index, part * whole / unit)?;
             }
         }
+        for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
+            if let Some(other) = polynomial_of(&other, index, part * whole / unit) {
+                *polynomial = polynomial.compared_with(&other);
+            }
+        }
         Some(Expansion {
             polynomials,
             end: if part < 1.0 {
@@ -183,6 +193,28 @@ where
             is_at_corner,
         })
     }
+}
+
+/// A state and the motion from it, moved by some rounding errors in turn upwards and downwards. What that makes of the series of a
+/// function is what rounding makes of it, and may be all there is: where terms cancel, as in √(x² + y²) − 1 on a circle.
+fn moved_by_rounding<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
+    x: &X,
+    motion: &TaylorCoefficients<X, HALF>,
+) -> (X, TaylorCoefficients<X, HALF>) {
+    let epsilon = S::from_f64(MOVED_EPSILONS * S::machine_epsilon());
+    let mut sign = S::one();
+    let mut moved = |x: &X| {
+        sign = -sign;
+        x.map(|component| {
+            sign = -sign;
+            component + component * sign * epsilon
+        })
+    };
+    let mut moved_motion = motion.clone();
+    for coefficient in moved_motion.higher_mut() {
+        *coefficient = moved(coefficient);
+    }
+    (moved(x), moved_motion)
 }
 
 /// The polynomial of a function in the part of a step of this length, in units of the series.

@@ -233,6 +233,10 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Stepper<S, X> for TaylorSt
         self.statistics
     }
 
+    fn previous_state(&self) -> Option<&X> {
+        Some(self.last()?.from.value())
+    }
+
     fn visit_polynomial<V: StepPolynomial<S, X>>(&self, visitor: V) -> Option<V::Output> {
         let last = self.last()?;
         Some(visitor.visit(last.time, last.unit, &last.coefficients))

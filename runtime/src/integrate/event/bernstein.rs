@@ -1,0 +1,74 @@
+//! The Bernstein form of a polynomial on an interval, and the changes of sign in it.
+
+use core::ops::{AddAssign, Div, Mul, MulAssign};
+
+/// The rounding errors of a coefficient are at most as many machine epsilons of the sum of the magnitudes of all terms, times their
+/// number: a shift, a scaling and a sum of positive multiples, each of which adds one for each term.
+pub(super) const ROUNDINGS: f64 = 4.0;
+
+/// Replaces the coefficients of p by bᵢ = Σ C(i, k)/C(n, k) cₖ, where p(a + (b − a) s) = Σ cₖ sᵏ.
+pub(super) fn between<T>(all: &mut [T], a: f64, b: f64)
+where
+    T: Copy + From<f64> + AddAssign + Mul<Output = T> + MulAssign + Div<Output = T>,
+{
+    let degree = all.len().saturating_sub(1);
+    let (shift, width) = (T::from(a), T::from(b - a));
+    if a != 0.0 {
+        for i in 0..degree {
+            for j in (i..degree).rev() {
+                let upper = all[j + 1];
+                all[j] += shift * upper;
+            }
+        }
+    }
+    // (b − a)ᵏ/C(n, k).
+    let mut factor = T::from(1.0);
+    for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
+        factor = factor * width * T::from(as_number(k)) / T::from(as_number(degree + 1 - k));
+        *coefficient *= factor;
+    }
+    for i in 1..=degree {
+        for j in (i..=degree).rev() {
+            let lower = all[j - 1];
+            all[j] += lower;
+        }
+    }
+}
+
+/// The changes of sign in a sequence.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Variations {
+    pub(super) first: f64,
+    pub(super) last: f64,
+    pub(super) count: u32,
+    /// Whether some terms have no certain sign.
+    pub(super) is_uncertain: bool,
+}
+
+impl Variations {
+    pub(super) fn of(values: impl Iterator<Item = f64>, least: f64) -> Self {
+        let mut variations = Self::default();
+        for value in values {
+            variations.push(value, least);
+        }
+        variations
+    }
+
+    fn push(&mut self, value: f64, least: f64) {
+        if value.abs() > least {
+            let sign = value.signum();
+            if self.count == 0 && self.last == 0.0 {
+                self.first = sign;
+            }
+            self.count += u32::from(self.last * sign < 0.0);
+            self.last = sign;
+        } else {
+            self.is_uncertain = true;
+        }
+    }
+}
+
+/// A small number.
+pub(super) fn as_number(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}

@@ -1,0 +1,184 @@
+//! Two lists of conditions and events that count together.
+
+use super::memory::Remembers;
+use super::met_conditions::MetConditions;
+use super::{Detection, LastStep, Occurring};
+use crate::integrate::checkpoint::EventSigns;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::sample::Sample;
+use crate::integrate::stepper::Advance;
+use crate::scalar::Scalar;
+
+/// The conditions and events of two settings of a [`Driver`](crate::Driver), numbered through: those of the second come after
+/// those of the first.
+#[derive(Clone, Copy, Debug)]
+pub struct Both<A, B>(pub(crate) A, pub(crate) B);
+
+/// What is known of the events of both.
+#[derive(Clone, Copy, Debug)]
+pub struct BothMemories<A, B> {
+    first: A,
+    second: B,
+    /// The events of each that were found, and are not visited yet.
+    pending: [Option<Occurring>; 2],
+    /// How many conditions and events the first has.
+    count: usize,
+}
+
+impl<A: Remembers, B: Remembers> Remembers for BothMemories<A, B> {
+    fn event_signs(&self) -> EventSigns {
+        let [first, second] = [self.first.event_signs(), self.second.event_signs()];
+        first.followed_by(second, self.count)
+    }
+
+    fn recalled(self, stored: EventSigns) -> Self {
+        Self {
+            first: self.first.recalled(stored),
+            second: self.second.recalled(stored.behind(self.count)),
+            ..self
+        }
+    }
+
+    fn goes_on(&self, t: f64, end: f64) -> bool {
+        self.first.goes_on(t, end) && self.second.goes_on(t, end)
+    }
+}
+
+impl Occurring {
+    /// Those of the first and of the second list.
+    fn split(self, count: usize) -> [Option<Self>; 2] {
+        let sets = [self.events.before(count), self.events.behind(count)];
+        sets.map(|events| Some(Self { events, ..self }).filter(|part| part.events.any()))
+    }
+
+    /// Events of the second list as those of both.
+    fn shifted(self, count: usize) -> Self {
+        Self {
+            events: self.events.shifted(count),
+            ..self
+        }
+    }
+}
+
+impl<S, D, A, B> Detection<S, D> for Both<A, B>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    A: Detection<S, D>,
+    B: Detection<S, D>,
+{
+    type Memory = BothMemories<A::Memory, B::Memory>;
+
+    const COUNT: usize = {
+        let count = A::COUNT + B::COUNT;
+        assert!(
+            count <= MetConditions::MOST,
+            "at most 64 conditions and events at a time"
+        );
+        count
+    };
+
+    fn check(&self, dynamics: &D) -> Result<(), IntegrationError> {
+        self.0.check(dynamics)?;
+        self.1.check(dynamics)
+    }
+
+    fn holding(&mut self, t: f64, x: &D::State) -> MetConditions {
+        let second = self.1.holding(t, x).shifted(A::COUNT);
+        self.0.holding(t, x).or(second)
+    }
+
+    fn is_terminal(&self, event: usize) -> bool {
+        match event.checked_sub(A::COUNT) {
+            Some(event) => self.1.is_terminal(event),
+            None => self.0.is_terminal(event),
+        }
+    }
+
+    fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
+        match event.checked_sub(A::COUNT) {
+            Some(event) => self.1.function(dynamics, t, x, event),
+            None => self.0.function(dynamics, t, x, event),
+        }
+    }
+
+    fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory {
+        BothMemories {
+            first: self.0.begin(dynamics, t, x),
+            second: self.1.begin(dynamics, t, x),
+            pending: [None; 2],
+            count: A::COUNT,
+        }
+    }
+
+    /// The events that come first. Those of both lists within the resolution of time occur together, at the later of their
+    /// times, where all of them have occurred.
+    fn next<T: Advance<S, D>>(
+        &mut self,
+        memory: &mut Self::Memory,
+        step: &mut LastStep<'_, S, D, T>,
+    ) -> Option<Occurring> {
+        let [first, second] = &mut memory.pending;
+        *first = first.or_else(|| self.0.next(&mut memory.first, step));
+        *second = second.or_else(|| self.1.next(&mut memory.second, step));
+        let pending = (*first, second.map(|second| second.shifted(A::COUNT)));
+        let (Some(early), Some(late)) = pending else {
+            memory.pending = [None; 2];
+            return pending.0.or(pending.1);
+        };
+        let is_in_order = !step.comes_before(late.t, early.t);
+        let (early, late) = if is_in_order {
+            (early, late)
+        } else {
+            (late, early)
+        };
+        if !step.comes_before(step.after(early.t), late.t) {
+            memory.pending = [None; 2];
+            return Some(Occurring {
+                t: late.t,
+                events: early.events.or(late.events),
+            });
+        }
+        memory.pending[usize::from(!is_in_order)] = None;
+        Some(early)
+    }
+
+    fn close<T: Advance<S, D>>(
+        &mut self,
+        memory: &mut Self::Memory,
+        step: &mut LastStep<'_, S, D, T>,
+        here: &Sample<D::State>,
+        pending: Option<Occurring>,
+    ) -> MetConditions {
+        let count = A::COUNT;
+        let [first, second] = pending.map_or([None; 2], |pending| pending.split(count));
+        let [own_first, own_second] = core::mem::take(&mut memory.pending);
+        let [first, second] = [first.or(own_first), second.or(own_second)];
+        let first = self.0.close(&mut memory.first, step, here, first);
+        let second = self.1.close(&mut memory.second, step, here, second);
+        first.or(second.shifted(count))
+    }
+
+    fn restart(
+        &mut self,
+        memory: &mut Self::Memory,
+        dynamics: &D,
+        occurring: Occurring,
+        x: &D::State,
+        step: f64,
+    ) -> MetConditions {
+        let none = |part: Option<Occurring>| {
+            part.unwrap_or(Occurring {
+                t: occurring.t,
+                events: MetConditions::default(),
+            })
+        };
+        let count = A::COUNT;
+        let [first, second] = occurring.split(count).map(none);
+        memory.pending = [None; 2];
+        let first = (self.0).restart(&mut memory.first, dynamics, first, x, step);
+        let second = (self.1).restart(&mut memory.second, dynamics, second, x, step);
+        first.or(second.shifted(count))
+    }
+}

@@ -1,0 +1,319 @@
+//! Every event belongs to one of two consecutive runs, however the first of them ends: at its final time, by an observer at a
+//! sample, at an event or at the end of a step, by a step limit, or as a call of an integration in progress.
+
+mod random_numbers;
+
+use core::ops::ControlFlow;
+use std::cell::RefCell;
+
+use lagrangian::prelude::*;
+use lagrangian::{EquationsOfMotion, Resume, StopCondition};
+use random_numbers::Random;
+
+/// A falling stone, and events at which it is 1 s after the start.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = g * x,
+    event(floor = x, clock = t - 1),
+)]
+struct Stone {
+    g: f64,
+}
+
+#[test]
+fn a_terminal_floor_at_the_end_of_a_run_ends_it() {
+    let stone = Stone { g: 10.0 };
+    let equations = stone.dynamics();
+    let start = State::new(0.0, [5.0], [0.0]);
+    let floor = [(Stone::FLOOR, Event::falling().terminal())];
+    let driver = || Taylor::new().driver().declared_events(floor);
+    let first = driver().run_until(&equations, start, 0.5).unwrap();
+    let second = driver().run_until(&equations, &first.last, 1.0).unwrap();
+    assert_eq!(second.reason, StopReason::Condition);
+    assert!(second.met.contains(0));
+    // Five times the spacing of numbers behind it.
+    let late = driver().run_until(&equations, start, 1.0 + 1e-15).unwrap();
+    assert_eq!(late.reason, StopReason::Condition);
+    let clock = [(Stone::CLOCK, Event::rising().terminal())];
+    let driver = Taylor::new().driver().declared_events(clock);
+    let outcome = driver.run_until(&equations, start, 1.0).unwrap();
+    assert_eq!(outcome.reason, StopReason::Condition);
+}
+
+/// Ends within eight spacings of the time of the impact.
+#[test]
+fn each_impact_is_seen_by_one_of_two_runs() {
+    for i in 0..400 {
+        let stone = Stone {
+            g: 1.0 + 0.01 * f64::from(i),
+        };
+        let (equations, start) = (stone.dynamics(), State::new(0.0, [5.0], [0.0]));
+        for event in [Event::falling(), Event::either()] {
+            let driver = || (Taylor::new().driver()).declared_events([(Stone::FLOOR, event)]);
+            let whole = driver().sample(&equations, start, &[10.0]).unwrap();
+            let time: f64 = whole.events()[0].t;
+            for ulps in 0..17 {
+                let end = f64::from_bits(time.to_bits() + ulps - 8);
+                let first = driver().sample(&equations, start, &[end]).unwrap();
+                let second = driver().sample(&equations, first.last(), &[10.0]);
+                let seen = first.events().len() + second.unwrap().events().len();
+                assert_eq!(seen, 1, "{event:?}, g = {}, end {end:e}", stone.g);
+            }
+        }
+    }
+}
+
+/// A reaction at the end of a run is made: the stone is above the floor afterwards.
+#[test]
+fn an_impact_at_the_end_of_a_run_has_its_reaction() {
+    for i in 0..40 {
+        let stone = Stone {
+            g: 1.0 + 0.1 * f64::from(i),
+        };
+        let start = State::new(0.0, [5.0], [0.0]);
+        let fall = (10.0 / stone.g).sqrt();
+        for ulps in 0..17 {
+            let end = f64::from_bits(fall.to_bits() + ulps - 8);
+            let driver =
+                || (Taylor::new().driver()).declared_events([(Stone::FLOOR, Event::falling())]);
+            let bounce = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
+                x.v[0] = -x.v[0];
+                Reaction::Changed
+            };
+            let mut equations = stone.dynamics();
+            let first = driver().run_reacting(&mut equations, start, end, bounce);
+            let last = first.unwrap().last;
+            let second = driver().run_reacting(&mut equations, &last, 2.0 * fall, bounce);
+            let height = second.unwrap().last.x.q[0];
+            assert!((height - 5.0).abs() < 1e-12, "{} {ulps}: {height}", stone.g);
+        }
+    }
+}
+
+/// An oscillator in a plane, with events that are crossed at an angle.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x, y),
+    kinetic = 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = 0.5 * k * (x.powi(2) + 4.1 * y.powi(2)) + 0.1 * x.powi(2) * y + g * y,
+    event(
+        line = x - 0.3,
+        axis = y,
+        circle = sqrt(x.powi(2) + y.powi(2)) - 0.9,
+        turning = dot(x),
+        clock = sin(3 * t),
+        far = x + 100.1 - 100,
+    ),
+)]
+struct Oscillator {
+    k: f64,
+    g: f64,
+}
+
+const COUNT: usize = 6;
+
+type Equations<'a> = EquationsOfMotion<'a, Oscillator, f64, 2>;
+type X = Phase<f64, 2>;
+
+fn functions(t: f64, x: &X) -> [f64; COUNT] {
+    let [a, b] = [x.q[0], x.q[1]];
+    let circle = a.hypot(b) - 0.9;
+    [
+        a - 0.3,
+        b,
+        circle,
+        x.v[0],
+        (3.0 * t).sin(),
+        a + 100.1 - 100.0,
+    ]
+}
+
+/// The events of a run with their times, and its last state.
+fn run<I, C>(
+    driver: &Driver<I, C>,
+    model: &Oscillator,
+    start: &Sample<X>,
+    end: f64,
+) -> (Vec<(usize, f64)>, Sample<X>)
+where
+    I: Clone + for<'a> Integrator<f64, Equations<'a>>,
+    C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
+{
+    let motion = driver.clone().sample(&model.dynamics(), start, &[end]);
+    let motion = motion.unwrap();
+    let events = motion.events().iter().map(|event| (event.event, event.t));
+    (events.collect(), motion.last().clone())
+}
+
+/// How the first of two runs ends.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    Time,
+    Sample,
+    Steps,
+    Event,
+    Call,
+    Dynamics,
+    Checkpoint,
+}
+
+const ENDS: [End; 7] = [
+    End::Time,
+    End::Sample,
+    End::Steps,
+    End::Event,
+    End::Call,
+    End::Dynamics,
+    End::Checkpoint,
+];
+
+/// The events of two runs, the first of which ends at a time, or wherever its observer or step limit ends it.
+fn in_two_runs<I, C>(
+    driver: &Driver<I, C>,
+    model: &Oscillator,
+    start: &Sample<X>,
+    (at, end): (f64, f64),
+    kind: End,
+) -> Vec<(usize, f64)>
+where
+    I: Clone + for<'a> Resume<f64, Equations<'a>>,
+    C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
+{
+    let equations = model.dynamics();
+    let seen = RefCell::new(Vec::new());
+    let noting = driver.clone().observe(|progress: &Progress<'_, X>| {
+        if let ObservationKind::Event(event) = progress.kind {
+            seen.borrow_mut().push((event, progress.t));
+        }
+        ControlFlow::Continue(())
+    });
+    let stopping = |stops: bool| {
+        if stops {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    let last = match kind {
+        End::Time => noting.run_until(&equations, start, at).unwrap().last,
+        End::Sample => {
+            let at_sample =
+                |progress: &Progress<'_, X>| stopping(progress.kind == ObservationKind::Sample);
+            let driver = noting.observe(at_sample);
+            let outcome = driver.run_through(&equations, start, &[at, end]).unwrap();
+            assert!(outcome.reason == StopReason::Observer && outcome.met.contains(1));
+            outcome.last
+        }
+        End::Steps => {
+            let driver = noting.max_steps(3);
+            driver
+                .run_through(&equations, start, &[at, end])
+                .unwrap()
+                .last
+        }
+        End::Event => {
+            let at_event = |progress: &Progress<'_, X>| {
+                stopping(matches!(progress.kind, ObservationKind::Event(_)))
+            };
+            let driver = noting.observe(at_event);
+            driver.run_until(&equations, start, end).unwrap().last
+        }
+        End::Call | End::Dynamics | End::Checkpoint => {
+            let mut running = noting.clone().start(&equations, start).unwrap();
+            running.advance_to(at).unwrap();
+            match kind {
+                End::Dynamics => running.change_dynamics(&equations).unwrap(),
+                End::Checkpoint => {
+                    let stored = running.checkpoint();
+                    running = noting.clone().resume(&equations, stored).unwrap();
+                }
+                _ => {}
+            }
+            running.advance_to(end).unwrap();
+            running.sample()
+        }
+    };
+    let mut all = seen.take();
+    all.extend(run(driver, model, &last, end).0);
+    all
+}
+
+fn each_event_once<I, C>(driver: &Driver<I, C>, tolerance: f64, seed: u64)
+where
+    I: Clone + for<'a> Resume<f64, Equations<'a>>,
+    C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
+{
+    let mut random = Random(seed);
+    for case in 0..3 {
+        let model = Oscillator {
+            k: 1.0 + random.uniform(),
+            g: 0.2 * random.uniform(),
+        };
+        let (from, end) = [(-2.5, 2.7), (2.5, -2.7)][case % 2];
+        let q = [1.0 + 0.3 * random.uniform(), 0.5 * random.uniform()];
+        let v = [random.uniform(), -random.uniform()];
+        let start = Sample::from(State::new(from, q, v));
+        let (whole, _) = run(driver, &model, &start, end);
+        assert!(!whole.is_empty());
+        for (n, kind) in ENDS.into_iter().cycle().take(28).enumerate() {
+            let (_, time) = whole[n % whole.len()];
+            let ulp = time.abs().next_up() - time.abs();
+            let offset = f64::from(random.below(17)) - 8.0;
+            let at = time + offset * ulp * [1.0, 1.0, 100.0][n % 3];
+            let parts = in_two_runs(driver, &model, &start, (at, end), kind);
+            for event in 0..COUNT {
+                let times = |list: &[(usize, f64)]| {
+                    let list = list.iter().filter(|told| told.0 == event);
+                    list.map(|told| told.1).collect::<Vec<_>>()
+                };
+                let [parts, whole] = [&parts, &whole].map(|list| times(list));
+                let mut pairs = parts.iter().zip(&whole);
+                assert!(
+                    parts.len() == whole.len() && pairs.all(|(a, b)| (a - b).abs() <= tolerance),
+                    "{kind:?} at {at}, event {event} of {model:?} from {start:?}:\n{parts:?}\n{whole:?}"
+                );
+            }
+        }
+    }
+}
+
+fn under<I>(method: &I, tolerance: f64, seed: u64)
+where
+    I: IntegrationMethod + Clone + for<'a> Resume<f64, Equations<'a>>,
+{
+    for event in [Event::either(), Event::rising(), Event::falling()] {
+        let declared = [
+            Oscillator::LINE,
+            Oscillator::AXIS,
+            Oscillator::CIRCLE,
+            Oscillator::TURNING,
+            Oscillator::CLOCK,
+            Oscillator::FAR,
+        ];
+        let declared = declared.map(|index| (index, event));
+        let driver = method.driver().declared_events(declared);
+        each_event_once(&driver, tolerance, seed);
+        let driver = method.driver().events([event; COUNT], functions);
+        each_event_once(&driver, tolerance, seed + 1);
+    }
+}
+
+#[test]
+fn taylor_reports_each_event_once() {
+    under(&Taylor::new(), 1e-12, 11);
+    under(&Taylor::new().max_step(0.03), 1e-12, 13);
+}
+
+#[test]
+fn dormand_prince_reports_each_event_once() {
+    under(&Dop853::new(), 1e-8, 15);
+}
+
+#[test]
+fn runge_kutta_reports_each_event_once() {
+    under(&RungeKutta::classical(0.02), 1e-6, 17);
+}
