@@ -5,6 +5,7 @@ mod common;
 mod event_models;
 mod random_numbers;
 
+mod consecutive_runs;
 mod contacts;
 mod crossings;
 mod event_derivatives;
@@ -12,4 +13,5 @@ mod events;
 mod hostile_events;
 mod hostile_motions;
 mod reactions;
+mod settings_compose;
 mod switch_derivatives;

@@ -195,19 +195,21 @@ where
     }
 }
 
-/// A state and the motion from it, moved by some rounding errors in turn upwards and downwards. What that makes of the series of a
-/// function is what rounding makes of it, and may be all there is: where terms cancel, as in √(x² + y²) − 1 on a circle.
+/// A state and the motion from it, moved by some rounding errors upwards and downwards. What that makes of the series of a
+/// function is what rounding makes of it, and may be all there is: where terms cancel, as in √(x² + y²) − 1 on a circle. The
+/// signs are those of a linear congruential sequence (W. H. Press et al., *Numerical Recipes*, 2nd edition 1992, section 7.1), which no
+/// symmetry of a function cancels.
 fn moved_by_rounding<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     x: &X,
     motion: &TaylorCoefficients<X, HALF>,
 ) -> (X, TaylorCoefficients<X, HALF>) {
     let epsilon = S::from_f64(MOVED_EPSILONS * S::machine_epsilon());
-    let mut sign = S::one();
+    let (up, down) = (S::one() + epsilon, S::one() - epsilon);
+    let mut random = 0_u32;
     let mut moved = |x: &X| {
-        sign = -sign;
         x.map(|component| {
-            sign = -sign;
-            component + component * sign * epsilon
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            component * if random >> 31 == 0 { up } else { down }
         })
     };
     let mut moved_motion = motion.clone();

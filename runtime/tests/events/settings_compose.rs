@@ -48,20 +48,41 @@ where
     )
 }
 
-/// What each setting does alone, and how: a name, how it is set, and when it stops; none if it does not.
-macro_rules! settings {
-    ($apply:ident) => {
-        $apply! {
-            ("stop_when", |d| d.stop_when(|_, x: &X| x.v[0] < -9.0), Some(0.9)),
-            ("stop_at_zero", |d| d.stop_at_zero(above_ledge), Some(LEDGE)),
-            ("stop_at_crossing", |d| d.stop_at_crossing(Event::falling(), height), Some(FLOOR)),
-            ("events", |d| d.events(Crossing::Falling, above_ledge), None),
-            ("terminal events", |d| d.events(Event::falling().terminal(), height), Some(FLOOR)),
-            ("declared", |d| d.declared_events([(Stone::LEDGE, Event::falling())]), None),
-            ("declared, terminal", |d| d.declared_events([(Stone::LEDGE, Event::falling().terminal())]), Some(LEDGE)),
-        }
+/// The settings, by their numbers.
+macro_rules! set {
+    (0, $driver:expr) => {
+        $driver.stop_when(|_, x: &X| x.v[0] < -9.0)
+    };
+    (1, $driver:expr) => {
+        $driver.stop_at_zero(above_ledge)
+    };
+    (2, $driver:expr) => {
+        $driver.stop_at_crossing(Event::falling(), height)
+    };
+    (3, $driver:expr) => {
+        $driver.events(Crossing::Falling, above_ledge)
+    };
+    (4, $driver:expr) => {
+        $driver.events(Event::falling().terminal(), height)
+    };
+    (5, $driver:expr) => {
+        $driver.declared_events([(Stone::LEDGE, Event::falling())])
+    };
+    (6, $driver:expr) => {
+        $driver.declared_events([(Stone::LEDGE, Event::falling().terminal())])
     };
 }
+
+/// When each of them stops alone; none if it does not.
+const TIMES: [Option<f64>; 7] = [
+    Some(0.9),
+    Some(LEDGE),
+    Some(FLOOR),
+    None,
+    Some(FLOOR),
+    None,
+    Some(LEDGE),
+];
 
 fn check(what: &str, found: (StopReason, Vec<usize>, f64), times: [Option<f64>; 2]) {
     let first = times.iter().flatten().copied().fold(1.5, f64::min);
@@ -79,38 +100,35 @@ fn check(what: &str, found: (StopReason, Vec<usize>, f64), times: [Option<f64>; 
     }
 }
 
+/// One setting and then each.
 macro_rules! with_each {
-    ($(($name:literal, |$d:ident| $set:expr, $time:expr)),* $(,)?) => {{
-        macro_rules! second {
-            ($first_name:expr, $first:expr, $first_time:expr) => {$({
-                let what = format!("{}, then {}", $first_name, $name);
-                let $d = $first;
-                check(&what, fall($set), [$first_time, $time]);
-            })*};
-        }
-        $({
-            let $d = method().driver();
-            second!($name, $set, $time);
-        })*
-    }};
+    ($method:expr, $first:tt) => {
+        with_each!($method, $first, 0 1 2 3 4 5 6);
+    };
+    ($method:expr, $first:tt, $($second:tt)*) => {$({
+        let driver = set!($second, set!($first, $method.driver()));
+        let what = concat!(stringify!($first), " then ", stringify!($second));
+        check(what, fall(driver), [TIMES[$first], TIMES[$second]]);
+    })*};
+}
+
+macro_rules! all_pairs {
+    ($method:expr) => {
+        with_each!($method, 0);
+        with_each!($method, 1);
+        with_each!($method, 2);
+        with_each!($method, 3);
+        with_each!($method, 4);
+        with_each!($method, 5);
+        with_each!($method, 6);
+    };
 }
 
 #[test]
-fn all_pairs_of_conditions_and_events_count_under_taylor() {
-    let method = || Taylor::new().max_step(0.01);
-    settings!(with_each);
-}
-
-#[test]
-fn all_pairs_of_conditions_and_events_count_under_dormand_prince() {
-    let method = || Dop853::new().max_step(0.01);
-    settings!(with_each);
-}
-
-#[test]
-fn all_pairs_of_conditions_and_events_count_under_runge_kutta() {
-    let method = || RungeKutta::classical(0.01);
-    settings!(with_each);
+fn all_pairs_of_conditions_and_events_count() {
+    all_pairs!(Taylor::new().max_step(0.01));
+    all_pairs!(Dop853::new().max_step(0.01));
+    all_pairs!(RungeKutta::classical(0.01));
 }
 
 /// Events of two lists are numbered through, come in the order of time, and each has its reaction.

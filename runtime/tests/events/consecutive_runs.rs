@@ -1,14 +1,12 @@
 //! Every event belongs to one of two consecutive runs, however the first of them ends: at its final time, by an observer at a
 //! sample, at an event or at the end of a step, by a step limit, or as a call of an integration in progress.
 
-mod random_numbers;
-
 use core::ops::ControlFlow;
 use std::cell::RefCell;
 
+use crate::random_numbers::Random;
 use lagrangian::prelude::*;
 use lagrangian::{EquationsOfMotion, Resume, StopCondition};
-use random_numbers::Random;
 
 /// A falling stone, and events at which it is 1 s after the start.
 #[derive(Lagrangian)]
@@ -46,9 +44,9 @@ fn a_terminal_floor_at_the_end_of_a_run_ends_it() {
 /// Ends within eight spacings of the time of the impact.
 #[test]
 fn each_impact_is_seen_by_one_of_two_runs() {
-    for i in 0..400 {
+    for i in 0..24 {
         let stone = Stone {
-            g: 1.0 + 0.01 * f64::from(i),
+            g: 1.0 + 0.17 * f64::from(i),
         };
         let (equations, start) = (stone.dynamics(), State::new(0.0, [5.0], [0.0]));
         for event in [Event::falling(), Event::either()] {
@@ -69,9 +67,9 @@ fn each_impact_is_seen_by_one_of_two_runs() {
 /// A reaction at the end of a run is made: the stone is above the floor afterwards.
 #[test]
 fn an_impact_at_the_end_of_a_run_has_its_reaction() {
-    for i in 0..40 {
+    for i in 0..8 {
         let stone = Stone {
-            g: 1.0 + 0.1 * f64::from(i),
+            g: 1.0 + 0.5 * f64::from(i),
         };
         let start = State::new(0.0, [5.0], [0.0]);
         let fall = (10.0 / stone.g).sqrt();
@@ -248,7 +246,7 @@ where
     C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
 {
     let mut random = Random(seed);
-    for case in 0..3 {
+    for case in 0..2 {
         let model = Oscillator {
             k: 1.0 + random.uniform(),
             g: 0.2 * random.uniform(),
@@ -259,7 +257,7 @@ where
         let start = Sample::from(State::new(from, q, v));
         let (whole, _) = run(driver, &model, &start, end);
         assert!(!whole.is_empty());
-        for (n, kind) in ENDS.into_iter().cycle().take(28).enumerate() {
+        for (n, kind) in ENDS.into_iter().cycle().take(14).enumerate() {
             let (_, time) = whole[n % whole.len()];
             let ulp = time.abs().next_up() - time.abs();
             let offset = f64::from(random.below(17)) - 8.0;
