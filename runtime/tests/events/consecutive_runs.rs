@@ -144,7 +144,7 @@ where
     let motion = driver.clone().sample(&model.dynamics(), start, &[end]);
     let motion = motion.unwrap();
     let events = motion.events().iter().map(|event| (event.event, event.t));
-    (events.collect(), motion.last().clone())
+    (events.collect(), *motion.last())
 }
 
 /// How the first of two runs ends.

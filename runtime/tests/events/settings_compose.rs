@@ -84,7 +84,7 @@ const TIMES: [Option<f64>; 7] = [
     Some(LEDGE),
 ];
 
-fn check(what: &str, found: (StopReason, Vec<usize>, f64), times: [Option<f64>; 2]) {
+fn check(what: &str, found: &(StopReason, Vec<usize>, f64), times: [Option<f64>; 2]) {
     let first = times.iter().flatten().copied().fold(1.5, f64::min);
     assert!((found.2 - first).abs() < 6e-2, "{what}: {found:?}");
     if first >= 1.5 {
@@ -108,7 +108,7 @@ macro_rules! with_each {
     ($method:expr, $first:tt, $($second:tt)*) => {$({
         let driver = set!($second, set!($first, $method.driver()));
         let what = concat!(stringify!($first), " then ", stringify!($second));
-        check(what, fall(driver), [TIMES[$first], TIMES[$second]]);
+        check(what, &fall(driver), [TIMES[$first], TIMES[$second]]);
     })*};
 }
 

@@ -59,7 +59,7 @@ where
 
 /// The terms of a function at the end of a step.
 struct Terms {
-    terms: [f64; MOST_COEFFICIENTS],
+    values: [f64; MOST_COEFFICIENTS],
     count: usize,
     /// The sum of the magnitudes of those of order 1 and more.
     sum: f64,
@@ -76,12 +76,12 @@ impl Terms {
     ) -> Option<Self> {
         let number = |values: &V| values.as_ref().get(index).map(|value| value.smallest());
         let mut terms = Self {
-            terms: [0.0; MOST_COEFFICIENTS],
+            values: [0.0; MOST_COEFFICIENTS],
             count: 1 + 2 * HALF,
             sum: 0.0,
             epsilon: S::machine_epsilon(),
         };
-        let places = terms.terms.get_mut(..terms.count)?;
+        let places = terms.values.get_mut(..terms.count)?;
         let (first, higher) = places.split_first_mut()?;
         *first = number(series.initial())?;
         let mut power = 1.0;
@@ -94,7 +94,7 @@ impl Terms {
     }
 
     fn terms(&self) -> &[f64] {
-        self.terms.get(..self.count).unwrap_or_default()
+        self.values.get(..self.count).unwrap_or_default()
     }
 
     /// The sign in the whole step, if it is certain: the enclosure keeps away from zero by rounding errors and by what as many
@@ -111,7 +111,7 @@ impl Terms {
         }
         // Not a number is no sign.
         let is_beyond = |value: &f64| value * first.signum() > least;
-        let mut all = self.terms;
+        let mut all = self.values;
         let all = all.get_mut(..self.count)?;
         bernstein::between(all, 0.0, 1.0);
         all.iter().all(is_beyond).then(|| first.signum())
