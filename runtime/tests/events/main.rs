@@ -13,5 +13,6 @@ mod events;
 mod hostile_events;
 mod hostile_motions;
 mod reactions;
+mod rounding;
 mod settings_compose;
 mod switch_derivatives;

@@ -100,8 +100,10 @@ impl<I, C, O> Driver<I, C, O> {
     /// Under the [`Taylor`](crate::Taylor) method, with the clause `taylor` in the declaration, the function of an event is
     /// a polynomial within a step, and all its zeros are found: two that are next to each other, and one without a change
     /// of sign, which counts as reaching zero from its side. What is smaller than 8 machine epsilons times the sum of the
-    /// magnitudes of its terms is zero. With other methods, and where an event depends on an external function without
-    /// series or the inputs are set by a control law, the functions are sampled as under [`events`](Self::events).
+    /// magnitudes of its terms is zero, and so is what a few roundings of the motion make of terms that cancel: √(x² + y²) − 1 on the
+    /// unit circle has no zeros, while a small function whose terms do not cancel has all of its own. With other methods, and
+    /// where an event depends on an external function without series or the inputs are set by a control law, the functions are
+    /// sampled as under [`events`](Self::events).
     ///
     /// ```
     /// use lagrangian::prelude::*;

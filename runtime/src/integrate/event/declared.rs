@@ -7,6 +7,7 @@ use core::ops::ControlFlow;
 
 use super::detection::{Detection, EventFunctions, detection_by_functions};
 use super::exclusion::Exclusion;
+use super::junction::rounding;
 use super::memory::Memory;
 use super::polynomial::{Polynomial, Root};
 use super::window::{Search, Window};
@@ -187,12 +188,16 @@ impl<const K: usize> DeclaredEvents<K> {
                 continue;
             }
             end = expansion.end;
-            let polynomials = expansion.polynomials;
+            let mut polynomials = expansion.polynomials;
             let mut last = [0.0; K];
             let mut agree = true;
-            for part in [0.5, 1.0] {
+            for part in [0.0, 0.5, 1.0] {
                 let sample = step.at(begin + (end - begin) * part);
                 last = self.values(step.dynamics(), sample.t, &sample.x);
+                let noise = rounding(self, step.dynamics(), (sample.t, &sample.x), &last);
+                for (polynomial, noise) in polynomials.iter_mut().zip(noise) {
+                    polynomial.shift_by(noise);
+                }
                 let mut pairs = last.iter().zip(&polynomials);
                 agree &= pairs
                     // Where a function is not a number, or there is no such event, nothing is compared.

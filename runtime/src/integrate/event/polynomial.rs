@@ -22,6 +22,8 @@ pub(crate) struct Polynomial {
     coefficients: [DoubleDouble; MOST_COEFFICIENTS],
     /// By how much they may be wrong.
     errors: [f64; MOST_COEFFICIENTS],
+    /// What rounding makes of the constant: by so much the whole function may be shifted.
+    shift: f64,
     /// How many of them there are.
     count: usize,
     /// Their machine epsilon.
@@ -101,16 +103,19 @@ impl Polynomial {
     pub(super) const ZERO: Self = Self {
         coefficients: [DoubleDouble::ZERO; MOST_COEFFICIENTS],
         errors: [0.0; MOST_COEFFICIENTS],
+        shift: 0.0,
         count: 0,
         epsilon: 0.0,
     };
 
-    /// The greater of the last two terms over the sum of all.
-    pub(super) fn last_terms(&self) -> f64 {
-        let sizes = self.coefficients().iter().rev().map(|a| a.to_f64().abs());
-        let sum: f64 = sizes.clone().sum();
-        let last = sizes.take(2).fold(0.0, f64::max);
-        if sum > 0.0 { last / sum } else { 0.0 }
+    /// Whether the last two terms are at most this part of the sum of all, or rounding errors.
+    pub(super) fn has_converged(&self, part: f64) -> bool {
+        let sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
+        let least = part * sizes.clone().sum::<f64>();
+        let pairs = sizes.zip(self.errors).skip(self.count.saturating_sub(2));
+        pairs
+            .into_iter()
+            .all(|(size, error)| size <= least.max(error))
     }
 
     fn coefficients(&self) -> &[DoubleDouble] {
@@ -126,18 +131,26 @@ impl Polynomial {
         if let Some(errors) = self.errors.get_mut(..count) {
             errors.rotate_left(1);
         }
-        self.count = count.saturating_sub(1);
+        (self.count, self.shift) = (count.saturating_sub(1), 0.0);
         self
     }
 
     /// This polynomial, given another one whose coefficients differ by rounding errors: they are no better than that. An error
-    /// of the constant shifts the function and makes no zeros.
+    /// of the constant shifts the function and makes no zeros; but from one window to the next, the sign of a function that is
+    /// no larger says nothing.
     pub(super) fn compared_with(mut self, other: &Self) -> Self {
         let pairs = self.coefficients.iter().zip(&other.coefficients);
         for (error, (a, b)) in self.errors.iter_mut().zip(pairs).skip(1) {
             *error = error.max((*a - *b).to_f64().abs());
         }
+        let difference = self.coefficients[0] - other.coefficients[0];
+        self.shift_by(difference.to_f64().abs());
         self
+    }
+
+    /// The constant may be wrong by that much.
+    pub(super) fn shift_by(&mut self, error: f64) {
+        self.shift = self.shift.max(error);
     }
 
     /// Whether all that it changes is within the errors of the coefficients: then it has no zeros.
@@ -161,10 +174,10 @@ impl Polynomial {
         coefficients.fold(zero, |sum, a| sum * u + *a).to_f64()
     }
 
-    /// Whether the value at `u` is this one, but for a small part of the terms.
+    /// Whether the value at `u` is this one, but for a small part of the terms and for rounding errors.
     pub(super) fn is_near(&self, u: f64, value: f64) -> bool {
         let sum: f64 = self.coefficients().iter().map(|a| a.to_f64().abs()).sum();
-        (self.value(u) - value).abs() <= NEAR * sum
+        (self.value(u) - value).abs() <= NEAR * sum + self.uncertainty(u) + self.shift
     }
 
     /// Whether the root of its tangent at 0 is no farther away than that, or its value there is 0. A polynomial that is 0
@@ -208,7 +221,7 @@ impl Polynomial {
         }
         let middle = 0.5 * (u + 1.0);
         let value = self.value(middle);
-        if value.abs() > self.uncertainty(middle) {
+        if value.abs() > self.uncertainty(middle) + self.shift {
             value.signum()
         } else {
             0.0
@@ -218,7 +231,7 @@ impl Polynomial {
     /// The sign up to 1 behind the last root; `otherwise` if there is none.
     pub(super) fn last_sign(&self, from: f64, otherwise: f64) -> f64 {
         let value = self.value(1.0);
-        if value.abs() > self.uncertainty(1.0) {
+        if value.abs() > self.uncertainty(1.0) + self.shift {
             return value.signum();
         }
         let (mut root, mut last) = (from, 0.0);

@@ -121,8 +121,8 @@ where
     type Output = Option<Expansion<K>>;
 
     /// The series of an event function may converge more slowly than that of the motion, for which the step was chosen.
-    /// Then the window is shorter than the step: its last two terms are rounding errors there, or as small in relation to
-    /// the others as those of the motion are in the step. It ends behind the first corner.
+    /// Then the window is shorter than the step: its last two terms are rounding errors there, of the terms of the function or of what
+    /// they are made of, or as small in relation to the others as those of the motion are in the step. It ends behind the first corner.
     fn visit<const HALF: usize>(
         self,
         t: f64,
@@ -147,11 +147,14 @@ where
             let length = part * whole / unit;
             let mut converge = true;
             for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
-                *polynomial = polynomial_of(&series, index, length)?;
-                converge &= polynomial.last_terms() <= allowed;
+                let moved = polynomial_of(&other, index, length)?;
+                *polynomial = polynomial_of(&series, index, length)?.compared_with(&moved);
+                converge &= polynomial.has_converged(allowed);
             }
             for index in branches.clone() {
-                converge &= polynomial_of(&series, *index, length)?.last_terms() <= allowed;
+                let moved = polynomial_of(&other, *index, length)?;
+                let polynomial = polynomial_of(&series, *index, length)?;
+                converge &= polynomial.compared_with(&moved).has_converged(allowed);
             }
             if converge || 0.5 * part * whole.abs() < self.least {
                 break;
@@ -174,12 +177,9 @@ where
         if cut < 1.0 {
             part *= cut;
             for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
-                *polynomial = polynomial_of(&series, index, part * whole / unit)?;
-            }
-        }
-        for (polynomial, (index, _)) in polynomials.iter_mut().zip(self.events.events) {
-            if let Some(other) = polynomial_of(&other, index, part * whole / unit) {
-                *polynomial = polynomial.compared_with(&other);
+                let length = part * whole / unit;
+                let moved = polynomial_of(&other, index, length)?;
+                *polynomial = polynomial_of(&series, index, length)?.compared_with(&moved);
             }
         }
         Some(Expansion {
