@@ -339,3 +339,7 @@ pub(crate) const SMALL_DENOMINATOR: u32 = 12;
 /// costs three digits at most. The runtime allows twelve bits before it takes a pivot for a singularity. Bounds of
 /// expressions that are not wider than their range would move it.
 pub(crate) const LEAST_REMAINDER: (i64, i64) = (1, 1024);
+
+/// Sums with exponential and other terms are scaled by what grows up to this number of terms. Those that are declared have a
+/// few; the pivots of a mass matrix, which share their values in derivatives, have many.
+pub(crate) const MAX_SCALED_TERMS: usize = 16;

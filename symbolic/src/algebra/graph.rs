@@ -20,6 +20,7 @@ use crate::algebra::derivative_memory::DerivativeMemory;
 use crate::algebra::external_function::ExternalDeclaration;
 use crate::algebra::hashing::mix;
 use crate::algebra::interner::Interner;
+use crate::algebra::scaled_sum::KnownScales;
 use crate::algebra::sum::KnownSplits;
 use crate::matrix::vector_in_frames::KnownFrames;
 use crate::{Binary, ExternalFunction, Pass, Passes, Rational, Symbol, Unary};
@@ -120,10 +121,14 @@ pub struct Graph {
     /// The passes that are applied to expressions of this graph.
     pub passes: Passes,
     contents: Vec<Contents>,
+    /// A bit for each symbol of an expression; symbols may share one.
+    symbol_bits: Vec<u64>,
     /// The external functions, in the order of declaration.
     pub(crate) functions: Vec<ExternalDeclaration>,
     /// The splits of sums that have been computed.
     pub(crate) splits: KnownSplits,
+    /// The sums with exponential terms that have been scaled.
+    pub(crate) scales: KnownScales,
     /// Whether there is a hyperbolic function.
     pub(crate) has_hyperbolic: bool,
     /// Whether there is an exponential function.
@@ -150,8 +155,10 @@ impl Graph {
             nodes: Interner::default(),
             passes: Passes::default(),
             contents: Vec::new(),
+            symbol_bits: Vec::new(),
             functions: Vec::new(),
             splits: KnownSplits::default(),
+            scales: KnownScales::default(),
             has_hyperbolic: false,
             has_exponential: false,
             leaves_exponentials: false,
@@ -284,6 +291,11 @@ impl Graph {
         self.symbols(roots).into_iter().any(wanted)
     }
 
+    /// Whether two expressions have a symbol in common; they may be said to where there are many symbols.
+    pub(crate) fn may_share_a_symbol(&self, x: Expression, y: Expression) -> bool {
+        self.symbol_bits[x.index()] & self.symbol_bits[y.index()] != 0
+    }
+
     /// The symbols that the roots contain.
     #[must_use]
     pub fn symbols(&self, roots: &[Expression]) -> BTreeSet<Symbol> {
@@ -322,6 +334,12 @@ impl Graph {
         if position == self.contents.len() {
             let contents = Contents::of(&self.nodes.nodes()[position], &self.contents);
             self.contents.push(contents);
+            let mut bits = 0;
+            match &self.nodes.nodes()[position] {
+                Node::Symbol(symbol) => bits = symbol.bit(),
+                node => node.for_each_operand(|x| bits |= self.symbol_bits[x.index()]),
+            }
+            self.symbol_bits.push(bits);
         }
         handle(position)
     }

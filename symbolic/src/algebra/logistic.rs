@@ -76,6 +76,9 @@ impl Graph {
                 continue;
             };
             let exponent = (exponent, factors[position].1.clone());
+            if !exponent.1.is_negative() && self.is_never_positive(exponent.0) {
+                continue;
+            }
             for other in (0..factors.len()).filter(|other| *other != position) {
                 if let Some(joined) = self.joined(&exponent, &factors[other]) {
                     factors.remove(position.max(other));
@@ -129,7 +132,7 @@ impl Graph {
                     return Some(factors);
                 }
                 let grows = ratio.is_some_and(|ratio| ratio.is_negative() == power.is_negative());
-                let shared = self.share_a_symbol(*u, w) && !exponent.is_negative() && !grows;
+                let shared = !exponent.is_negative() && !grows && self.may_share_a_symbol(*u, w);
                 shared.then(|| {
                     let opposite = self.negate(w);
                     let logarithm = self.unary(Unary::Softplus, opposite);
@@ -206,11 +209,6 @@ impl Graph {
             Node::Sum(terms) => terms.iter().any(|(x, _)| is_one(*x)),
             _ => is_one(sum),
         }
-    }
-
-    fn share_a_symbol(&self, x: Expression, y: Expression) -> bool {
-        let symbols = self.symbols(&[x]);
-        self.contains(&[y], |symbol| symbols.contains(&symbol))
     }
 
     /// exp(−n·ln(1 + eᵘ)) = σ(−u)ⁿ.

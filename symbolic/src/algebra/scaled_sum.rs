@@ -2,10 +2,16 @@
 //! r + c·eᵘ = (1 + eᵘ)·(r·σ(−u) + c·σ(u)), and r + c·cosh u = cosh u·(r·sech u + c).
 
 use crate::algebra::growing::Growing;
+use crate::algebra::hashing::Table;
+use crate::limits::MAX_SCALED_TERMS;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
+/// The sums that have been scaled: products ask for the same ones again and again.
+pub(crate) type KnownScales = Table<Expression, Option<Scaled>>;
+
 /// A sum as a growing function times what is left.
-pub(super) struct Scaled {
+#[derive(Clone, Debug)]
+pub(crate) struct Scaled {
     pub(super) scale: Growing,
     /// The exponent of what grows, a positive integer.
     pub(super) power: Rational,
@@ -23,6 +29,18 @@ struct Term {
 impl Graph {
     /// A sum with exponential terms by the one that grows most, as far as that is known.
     pub(super) fn scaled(&mut self, sum: Expression) -> Option<Scaled> {
+        if !matches!(self.node(sum), Node::Sum(_)) {
+            return None;
+        }
+        if let Some(known) = self.scales.get(&sum) {
+            return known.clone();
+        }
+        let found = self.find_scaled(sum);
+        self.scales.insert(sum, found.clone());
+        found
+    }
+
+    fn find_scaled(&mut self, sum: Expression) -> Option<Scaled> {
         let Some(terms) = self.exponential_terms(sum) else {
             return self.scaled_by_cosine(sum);
         };
@@ -198,8 +216,42 @@ impl Graph {
             return None;
         }
         let terms = terms.clone();
-        let terms = terms.into_iter().map(|(x, c)| self.exponential_term(x, &c));
-        Some(terms.collect())
+        // Beside a term without an exponential, one that is at most 1 does not matter: it is neither too large, nor is the
+        // sum 0 without it.
+        let are_all = terms.iter().all(|(x, _)| is_exponential(*x));
+        if !are_all && terms.len() > MAX_SCALED_TERMS {
+            return None;
+        }
+        let mut found = Vec::with_capacity(terms.len());
+        for (x, c) in terms {
+            let mut term = self.exponential_term(x, &c);
+            if !are_all && term.exponent.is_some_and(|u| self.is_never_positive(u)) {
+                term = Term {
+                    coefficient: self.scale(x, &c),
+                    exponent: None,
+                };
+            }
+            found.push(term);
+        }
+        found
+            .iter()
+            .any(|term| term.exponent.is_some())
+            .then_some(found)
+    }
+
+    /// Whether an expression is seen to be at most 0: minus a sum of even powers.
+    pub(super) fn is_never_positive(&self, x: Expression) -> bool {
+        let is_even = |x: Expression| match self.node(x) {
+            Node::Product(factors) => factors.iter().all(|(_, k)| k.is_even()),
+            Node::Unary(Unary::Abs | Unary::Exp, _) => true,
+            _ => false,
+        };
+        match self.node(x) {
+            Node::Sum(terms) => terms
+                .iter()
+                .all(|(x, c)| c.is_negative() && (*x == self.one() || is_even(*x))),
+            _ => false,
+        }
     }
 
     fn exponential_term(&mut self, x: Expression, number: &Rational) -> Term {

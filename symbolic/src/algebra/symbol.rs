@@ -42,6 +42,12 @@ pub enum Symbol {
 }
 
 impl Symbol {
+    /// One of 64 bits, of its own where there are few symbols.
+    pub(crate) const fn bit(self) -> u64 {
+        let (kind, index) = self.code();
+        1 << ((11 * kind + index as u64) % 64)
+    }
+
     /// The number of the kind, and the index within it.
     pub(crate) const fn code(self) -> (u64, u32) {
         match self {
