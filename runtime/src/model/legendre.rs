@@ -29,6 +29,9 @@ where
     M: Lagrangian<N, S> + ?Sized,
     S: Scalar,
 {
+    if !momenta.iter().all(|p| p.is_finite()) {
+        return Err(NoVelocities::NotFound { change: f64::NAN });
+    }
     let mut state = *state;
     let mut found = newton(model, &mut state, momenta);
     for _ in 0..LEGENDRE_SWEEPS {
