@@ -147,8 +147,8 @@ fn steps_in_time_wherever_they_are() {
             let times = [late + 0.3, late + 1.0, late + 1.5, late + 2.0, late + 2.0];
             let trajectory = Taylor::new().sample(&dynamics, start, &times).unwrap();
             let running =
-                Taylor::new().integrate_to(&dynamics, trajectory.samples()[3].clone(), late + 3.0);
-            let all = trajectory.samples().iter().cloned().chain(running);
+                Taylor::new().integrate_to(&dynamics, trajectory.samples()[3], late + 3.0);
+            let all = trajectory.samples().iter().copied().chain(running);
             for sample in all {
                 let t = sample.t - late;
                 let since = (t - t0).max(0.0);

@@ -4,7 +4,10 @@
 use lagrangian::OperationCount;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Figures, Random, relative_error};
-use num_dual::{Dual2_64, DualNum as _};
+use num_dual::Dual2_64;
+// With the feature, `Scalar` has the functions of these numbers.
+#[cfg(not(feature = "num-dual"))]
+use num_dual::DualNum as _;
 
 /// A slider-crank mechanism: the rod's angle is that at which the slider stays on the line.
 #[derive(Lagrangian)]

@@ -160,7 +160,7 @@ fn members_pass_the_bottom_as_often_as_the_closed_form() {
     for (i, (end, passages)) in (0..).zip(members) {
         let l = 0.5 + 0.05 * f64::from(i);
         let quarter = modulus.complete_first() * (l / 9.81).sqrt();
-        let expected = (0..)
+        let expected = (0..1000)
             .take_while(|k| quarter * f64::from(2 * k + 1) <= 10.0)
             .count();
         assert_eq!(passages, expected, "l = {l}");
