@@ -59,7 +59,7 @@ use crate::scalar::Scalar;
 /// The corners and jumps of |u|, sgn u, min, max and atan2 in a declaration are found by the series of their switching functions
 /// ([`Series::branches`]), however short a contact is. Where the equations behind one differ from the polynomial, the step ends
 /// there, to the digits of the scalar, and the next one begins on the branch behind: square waves, relays, forces that are switched
-/// on, dry friction that reverses. Sensitivities (dual numbers, [`StateTransition`](crate::StateTransition)) jump with the force.
+/// on, dry friction that reverses. Sensitivities (dual numbers, `StateTransition`) jump with the force.
 ///
 /// ```
 /// use lagrangian::prelude::*;
