@@ -316,6 +316,17 @@ pub trait Scalar:
         let toward_zero = whole * self.signum();
         toward_zero - greater(toward_zero, self)
     }
+    /// A power of two, without derivative parts, by which the larger of |self| and |other| becomes about 1.
+    ///
+    /// Emitted code multiplies both by it where it squares them, so that the squares neither underflow nor overflow.
+    /// The default is 1, with which slopes of `atan2` have their digits at distances whose squares are
+    /// representable.
+    #[inline]
+    #[must_use]
+    fn common_scale(self, other: Self) -> Self {
+        let _ = other;
+        Self::one()
+    }
     /// The lesser of two numbers; in lanes, the other one where one of them is NaN.
     #[must_use]
     fn min(self, other: Self) -> Self;

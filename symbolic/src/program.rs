@@ -3,6 +3,7 @@
 pub(crate) mod straight_line;
 pub(crate) mod operation_count;
 pub(crate) mod removable_singularities;
+pub(crate) mod angle_slopes;
 pub(crate) mod dag;
 pub(crate) mod passes;
 pub(crate) mod schedule;

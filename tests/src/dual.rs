@@ -93,7 +93,13 @@ impl Scalar for Dual {
     }
 
     fn atan2(self, x: Self) -> Self {
-        Self(DualNum::atan2(&self.0, x.0))
+        // Scaled, so that the squares of neither underflow or overflow.
+        let scale = self.value().common_scale(x.value());
+        Self(DualNum::atan2(&(self.0 * scale), x.0 * scale))
+    }
+
+    fn common_scale(self, other: Self) -> Self {
+        Self::constant(self.value().common_scale(other.value()))
     }
 
     // A constant exponent is the case with a value for every base that real numbers allow.

@@ -98,14 +98,22 @@ macro_rules! dual_scalar {
                 }
             }
 
-            // Derivative parts are those of arctan y/x, or of −arctan x/y where x may be 0.
+            #[inline]
+            fn common_scale(self, other: Self) -> Self {
+                Self::from_re(self.re.common_scale(other.re))
+            }
+
+            // Derivative parts are those of arctan y/x, or of −arctan x/y where x may be 0. A quotient's derivatives divide
+            // by squares.
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 let angle = self.re.atan2(x.re);
+                let scale = self.re.common_scale(x.re);
+                let (sine, cosine) = (self * scale, x * scale);
                 let mut result = if self.re.abs() > x.re.abs() {
-                    -DualNum::atan(&(x / self))
+                    -DualNum::atan(&(cosine / sine))
                 } else {
-                    DualNum::atan(&(self / x))
+                    DualNum::atan(&(sine / cosine))
                 };
                 result.re = angle;
                 result

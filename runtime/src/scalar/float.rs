@@ -27,7 +27,7 @@ macro_rules! inverse_hyperbolic {
 }
 
 macro_rules! float_scalar {
-    ($float:ident, $from:expr, $fma:ident, $ln_1p:ident, { $($own:tt)* } $($table:tt)*) => {
+    ($float:ident, $bits:ident, $from:expr, $fma:ident, $ln_1p:ident, { $($own:tt)* } $($table:tt)*) => {
         impl Scalar for $float {
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -115,6 +115,16 @@ macro_rules! float_scalar {
                 $float::max(self, 0.0) + logarithm
             }
 
+            // The exponent n of 2ⁿ is read and written where the format has it.
+            #[inline]
+            fn common_scale(self, other: Self) -> Self {
+                const DIGITS: u32 = $float::MANTISSA_DIGITS - 1;
+                const INFINITE: $bits = $float::INFINITY.to_bits() >> DIGITS;
+                let exponent = |x: Self| x.abs().to_bits() >> DIGITS;
+                let greatest = exponent(self).max(exponent(other));
+                $float::from_bits((INFINITE - 1).saturating_sub(greatest).max(1) << DIGITS)
+            }
+
             #[inline]
             fn min(self, other: Self) -> Self {
                 $float::min(self, other)
@@ -144,7 +154,7 @@ const fn nearest_f32(value: f64) -> f32 {
     value as f32
 }
 
-float_scalar! { f64, core::convert::identity, fma, log1p,
+float_scalar! { f64, u64, core::convert::identity, fma, log1p,
     {
         #[inline]
         fn sin_cos(self) -> (Self, Self) {
@@ -175,7 +185,7 @@ float_scalar! { f64, core::convert::identity, fma, log1p,
     exp exp(); ln log(); sqrt sqrt(); powf pow(exponent);
 }
 
-float_scalar! { f32, nearest_f32, fmaf, log1pf,
+float_scalar! { f32, u32, nearest_f32, fmaf, log1pf,
     {
         #[inline]
         fn sin_cos(self) -> (Self, Self) {

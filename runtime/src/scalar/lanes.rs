@@ -189,7 +189,7 @@ macro_rules! lane_by_lane {
 impl<const L: usize> Scalar for Lanes<L> {
     lane_by_lane! {
         tan asin acos atan sinh cosh tanh sech asinh acosh atanh exp ln logistic softplus log_cosh sqrt abs signum;
-        atan2 powf min max
+        atan2 powf min max common_scale
     }
 
     #[inline]

@@ -233,10 +233,15 @@ impl<S: Scalar, const D: usize> Scalar for Tangent<S, D> {
     }
 
     fn atan2(self, x: Self) -> Self {
-        let (sine, cosine) = (self.value, x.value);
+        let scale = self.value.common_scale(x.value);
+        let (sine, cosine) = (self.value * scale, x.value * scale);
         let square = sine * sine + cosine * cosine;
-        let slopes = [cosine / square, -sine / square];
-        self.chain_of_two(x, sine.atan2(cosine), slopes)
+        let slopes = [cosine / square * scale, -sine / square * scale];
+        self.chain_of_two(x, self.value.atan2(x.value), slopes)
+    }
+
+    fn common_scale(self, other: Self) -> Self {
+        Self::constant(self.value.common_scale(other.value))
     }
 
     fn sinh(self) -> Self {

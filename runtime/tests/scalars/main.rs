@@ -6,6 +6,7 @@ mod common;
 mod double_double;
 mod dual_numbers;
 mod elliptic;
+mod extreme_angles;
 mod extreme_elliptic_integrals;
 mod factorization;
 mod indefinite;

@@ -91,6 +91,7 @@ impl Graph {
                 let (x, y) = (x.min(y), x.max(y));
                 return self.intern(Node::Binary(function, x, y));
             }
+            Binary::Scale => {}
             Binary::Atan2 => {
                 if let Some(angle) = self.exact_atan2(x, y) {
                     return angle;

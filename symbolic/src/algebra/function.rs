@@ -47,6 +47,9 @@ pub enum Binary {
     Max,
     /// The first to the power of the second, both expressions.
     Power,
+    /// The power of two that takes the larger of |first| and |second| to about 1; a constant to derivatives. Programs alone
+    /// have it, see `program/angle_slopes.rs`.
+    Scale,
 }
 
 /// The parity of a function: f(−x) in terms of f(x).
@@ -292,7 +295,7 @@ impl Unary {
 }
 
 impl Binary {
-    /// All of them, in order.
+    /// All that a declaration can call, in order.
     pub const ALL: [Self; 4] = [Self::Atan2, Self::Min, Self::Max, Self::Power];
 
     /// The name in a declaration and in Rust.
@@ -303,6 +306,7 @@ impl Binary {
             Self::Min => "min",
             Self::Max => "max",
             Self::Power => "powf",
+            Self::Scale => "common_scale",
         }
     }
 
@@ -314,20 +318,22 @@ impl Binary {
             Self::Min => x.min(y),
             Self::Max => x.max(y),
             Self::Power => libm::pow(x, y),
+            Self::Scale => common_scale(x, y),
         }
     }
 
     /// The partial derivatives with respect to both arguments. Where x = y, those of `min` and `max`
     /// are the mean of both sides.
     ///
-    /// Those of `atan2`, x/(x² + y²) and −y/(x² + y²), are lost where the squares underflow, at distances
-    /// below the root of the smallest number. They are written so because they cancel with an r² = x² + y²,
-    /// which a form without squares, such as cos φ/r, would not.
+    /// Those of `atan2` are written x/(x² + y²) and −y/(x² + y²) because they cancel with an r² = x² + y², which a form
+    /// without squares, such as cos φ/r, would not. Where they do not, programs scale them, so that the squares
+    /// neither underflow nor overflow (`program/angle_slopes.rs`).
     pub fn derivatives(self, graph: &mut Graph, x: Expression, y: Expression) -> [Expression; 2] {
         match self {
             Self::Atan2 => {
                 let (x2, y2) = (graph.square(x), graph.square(y));
                 let sum = graph.add(x2, y2);
+                graph.note_squared_distance(sum);
                 let over_x = graph.divide(y, sum);
                 let over_y = graph.divide(x, sum);
                 [over_x, graph.negate(over_y)]
@@ -347,6 +353,7 @@ impl Binary {
                 let ln = logarithm_or_zero(graph, x);
                 [graph.multiply(y, lower), graph.multiply(power, ln)]
             }
+            Self::Scale => [graph.zero(); 2],
         }
     }
 
@@ -355,10 +362,18 @@ impl Binary {
     pub const fn cost(self) -> usize {
         match self {
             Self::Min | Self::Max => 1,
+            Self::Scale => 4,
             Self::Atan2 => 25,
             Self::Power => 40,
         }
     }
+}
+
+/// 2ⁿ so that the larger of |x| and |y| times it is in [1, 2), as far as 2ⁿ is a normal number.
+fn common_scale(x: f64, y: f64) -> f64 {
+    let exponent = |x: f64| (x.to_bits() >> 52) & 0x7ff;
+    let greatest = exponent(x).max(exponent(y));
+    f64::from_bits(2046_u64.saturating_sub(greatest).max(1) << 52)
 }
 
 /// 1 + x².

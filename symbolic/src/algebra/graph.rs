@@ -133,6 +133,8 @@ pub struct Graph {
     pub(crate) has_hyperbolic: bool,
     /// Whether there is an exponential function.
     pub(crate) has_exponential: bool,
+    /// The sums x² + y² that slopes of `atan2` divide by.
+    pub(crate) squared_distances: BTreeSet<Expression>,
     /// Whether sums of exponentials stay as they are written, as in print.
     pub(crate) leaves_exponentials: bool,
     /// The frames, and what is known of vectors and matrices beside their elements.
@@ -161,6 +163,7 @@ impl Graph {
             scales: KnownScales::default(),
             has_hyperbolic: false,
             has_exponential: false,
+            squared_distances: BTreeSet::new(),
             leaves_exponentials: false,
             frames: KnownFrames::default(),
             derivatives: DerivativeMemory::default(),

@@ -47,7 +47,11 @@ impl Graph {
             Node::Constant(_) | Node::Pi | Node::Symbol(_) => expression,
             Node::Sum(ref terms) => {
                 let terms: Vec<_> = terms.iter().map(|(x, c)| (of(*x), c.clone())).collect();
-                self.sum(terms)
+                let sum = self.sum(terms);
+                if self.squared_distances.contains(&expression) {
+                    self.note_squared_distance(sum);
+                }
+                sum
             }
             Node::Product(ref factors) => {
                 let factors: Vec<_> = factors.iter().map(|(x, k)| (of(*x), k.clone())).collect();
@@ -80,7 +84,13 @@ impl Graph {
                 Node::Constant(value) => self.constant(value),
                 Node::Pi => self.pi(),
                 Node::Symbol(symbol) => self.symbol(*symbol),
-                Node::Sum(terms) => self.sum(parts(terms)),
+                Node::Sum(terms) => {
+                    let sum = self.sum(parts(terms));
+                    if from.squared_distances.contains(&expression) {
+                        self.note_squared_distance(sum);
+                    }
+                    sum
+                }
                 Node::Product(factors) => self.product(parts(factors)),
                 Node::Unary(function, x) => self.unary(*function, of(*x)),
                 Node::Binary(function, x, y) => self.binary(*function, of(*x), of(*y)),

@@ -367,7 +367,7 @@ impl ModularPoint {
     pub(crate) fn binary(self, function: Binary, x: u64, y: u64) -> u64 {
         match function {
             Binary::Min | Binary::Max => self.extremum(function, x, y),
-            Binary::Atan2 | Binary::Power => {
+            Binary::Atan2 | Binary::Power | Binary::Scale => {
                 self.draw(192 + function as u64, residue::mix(x, y)) % self.p()
             }
         }

@@ -109,7 +109,7 @@ impl<'a> Layout<'a> {
     ) {
         let name = match (self.notation, function) {
             (_, Binary::Power) => return self.real_power(line, x, y),
-            (Notation::Unicode, function) => function.name(),
+            (Notation::Unicode, function) | (_, function @ Binary::Scale) => function.name(),
             (Notation::Latex, Binary::Atan2) => "\\operatorname{atan2}",
             (Notation::Latex, Binary::Min) => "\\min",
             (Notation::Latex, Binary::Max) => "\\max",

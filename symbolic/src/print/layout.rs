@@ -246,7 +246,7 @@ impl<'a> Layout<'a> {
             | Node::Symbol(_)
             | Node::Opaque(_)
             | Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _)
-            | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max, ..)
+            | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max | Binary::Scale, ..)
             | Node::Application(..) => Precedence::Atom,
             Node::Sum(terms) => match &**terms {
                 [(_, c)] if !c.is_negative() => Precedence::Product,

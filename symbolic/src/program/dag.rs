@@ -9,6 +9,7 @@
 use std::collections::BTreeMap;
 
 use crate::limits::HIGHEST_REPEATED_POWER;
+use crate::program::angle_slopes::{ScaledSquares, times_divided};
 use crate::program::removable_singularities::{Removable, removable};
 use crate::{Binary, Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol, Unary};
 
@@ -46,6 +47,8 @@ pub(crate) struct Dag {
     roots: BTreeMap<ValueId, ValueId>,
     reciprocals: BTreeMap<ValueId, ValueId>,
     positive: BTreeMap<ValueId, ValueId>,
+    /// The squared distances that slopes of angles divide by.
+    pub(crate) scaled: BTreeMap<Expression, ScaledSquares>,
 }
 
 /// The divisors of all products.
@@ -65,6 +68,7 @@ impl Dag {
             roots: BTreeMap::new(),
             reciprocals: BTreeMap::new(),
             positive: BTreeMap::new(),
+            scaled: BTreeMap::new(),
         };
         let descendants = graph.descendants(roots);
         let divisors = Divisors::of(graph, &descendants);
@@ -74,7 +78,7 @@ impl Dag {
             let value = match graph.node(expression) {
                 Node::Opaque(inner) => dag.value(*inner),
                 Node::Product(factors) => {
-                    let operation = dag.quotient(expression, factors, &divisors);
+                    let operation = dag.quotient(graph, expression, factors, &divisors);
                     dag.push(operation, Some(expression))
                 }
                 node => {
@@ -152,12 +156,21 @@ impl Dag {
 
     fn quotient(
         &mut self,
+        graph: &Graph,
         product: Expression,
         factors: &[(Expression, Rational)],
         divisors: &Divisors,
     ) -> DagOperation {
         let (mut numerator, mut denominator) = (Vec::new(), Vec::new());
+        let mut distances = Vec::new();
         for (base, exponent) in factors {
+            if let Some(times) = times_divided(exponent)
+                && let Some(squares) = self.scaled_squares(graph, *base)
+            {
+                let shared = divisors.are_shared(*base, exponent, false);
+                distances.push((squares, times, shared));
+                continue;
+            }
             let base_value = self.value(*base);
             if !exponent.is_negative() {
                 self.push_power(&mut numerator, base_value, exponent);
@@ -178,11 +191,20 @@ impl Dag {
         }
         numerator.sort_unstable();
         denominator.sort_unstable();
-        DagOperation::Quotient(numerator, denominator)
+        let mut parts = (numerator, denominator);
+        for (squares, times, shared) in distances {
+            parts = self.over_squares(parts, squares, times, shared);
+        }
+        DagOperation::Quotient(parts.0, parts.1)
     }
 
     /// Appends the factors of x^k for k > 0.
-    fn push_power(&mut self, factors: &mut Vec<ValueId>, x: ValueId, exponent: &Rational) {
+    pub(crate) fn push_power(
+        &mut self,
+        factors: &mut Vec<ValueId>,
+        x: ValueId,
+        exponent: &Rational,
+    ) {
         let (numerator, denominator) = exponent.to_fraction().unwrap_or((0, 0));
         match (usize::try_from(numerator).unwrap_or(0), denominator) {
             (k, 1) if k <= HIGHEST_REPEATED_POWER => factors.extend((0..k).map(|_| x)),
@@ -224,7 +246,7 @@ impl Dag {
         positive
     }
 
-    fn reciprocal(&mut self, x: ValueId) -> ValueId {
+    pub(crate) fn reciprocal(&mut self, x: ValueId) -> ValueId {
         if let Some(reciprocal) = self.reciprocals.get(&x) {
             return *reciprocal;
         }

@@ -183,7 +183,7 @@ impl Orders {
                 | Unary::Signum => Some(Rational::ZERO),
             },
             Node::Binary(Binary::Min | Binary::Max, x, y) => self.least([*x, *y].into_iter()),
-            Node::Binary(Binary::Atan2 | Binary::Power, ..) => Some(Rational::ZERO),
+            Node::Binary(Binary::Atan2 | Binary::Power | Binary::Scale, ..) => Some(Rational::ZERO),
         }
     }
 

@@ -141,6 +141,7 @@ impl HyperDual {
             Binary::Min if self.value < y.value => [one, zero],
             Binary::Max if self.value > y.value => [one, zero],
             Binary::Min | Binary::Max => [zero, one],
+            Binary::Scale => [zero, zero],
             Binary::Power => {
                 // x^y = exp (y ln x).
                 let logarithm = self.unary(Unary::Ln);

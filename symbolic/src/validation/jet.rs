@@ -99,6 +99,7 @@ impl Number for Jet {
             Binary::Min if greater => y,
             Binary::Max if !greater => y,
             Binary::Min | Binary::Max => self,
+            Binary::Scale => Self::constant(function.value(self.value(), y.value())),
             Binary::Power if y.is_constant() => self.power(y.value()),
             Binary::Power => y.multiply(self.unary(Unary::Ln)).unary(Unary::Exp),
         }

@@ -141,6 +141,8 @@ impl Number for Bounded {
                 Self::unbounded(value)
             }
             Binary::Power if self.includes_zero() => Self::unbounded(value),
+            // A power of two by which products are divided again.
+            Binary::Scale => Self::exact(value),
             Binary::Atan2 | Binary::Power => {
                 let ends = |x: Self| [x.value - x.error, x.value + x.error];
                 let mut error = 0.0;

@@ -130,6 +130,7 @@ impl<N: Number> Number for Dual<N> {
                     (second, first)
                 }
             }
+            Binary::Scale => (constant(0), constant(0)),
             Binary::Power => {
                 let whole = x.binary(function, y);
                 let over_x = y.multiply(whole).multiply(power(x, -1, 1));

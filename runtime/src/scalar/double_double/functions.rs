@@ -172,7 +172,14 @@ impl Scalar for DoubleDouble {
             return angle;
         }
         let (sine, cosine) = angle.sin_cos();
-        angle + (self * cosine - x * sine) / (x * cosine + self * sine)
+        let scale = self.common_scale(x);
+        let (self_, x) = (self * scale, x * scale);
+        angle + (self_ * cosine - x * sine) / (x * cosine + self_ * sine)
+    }
+
+    #[inline]
+    fn common_scale(self, other: Self) -> Self {
+        Self::from(self.high.common_scale(other.high))
     }
 
     fn sinh(self) -> Self {

@@ -88,6 +88,8 @@ impl Builder<'_> {
             Binary::Power => self.power(x, y, result),
             Binary::Min => self.extremum(x, y, false),
             Binary::Max => self.extremum(x, y, true),
+            // A constant, as long as the series holds.
+            Binary::Scale => ZERO,
         }
     }
 
@@ -327,8 +329,10 @@ impl Builder<'_> {
         self.exponential(&exponent, result)
     }
 
-    /// (x² + y²) Dw = x Dy − y Dx for the angle w of the point (x, y).
+    /// (x² + y²) Dw = x Dy − y Dx for the angle w of the point (x, y), both times a power of two, by which the squares are
+    /// neither too small nor too large.
     fn angle(&mut self, y: &Series, x: &Series) -> Operand {
+        let [x, y] = &self.scaled_together([x, y]);
         let squares = [x, y].map(|series| {
             let constant = &series.constant;
             let operation = Operation::Multiply(constant.clone(), constant.clone());
@@ -354,6 +358,22 @@ impl Builder<'_> {
         let g = self.factor(&square);
         let (derivative, _) = self.inverse(g, &constant, &change);
         self.over_order(&derivative)
+    }
+
+    /// Two series times the scale of their terms of order 0.
+    fn scaled_together(&mut self, series: [&Series; 2]) -> [Series; 2] {
+        let [first, second] = series.map(|series| series.constant.clone());
+        let scale = self
+            .initial
+            .emit(Operation::Binary(Binary::Scale, first, second));
+        let of_recurrence = self.invariant(&scale);
+        series.map(|series| {
+            let constant = Operation::Multiply(series.constant.clone(), scale.clone());
+            Series {
+                constant: self.initial.emit(constant),
+                coefficient: self.multiply(&series.coefficient, &of_recurrence),
+            }
+        })
     }
 
     /// a xₖ + b yₖ with the weights 1 and 0 of what is greater or lesser, ½ and ½ where both are equal.

@@ -137,6 +137,8 @@ of_irrational_derivative! {
 /// The angle θ of the point (x, y), (x² + y²) θ′ = x y′ − y x′.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArcTangent2<S, const HALF: usize> {
+    /// What x and y are multiplied by, so that their squares neither underflow nor overflow.
+    scale: S,
     x: Terms<S, HALF>,
     y: Terms<S, HALF>,
     squares: [Square<S, HALF>; 2],
@@ -149,6 +151,7 @@ impl<S: Scalar, const HALF: usize> ArcTangent2<S, HALF> {
     pub fn new() -> Self {
         let [x, y] = [Terms::new(); 2];
         Self {
+            scale: S::one(),
             x,
             y,
             squares: [Square::new(); 2],
@@ -159,9 +162,13 @@ impl<S: Scalar, const HALF: usize> ArcTangent2<S, HALF> {
     /// The next coefficient, given those of y and x, in the order of the arguments of `atan2`.
     pub fn next(&mut self, y: S, x: S) -> S {
         let k = self.integral.z.order();
-        self.x.push(x);
-        self.y.push(y);
-        let divisor = self.squares[0].next(x) + self.squares[1].next(y);
+        if k == 0 {
+            self.scale = y.common_scale(x);
+        }
+        let [along, across] = [x, y].map(|z| z * self.scale);
+        self.x.push(along);
+        self.y.push(across);
+        let divisor = self.squares[0].next(along) + self.squares[1].next(across);
         let swept = if k == 0 {
             S::zero()
         } else {
