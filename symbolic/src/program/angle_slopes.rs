@@ -26,6 +26,9 @@ pub(crate) struct ScaledSquares {
     sum: ValueId,
 }
 
+/// The root of a square, as powers, and the coefficient of the square.
+type Square = (Vec<(Expression, Rational)>, Rational);
+
 /// Numerator and denominator.
 type Parts = (Vec<ValueId>, Vec<ValueId>);
 
@@ -42,7 +45,7 @@ impl Graph {
 
     /// The terms of a squared distance that has two, both of them squares: each square's root, as factors, and its
     /// coefficient.
-    fn two_squares(&self, sum: Expression) -> Option<[(Vec<(Expression, Rational)>, Rational); 2]> {
+    fn two_squares(&self, sum: Expression) -> Option<[Square; 2]> {
         let Node::Sum(terms) = self.node(sum) else {
             return None;
         };
