@@ -175,7 +175,7 @@ fn series_of_a_rate_have_its_coefficients() {
 }
 
 #[rustfmt::skip]
-#[allow(clippy::unreadable_literal)] // As mpmath prints them.
+#[allow(clippy::unreadable_literal, clippy::approx_constant)] // As mpmath prints them.
 const ANGLES: [Row; 38] = [
     ([1.25e-300, 7.5e-301], [-3.529411764705882e+299, 5.88235294117647e+299], [f64::INFINITY, f64::NEG_INFINITY], [0.5404195002705842, -0.33088235294117646, 0.017030709342560547, 0.011198764756767761, -0.0018194572697285707]),
     ([-5e-301, 1.5e-300], [-5.9999999999999996e+299, -1.9999999999999997e+299], [f64::NEG_INFINITY, f64::INFINITY], [1.8925468811915387, 0.22499999999999998, 0.095625, 0.03684375, 0.012431250000000001]),
