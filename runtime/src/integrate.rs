@@ -66,7 +66,7 @@ pub use taylor::{
     BranchVisitor, Series, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant,
     TaylorStepper,
 };
-pub(crate) use taylor::{Convolutions, OnlineConvolutions, PairedConvolutions};
+pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
 pub use taylor::{Ensemble, TaylorLanes};
 #[cfg(feature = "alloc")]
 pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};

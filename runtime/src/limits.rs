@@ -116,6 +116,14 @@ pub(crate) mod events {
     /// The most coefficients of a polynomial whose roots are isolated: those of order 64, beyond which no method goes.
     pub(crate) const MOST_COEFFICIENTS: usize = 65;
 
+    /// Half of the order up to which the series of an event function is computed at first: the sums of order k have k products,
+    /// so that all up to order 6 cost a twentieth of all up to order 28. By judgement.
+    pub(crate) const FEW: usize = 3;
+
+    /// What is left of an event function anywhere in a step, at least, over its value at the beginning, where the first few terms
+    /// exclude a zero. It guards against what terms of higher order do within a step and not at its end. By judgement.
+    pub(crate) const KEPT: f64 = 0.25;
+
     /// The errors of the coefficients of an event's polynomial, in machine epsilons: values below what they make are zero,
     /// and an extremum of that size is a double root.
     pub(crate) const UNCERTAINTY: f64 = 8.0;

@@ -185,7 +185,7 @@ fn checked_sizes<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
-/// The derivative, where it is not evaluated at every step: its code is not repeated there.
+/// The derivative, where it is one evaluation of many: its code is not repeated there.
 #[inline(never)]
 pub(crate) fn derivative_apart<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,

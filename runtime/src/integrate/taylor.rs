@@ -20,7 +20,7 @@ mod stepper;
 
 pub use branch_crossings::BranchVisitor;
 pub use coefficients::TaylorCoefficients;
-pub(crate) use convolutions::{Convolutions, OnlineConvolutions};
+pub(crate) use convolutions::{Convolutions, FewConvolutions, OnlineConvolutions};
 pub use ensemble::Ensemble;
 pub(crate) use ensemble::Running;
 pub use interpolant::TaylorInterpolant;

@@ -109,5 +109,8 @@ pub(crate) const MIN_STEP: f64 = super::dormand_prince::MIN_STEP;
 /// 30 links needs as many. Beyond, each factor is stored once.
 pub(crate) const LARGEST_PAIRED_CONVOLUTIONS: usize = 1 << 19;
 
+/// Half of the order from which on convolutions of few pairs keep sums of several orders. By judgement: four at a time.
+pub(crate) const SMALLEST_CONVOLUTIONS: usize = 4;
+
 /// As for DOP853.
 pub(crate) const LANDING: f64 = super::dormand_prince::LANDING;

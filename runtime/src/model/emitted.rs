@@ -12,9 +12,10 @@ use super::linearization::Linearization;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{
-    BranchVisitor, Convolutions, OnlineConvolutions, PairedConvolutions, TaylorCoefficients,
+    BranchVisitor, Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions,
+    TaylorCoefficients,
 };
-use crate::limits::taylor::LARGEST_PAIRED_CONVOLUTIONS;
+use crate::limits::taylor::{LARGEST_PAIRED_CONVOLUTIONS, SMALLEST_CONVOLUTIONS};
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
@@ -303,16 +304,45 @@ pub fn event_series<
     motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     values: [S; EVENTS],
     pairs: &[[usize; 2]; PAIRS],
+    term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
+) -> TaylorCoefficients<[S; EVENTS], HALF> {
+    if HALF < SMALLEST_CONVOLUTIONS {
+        let convolutions = FewConvolutions::<S, FACTORS, HALF>::new();
+        series_by(convolutions, unit, motion, values, pairs, term)
+    } else {
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
+        series_by(convolutions, unit, motion, values, pairs, term)
+    }
+}
+
+/// The Taylor coefficients of event functions, with the convolutions.
+#[inline]
+fn series_by<
+    S: Scalar,
+    const N: usize,
+    const EVENTS: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const HALF: usize,
+>(
+    mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
+    unit: S,
+    motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    values: [S; EVENTS],
+    pairs: &[[usize; 2]; PAIRS],
     mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
     let mut series = TaylorCoefficients::new(values);
-    let mut convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
-    let mut sums = [S::zero(); PAIRS];
+    let mut factors = None;
     let mut order = S::zero();
     let mut t = unit;
     for (coefficient, of_motion) in series.higher_mut().iter_mut().zip(motion.higher()) {
+        let sums = match &factors {
+            Some(factors) => convolutions.advance(factors, pairs),
+            None => [S::zero(); PAIRS],
+        };
         order += S::one();
-        let (terms, factors) = term(&Term {
+        let (terms, next_factors) = term(&Term {
             q: of_motion.q,
             v: of_motion.v,
             t,
@@ -320,8 +350,8 @@ pub fn event_series<
             reciprocal_order: S::one() / order,
             convolutions: sums,
         });
-        sums = convolutions.advance(&factors, pairs);
         *coefficient = terms;
+        factors = Some(next_factors);
         t = S::zero();
     }
     series

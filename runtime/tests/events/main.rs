@@ -14,5 +14,6 @@ mod hostile_events;
 mod hostile_motions;
 mod reactions;
 mod rounding;
+mod series_of_events;
 mod settings_compose;
 mod switch_derivatives;

@@ -349,7 +349,9 @@ impl<X> Dop853Stepper<X> {
             None => self.clock.advance(h),
         }
         let t = S::from_f64(self.clock.time());
-        self.stages[STAGES] = dynamics.derivative(t, &self.state.reduced(dynamics));
+        // The code of the derivative is once in that of a step, in the loop over the other stages: twice were too much for the compiler
+        // to inline either.
+        self.stages[STAGES] = derivative_apart(dynamics, t, &self.state.reduced(dynamics));
         self.statistics.evaluations += 1;
         self.statistics.steps += 1;
     }

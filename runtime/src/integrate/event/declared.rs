@@ -118,23 +118,10 @@ impl<const K: usize> DeclaredEvents<K> {
         if is_special || memory.until - begin != 0.0 || memory.window - begin != 0.0 {
             return false;
         }
-        let middle = step.at(begin + 0.5 * (end - begin));
-        let Some([from, to]) = step.ends() else {
-            return false;
-        };
-        let dynamics = step.dynamics();
-        let values = [
-            self.values(dynamics, middle.t, &middle.x),
-            self.values(dynamics, end, to),
-        ];
-        let exclusion = Exclusion {
-            events: self,
-            dynamics,
-            from,
-            end,
-            values,
-        };
-        let Some(signs) = step.polynomial(exclusion).flatten() else {
+        let Some(signs) = self
+            .excluded(step, false)
+            .or_else(|| self.excluded(step, true))
+        else {
             return false;
         };
         // A sign that differs from that before the step changes where it begins.
@@ -146,6 +133,37 @@ impl<const K: usize> DeclaredEvents<K> {
         memory.window = end;
         memory.arrive(end);
         true
+    }
+
+    /// The signs of the functions in a step without zeros, by a few terms of their series or by all.
+    fn excluded<S, D, T>(
+        &mut self,
+        step: &mut LastStep<'_, S, D, T>,
+        by_all_terms: bool,
+    ) -> Option<[f64; K]>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
+        let (begin, end, dynamics) = (step.begin(), step.end(), step.dynamics());
+        // Without them there is no polynomial either, and no reason to interpolate.
+        step.ends()?;
+        let middle = by_all_terms.then(|| {
+            let middle = step.at(begin + 0.5 * (end - begin));
+            self.values(dynamics, middle.t, &middle.x)
+        });
+        let [from, to] = step.ends()?;
+        let last = self.values(dynamics, end, to);
+        let exclusion = Exclusion {
+            events: self,
+            dynamics,
+            from,
+            end,
+            last,
+            middle,
+        };
+        step.polynomial(exclusion).flatten()
     }
 
     /// The window that begins at a time, with the polynomials of the event functions; none if they have no series.

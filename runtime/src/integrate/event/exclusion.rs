@@ -2,13 +2,14 @@
 //!
 //! Σ aₖ uᵏ with 0 ≤ u ≤ 1 is within Σ |aₖ|, k ≥ 1, of a₀, and between the least and the greatest of its Bernstein coefficients
 //! (G. T. Cargo & O. Shisha, *The Bernstein form of a polynomial*, J. Res. Nat. Bur. Standards **70B** (1966) 79–81). Most steps
-//! are far from any zero, and need nothing more than the series of the event functions and a sum.
+//! are far from any zero, and need nothing more than a few terms of the event functions and a sum: those of high order, which are
+//! sums of many products, are computed where these do not decide.
 
 use super::bernstein::{self, ROUNDINGS, as_number};
 use super::{DeclaredEvents, EventDynamics, SingleNumber};
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{MOST_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::limits::events::{FEW, KEPT, MOST_COEFFICIENTS, NEAR, UNCERTAINTY};
 use crate::scalar::Scalar;
 
 /// Tells the signs of event functions that have no zero in a step.
@@ -19,8 +20,11 @@ pub(super) struct Exclusion<'a, D: ?Sized, X, const K: usize> {
     pub(super) from: &'a X,
     /// When the step ends.
     pub(super) end: f64,
-    /// The event functions in the middle and at the end of the step.
-    pub(super) values: [[f64; K]; 2],
+    /// The event functions at the end of the step.
+    pub(super) last: [f64; K],
+    /// In the middle, too: then all terms are computed. Otherwise the first few of them, which have to keep farther away from
+    /// zero.
+    pub(super) middle: Option<[f64; K]>,
 }
 
 impl<S, D, const K: usize> StepPolynomial<S, D::State> for Exclusion<'_, D, D::State, K>
@@ -38,19 +42,48 @@ where
         unit: f64,
         motion: &TaylorCoefficients<D::State, HALF>,
     ) -> Self::Output {
+        let count = as_number(1 + 2 * HALF);
+        if self.middle.is_some() {
+            self.signs(t, unit, motion, count)
+        } else if HALF > FEW {
+            self.signs(t, unit, &motion.leading::<FEW>(), count)
+        } else {
+            None
+        }
+    }
+}
+
+impl<X, D: ?Sized, const K: usize> Exclusion<'_, D, X, K> {
+    /// The signs by the series of the functions along a motion of which these are the first terms of so many.
+    fn signs<S, const HALF: usize>(
+        &self,
+        t: f64,
+        unit: f64,
+        motion: &TaylorCoefficients<X, HALF>,
+        count: f64,
+    ) -> Option<[f64; K]>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S, State = X>,
+    {
         let numbers = [t, unit].map(S::from_f64);
         let series = (self.dynamics).event_series(numbers[0], self.from, numbers[1], motion)?;
         let length = (self.end - t) / unit;
+        let kept = if self.middle.is_some() { 0.0 } else { KEPT };
         let mut signs = [0.0; K];
         for (event, (index, _)) in self.events.events.into_iter().enumerate() {
-            let terms = Terms::of(&series, index, length)?;
-            let [middle, end] = self.values.map(|values| values.get(event).copied());
-            signs[event] = terms.sign()?;
-            if !terms.are_near(0.5, middle?) || !terms.are_near(1.0, end?) {
+            let terms = Terms::<HALF>::of(&series, index, length)?;
+            signs[event] = terms.sign(count, kept)?;
+            let is_near = |u: f64, values: &[f64; K]| {
+                let value = values.get(event);
+                value.is_some_and(|value| terms.is_near(u, *value, count))
+            };
+            let in_middle = self.middle.as_ref();
+            if !is_near(1.0, &self.last) || !in_middle.is_none_or(|values| is_near(0.5, values)) {
                 return None;
             }
             for branch in self.dynamics.branches(index) {
-                Terms::of(&series, *branch, length)?.sign()?;
+                Terms::<HALF>::of(&series, *branch, length)?.sign(count, kept)?;
             }
         }
         Some(signs)
@@ -58,34 +91,33 @@ where
 }
 
 /// The terms of a function at the end of a step.
-struct Terms {
-    values: [f64; MOST_COEFFICIENTS],
-    count: usize,
-    /// The sum of the magnitudes of those of order 1 and more.
+struct Terms<const HALF: usize> {
+    first: f64,
+    /// Those of order 1 and more.
+    higher: [[f64; 2]; HALF],
+    /// The sum of the magnitudes of those.
     sum: f64,
     epsilon: f64,
 }
 
-impl Terms {
-    /// None where there are too many of them.
+impl<const HALF: usize> Terms<HALF> {
+    /// None where there is no such function.
     #[inline]
-    fn of<S: Scalar, V: AsRef<[S]> + Clone, const HALF: usize>(
+    fn of<S: Scalar, V: AsRef<[S]> + Clone>(
         series: &TaylorCoefficients<V, HALF>,
         index: usize,
         length: f64,
     ) -> Option<Self> {
         let number = |values: &V| values.as_ref().get(index).map(|value| value.smallest());
         let mut terms = Self {
-            values: [0.0; MOST_COEFFICIENTS],
-            count: 1 + 2 * HALF,
+            first: number(series.initial())?,
+            higher: [[0.0; 2]; HALF],
             sum: 0.0,
             epsilon: S::machine_epsilon(),
         };
-        let places = terms.values.get_mut(..terms.count)?;
-        let (first, higher) = places.split_first_mut()?;
-        *first = number(series.initial())?;
         let mut power = 1.0;
-        for (place, values) in higher.iter_mut().zip(series.higher()) {
+        let places = terms.higher.as_flattened_mut();
+        for (place, values) in places.iter_mut().zip(series.higher()) {
             power *= length;
             *place = number(values)? * power;
             terms.sum += place.abs();
@@ -93,34 +125,36 @@ impl Terms {
         Some(terms)
     }
 
-    fn terms(&self) -> &[f64] {
-        self.values.get(..self.count).unwrap_or_default()
+    /// What further terms might add, if they were as large as the last ones, and all were so many.
+    fn tail(&self, count: f64) -> f64 {
+        let last = self.higher.last().map_or([0.0; 2], |last| *last);
+        count * last.map(f64::abs).into_iter().fold(0.0, f64::max)
     }
 
-    /// The sign in the whole step, if it is certain: the enclosure keeps away from zero by rounding errors and by what as many
-    /// further terms might add if they were as large as the last ones.
-    fn sign(&self) -> Option<f64> {
-        let first = *self.terms().first()?;
-        let last = self.terms().iter().rev().take(2);
-        let last = last.fold(0.0, |last: f64, term| last.max(term.abs()));
-        let count = as_number(self.count);
+    /// The sign in the whole step, if it is certain: the enclosure keeps away from zero by rounding errors, by what further
+    /// terms might add, and by this part of the first one.
+    fn sign(&self, count: f64, kept: f64) -> Option<f64> {
+        let size = self.first.abs();
         let rounding = (UNCERTAINTY + ROUNDINGS * count) * self.epsilon.max(f64::EPSILON);
-        let least = count * last + rounding * (self.sum + first.abs());
-        if first.abs() > self.sum + least {
-            return Some(first.signum());
+        let least = self.tail(count) + rounding * (self.sum + size) + kept * size;
+        if size > self.sum + least {
+            return Some(self.first.signum());
         }
         // Not a number is no sign.
-        let is_beyond = |value: &f64| value * first.signum() > least;
-        let mut all = self.values;
-        let all = all.get_mut(..self.count)?;
+        let is_beyond = |value: &f64| value * self.first.signum() > least;
+        let mut all = [0.0; MOST_COEFFICIENTS];
+        let all = all.get_mut(..=2 * HALF)?;
+        let (first, higher) = all.split_first_mut()?;
+        *first = self.first;
+        higher.copy_from_slice(self.higher.as_flattened());
         bernstein::between(all, 0.0, 1.0);
-        all.iter().all(is_beyond).then(|| first.signum())
+        all.iter().all(is_beyond).then(|| self.first.signum())
     }
 
-    /// Whether the value at `u` is this one, but for a small part of the terms.
-    fn are_near(&self, u: f64, value: f64) -> bool {
-        let found = self.terms().iter().rev().fold(0.0, |sum, a| sum * u + a);
-        let first = self.terms().first().copied().unwrap_or(0.0);
-        (found - value).abs() <= NEAR * (self.sum + first.abs())
+    /// Whether the value at `u` is this one, but for what further terms might add and a small part of the terms.
+    fn is_near(&self, u: f64, value: f64, count: f64) -> bool {
+        let terms = self.higher.as_flattened().iter().rev();
+        let found = terms.fold(0.0, |sum, a| (sum + a) * u) + self.first;
+        (found - value).abs() <= self.tail(count) + NEAR * (self.sum + self.first.abs())
     }
 }

@@ -58,6 +58,21 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.pairs.as_flattened_mut()
     }
 
+    /// The terms up to the order 2·`FEW`; beyond the order of this polynomial, its last coefficients again.
+    #[inline]
+    pub(crate) fn leading<const FEW: usize>(&self) -> TaylorCoefficients<X, FEW> {
+        let pairs = if let Some(pairs) = self.pairs.first_chunk() {
+            pairs.clone()
+        } else {
+            let last = self.last_pair(self.pairs.last());
+            core::array::from_fn(|i| self.pairs.get(i).unwrap_or(&last).clone())
+        };
+        TaylorCoefficients {
+            initial: self.initial.clone(),
+            pairs,
+        }
+    }
+
     /// The greater of the last two terms at τ, over the sum of the magnitudes of all, in the worst component.
     pub(crate) fn last_terms<S: Scalar>(&self, tau: f64) -> f64
     where

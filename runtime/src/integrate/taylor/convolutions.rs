@@ -92,6 +92,47 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     }
 }
 
+/// The convolutions up to so low an order that the pairs of factors need no memory for sums: those of all pairs are computed
+/// side by side, term by term.
+#[derive(Clone, Debug)]
+pub(crate) struct FewConvolutions<S, const FACTORS: usize, const HALF: usize> {
+    /// The terms of order 1, 2, … of all factors.
+    terms: [[[S; FACTORS]; 2]; HALF],
+    order: usize,
+}
+
+impl<S: Scalar, const FACTORS: usize, const HALF: usize> FewConvolutions<S, FACTORS, HALF> {
+    #[inline]
+    pub(crate) fn new() -> Self {
+        Self {
+            terms: [[[S::zero(); FACTORS]; 2]; HALF],
+            order: 1,
+        }
+    }
+}
+
+impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
+    OnlineConvolutions<S, FACTORS, PAIRS> for FewConvolutions<S, FACTORS, HALF>
+{
+    #[inline]
+    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
+        let known = self.order;
+        let terms = self.terms.as_flattened_mut();
+        if let Some(term) = terms.get_mut(known - 1) {
+            *term = *factors;
+        }
+        self.order += 1;
+        let terms = &terms[..known.min(terms.len())];
+        let mut sums = [S::zero(); PAIRS];
+        for (x, y) in terms.iter().zip(terms.iter().rev()) {
+            for (sum, [i, j]) in sums.iter_mut().zip(pairs) {
+                *sum = x[*i].mul_add(y[*j], *sum);
+            }
+        }
+        sums
+    }
+}
+
 /// The sums of the products whose orders add up to n + 1, …, n + 4, of the n terms that are known, a multiple of 4.
 #[inline]
 fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {

@@ -1,0 +1,127 @@
+//! How much of the series of event functions is computed.
+
+use std::cell::RefCell;
+
+use lagrangian::prelude::*;
+use lagrangian::{Dynamics, EventDynamics, Series, TaylorCoefficients};
+
+/// A heavy top: none of the first three events ever occurs.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(phi, theta, psi),
+    kinetic = 0.5 * (i1 * (dot(phi).powi(2) * sin(theta).powi(2) + dot(theta).powi(2))
+        + i3 * (dot(phi) * cos(theta) + dot(psi)).powi(2)),
+    potential = m * g * l * cos(theta),
+    event(
+        fallen = theta - 9,
+        tip = sin(theta) * cos(phi) - 2,
+        near = sqrt((sin(theta) * cos(phi) - 2).powi(2) + (sin(theta) * sin(phi)).powi(2) + cos(theta).powi(2)) - 0.5,
+        quarter = sin(theta) * cos(phi) - 0.2,
+    ),
+)]
+struct Top {
+    i1: f64,
+    i3: f64,
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+const TOP: Top = Top {
+    i1: 1.2,
+    i3: 0.5,
+    m: 1.3,
+    g: 9.81,
+    l: 0.4,
+};
+
+/// Dynamics that note the orders of the series that are asked of them.
+struct Counted<'a, D> {
+    dynamics: &'a D,
+    orders: RefCell<Vec<usize>>,
+}
+
+impl<D: Dynamics<f64>> Dynamics<f64> for Counted<'_, D> {
+    type State = D::State;
+
+    fn derivative(&self, t: f64, x: &D::State) -> D::State {
+        self.dynamics.derivative(t, x)
+    }
+}
+
+impl<D: Series<f64>> Series<f64> for Counted<'_, D> {
+    fn series<const HALF: usize>(
+        &self,
+        t: f64,
+        x: &D::State,
+        unit: f64,
+        coefficients: &mut TaylorCoefficients<D::State, HALF>,
+    ) {
+        self.dynamics.series(t, x, unit, coefficients);
+    }
+}
+
+impl<D: EventDynamics<f64>> EventDynamics<f64> for Counted<'_, D> {
+    type Values = D::Values;
+
+    fn names(&self) -> &'static [&'static str] {
+        self.dynamics.names()
+    }
+
+    fn event_functions(&self, t: f64, x: &D::State) -> D::Values {
+        self.dynamics.event_functions(t, x)
+    }
+
+    fn event_series<const HALF: usize>(
+        &self,
+        t: f64,
+        x: &D::State,
+        unit: f64,
+        motion: &TaylorCoefficients<D::State, HALF>,
+    ) -> Option<TaylorCoefficients<D::Values, HALF>> {
+        self.orders.borrow_mut().push(2 * HALF);
+        self.dynamics.event_series(t, x, unit, motion)
+    }
+}
+
+/// The number of steps, the orders of the series that were asked for, and the times of the events.
+fn watched<const K: usize>(events: [usize; K]) -> (u64, Vec<usize>, Vec<f64>) {
+    let dynamics = Counted {
+        dynamics: &TOP.dynamics(),
+        orders: RefCell::default(),
+    };
+    let start = State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]);
+    let driver = Taylor::new()
+        .driver()
+        .declared_events(events.map(|event| (event, Event::either())));
+    let motion = driver.sample(&dynamics, start, &[20.0]).unwrap();
+    let times = motion.events().iter().map(|event| event.t).collect();
+    (motion.statistics().steps, dynamics.orders.take(), times)
+}
+
+#[test]
+fn a_few_terms_exclude_events_that_are_far_away() {
+    let (steps, orders, times) = watched([Top::FALLEN, Top::TIP, Top::NEAR]);
+    assert!(times.is_empty());
+    // One short series in each step, for all events together.
+    assert_eq!(orders.len(), usize::try_from(steps).unwrap());
+    assert!(orders.iter().all(|order| *order == 6), "{orders:?}");
+}
+
+/// All terms are computed where a function is near zero, and the events are the ones that samples see.
+#[test]
+fn all_terms_are_computed_near_an_event() {
+    let (steps, orders, times) = watched([Top::QUARTER]);
+    let full = orders.iter().filter(|order| **order == 28).count();
+    assert!(orders.len() > usize::try_from(steps).unwrap() && full > times.len());
+    let start = State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]);
+    let function = |_: f64, x: &Phase<f64, 3>| x.q[1].sin() * x.q[0].cos() - 0.2;
+    let driver = Taylor::new().driver().events(Event::either(), function);
+    let motion = driver.sample(&TOP.dynamics(), start, &[20.0]).unwrap();
+    assert!(times.len() > 2, "{times:?} {}", motion.events().len());
+    assert_eq!(times.len(), motion.events().len());
+    for (t, sampled) in times.iter().zip(motion.events()) {
+        assert!((t - sampled.t).abs() < 1e-12, "{t} {}", sampled.t);
+    }
+}
