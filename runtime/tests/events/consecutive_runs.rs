@@ -240,18 +240,19 @@ where
     all
 }
 
-fn each_event_once<I, C>(driver: &Driver<I, C>, tolerance: f64, seed: u64)
+fn each_event_once<I, C>(driver: &Driver<I, C>, tolerance: f64, seed: u64, cases: usize)
 where
     I: Clone + for<'a> Resume<f64, Equations<'a>>,
     C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
 {
     let mut random = Random(seed);
-    for case in 0..2 {
+    let first = usize::from(random.below(2));
+    for case in 0..cases {
         let model = Oscillator {
             k: 1.0 + random.uniform(),
             g: 0.2 * random.uniform(),
         };
-        let (from, end) = [(-2.5, 2.7), (2.5, -2.7)][case % 2];
+        let (from, end) = [(-2.5, 2.7), (2.5, -2.7)][(case + first) % 2];
         let q = [1.0 + 0.3 * random.uniform(), 0.5 * random.uniform()];
         let v = [random.uniform(), -random.uniform()];
         let start = Sample::from(State::new(from, q, v));
@@ -279,7 +280,7 @@ where
     }
 }
 
-fn under<I>(method: &I, tolerance: f64, seed: u64)
+fn under<I>(method: &I, tolerance: f64, seed: u64, cases: usize)
 where
     I: IntegrationMethod + Clone + for<'a> Resume<f64, Equations<'a>>,
 {
@@ -294,24 +295,32 @@ where
         ];
         let declared = declared.map(|index| (index, event));
         let driver = method.driver().declared_events(declared);
-        each_event_once(&driver, tolerance, seed);
+        each_event_once(&driver, tolerance, seed, cases);
         let driver = method.driver().events([event; COUNT], functions);
-        each_event_once(&driver, tolerance, seed + 1);
+        each_event_once(&driver, tolerance, seed + 1, cases);
     }
 }
 
 #[test]
 fn taylor_reports_each_event_once() {
-    under(&Taylor::new(), 1e-12, 11);
-    under(&Taylor::new().max_step(0.03), 1e-12, 13);
+    under(&Taylor::new(), 1e-12, 11, 1);
 }
 
 #[test]
 fn dormand_prince_reports_each_event_once() {
-    under(&Dop853::new(), 1e-8, 15);
+    under(&Dop853::new(), 1e-8, 15, 1);
 }
 
 #[test]
 fn runge_kutta_reports_each_event_once() {
-    under(&RungeKutta::classical(0.02), 1e-6, 17);
+    under(&RungeKutta::classical(0.02), 1e-6, 17, 1);
+}
+
+#[test]
+#[ignore = "takes a minute; run with `--include-ignored`"]
+fn every_method_reports_each_event_once() {
+    under(&Taylor::new(), 1e-12, 21, 4);
+    under(&Taylor::new().max_step(0.03), 1e-12, 23, 2);
+    under(&Dop853::new(), 1e-8, 25, 4);
+    under(&RungeKutta::classical(0.02), 1e-6, 27, 4);
 }

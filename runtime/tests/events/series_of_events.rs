@@ -125,3 +125,33 @@ fn all_terms_are_computed_near_an_event() {
         assert!((t - sampled.t).abs() < 1e-12, "{t} {}", sampled.t);
     }
 }
+
+/// A particle without forces, along which the event function is 1 − 40 t⁷ (1 − t).
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    potential = 0,
+    event(dip = 1 - 40 * x.powi(7) * (1 - x)),
+)]
+struct Particle {
+    m: f64,
+}
+
+/// A few terms tell nothing about the others where they vanish, and the function has one value at both ends.
+#[test]
+fn events_of_terms_of_high_order_alone_are_found() {
+    let particle = Particle { m: 1.0 };
+    let start = State::new(0.0, [0.0], [1.0]);
+    let driver = Taylor::new()
+        .driver()
+        .declared_events([(Particle::DIP, Event::either())]);
+    let motion = driver.sample(&particle.dynamics(), start, &[1.0]).unwrap();
+    assert_eq!(motion.events().len(), 2);
+    for event in motion.events() {
+        let t: f64 = event.t;
+        let value = 1.0 - 40.0 * t.powi(7) * (1.0 - t);
+        assert!(value.abs() < 1e-12, "{value:e}");
+    }
+}
