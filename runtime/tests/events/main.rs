@@ -4,6 +4,7 @@
 mod common;
 mod event_models;
 mod random_numbers;
+mod two_runs;
 
 mod consecutive_runs;
 mod contacts;
@@ -17,3 +18,4 @@ mod rounding;
 mod series_of_events;
 mod settings_compose;
 mod switch_derivatives;
+mod touches;
