@@ -39,6 +39,8 @@ mod state_space;
 mod linear_outputs;
 mod riccati;
 mod matrix_sign;
+mod lyapunov;
+mod riccati_newton;
 mod regulator;
 mod regulator_error;
 

@@ -58,17 +58,22 @@ pub(crate) fn eigenvalues(
 /// The powers of two D for which D⁻¹ A D is balanced: their exponents, 0 where an entry is not finite.
 pub(super) fn balancing<const D: usize>(matrix: &SMatrix<f64, D, D>) -> [i32; D] {
     let mut exponents = [0; D];
-    if matrix.iter().all(|x| x.is_finite()) {
-        let mut entries: [[f64; D]; D] =
-            core::array::from_fn(|i| core::array::from_fn(|j| matrix[(i, j)]));
+    let mut entries: [[f64; D]; D] =
+        core::array::from_fn(|i| core::array::from_fn(|j| matrix[(i, j)]));
+    balance(entries.as_flattened_mut(), &mut exponents);
+    exponents
+}
+
+/// The same of a matrix in a slice, which is balanced: the exponents are added to those given, as many as it has rows.
+pub(super) fn balance(entries: &mut [f64], exponents: &mut [i32]) {
+    if entries.iter().all(|x| x.is_finite()) {
         let mut square = Square {
-            entries: entries.as_flattened_mut(),
-            stride: D,
-            order: D,
+            entries,
+            stride: exponents.len(),
+            order: exponents.len(),
         };
         square.balance(&mut |i, exponent| exponents[i] += exponent);
     }
-    exponents
 }
 
 impl Square<'_> {
@@ -82,7 +87,7 @@ impl Square<'_> {
                 let others = || (0..self.order).filter(|j| *j != i);
                 let mut column: f64 = others().map(|j| self[(j, i)].abs()).sum();
                 let row: f64 = others().map(|j| self[(i, j)].abs()).sum();
-                if !(column > 0.0 && row > 0.0) {
+                if !(column > 0.0 && row > 0.0 && (column + row).is_finite()) {
                     continue;
                 }
                 let before = column + row;

@@ -8,12 +8,10 @@
 //! What costs nothing may be unstable or stable, and weights and rates may be far apart: the digits that the iteration loses by that
 //! are beyond those of `f64`.
 
-use nalgebra::SMatrix;
-
+use super::eigenvalues::balance;
+use super::lyapunov::{Square, form_in_units, map_in_units};
 use crate::limits::analysis::SIGN_ITERATIONS;
 use crate::scalar::{DoubleDouble, Scalar};
-
-type Square<const D: usize> = SMatrix<DoubleDouble, D, D>;
 
 /// A matrix of order 2 `D` in rows.
 #[derive(Clone, Copy)]
@@ -186,6 +184,20 @@ fn solution<const D: usize>(sign: &Double<D>) -> Square<D> {
     (x + x.transpose()) * number(0.5)
 }
 
+/// The exponents of units x = T x′ of the state and y = T⁻¹ y′ of the costate in which the Hamiltonian matrix is balanced: P. Benner,
+/// *Symplectic balancing of Hamiltonian matrices*, SIAM J. Sci. Comput. **22** (2001) 1885–1904.
+fn units<const D: usize>(hamiltonian: &Double<D>) -> [i32; D] {
+    let entries = hamiltonian
+        .0
+        .map(|half| half.map(|row| row.map(|half| half.map(DoubleDouble::to_f64))));
+    let mut entries = entries;
+    let flat = entries.as_flattened_mut().as_flattened_mut();
+    let mut exponents = [[0; D]; 2];
+    balance(flat.as_flattened_mut(), exponents.as_flattened_mut());
+    let [states, costates] = exponents;
+    core::array::from_fn(|i| (states[i] - costates[i]) / 2)
+}
+
 /// The stabilizing solution X of Aᵀ X + X A − X G X + Q = 0, or of X = Aᵀ X (1 + G X)⁻¹ A + Q.
 pub(super) fn stabilizing<const D: usize>(
     a: &Square<D>,
@@ -193,6 +205,12 @@ pub(super) fn stabilizing<const D: usize>(
     q: &Square<D>,
     is_discrete: bool,
 ) -> Option<Square<D>> {
+    let negative = |matrix: &Square<D>| -*matrix;
+    let hamiltonian = Double::of([[a, &negative(g)], [&negative(q), &negative(&a.transpose())]]);
+    let units = units(&hamiltonian);
+    let back = units.map(|n| -n);
+    let (a, q) = (&map_in_units(a, &units), &form_in_units(q, &units));
+    let g = &form_in_units(g, &back);
     let transposed = a.transpose();
     let hamiltonian = if is_discrete {
         // Of A x = z (x + G y) and −Q x + y = z Aᵀ y: the sum of both sides, and their difference.
@@ -205,5 +223,5 @@ pub(super) fn stabilizing<const D: usize>(
     };
     let found = solution(&hamiltonian.sign()?);
     let is_finite = found.iter().all(|x| x.is_finite());
-    is_finite.then_some(found)
+    is_finite.then(|| form_in_units(&found, &back))
 }

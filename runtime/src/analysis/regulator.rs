@@ -1,21 +1,23 @@
 //! The linear-quadratic regulator.
 //!
 //! R. E. Kalman, *Contributions to the theory of optimal control*, Bol. Soc. Mat. Mexicana **5** (1960) 102–119; B. D. O. Anderson and
-//! J. B. Moore, *Optimal Control: Linear Quadratic Methods*, 1990. Where doubling leaves too few digits, or finds what does not stabilize
-//! the system, as where an unstable mode has no cost, the equation is solved by the sign of a matrix.
+//! J. B. Moore, *Optimal Control: Linear Quadratic Methods*, 1990. Doubling in `f64` starts Newton's method in numbers of twice the
+//! digits, or the sign of a matrix does where doubling does not find a gain that stabilizes the system, as where an unstable mode has no
+//! cost. The last step of Newton's method decides whether the digits are certain.
 
 use nalgebra::SMatrix;
 
 use super::controllability::Controllability;
 use super::eigenvalues::balancing;
 use super::exceeds;
-use super::matrix_sign::stabilizing;
+use super::lyapunov::{Square, lyapunov};
 use super::regulator_error::RegulatorError;
 use super::riccati;
+use super::riccati_newton::{Riccati, Solution};
 use super::spectrum::{Spectrum, modulus};
 use super::state_space::{DiscreteStateSpace, StateSpace, poles};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
-use crate::limits::analysis::{ACCURATE_RICCATI_RESIDUAL, BORDER, RICCATI_RESIDUAL, UNREACHED};
+use crate::limits::analysis::{BORDER, RICCATI_CHANGE, UNREACHED};
 use crate::linalg::Factorization;
 use crate::scalar::{DoubleDouble, Scalar};
 
@@ -118,30 +120,46 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         }
         // Where scales are far apart, a mode may seem to be out of reach that is not: a regulator that is found decides.
         let checked = self.check_modes();
-        let by_doubling = match checked {
-            Ok(()) => self.by_doubling(),
-            Err(_) => None,
-        };
-        if let Some(regulator) = by_doubling.filter(|x| x.residual <= ACCURATE_RICCATI_RESIDUAL) {
-            return Ok(regulator);
-        }
-        let found = self.by_sign();
-        let found = found.filter(|x| checked.is_ok() || self.is_certain(x));
-        let best = match (by_doubling, found) {
-            (Some(first), Some(second)) if first.residual < second.residual => Some(first),
-            (first, second) => second.or(first),
-        };
-        match best {
-            Some(regulator) if !exceeds(regulator.residual, RICCATI_RESIDUAL) => Ok(regulator),
-            Some(Regulator { residual, .. }) => {
-                checked.and(Err(RegulatorError::Inaccurate { residual }))
+        let riccati = self.riccati();
+        let starts: [&dyn Fn() -> Option<Square<D>>; 3] = [
+            &|| checked.ok().and_then(|()| self.by_doubling()),
+            &|| riccati.by_sign(),
+            // The gain 0 of a plant that is stable.
+            &|| Some(Square::zeros()),
+        ];
+        let mut least = f64::INFINITY;
+        for start in starts {
+            let solution = start().and_then(|cost| riccati.refined(&cost));
+            let Some(solution) = solution else { continue };
+            if exceeds(solution.change, RICCATI_CHANGE) {
+                least = solution.change.min(least);
+            } else if let Some(regulator) = self.rounded(&riccati, &solution)
+                && (checked.is_ok() || self.is_certain(&regulator))
+            {
+                return Ok(regulator);
             }
-            None => checked.and(Err(RegulatorError::NoConvergence)),
+        }
+        checked?;
+        Err(if least.is_finite() {
+            RegulatorError::Inaccurate { change: least }
+        } else {
+            RegulatorError::NoConvergence
+        })
+    }
+
+    fn riccati(&self) -> Riccati<D, U> {
+        let [a, q] = [self.a, self.q].map(|matrix| matrix.map(DoubleDouble::from));
+        Riccati {
+            a,
+            b: self.b.map(DoubleDouble::from),
+            q,
+            r: self.r.map(DoubleDouble::from),
+            is_discrete: self.is_discrete,
         }
     }
 
-    /// The regulator by doubling, where that finds one that stabilizes the system.
-    fn by_doubling(&self) -> Option<Regulator<D, U>> {
+    /// The cost by doubling in `f64`, which starts Newton's method where it finds one.
+    fn by_doubling(&self) -> Option<Square<D>> {
         let Self { a, b, q, r, .. } = *self;
         let g = b * Factorization::new(*r).solve(&b.transpose());
         let g = (g + g.transpose()) * 0.5;
@@ -150,42 +168,23 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         } else {
             riccati::continuous(a, &g, q)
         };
-        let cost = cost?;
-        let gain = if self.is_discrete {
-            let weight = r + b.transpose() * cost * b;
-            Factorization::new(weight).solve(&(b.transpose() * cost * a))
-        } else {
-            Factorization::new(*r).solve(&(b.transpose() * cost))
-        };
-        self.stabilizing(cost, gain)
+        Some(cost?.map(DoubleDouble::from))
     }
 
-    /// The regulator in numbers of more digits, from the sign of a matrix.
-    fn by_sign(&self) -> Option<Regulator<D, U>> {
-        let [a, q] = [self.a, self.q].map(|matrix| matrix.map(DoubleDouble::from));
-        let b = self.b.map(DoubleDouble::from);
-        let r = self.r.map(DoubleDouble::from);
-        let g = b * Factorization::new(r).solve(&b.transpose());
-        let cost = stabilizing(&a, &g, &q, self.is_discrete)?;
-        let gain = if self.is_discrete {
-            Factorization::new(r + b.transpose() * cost * b).solve(&(b.transpose() * cost * a))
-        } else {
-            Factorization::new(r).solve(&(b.transpose() * cost))
-        };
-        self.stabilizing(cost.map(Scalar::largest), gain.map(Scalar::largest))
-    }
-
-    fn stabilizing(
+    /// The regulator of a solution, unless the rounded gain leaves a mode unstable.
+    fn rounded(
         &self,
-        cost: SMatrix<f64, D, D>,
-        gain: SMatrix<f64, U, D>,
+        riccati: &Riccati<D, U>,
+        solution: &Solution<D, U>,
     ) -> Option<Regulator<D, U>> {
-        let poles = poles(&(self.a - self.b * gain))?;
-        let is_stable = poles.iter().all(|pole| self.excess(*pole) < 0.0);
-        is_stable.then(|| Regulator {
+        let gain = solution.gain.map(Scalar::largest);
+        let cost = solution.cost.map(Scalar::largest);
+        let closed = riccati.closed(&gain.map(DoubleDouble::from));
+        lyapunov(&closed, &Square::zeros(), self.is_discrete)?;
+        Some(Regulator {
             gain,
             cost,
-            poles,
+            poles: poles(&closed)?,
             residual: self.residual(&cost, &gain),
         })
     }

@@ -44,10 +44,10 @@ pub enum RegulatorError {
     },
     /// The doubling algorithm has not converged: eigenvalues of the closed loop are too near the border of stability.
     NoConvergence,
-    /// What was found does not satisfy the Riccati equation, or does not stabilize the system: it is too badly scaled.
+    /// The digits of the cost that was found are not certain: the problem is too badly conditioned.
     Inaccurate {
-        /// The norm of what is left of the equation, in relation to its terms.
-        residual: f64,
+        /// The last step of Newton's method in relation to the cost.
+        change: f64,
     },
 }
 
@@ -91,11 +91,11 @@ impl fmt::Display for RegulatorError {
             Self::NoConvergence => f.write_str(
                 "the Riccati equation was not solved: eigenvalues of the closed loop are too near the border of stability",
             ),
-            Self::Inaccurate { residual } => write!(
+            Self::Inaccurate { change } => write!(
                 f,
-                "the solution of the Riccati equation is not accurate, with a relative residual of {}: choose units in which the \
+                "the solution of the Riccati equation is not accurate, with a relative error of about {}: choose units in which the \
                  entries of A, B and of the weights are of similar size",
-                Readable(residual)
+                Readable(change)
             ),
         }
     }

@@ -102,15 +102,24 @@ pub(crate) const UNREACHED: f64 = 64.0;
 /// The distance of eigenvalues from the border of stability, in relation to the largest one, below which they may be on it.
 pub(crate) const BORDER: f64 = 1e-9;
 
-/// A solution by doubling that leaves more than this of a Riccati equation, in relation to its terms, is computed with more digits.
-pub(crate) const ACCURATE_RICCATI_RESIDUAL: f64 = 1e-14;
-
 /// Steps towards the sign of a matrix: scaled, they take some ten, and one more for each halving of the angle between an eigenvalue and the
 /// imaginary axis.
 pub(crate) const SIGN_ITERATIONS: usize = 200;
 
-/// What a solution of a Riccati equation may leave of it, in relation to its terms.
-pub(crate) const RICCATI_RESIDUAL: f64 = 1e-8;
+/// Steps of Newton's method for a Riccati equation. From a cost that is far too large each halves it; near the solution a few
+/// are enough.
+pub(crate) const RICCATI_NEWTON_STEPS: usize = 100;
+
+/// A step of Newton's method for a Riccati equation, in relation to the cost, that leaves only rounding errors: the next one is less by
+/// as much, unless the equation is badly conditioned.
+pub(crate) const RICCATI_ROUNDING: f64 = 1e-20;
+
+/// The last step of Newton's method may be this long, in relation to the cost, where rounding errors make it no shorter.
+pub(crate) const RICCATI_CHANGE: f64 = 1e-10;
+
+/// Powers of a stable matrix count as zero from here on, in units in which it is balanced: their squares are below the rounding
+/// errors of a double-double.
+pub(crate) const VANISHED_POWER: f64 = 1e-18;
 
 /// The parameters of the Cayley transform that are compared, in units of the geometric mean of the least and the largest
 /// eigenvalue: several, so that one is far from all eigenvalues.

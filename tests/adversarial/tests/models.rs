@@ -17,7 +17,7 @@ fn models_agree_with_an_independent_evaluation() {
 fn regulators_are_those_of_scipy() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/regulators.json");
     let comparisons = compare_regulators(&file);
-    assert!(comparisons.len() >= 2 * 30);
+    assert!(comparisons.len() >= 2 * 48);
     check(&comparisons);
 }
 

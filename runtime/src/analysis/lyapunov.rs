@@ -1,0 +1,94 @@
+//! Equations of Lyapunov and Stein, in numbers of twice the digits.
+//!
+//! By doubling: R. A. Smith, *Matrix equation XA + BX = C*, SIAM J. Appl. Math. **16** (1968) 198–201. The powers of A vanish if and
+//! only if all eigenvalues are within the unit circle, so that the solution decides stability, too, with more digits than
+//! eigenvalues in `f64` have. Lyapunov's equation becomes Stein's by the Cayley transform (A + γ)(A − γ)⁻¹, which takes the left
+//! half plane to the unit disc.
+
+use nalgebra::SMatrix;
+
+use super::eigenvalues::balancing;
+use crate::limits::analysis::{DOUBLINGS, VANISHED_POWER};
+use crate::linalg::pivoting::{PivotedLu, solve};
+use crate::scalar::{DoubleDouble, Scalar};
+
+pub(super) type Square<const D: usize> = SMatrix<DoubleDouble, D, D>;
+
+/// The largest magnitude of an entry; NaN if one is.
+pub(super) fn largest<const D: usize>(matrix: &Square<D>) -> f64 {
+    let entries = matrix.iter().map(|x| x.to_f64().abs());
+    entries.fold(0.0, |most, x| if x <= most { most } else { x })
+}
+
+pub(super) fn symmetric<const D: usize>(matrix: &Square<D>) -> Square<D> {
+    (matrix + matrix.transpose()) * DoubleDouble::from(0.5)
+}
+
+/// M with the entries in other units of the variables, which are powers of two: Mᵢⱼ 2^(nᵢ + nⱼ) of a quadratic form, for units 2^nᵢ.
+pub(super) fn form_in_units<const D: usize>(form: &Square<D>, exponents: &[i32; D]) -> Square<D> {
+    let unit = |i: usize| DoubleDouble::from(libm::ldexp(1.0, exponents[i]));
+    SMatrix::from_fn(|i, j| form[(i, j)] * unit(i) * unit(j))
+}
+
+/// The same of a linear map: Mᵢⱼ 2^(nⱼ − nᵢ).
+pub(super) fn map_in_units<const D: usize>(map: &Square<D>, exponents: &[i32; D]) -> Square<D> {
+    let power = |n: i32| DoubleDouble::from(libm::ldexp(1.0, n));
+    SMatrix::from_fn(|i, j| map[(i, j)] * power(exponents[j] - exponents[i]))
+}
+
+/// The solution X of Aᵀ X + X A + W = 0, or of X = Aᵀ X A + W in discrete time, for a symmetric W. None if A is not stable.
+pub(super) fn lyapunov<const D: usize>(
+    a: &Square<D>,
+    w: &Square<D>,
+    is_discrete: bool,
+) -> Option<Square<D>> {
+    let exponents = balancing(&a.map(Scalar::largest));
+    let a = map_in_units(a, &exponents);
+    let w = form_in_units(w, &exponents);
+    let solution = if is_discrete {
+        stein(a, w)?
+    } else {
+        let (a, w) = transformed(&a, &w)?;
+        stein(a, w)?
+    };
+    Some(form_in_units(&solution, &exponents.map(|n| -n)))
+}
+
+/// Stein's equation with the solution of Lyapunov's, with γ between the largest eigenvalue and the least.
+fn transformed<const D: usize>(a: &Square<D>, w: &Square<D>) -> Option<(Square<D>, Square<D>)> {
+    let identity = Square::<D>::identity();
+    let of_inverse = largest(&divided(a, &identity));
+    let rate = libm::sqrt(largest(a)) / libm::sqrt(of_inverse);
+    if !(rate > 0.0 && rate.is_finite()) {
+        return None;
+    }
+    let rate = DoubleDouble::from(rate);
+    let inverse = divided(&(a - identity * rate), &identity);
+    let power = identity + inverse * (rate + rate);
+    let right = symmetric(&(inverse.transpose() * w * inverse)) * (rate + rate);
+    Some((power, right))
+}
+
+/// The solution of X = Aᵀ X A + W: X ← X + Aᵀ X A, A ← A².
+fn stein<const D: usize>(mut a: Square<D>, w: Square<D>) -> Option<Square<D>> {
+    let mut x = w;
+    for _ in 0..DOUBLINGS {
+        x += symmetric(&(a.transpose() * x * a));
+        a *= a;
+        let [size, power] = [&x, &a].map(largest);
+        if !(size.is_finite() && power.is_finite()) {
+            return None;
+        }
+        // What is left is less by the square of this.
+        if power <= VANISHED_POWER {
+            return Some(x);
+        }
+    }
+    None
+}
+
+/// A⁻¹ B.
+fn divided<const D: usize>(a: &Square<D>, b: &Square<D>) -> Square<D> {
+    let lu = PivotedLu::new(*a);
+    solve(&lu.factors, &lu.reciprocals, &lu.interchanges, b)
+}

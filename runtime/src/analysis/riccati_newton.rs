@@ -1,0 +1,109 @@
+//! Newton's method for algebraic Riccati equations, in numbers of twice the digits.
+//!
+//! D. L. Kleinman, *On an iterative technique for Riccati equation computations*, IEEE Trans. Automat. Contr. **13** (1968) 114–115;
+//! G. A. Hewer, *An iterative technique for the computation of the steady state gains for the discrete optimal regulator*, the
+//! same, **16** (1971) 382–384. From any gain that stabilizes the system it converges to the stabilizing solution, and near it quadratically.
+//! Its last step is the error of the solution that was had before, whatever the conditioning of the equation, which no residual tells.
+
+use nalgebra::SMatrix;
+
+use super::eigenvalues::balancing;
+use super::lyapunov::{Square, form_in_units, largest, lyapunov, symmetric};
+use super::matrix_sign::stabilizing;
+use crate::limits::analysis::{RICCATI_CHANGE, RICCATI_NEWTON_STEPS, RICCATI_ROUNDING};
+use crate::linalg::Factorization;
+use crate::scalar::{DoubleDouble, Scalar};
+
+/// The matrices of a regulator problem.
+#[derive(Clone, Copy)]
+pub(super) struct Riccati<const D: usize, const U: usize> {
+    pub(super) a: Square<D>,
+    pub(super) b: SMatrix<DoubleDouble, D, U>,
+    pub(super) q: Square<D>,
+    pub(super) r: SMatrix<DoubleDouble, U, U>,
+    pub(super) is_discrete: bool,
+}
+
+/// A solution of a Riccati equation.
+#[derive(Clone, Copy)]
+pub(super) struct Solution<const D: usize, const U: usize> {
+    pub(super) cost: Square<D>,
+    pub(super) gain: SMatrix<DoubleDouble, U, D>,
+    /// The last step of Newton's method, in relation to the costs.
+    pub(super) change: f64,
+}
+
+impl<const D: usize, const U: usize> Riccati<D, U> {
+    /// The gain K of a cost P.
+    fn gain(&self, cost: &Square<D>) -> SMatrix<DoubleDouble, U, D> {
+        let Self { a, b, r, .. } = self;
+        let of_inputs = b.transpose() * cost;
+        if self.is_discrete {
+            let weight = r + of_inputs * b;
+            Factorization::new(weight).solve(&(of_inputs * a))
+        } else {
+            Factorization::new(*r).solve(&of_inputs)
+        }
+    }
+
+    /// The closed loop A − B K.
+    pub(super) fn closed(&self, gain: &SMatrix<DoubleDouble, U, D>) -> Square<D> {
+        self.a - self.b * gain
+    }
+
+    /// The stabilizing cost by the sign of a matrix.
+    pub(super) fn by_sign(&self) -> Option<Square<D>> {
+        let g = self.b * Factorization::new(self.r).solve(&self.b.transpose());
+        stabilizing(&self.a, &g, &self.q, self.is_discrete)
+    }
+
+    /// The stabilizing solution, from a cost whose gain stabilizes the system. None if it does not.
+    pub(super) fn refined(&self, start: &Square<D>) -> Option<Solution<D, U>> {
+        let mut cost = *start;
+        let mut last = f64::INFINITY;
+        let units = balancing(&self.a.map(Scalar::largest));
+        for _ in 0..RICCATI_NEWTON_STEPS {
+            let gain = self.gain(&cost);
+            let closed = self.closed(&gain);
+            let by_inputs = gain.transpose() * self.r * gain;
+            let left = if self.is_discrete {
+                closed.transpose() * cost * closed - cost
+            } else {
+                closed.transpose() * cost + cost * closed
+            };
+            let left = symmetric(&(left + by_inputs + self.q));
+            let step = lyapunov(&closed, &left, self.is_discrete)?;
+            cost += step;
+            let change = relative_change(&cost, &step, &units);
+            let is_rounding = last <= RICCATI_CHANGE && change >= last * 0.5;
+            if change <= RICCATI_ROUNDING || is_rounding {
+                let gain = self.gain(&cost);
+                return Some(Solution { cost, gain, change });
+            }
+            last = change;
+        }
+        None
+    }
+}
+
+/// The largest change of a cost, each entry Pᵢⱼ in relation to (Pᵢᵢ Pⱼⱼ)^½, which it does not exceed, so that no unit matters. Costs
+/// that are less than the rounding errors of the largest one may vanish: they are compared with these, in units in which A
+/// is balanced.
+fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[i32; D]) -> f64 {
+    let [cost, step] = [cost, step].map(|form| form_in_units(form, units));
+    let least = f64::EPSILON * largest(&cost);
+    let root = |i: usize| libm::sqrt(cost[(i, i)].to_f64().max(least));
+    let mut most = 0.0_f64;
+    for i in 0..D {
+        for j in 0..D {
+            let step = step[(i, j)].to_f64().abs();
+            let ratio = if step == 0.0 {
+                0.0
+            } else {
+                step / root(i) / root(j)
+            };
+            most = if ratio <= most { most } else { ratio };
+        }
+    }
+    most
+}
