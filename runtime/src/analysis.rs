@@ -35,7 +35,6 @@ mod stability;
 mod controllability;
 mod matrix_exponential;
 mod state_space;
-#[cfg(feature = "num-dual")]
 mod linear_outputs;
 mod riccati;
 mod matrix_sign;

@@ -32,7 +32,7 @@
 //!   [`Lagrangian::dynamics`](trait@Lagrangian). A [`Driver`] adds stop conditions and observers.
 //!   [`Taylor`] steps what has a [`Series`]: models with the clause `taylor` do ([`MotionSeries`]).
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
-//!   [`DoubleDouble`], and dual numbers with the feature `num-dual`.
+//!   [`DoubleDouble`], and [`Dual`] numbers, which have derivatives.
 //! - [`rigid_body`] has bodies, their momenta and Euler's equations, [`rotation`] Euler angles and quaternions, [`elliptic`]
 //!   the functions of free rotation. Triangle meshes are read from files with the feature `mesh-files`.
 //!
@@ -89,7 +89,6 @@ pub use model::{
     OutputsWith, OwnedEquations, Phase, Plant, ReconstructedPhase, Reconstruction, RouthReduction,
     Routhian, RouthianSeries, State, WithController, WithInputs,
 };
-#[cfg(feature = "num-dual")]
 pub use model::{ByParameters, StateTransition};
 pub use model::{
     CanonicalEquations, CanonicalPhase, EnergyBalance, EnergyBalanceWith, EnergyResidual,
@@ -98,7 +97,5 @@ pub use model::{
 };
 pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use nalgebra;
-#[cfg(feature = "num-dual")]
-pub use num_dual;
 pub use num_traits;
-pub use scalar::{DoubleDouble, Lanes, Scalar};
+pub use scalar::{DoubleDouble, Dual, Lanes, Scalar};

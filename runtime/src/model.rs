@@ -8,7 +8,6 @@ mod phase;
 mod named_singularity;
 mod poles;
 mod linearization;
-#[cfg(feature = "num-dual")]
 mod state_transition;
 mod operations;
 mod by_columns;
@@ -76,6 +75,5 @@ pub use routhian::{RouthReduction, Routhian, RouthianSeries};
 pub use sensitivities::{Sensitivities, SensitivitiesWith};
 pub use signals::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use state::State;
-#[cfg(feature = "num-dual")]
 pub use state_transition::{ByParameters, StateTransition};
 pub use with_controller::WithController;

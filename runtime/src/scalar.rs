@@ -6,19 +6,18 @@
 
 mod arithmetic;
 mod double_double;
-#[cfg(feature = "num-dual")]
 mod dual;
 mod float;
 mod lanes;
 mod simd;
 mod sine_cosine;
-pub(crate) mod tangent;
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
 pub use double_double::DoubleDouble;
+pub use dual::Dual;
 pub use lanes::Lanes;
 
 /// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes. The
@@ -59,33 +58,31 @@ pub use lanes::Lanes;
 /// | `f64`, `f32` | one number | |
 /// | [`Lanes<L>`](Lanes) | `L` numbers at once: parameter studies, ensembles | |
 /// | [`DoubleDouble`] | 32 digits: reference values, differences that `f64` rounds away | |
-/// | `num_dual::Dual64` | the derivative in one direction | feature `num-dual`, beside `num-dual = "0.15"` |
-/// | `num_dual::DualSVec64<N>` | the gradient with respect to `N` quantities | feature `num-dual` |
-/// | `num_dual::Dual2_64`, `HyperDual64` | second derivatives, in one direction or two | feature `num-dual` |
+/// | [`Dual<S, N>`](Dual) | the derivatives by `N` quantities, on any scalar `S` | |
+/// | `Dual<Dual<S, N>, M>` | second derivatives | |
 ///
 /// Dual numbers differentiate with respect to whatever has a derivative part: a parameter, an initial
 /// value, the time, an input. An integration on dual numbers differentiates its steps; adaptive methods choose their
-/// sizes by the derivative parts, too. The derivatives by all initial values at once are a `StateTransition`. The
-/// sensitivity of a motion to a mass and a stiffness:
+/// sizes by the derivative parts, too. The derivatives by all initial values at once are a
+/// [`StateTransition`](crate::StateTransition). The sensitivity of a motion to a mass and a stiffness:
 ///
-#[cfg_attr(feature = "num-dual", doc = "```")]
-#[cfg_attr(not(feature = "num-dual"), doc = "```ignore")]
+/// ```
+/// use lagrangian::Dual;
 /// use lagrangian::prelude::*;
-/// use lagrangian::num_dual::DualSVec64;
 ///
 /// #[derive(Lagrangian)]
 /// #[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = 0.5 * k * x.powi(2))]
 /// struct Oscillator<T: Scalar> { m: T, k: T }
 ///
-/// type Dual = DualSVec64<2>;
-/// let oscillator = Oscillator { m: Dual::from_re(2.0).derivative(0), k: Dual::from_re(8.0).derivative(1) };
-/// let start = State::new(Dual::from_f64(0.0), [Dual::from_f64(1.0)], [Dual::from_f64(0.0)]);
-/// let end = RungeKutta::classical(1e-3).integrate_to(&oscillator.dynamics(), start, 1.0)?;
+/// let [m, k] = Dual::variables([2.0, 8.0]);
+/// let [zero, one] = [0.0, 1.0].map(Dual::constant);
+/// let start = State::new(zero, [one], [zero]);
+/// let end = RungeKutta::classical(1e-3).integrate_to(&Oscillator { m, k }.dynamics(), start, 1.0)?;
 ///
 /// // x = cos ωt, ω² = k/m = 4; ∂x/∂m = t sin ωt ω/(2 m), ∂x/∂k = −t sin ωt ω/(2 k).
-/// let gradient = end.x.q[0].eps.0.unwrap_or_default();
-/// assert!((gradient[0] - 0.5 * 2.0_f64.sin()).abs() < 1e-9);
-/// assert!((gradient[1] + 0.125 * 2.0_f64.sin()).abs() < 1e-9);
+/// let [by_mass, by_stiffness] = end.x.q[0].derivative;
+/// assert!((by_mass - 0.5 * 2.0_f64.sin()).abs() < 1e-9);
+/// assert!((by_stiffness + 0.125 * 2.0_f64.sin()).abs() < 1e-9);
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[diagnostic::on_unimplemented(
@@ -175,6 +172,17 @@ pub trait Scalar:
     #[inline]
     fn is_finite(self) -> bool {
         self.smallest().is_finite() && self.largest().is_finite()
+    }
+
+    /// The number in lanes where `mask` is 1, and 0 in those where it is 0, also if the number is not finite there.
+    ///
+    /// By the default, `min` and `max` ignore a NaN: they bound the number by 0/0 where the mask is 1, and by 0 where it is 0. For dual
+    /// numbers of your own, mask derivative parts, too.
+    #[inline]
+    #[must_use]
+    fn masked(self, mask: Self) -> Self {
+        let bound = Self::zero() / (Self::one() - mask);
+        self.max(bound).min(bound)
     }
 
     /// `self · factor + summand`, fused only where the target has the instruction.

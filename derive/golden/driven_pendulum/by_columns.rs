@@ -513,7 +513,7 @@ for DrivenPendulum {
         );
         let prepared = ::lagrangian::Lagrangian::<
             1usize,
-            ::lagrangian::__private::Tangent<__S, 1>,
+            ::lagrangian::Dual<__S, 1>,
         >::prepare(self);
         let inputs = ::lagrangian::__private::constants(inputs);
         ::lagrangian::__private::linearization_by_columns(
@@ -523,7 +523,7 @@ for DrivenPendulum {
             |state, accelerations| ::lagrangian::Inputs::<
                 1usize,
                 1usize,
-                ::lagrangian::__private::Tangent<__S, 1>,
+                ::lagrangian::Dual<__S, 1>,
             >::inverse_dynamics_prepared_with(
                 self,
                 state,
@@ -543,11 +543,11 @@ for DrivenPendulum {
         );
         let prepared = ::lagrangian::Lagrangian::<
             1usize,
-            ::lagrangian::__private::Tangent<__S, 1>,
+            ::lagrangian::Dual<__S, 1>,
         >::prepare(self);
         let state = ::lagrangian::__private::constant_state(state);
         let accelerations = ::lagrangian::__private::SVector::<
-            ::lagrangian::__private::Tangent<__S, 1>,
+            ::lagrangian::Dual<__S, 1>,
             1usize,
         >::zeros();
         ::lagrangian::__private::input_jacobian_by_columns(
@@ -556,7 +556,7 @@ for DrivenPendulum {
             |inputs| ::lagrangian::Inputs::<
                 1usize,
                 1usize,
-                ::lagrangian::__private::Tangent<__S, 1>,
+                ::lagrangian::Dual<__S, 1>,
             >::inverse_dynamics_prepared_with(
                 self,
                 &state,

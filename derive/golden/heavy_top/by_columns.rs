@@ -468,7 +468,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         );
         let prepared = ::lagrangian::Lagrangian::<
             3usize,
-            ::lagrangian::__private::Tangent<__S, 1>,
+            ::lagrangian::Dual<__S, 1>,
         >::prepare(self);
         ::lagrangian::__private::linearization_by_columns(
             state,
@@ -476,7 +476,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             &factors,
             |state, accelerations| ::lagrangian::Lagrangian::<
                 3usize,
-                ::lagrangian::__private::Tangent<__S, 1>,
+                ::lagrangian::Dual<__S, 1>,
             >::inverse_dynamics_prepared(self, state, accelerations, &prepared),
         )
     }

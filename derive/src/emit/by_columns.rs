@@ -76,7 +76,7 @@ impl Writer<'_> {
             &self.emitter.scalar,
             Literal::usize_unsuffixed(DIRECTIONS_AT_ONCE),
         );
-        quote!(#root::__private::Tangent<#scalar, #directions>)
+        quote!(#root::Dual<#scalar, #directions>)
     }
 
     fn prepared_on_duals(&self) -> TokenStream {

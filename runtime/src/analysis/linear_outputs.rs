@@ -1,12 +1,11 @@
-//! Output matrices by dual numbers. Needs the feature `num-dual`.
+//! Output matrices by dual numbers.
 
 use nalgebra::{SMatrix, SVector};
-use num_dual::Dual64;
 
 use super::state_space::StateSpace;
 use crate::linalg::IntoVector;
 use crate::model::State;
-use crate::scalar::Scalar;
+use crate::scalar::Dual;
 
 impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
     /// The same model with the outputs y = `outputs(state, inputs)`, linearized about a state and inputs: C = ∂y/∂x and D = ∂y/∂u,
@@ -47,8 +46,8 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
         outputs: F,
     ) -> StateSpace<f64, D, U, Z>
     where
-        F: Fn(&State<Dual64, N>, &SVector<Dual64, U>) -> R,
-        R: IntoVector<Dual64, Z>,
+        F: Fn(&State<Dual, N>, &SVector<Dual, U>) -> R,
+        R: IntoVector<Dual, Z>,
     {
         const {
             assert!(
@@ -59,25 +58,25 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
         // The value, and the derivative by the number of an index.
         let evaluated = |index: Option<usize>| {
             let number = |value: f64, own: usize| {
-                Dual64::new(value, if index == Some(own) { 1.0 } else { 0.0 })
+                Dual::new(value, [if index == Some(own) { 1.0 } else { 0.0 }])
             };
             let state = State {
-                t: Dual64::from_f64(state.t),
+                t: Dual::constant(state.t),
                 q: SVector::from_fn(|i, _| number(state.q[i], i)),
                 v: SVector::from_fn(|i, _| number(state.v[i], N + i)),
             };
             let inputs = SVector::from_fn(|i, _| number(inputs[i], D + i));
-            let found: SVector<Dual64, Z> = outputs(&state, &inputs).into_vector();
+            let found: SVector<Dual, Z> = outputs(&state, &inputs).into_vector();
             found
         };
         let mut c = SMatrix::<f64, Z, D>::zeros();
         for j in 0..D {
-            c.set_column(j, &evaluated(Some(j)).map(|y| y.eps));
+            c.set_column(j, &evaluated(Some(j)).map(|y| y.derivative[0]));
         }
         let mut d = SMatrix::<f64, Z, U>::zeros();
         for j in 0..U {
-            d.set_column(j, &evaluated(Some(D + j)).map(|y| y.eps));
+            d.set_column(j, &evaluated(Some(D + j)).map(|y| y.derivative[0]));
         }
-        self.with_outputs(c, d, evaluated(None).map(|y| y.re))
+        self.with_outputs(c, d, evaluated(None).map(|y| y.value))
     }
 }

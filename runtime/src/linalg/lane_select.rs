@@ -32,14 +32,6 @@ pub(crate) fn from_index<S: Scalar>(index: usize) -> S {
     (0..index).fold(S::zero(), |number, _| number + S::one())
 }
 
-/// x where the mask is 1; 0 where it is 0, also if x is infinite or NaN there.
-///
-/// `min` and `max` ignore a NaN. The bounds are therefore 0/0 where the mask is 1, and 0 where it is 0.
-fn masked<S: Scalar>(x: S, mask: S) -> S {
-    let bound = S::zero() / (S::one() - mask);
-    x.max(bound).min(bound)
-}
-
 /// What can be selected lane by lane.
 pub trait LaneSelect<S: Scalar>: Sized {
     /// This value in the lanes where the mask is 1, `other` where it is 0.
@@ -64,7 +56,7 @@ impl<S: Scalar, const R: usize, const C: usize> LaneSelect<S> for SMatrix<S, R, 
     fn select(self, other: Self, mask: S) -> Self {
         let complement = S::one() - mask;
         select_or_blend(self, other, mask, |first, other| {
-            first.zip_map(&other, |x, y| masked(x, mask) + masked(y, complement))
+            first.zip_map(&other, |x, y| x.masked(mask) + y.masked(complement))
         })
     }
 }
@@ -86,7 +78,7 @@ pub(crate) fn swap_rows<S: Scalar, const R: usize, const C: usize>(
     let complement = S::one() - mask;
     for k in 0..C {
         let (x, y) = (matrix[(upper, k)], matrix[(lower, k)]);
-        matrix[(upper, k)] = masked(x, complement) + masked(y, mask);
-        matrix[(lower, k)] = masked(y, complement) + masked(x, mask);
+        matrix[(upper, k)] = x.masked(complement) + y.masked(mask);
+        matrix[(lower, k)] = y.masked(complement) + x.masked(mask);
     }
 }

@@ -4,15 +4,14 @@
 //! M. W. Walker and D. E. Orin, Efficient dynamic computer simulation of robotic mechanisms, J. Dyn. Sys. Meas. Control
 //! **104** (1982) 205–211; momenta cost less. The derivatives of q̈ solve M δq̈ = −δ(M q̈ − f) at fixed q̈ (J. Carpentier and N.
 //! Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018), with the inverse dynamics on
-//! [tangents](crate::scalar::tangent).
+//! [dual numbers](Dual).
 
 use nalgebra::{SMatrix, SVector};
 
 use super::linearization::Linearization;
 use super::state::State;
 use crate::linalg::Factorization;
-use crate::scalar::Scalar;
-pub use crate::scalar::tangent::Tangent;
+use crate::scalar::{Dual, Scalar};
 
 /// M at a state, from the momenta, which are of first degree in the velocities.
 pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
@@ -37,15 +36,12 @@ pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
     mass
 }
 
-/// The derivatives of q̈ by q, by q̇ and by t, where the factors are those of M, from M q̈ − f on tangents.
+/// The derivatives of q̈ by q, by q̇ and by t, where the factors are those of M, from M q̈ − f on dual numbers.
 pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     state: &State<S, N>,
     accelerations: &SVector<S, N>,
     factors: &Factorization<S, N>,
-    inverse_dynamics: impl Fn(
-        &State<Tangent<S, D>, N>,
-        &SVector<Tangent<S, D>, N>,
-    ) -> SVector<Tangent<S, D>, N>,
+    inverse_dynamics: impl Fn(&State<Dual<S, D>, N>, &SVector<Dual<S, D>, N>) -> SVector<Dual<S, D>, N>,
 ) -> Linearization<S, N> {
     let accelerations = constants(accelerations);
     let mut found = Linearization {
@@ -54,7 +50,7 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
         time: SVector::zeros(),
     };
     for first in (0..=2 * N).step_by(D) {
-        let variable = |value, number: usize| Tangent::variable(value, number.checked_sub(first));
+        let variable = |value, number: usize| Dual::variable(value, number.wrapping_sub(first));
         let state = State {
             t: variable(state.t, 2 * N),
             q: SVector::from_fn(|i, _| variable(state.q[i], i)),
@@ -62,7 +58,7 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
         };
         let residuals = inverse_dynamics(&state, &accelerations);
         for (i, residual) in residuals.iter().enumerate() {
-            for (number, slope) in (first..=2 * N).zip(residual.slopes()) {
+            for (number, slope) in (first..=2 * N).zip(residual.derivative) {
                 match number {
                     _ if number < N => found.position[(i, number)] = -slope,
                     _ if number < 2 * N => found.velocity[(i, number - N)] = -slope,
@@ -78,18 +74,18 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     }
 }
 
-/// The derivatives of q̈ by the inputs, where the factors are those of M, from M q̈ − f on tangents.
+/// The derivatives of q̈ by the inputs, where the factors are those of M, from M q̈ − f on dual numbers.
 pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, const D: usize>(
     inputs: &SVector<S, U>,
     factors: &Factorization<S, N>,
-    inverse_dynamics: impl Fn(&SVector<Tangent<S, D>, U>) -> SVector<Tangent<S, D>, N>,
+    inverse_dynamics: impl Fn(&SVector<Dual<S, D>, U>) -> SVector<Dual<S, D>, N>,
 ) -> SMatrix<S, N, U> {
     let mut found = SMatrix::zeros();
     for first in (0..U).step_by(D) {
-        let inputs = SVector::from_fn(|j, _| Tangent::variable(inputs[j], j.checked_sub(first)));
+        let inputs = SVector::from_fn(|j, _| Dual::variable(inputs[j], j.wrapping_sub(first)));
         let residuals = inverse_dynamics(&inputs);
         for (i, residual) in residuals.iter().enumerate() {
-            for (number, slope) in (first..U).zip(residual.slopes()) {
+            for (number, slope) in (first..U).zip(residual.derivative) {
                 found[(i, number)] = -slope;
             }
         }
@@ -97,19 +93,19 @@ pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, cons
     factors.solve(&found)
 }
 
-/// A vector that does not vary, on tangents.
+/// A vector that does not vary, on dual numbers.
 pub fn constants<S: Scalar, const K: usize, const D: usize>(
     values: &SVector<S, K>,
-) -> SVector<Tangent<S, D>, K> {
-    values.map(Tangent::constant)
+) -> SVector<Dual<S, D>, K> {
+    values.map(Dual::constant)
 }
 
-/// A state that does not vary, on tangents.
+/// A state that does not vary, on dual numbers.
 pub fn constant_state<S: Scalar, const N: usize, const D: usize>(
     state: &State<S, N>,
-) -> State<Tangent<S, D>, N> {
+) -> State<Dual<S, D>, N> {
     State {
-        t: Tangent::constant(state.t),
+        t: Dual::constant(state.t),
         q: constants(&state.q),
         v: constants(&state.v),
     }

@@ -4,7 +4,7 @@ pub use nalgebra::{SMatrix, SVector};
 
 pub use super::arrays::{matrix, vector};
 pub use super::by_columns::{
-    Tangent, constant_state, constants, input_jacobian_by_columns, linearization_by_columns,
+    constant_state, constants, input_jacobian_by_columns, linearization_by_columns,
     mass_matrix_by_columns,
 };
 

@@ -1,21 +1,22 @@
-//! Derivatives of a motion by its initial values and by parameters. Needs the feature `num-dual`.
+//! Derivatives of a motion by its initial values and by parameters.
 
 use nalgebra::{SMatrix, SVector};
-use num_dual::DualSVec64;
 
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::{Dynamics, IntegrationError, Integrator, Sample};
+use crate::scalar::Dual;
 
-/// The derivatives of a motion at a time by the `K` derivative parts of its numbers: by the initial coordinates and
-/// velocities, numbers 0 to 2 `N` − 1, and by whatever else is given the ones from 2 `N` on, such as parameters.
+/// The derivatives of a motion at a time by the `K` variables of its [dual numbers](Dual): by the initial coordinates and
+/// velocities, variables 0 to 2 `N` − 1, and by whatever else is given the ones from 2 `N` on, such as parameters.
 ///
-/// They are those of the steps of the integration, by dual numbers: the variational equations, solved by the same method.
+/// The steps of the integration are differentiated: the variational equations, solved by the same method (E. Hairer, S. P.
+/// Nørsett & G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., 1993, section I.14). Over a period the matrix is
+/// the monodromy matrix, whose eigenvalues are Floquet's multipliers.
 ///
 /// ```
-/// use lagrangian::StateTransition;
 /// use lagrangian::prelude::*;
-/// use lagrangian::num_dual::DualSVec64;
+/// use lagrangian::{Dual, StateTransition};
 ///
 /// #[derive(Lagrangian)]
 /// #[lagrangian(
@@ -27,8 +28,7 @@ use crate::integrate::{Dynamics, IntegrationError, Integrator, Sample};
 /// struct Oscillator<T: Scalar> { m: T, k: T }
 ///
 /// // By x(0), ẋ(0) and, as the third, the stiffness.
-/// type Dual = DualSVec64<3>;
-/// let oscillator = Oscillator { m: Dual::from_re(1.0), k: Dual::from_re(4.0).derivative(2) };
+/// let oscillator = Oscillator { m: Dual::<f64, 3>::constant(1.0), k: Dual::variable(4.0, 2) };
 /// let start = State::new(0.0, [1.0], [0.0]);
 /// let transition = StateTransition::over(&Taylor::new(), &oscillator.dynamics(), &start, 10.0)?;
 ///
@@ -67,8 +67,8 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
         end: f64,
     ) -> Result<Self, IntegrationError>
     where
-        D: Dynamics<DualSVec64<K>, State = Phase<DualSVec64<K>, N>> + ?Sized,
-        I: Integrator<DualSVec64<K>, D> + Clone,
+        D: Dynamics<Dual<f64, K>, State = Phase<Dual<f64, K>, N>> + ?Sized,
+        I: Integrator<Dual<f64, K>, D> + Clone,
     {
         let end = method.integrate_to(dynamics, Self::initial(initial), end)?;
         Ok(Self::of(&end))
@@ -83,33 +83,31 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
     /// let initial = StateTransition::<1, 1>::initial(&State::new(0.0, [1.0], [0.0]));
     /// ```
     #[must_use]
-    pub fn initial(state: &State<f64, N>) -> Sample<Phase<DualSVec64<K>, N>> {
+    pub fn initial(state: &State<f64, N>) -> Sample<Phase<Dual<f64, K>, N>> {
         const {
             assert!(
                 K >= 2 * N,
                 "a state transition is by all coordinates and velocities: `K` is 2 `N`, and more with parameters"
             );
         }
-        let number = |value, index| DualSVec64::from_re(value).derivative(index);
         let x = Phase {
-            q: SVector::from_fn(|i, _| number(state.q[i], i)),
-            v: SVector::from_fn(|i, _| number(state.v[i], N + i)),
+            q: SVector::from_fn(|i, _| Dual::variable(state.q[i], i)),
+            v: SVector::from_fn(|i, _| Dual::variable(state.v[i], N + i)),
         };
         Sample { t: state.t, x }
     }
 
     /// The derivatives at a sample.
     #[must_use]
-    pub fn of(sample: &Sample<Phase<DualSVec64<K>, N>>) -> Self {
+    pub fn of(sample: &Sample<Phase<Dual<f64, K>, N>>) -> Self {
         let Phase { q, v } = sample.x;
-        let gradients = |of: &SVector<DualSVec64<K>, N>| {
-            SMatrix::from_fn(|i, j| of[i].eps.0.map_or(0.0, |gradient| gradient[j]))
-        };
+        let gradients =
+            |of: &SVector<Dual<f64, K>, N>| SMatrix::from_fn(|i, j| of[i].derivative[j]);
         Self {
             state: State {
                 t: sample.t,
-                q: q.map(|coordinate| coordinate.re),
-                v: v.map(|velocity| velocity.re),
+                q: q.map(|coordinate| coordinate.value),
+                v: v.map(|velocity| velocity.value),
             },
             q: gradients(&q),
             v: gradients(&v),

@@ -1,13 +1,28 @@
 //! Assigning operators, zero and one, from the other operators of a scalar.
 
+/// Implements the assigning operators for a scalar, generic over `generics`, that has the other operators.
+macro_rules! assigning {
+    ([$($generics:tt)*] $scalar:ty) => {
+        $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar: AddAssign add_assign + }
+        $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar: SubAssign sub_assign - }
+        $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar: MulAssign mul_assign * }
+        $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar: DivAssign div_assign / }
+    };
+    ([$($generics:tt)*] $scalar:ty: $assigning:ident $assign:ident $operator:tt) => {
+        impl<$($generics)*> core::ops::$assigning for $scalar {
+            #[inline]
+            fn $assign(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    };
+}
+
 /// Implements the assigning operators, zero and one for a scalar, generic over `generics`, that has the
 /// other operators and `from_f64`.
 macro_rules! arithmetic {
     ([$($generics:tt)*] $scalar:ty) => {
-        arithmetic! { [$($generics)*] $scalar: AddAssign add_assign + }
-        arithmetic! { [$($generics)*] $scalar: SubAssign sub_assign - }
-        arithmetic! { [$($generics)*] $scalar: MulAssign mul_assign * }
-        arithmetic! { [$($generics)*] $scalar: DivAssign div_assign / }
+        $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar }
 
         impl<$($generics)*> num_traits::Zero for $scalar {
             #[inline]
@@ -28,14 +43,6 @@ macro_rules! arithmetic {
             }
         }
     };
-    ([$($generics:tt)*] $scalar:ty: $assigning:ident $assign:ident $operator:tt) => {
-        impl<$($generics)*> core::ops::$assigning for $scalar {
-            #[inline]
-            fn $assign(&mut self, other: Self) {
-                *self = *self $operator other;
-            }
-        }
-    };
 }
 
-pub(super) use arithmetic;
+pub(super) use {arithmetic, assigning};

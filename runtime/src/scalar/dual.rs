@@ -1,180 +1,184 @@
-//! The dual numbers of the crate `num-dual` as scalars. Needs the feature `num-dual`.
+//! Dual numbers: forward-mode automatic differentiation (A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd ed., 2008,
+//! chapter 3). Nested, they are the hyper-dual numbers of J. A. Fike & J. J. Alonso, *The Development of Hyper-Dual Numbers for
+//! Exact Second-Derivative Calculations*, AIAA 2011-886.
+//!
+//! Emitted code computes derivatives of models of many coordinates on them: one evaluation of the inverse dynamics gives as many
+//! columns. The operations are inlined. As functions of their own, with results in memory, LLVM 22 took two minutes to move those
+//! of a chain of 100 links from one place on the stack to another.
 
-use num_dual::{Dual2_64, Dual64, DualNum, DualSVec64, HyperDual64};
+mod arithmetic;
+mod functions;
+#[cfg(test)]
+mod tests;
+
+use core::array::from_fn;
+use core::cmp::Ordering;
+use core::fmt;
+
+use num_traits::Zero;
 
 use super::Scalar;
 
-macro_rules! forwarded {
-    ($($function:ident)*) => {$(
-        #[inline]
-        fn $function(self) -> Self {
-            DualNum::$function(&self)
+/// A number and its derivative by `N` variables.
+///
+/// What is computed on dual numbers has exact derivatives, by the chain rule, beside its value (Griewank & Walther, *Evaluating
+/// Derivatives*, 2008, chapter 3). By one variable, its type is `Dual`:
+///
+/// ```
+/// use lagrangian::{Dual, Scalar};
+///
+/// fn f<S: Scalar>(x: S) -> S {
+///     x * x.sin()
+/// }
+///
+/// let [x] = Dual::variables([0.5]);
+/// let found = f(x);
+/// assert_eq!(found.value, f(0.5));
+/// let slope = 0.5_f64.sin() + 0.5 * 0.5_f64.cos();
+/// assert!((found.derivative[0] - slope).abs() < 1e-15);
+/// ```
+///
+/// The gradient by several variables:
+///
+/// ```
+/// use lagrangian::Dual;
+///
+/// let [x, y] = Dual::variables([3.0, 5.0]);
+/// let found = x * x * y * 0.5;
+/// assert_eq!(found.value, 22.5);
+/// assert_eq!(found.derivative, [15.0, 4.5]);
+/// assert_eq!(found.to_string(), "22.5 + [15, 4.5]ε");
+/// ```
+///
+/// A dual number is a [`Scalar`], and may be of any: models with parameters of dual numbers, or states, are evaluated and
+/// integrated like others. The derivatives of a motion by all initial values are a
+/// [`StateTransition`](crate::StateTransition).
+///
+/// # Second derivatives
+///
+/// A dual number of dual numbers has second derivatives, which are those of hyper-dual numbers (Fike & Alonso 2011). Each level
+/// differentiates by its own variables:
+///
+/// ```
+/// use lagrangian::{Dual, Scalar};
+///
+/// let [x] = Dual::variables(Dual::variables([0.5]));
+/// assert_eq!(x.exp().derivative[0].derivative[0], 0.5_f64.exp());
+///
+/// // The Hessian of x² y.
+/// let [x, y] = Dual::variables(Dual::variables([3.0, 5.0]));
+/// let hessian = (x * x * y).derivative.map(|row| row.derivative);
+/// assert_eq!(hessian, [[10.0, 6.0], [6.0, 0.0]]);
+/// ```
+///
+/// # Where functions have no derivative
+///
+/// As in derivatives that are [derived](derive@crate::Lagrangian), |x| at 0 and the jumps of `signum` and `floor` have derivative 0,
+/// and `min` and `max` of equal numbers the mean of both. √x has no derivative at 0 if x has none there, and one as large as
+/// numbers are if x has; so have arc functions at the ends of their domains, and powers at 0.
+///
+/// # Comparisons
+///
+/// `==` and `<` look at the values alone, so that a program takes the branch that it takes on plain numbers. Only
+/// [`is_zero`](crate::num_traits::Zero::is_zero) looks at derivatives, too.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound(
+        serialize = "S: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de> + Clone"
+    ))
+)]
+pub struct Dual<S = f64, const N: usize = 1> {
+    /// The value.
+    pub value: S,
+    /// The derivatives by the variables, in order.
+    #[cfg_attr(feature = "serde", serde(with = "crate::array_as_tuple"))]
+    pub derivative: [S; N],
+}
+
+impl<S: Scalar, const N: usize> Dual<S, N> {
+    /// A number with given derivatives.
+    #[inline]
+    #[must_use]
+    pub const fn new(value: S, derivative: [S; N]) -> Self {
+        Self { value, derivative }
+    }
+
+    /// A number that depends on no variable.
+    #[inline]
+    #[must_use]
+    pub fn constant(value: S) -> Self {
+        Self {
+            value,
+            derivative: from_fn(|_| S::zero()),
         }
-    )*};
-}
+    }
 
-/// Implements [`Scalar`] for a type of dual numbers, given a function that tells whether all derivative parts are zero,
-/// their number, and the part of an index.
-macro_rules! dual_scalar {
-    ([$($generics:tt)*] $dual:ty, $is_constant:expr, $derivatives:expr, $part:expr) => {
-        impl<$($generics)*> crate::SingleNumber for $dual {}
-
-        impl<$($generics)*> Scalar for $dual {
-            const DERIVATIVES: usize = $derivatives;
-
-            #[inline]
-            fn derivative_part(self, index: usize) -> f64 {
-                let part: fn(&Self, usize) -> Option<f64> = $part;
-                part(&self, index).unwrap_or(0.0)
-            }
-
-            forwarded! { sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp ln }
-
-            #[inline]
-            fn from_f64(value: f64) -> Self {
-                Self::from_re(value)
-            }
-
-            #[inline]
-            fn min_positive() -> Self {
-                Self::from_re(f64::MIN_POSITIVE)
-            }
-
-            #[inline]
-            fn smallest(self) -> f64 {
-                self.re
-            }
-
-            #[inline]
-            fn largest(self) -> f64 {
-                self.re
-            }
-
-            #[inline]
-            fn machine_epsilon() -> f64 {
-                f64::EPSILON
-            }
-
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                DualNum::sin_cos(&self)
-            }
-
-            // The exponential of what is not positive does not overflow.
-            #[inline]
-            fn logistic(self) -> Self {
-                if self.re < 0.0 {
-                    let small = DualNum::exp(&self);
-                    small / (Self::from_re(1.0) + small)
-                } else {
-                    DualNum::recip(&(Self::from_re(1.0) + DualNum::exp(&-self)))
-                }
-            }
-
-            #[inline]
-            fn sech(self) -> Self {
-                let exponent = if self.re < 0.0 { self } else { -self };
-                let small = DualNum::exp(&exponent);
-                (small + small) / (Self::from_re(1.0) + small * small)
-            }
-
-            #[inline]
-            fn softplus(self) -> Self {
-                if self.re < 0.0 {
-                    DualNum::ln_1p(&DualNum::exp(&self))
-                } else {
-                    self + DualNum::ln_1p(&DualNum::exp(&-self))
-                }
-            }
-
-            // The slope of a root is infinite at 0; times derivative parts that are 0, it is none.
-            #[inline]
-            fn sqrt(self) -> Self {
-                let is_constant: fn(&Self) -> bool = $is_constant;
-                if is_constant(&self) {
-                    Self::from_re(self.re.sqrt())
-                } else {
-                    DualNum::sqrt(&self)
-                }
-            }
-
-            #[inline]
-            fn common_scale(self, other: Self) -> Self {
-                Self::from_re(self.re.common_scale(other.re))
-            }
-
-            // Derivative parts are those of arctan y/x, or of −arctan x/y where x may be 0. A quotient's derivatives divide
-            // by squares.
-            #[inline]
-            fn atan2(self, x: Self) -> Self {
-                let angle = self.re.atan2(x.re);
-                let scale = self.re.common_scale(x.re);
-                let (sine, cosine) = (self * scale, x * scale);
-                let mut result = if self.re.abs() > x.re.abs() {
-                    -DualNum::atan(&(cosine / sine))
-                } else {
-                    DualNum::atan(&(sine / cosine))
-                };
-                result.re = angle;
-                result
-            }
-
-            // With a constant exponent there is a value for every base that has a real power.
-            #[inline]
-            fn powf(self, exponent: Self) -> Self {
-                let is_constant: fn(&Self) -> bool = $is_constant;
-                // At 0 a power above the second has neither slope nor curvature, where quotients by the base have no value.
-                let is_flat = Scalar::signum(self.re) == 0.0 && exponent.re > 2.0;
-                if is_flat {
-                    Self::from_re(0.0)
-                } else if is_constant(&exponent) {
-                    DualNum::powf(&self, exponent.re)
-                } else {
-                    DualNum::powd(&self, exponent)
-                }
-            }
-
-            #[inline]
-            fn abs(self) -> Self {
-                self * Scalar::signum(self)
-            }
-
-            #[inline]
-            fn signum(self) -> Self {
-                Self::from_re(Scalar::signum(self.re))
-            }
-
-            #[inline]
-            fn min(self, other: Self) -> Self {
-                if other.re < self.re { other } else { self }
-            }
-
-            #[inline]
-            fn max(self, other: Self) -> Self {
-                if other.re > self.re { other } else { self }
-            }
+    /// The variable of that index: its derivative by itself is 1. With an index of `N` or more it is none of the variables, and
+    /// so a [constant](Self::constant).
+    #[inline]
+    #[must_use]
+    pub fn variable(value: S, index: usize) -> Self {
+        let derivative = |k| if k == index { S::one() } else { S::zero() };
+        Self {
+            value,
+            derivative: from_fn(derivative),
         }
-    };
+    }
+
+    /// All variables, at these values.
+    #[inline]
+    #[must_use]
+    pub fn variables(values: [S; N]) -> [Self; N] {
+        from_fn(|index| Self::variable(values[index], index))
+    }
+
+    /// Whether all derivatives are zero.
+    #[inline]
+    fn is_constant(self) -> bool {
+        self.derivative.iter().all(Zero::is_zero)
+    }
 }
 
-/// Whether numbers are all zero.
-fn vanish<'a>(derivatives: impl IntoIterator<Item = &'a f64>) -> bool {
-    derivatives
-        .into_iter()
-        .all(|derivative| derivative.abs() <= 0.0)
+impl<S: Scalar, const N: usize> From<f64> for Dual<S, N> {
+    #[inline]
+    fn from(value: f64) -> Self {
+        Self::from_f64(value)
+    }
 }
 
-dual_scalar! {
-    [] Dual64, |x| vanish([&x.eps]), 1, |x, index| [x.eps].get(index).copied()
+impl<S: PartialEq, const N: usize> PartialEq for Dual<S, N> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
 }
-dual_scalar! {
-    [] Dual2_64, |x| vanish([&x.v1, &x.v2]), 2, |x, index| [x.v1, x.v2].get(index).copied()
+
+impl<S: PartialOrd, const N: usize> PartialOrd for Dual<S, N> {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
 }
-dual_scalar! {
-    [] HyperDual64, |x| vanish([&x.eps1, &x.eps2, &x.eps1eps2]),
-    3, |x, index| [x.eps1, x.eps2, x.eps1eps2].get(index).copied()
-}
-dual_scalar! {
-    [const N: usize] DualSVec64<N>, |x| x.eps.0.as_ref().is_none_or(vanish),
-    N, |x, index| x.eps.0.as_ref().and_then(|parts| parts.get(index).copied())
+
+/// Such as `2 + 1ε` and `2 + [1, 0]ε`, in the format of the numbers.
+impl<S: fmt::Display, const N: usize> fmt::Display for Dual<S, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.value.fmt(f)?;
+        f.write_str(" + ")?;
+        if let [derivative] = self.derivative.as_slice() {
+            derivative.fmt(f)?;
+            return f.write_str("ε");
+        }
+        f.write_str("[")?;
+        for (index, derivative) in self.derivative.iter().enumerate() {
+            if index > 0 {
+                f.write_str(", ")?;
+            }
+            derivative.fmt(f)?;
+        }
+        f.write_str("]ε")
+    }
 }

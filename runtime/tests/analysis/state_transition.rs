@@ -1,10 +1,8 @@
 //! State-transition matrices: against closed forms, differences in double-doubles, and their symplecticity.
-#![cfg(feature = "num-dual")]
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, Lanes, StateTransition};
+use lagrangian::{DoubleDouble, Dual, Lanes, StateTransition};
 use nalgebra::{Matrix4, SVector, Vector4};
-use num_dual::{Dual64, DualSVec64};
 
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -47,12 +45,11 @@ struct DoublePendulum<T: Scalar> {
     l: T,
 }
 
-fn oscillator() -> Oscillator<DualSVec64<5>> {
-    let number = |value: f64, index| DualSVec64::from_re(value).derivative(index);
+fn oscillator() -> Oscillator<Dual<f64, 5>> {
     Oscillator {
-        m: number(1.0, 2),
-        k: number(4.0, 3),
-        load: number(0.0, 4),
+        m: Dual::variable(1.0, 2),
+        k: Dual::variable(4.0, 3),
+        load: Dual::variable(0.0, 4),
     }
 }
 
@@ -105,29 +102,29 @@ fn derivatives_where_the_values_rest_by_steps() {
 #[test]
 fn derivatives_do_not_depend_on_their_units() {
     let base = 1e-200;
-    let tiny = |value: f64| Dual64::new(value, base);
+    let tiny = |value: f64| Dual::new(value, [base]);
     let model = Oscillator {
-        m: Dual64::from_re(1.0),
+        m: Dual::constant(1.0),
         k: tiny(4.0),
-        load: Dual64::from_re(0.0),
+        load: Dual::constant(0.0),
     };
     let start = State::new(
-        Dual64::from_re(0.0),
-        [Dual64::from_re(1.0)],
-        [Dual64::from_re(0.0)],
+        Dual::constant(0.0),
+        [Dual::constant(1.0)],
+        [Dual::constant(0.0)],
     );
     let end = Taylor::new()
         .integrate_to(&model.dynamics(), start, 10.0)
         .unwrap();
     let expected = -10.0 / 4.0 * 20.0_f64.sin();
-    assert!((end.x.q[0].eps / base - expected).abs() < 1e-12);
+    assert!((end.x.q[0].derivative[0] / base - expected).abs() < 1e-12);
 }
 
 /// Over a period T = 2π a^(3/2), Φ = 1 − ẋ (∂T/∂x₀)ᵀ: the motion is periodic for all x₀, with 1/a = 2/r − v².
 #[test]
 fn kepler_over_a_period() {
     let model = Kepler {
-        strength: DualSVec64::<4>::from_re(1.0),
+        strength: Dual::<f64, 4>::constant(1.0),
     };
     let start = State::new(0.0, [0.4, 0.0], [0.0, 2.0]);
     let period = core::f64::consts::TAU;
@@ -158,7 +155,7 @@ fn kepler_over_a_period() {
 #[test]
 fn the_matrix_is_symplectic() {
     let model = Kepler {
-        strength: DualSVec64::<4>::from_re(1.0),
+        strength: Dual::<f64, 4>::constant(1.0),
     };
     let start = State::new(0.0, [1.0, 0.2], [-0.1, 0.8]);
     let transition =
@@ -177,10 +174,9 @@ fn the_matrix_is_symplectic() {
 /// Differences of motions in double-doubles, by initial values and parameters.
 #[test]
 fn differences_confirm_all_columns() {
-    let number = |value: f64, index| DualSVec64::<6>::from_re(value).derivative(index);
     let model = DoublePendulum {
-        m: number(0.5, 4),
-        l: number(0.7, 5),
+        m: Dual::<f64, 6>::variable(0.5, 4),
+        l: Dual::variable(0.7, 5),
     };
     let values = [0.4, 1.2, 0.1, -0.3, 0.5, 0.7];
     let start = State::new(0.0, [values[0], values[1]], [values[2], values[3]]);
@@ -244,13 +240,17 @@ fn derivative_parts() {
     }
     assert_eq!(parts(3.0), [0.0]);
     assert_eq!(parts(Lanes([1.0, 2.0])), [0.0]);
-    assert_eq!(parts(Dual64::new(1.0, 2.0)), [2.0, 0.0]);
-    let gradient = DualSVec64::<2>::from_re(1.0).derivative(1);
+    assert_eq!(parts(Dual::new(1.0, [2.0])), [2.0, 0.0]);
+    let gradient = Dual::<f64, 2>::variable(1.0, 1);
     assert_eq!(parts(gradient), [0.0, 1.0, 0.0]);
-    assert_eq!(
-        parts(num_dual::Dual2_64::new(1.0, 2.0, 3.0)),
-        [2.0, 3.0, 0.0]
+    // Those of the value first, then each derivative with its own.
+    let nested = Dual::new(
+        Dual::new(1.0, [2.0, 3.0]),
+        [Dual::new(4.0, [5.0, 6.0]), Dual::new(7.0, [8.0, 9.0])],
     );
-    let mixed = num_dual::HyperDual64::new(1.0, 2.0, 3.0, 4.0);
-    assert_eq!(parts(mixed), [2.0, 3.0, 4.0, 0.0]);
+    let expected = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 0.0];
+    assert_eq!(parts(nested), expected);
+    // The largest over lanes.
+    let lanes = Dual::new(Lanes([1.0, 2.0]), [Lanes([-3.0, 2.0])]);
+    assert_eq!(parts(lanes), [-3.0, 0.0]);
 }

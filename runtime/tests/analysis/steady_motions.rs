@@ -1,12 +1,12 @@
 //! Steady motions and the oscillations about them, against closed forms.
 
 use crate::common::assert_close;
-use lagrangian::Scalar;
 use lagrangian::analysis::{
     EquilibriumError, EquilibriumSearch, SmallOscillations, Variable, Verdict,
 };
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::SteadyPrecession;
+use lagrangian::{Dual, Scalar};
 
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -248,17 +248,14 @@ fn oscillations_of_a_conical_pendulum() {
     );
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn derivatives_by_parameters() {
-    use num_dual::DualSVec64;
-    type Dual = DualSVec64<2>;
+    let constant = Dual::<f64, 2>::constant;
     let top = Top {
-        i: Dual::from_re(1.2),
-        i_s: Dual::from_re(0.5),
-        mgl: Dual::from_re(5.1).derivative(0),
+        i: constant(1.2),
+        i_s: constant(0.5),
+        mgl: Dual::variable(5.1, 0),
     };
-    let constant = Dual::from_re;
     let slow = |mgl: f64, spin: f64| {
         let slope = -mgl * 0.5_f64.sin();
         match SteadyPrecession::of_top(1.2, 0.5, spin, 0.5, slope) {
@@ -273,10 +270,10 @@ fn derivatives_by_parameters() {
     );
     let found = EquilibriumSearch::of(&top)
         .unknown(&[Variable::Velocity(0), Variable::Velocity(2)])
-        .momentum(2, Dual::from_re(20.0).derivative(1))
+        .momentum(2, Dual::variable(20.0, 1))
         .near(&guess)
         .unwrap();
-    let gradient = found.state.v[0].eps.0.unwrap();
+    let gradient = found.state.v[0].derivative;
     let h = 1e-5;
     let by_weight = (slow(5.1 + h, 40.0) - slow(5.1 - h, 40.0)) / (2.0 * h);
     let by_momentum = (slow(5.1, 40.0 + 2.0 * h) - slow(5.1, 40.0 - 2.0 * h)) / (2.0 * h);

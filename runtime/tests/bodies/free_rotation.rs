@@ -220,37 +220,33 @@ fn many_turns_lose_few_digits() {
     assert!(error < 1e-10, "{error:e}");
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn derivatives_of_the_closed_form() {
-    use num_dual::DualSVec64;
-    type Dual = DualSVec64<4>;
+    type Dual = lagrangian::Dual<f64, 4>;
     let derivatives = |state: &RotationState<Dual>| -> Vec<f64> {
-        let parts = state.components().map(|x| x.eps.0.unwrap_or_default());
-        parts
-            .flat_map(|parts| [parts[0], parts[1], parts[2], parts[3]])
-            .collect()
+        state.components().flat_map(|x| x.derivative).collect()
     };
     // By the components of the angular velocity, and by a moment of inertia.
     for omega in VELOCITIES.into_iter().chain([[0.05, 5.0, 0.0]]) {
         let [w1, w2, w3] = omega;
-        let omega = [(w1, 0), (w2, 1), (w3, 2)].map(|(w, k)| Dual::from_re(w).derivative(k));
-        let middle = Dual::from_re(2.0).derivative(3);
-        let tensor = InertiaTensor::principal([Dual::from_re(1.0), middle, Dual::from_re(2.8)]);
+        let omega = [(w1, 0), (w2, 1), (w3, 2)].map(|(w, k)| Dual::variable(w, k));
+        let middle = Dual::variable(2.0, 3);
+        let tensor = InertiaTensor::principal([Dual::constant(1.0), middle, Dual::constant(2.8)]);
         let mut state = start::<Dual>([0.0; 3]);
         state.angular_velocity = omega.into();
         let motion = FreeRotation::new(&tensor, &state).unwrap();
         let equations = EulerEquations::new(tensor).unwrap();
         for time in [0.4, 3.0] {
-            let found = derivatives(&motion.at(Dual::from_re(time)));
+            let found = derivatives(&motion.at(Dual::constant(time)));
             let end = Taylor::new()
                 .integrate_to(&equations, (0.0, state), time)
                 .unwrap()
                 .x;
             let expected = derivatives(&end);
             // The quaternion has either sign.
-            let sign =
-                (motion.at(Dual::from_re(time)).quaternion[0].re * end.quaternion[0].re).signum();
+            let sign = (motion.at(Dual::constant(time)).quaternion[0].value
+                * end.quaternion[0].value)
+                .signum();
             for (index, (found, expected)) in found.into_iter().zip(expected).enumerate() {
                 let sign = if index < 16 { sign } else { 1.0 };
                 assert_close(sign * found, expected, 1e-11 * (1.0 + expected.abs()));
@@ -258,9 +254,9 @@ fn derivatives_of_the_closed_form() {
         }
     }
     let mut state = start::<Dual>([0.0, 2.0, 0.0]);
-    let tensor = InertiaTensor::principal([1.0, 2.0, 2.8].map(Dual::from_re));
+    let tensor = InertiaTensor::principal([1.0, 2.0, 2.8].map(Dual::constant));
     assert!(FreeRotation::new(&tensor, &state).is_ok());
-    state.angular_velocity.x = Dual::from_re(0.0).derivative(0);
+    state.angular_velocity.x = Dual::variable(0.0, 0);
     let error = FreeRotation::new(&tensor, &state).unwrap_err();
     assert!(
         matches!(error, BodyError::NotDifferentiable { .. }),

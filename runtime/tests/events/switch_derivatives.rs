@@ -1,8 +1,7 @@
 //! Derivatives of a motion through a switch of its parameters, against their closed form.
-#![cfg(feature = "num-dual")]
 
+use lagrangian::Dual;
 use lagrangian::prelude::*;
-use num_dual::DualSVec64;
 
 #[track_caller]
 fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
@@ -30,10 +29,8 @@ struct Switched<T: Scalar> {
 /// A reaction that changes the dynamics alone, and a part of the motion from where an event has stopped it.
 #[test]
 fn a_switch_has_the_gradient_of_its_closed_form() {
-    type Dual = DualSVec64<3>;
-    let [before, after, place] = [(2.0, 0), (-1.0, 1), (0.75, 2)]
-        .map(|(value, index)| Dual::from_re(value).derivative(index));
-    let number = Dual::from_re;
+    let [before, after, place] = Dual::variables([2.0, -1.0, 0.75]);
+    let number = Dual::constant;
     let switch = (number(2.0) * place / before).sqrt();
     let speed = before * switch;
     let end = number(1.5) - switch;
@@ -58,7 +55,7 @@ fn a_switch_has_the_gradient_of_its_closed_form() {
         .unwrap();
     let last = motion.last().x;
     for (found, expected) in [last.q[0], last.v[0]].iter().zip(&expected) {
-        close("a value", found.re, expected.re, 1e-14);
+        close("a value", found.value, expected.value, 1e-14);
         for part in 0..3 {
             let [found, expected] = [found, expected].map(|x| x.derivative_part(part));
             close("a derivative", found, expected, 1e-13);

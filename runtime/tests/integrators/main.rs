@@ -19,7 +19,6 @@ mod order;
 mod precision;
 mod recurrences;
 mod running;
-#[cfg(feature = "num-dual")]
 mod saltation;
 mod series_by_hand;
 mod sliding;

@@ -1,9 +1,7 @@
-//! The dual numbers of `num-dual`, against derived derivatives and against differences.
-#![cfg(feature = "num-dual")]
+//! Dual numbers, against derived derivatives and against differences.
 
-use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
-use num_dual::{Dual2_64, Dual64, DualSVec64, HyperDual64};
+use lagrangian::{DoubleDouble, Dual};
 
 /// A pendulum on a cart, with functions of several kinds.
 #[derive(Lagrangian)]
@@ -55,16 +53,17 @@ fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
 fn dual_accelerations_have_the_derivatives_of_linearize() {
     let linearization = hanging_bob::<f64>().linearize(&state());
     let jacobian = hanging_bob::<f64>().input_jacobian(&state());
-    let derivatives = |model: &HangingBob<Dual64>, state: &State<Dual64, 2>| {
+    let derivatives = |model: &HangingBob<Dual>, state: &State<Dual, 2>| {
         let accelerations = model.accelerations(state);
-        accelerations.map(|acceleration| acceleration.eps)
+        accelerations.map(|acceleration| acceleration.derivative[0])
     };
+    let variable = |constant: Dual| Dual::variable(constant.value, 0);
     for j in 0..2 {
-        let mut moved = state::<Dual64>();
-        moved.q[j] = moved.q[j].derivative();
+        let mut moved = state::<Dual>();
+        moved.q[j] = variable(moved.q[j]);
         let by_position = derivatives(&hanging_bob(), &moved);
-        let mut moved = state::<Dual64>();
-        moved.v[j] = moved.v[j].derivative();
+        let mut moved = state::<Dual>();
+        moved.v[j] = variable(moved.v[j]);
         let by_velocity = derivatives(&hanging_bob(), &moved);
         for i in 0..2 {
             assert_close(
@@ -81,11 +80,11 @@ fn dual_accelerations_have_the_derivatives_of_linearize() {
             );
         }
     }
-    let mut moved = state::<Dual64>();
-    moved.t = moved.t.derivative();
+    let mut moved = state::<Dual>();
+    moved.t = variable(moved.t);
     let by_time = derivatives(&hanging_bob(), &moved);
-    let mut pushed = hanging_bob::<Dual64>();
-    pushed.push = pushed.push.derivative();
+    let mut pushed = hanging_bob::<Dual>();
+    pushed.push = variable(pushed.push);
     let by_input = derivatives(&pushed, &state());
     for i in 0..2 {
         assert_close("by time", by_time[i], linearization.time[i], 1e-13);
@@ -95,15 +94,15 @@ fn dual_accelerations_have_the_derivatives_of_linearize() {
 
 #[test]
 fn a_gradient_is_as_many_derivatives_at_once() {
-    let mut moved = state::<DualSVec64<4>>();
+    let mut moved = state::<Dual<f64, 4>>();
     for j in 0..2 {
-        moved.q[j] = moved.q[j].derivative(j);
-        moved.v[j] = moved.v[j].derivative(2 + j);
+        moved.q[j] = Dual::variable(Q[j], j);
+        moved.v[j] = Dual::variable(V[j], 2 + j);
     }
     let linearization = hanging_bob::<f64>().linearize(&state());
-    let accelerations = hanging_bob::<DualSVec64<4>>().accelerations(&moved);
+    let accelerations = hanging_bob::<Dual<f64, 4>>().accelerations(&moved);
     for i in 0..2 {
-        let gradient = accelerations[i].eps.0.expect("it depends on the state");
+        let gradient = accelerations[i].derivative;
         for j in 0..2 {
             assert_close(
                 "by position",
@@ -121,25 +120,52 @@ fn a_gradient_is_as_many_derivatives_at_once() {
     }
 }
 
-/// Mᵢⱼ = ∂²L/∂q̇ᵢ∂q̇ⱼ, by hyper-dual numbers, and by those of one direction on the diagonal.
+/// Mᵢⱼ = ∂²L/∂q̇ᵢ∂q̇ⱼ, all at once.
 #[test]
 fn the_mass_matrix_is_the_hessian_of_the_lagrangian() {
+    type Twice = Dual<Dual<f64, 2>, 2>;
     let mass = hanging_bob::<f64>().mass_matrix(&state());
+    let mut moved = state::<Twice>();
+    moved.v = Dual::variables(Dual::variables(V)).into();
+    let found = hanging_bob::<Twice>().lagrangian(&moved).derivative;
     for i in 0..2 {
         for j in 0..2 {
-            let mut moved = state::<HyperDual64>();
-            moved.v[i] = moved.v[i].derivative1();
-            moved.v[j] = HyperDual64 {
-                eps2: 1.0,
-                ..moved.v[j]
-            };
-            let found = hanging_bob::<HyperDual64>().lagrangian(&moved).eps1eps2;
-            assert_close("mass", found, mass[(i, j)], 1e-14);
+            assert_close("mass", found[i].derivative[j], mass[(i, j)], 1e-14);
         }
-        let mut moved = state::<Dual2_64>();
-        moved.v[i] = moved.v[i].derivative();
-        let found = hanging_bob::<Dual2_64>().lagrangian(&moved).v2;
-        assert_close("mass", found, mass[(i, i)], 1e-14);
+    }
+}
+
+/// Second derivatives of the accelerations, against differences of the first ones.
+#[test]
+fn nested_duals_have_the_second_derivatives_of_accelerations() {
+    type Twice = Dual<Dual<f64, 4>, 4>;
+    let x = [Q[0], Q[1], V[0], V[1]];
+    let at = |[x, theta, u, omega]: [f64; 4]| {
+        let linearization = hanging_bob().linearize(&State::new(T, [x, theta], [u, omega]));
+        move |i: usize, j: usize| match j.checked_sub(2) {
+            None => linearization.position[(i, j)],
+            Some(j) => linearization.velocity[(i, j)],
+        }
+    };
+    let [p, theta, u, omega] = Twice::variables(Dual::variables(x));
+    let state = State::new(Twice::from_f64(T), [p, theta], [u, omega]);
+    let found = hanging_bob::<Twice>().accelerations(&state);
+    let step = 1e-3;
+    for k in 0..4 {
+        let moved = |parts: f64| {
+            let mut moved = x;
+            moved[k] += parts * step;
+            at(moved)
+        };
+        let [one, two, back, far_back] = [1.0, 2.0, -1.0, -2.0].map(moved);
+        for i in 0..2 {
+            for j in 0..4 {
+                let near = 8.0 * (one(i, j) - back(i, j));
+                let expected = (near - (two(i, j) - far_back(i, j))) / (12.0 * step);
+                let second = found[i].derivative[j].derivative[k];
+                assert_close("a second derivative", second, expected, 1e-8);
+            }
+        }
     }
 }
 
@@ -160,10 +186,10 @@ fn a_dual_integration_has_the_sensitivity() -> Result<(), IntegrationError> {
         end(DoubleDouble::from(0.5) + h)?,
         end(DoubleDouble::from(0.5) - h)?,
     );
-    let found = end(Dual64::from_re(0.5).derivative())?;
+    let found = end(Dual::new(0.5, [1.0]))?;
     for i in 0..2 {
         let expected = ((more[i] - less[i]) / (h + h)).to_f64();
-        assert_close("bob", found[i].eps, expected, 1e-13);
+        assert_close("bob", found[i].derivative[0], expected, 1e-13);
     }
     Ok(())
 }
@@ -211,23 +237,27 @@ fn dual_functions_have_their_derivatives() {
         let h = DoubleDouble::from(1e-9);
         let x = DoubleDouble::from(at);
         let [less, middle, more] = [x - h, x, x + h].map(functions);
-        let first = functions(Dual64::from_re(at).derivative());
-        let gradient = functions(DualSVec64::<2>::from_re(at).derivative(1));
-        let second = functions(Dual2_64::from_re(at).derivative());
-        let mixed = functions(HyperDual64::new(at, 1.0, 1.0, 0.0));
+        let first = functions(Dual::new(at, [1.0]));
+        let gradient = functions(Dual::<f64, 2>::variable(at, 1));
+        let second = functions(Dual::<Dual>::variable(Dual::variable(at, 0), 0));
+        let mixed = functions(Dual::<Dual<f64, 2>, 2>::variable(Dual::variable(at, 0), 1));
         for (k, (name, value)) in middle.iter().enumerate() {
             let (less, more) = (less[k].1, more[k].1);
             let value = value.to_f64();
             let slope = ((more - less) / (h + h)).to_f64();
             let bend = ((more - middle[k].1 - (middle[k].1 - less)) / (h * h)).to_f64();
-            assert_close(name, first[k].1.re, value, 1e-14);
-            assert_close(name, first[k].1.eps, slope, 1e-13);
-            let of_second = gradient[k].1.eps.0.map_or(0.0, |eps| eps[1]);
-            assert_close(name, of_second, slope, 1e-13);
-            assert_close(name, second[k].1.v1, slope, 1e-13);
-            assert_close(name, second[k].1.v2, bend, 1e-11);
-            assert_close(name, mixed[k].1.eps1, slope, 1e-13);
-            assert_close(name, mixed[k].1.eps1eps2, bend, 1e-11);
+            assert_close(name, first[k].1.value, value, 1e-14);
+            assert_close(name, first[k].1.derivative[0], slope, 1e-13);
+            assert_close(name, gradient[k].1.derivative[1], slope, 1e-13);
+            assert_close(name, gradient[k].1.derivative[0], 0.0, 0.0);
+            let [by_x] = second[k].1.derivative;
+            assert_close(name, by_x.value, slope, 1e-13);
+            assert_close(name, by_x.derivative[0], bend, 1e-11);
+            let [_, by_x] = mixed[k].1.derivative;
+            assert_close(name, mixed[k].1.value.derivative[0], slope, 1e-13);
+            assert_close(name, by_x.value, slope, 1e-13);
+            assert_close(name, by_x.derivative[0], bend, 1e-11);
+            assert_close(name, by_x.derivative[1], 0.0, 0.0);
         }
     }
 }
@@ -243,35 +273,30 @@ fn angles_and_roots_have_derivatives_on_the_axes() {
         (-1.0, 2.0),
         (2.0, -1.0),
     ] {
-        let [of_x, of_y] = [
-            DualSVec64::<2>::from_re(x).derivative(0),
-            DualSVec64::from_re(y).derivative(1),
-        ];
-        let angle = Scalar::atan2(of_y, of_x);
-        assert_close("angle", angle.re, y.atan2(x), 0.0);
-        let slopes = angle.eps.0.unwrap();
+        let [of_x, of_y] = Dual::variables([x, y]);
+        let angle = of_y.atan2(of_x);
+        assert_close("angle", angle.value, y.atan2(x), 0.0);
+        let slopes = angle.derivative;
         assert_close("slope", slopes[0], -y / (x * x + y * y), 1e-16);
         assert_close("slope", slopes[1], x / (x * x + y * y), 1e-16);
         // Twice along x: θ″ = 2 x y/(x² + y²)².
-        let angle = Scalar::atan2(Dual2_64::from_re(y), Dual2_64::from_re(x).derivative());
+        let of_x = Dual::<Dual>::variable(Dual::variable(x, 0), 0);
+        let angle = Dual::from_f64(y).atan2(of_x);
         assert_close(
             "bend",
-            angle.v2,
+            angle.derivative[0].derivative[0],
             2.0 * x * y / (x * x + y * y).powi(2),
             1e-16,
         );
     }
     // A root of 0 whose radicand has no derivative.
-    let x = DualSVec64::<2>::from_re(0.5).derivative(1);
-    let root = Scalar::sqrt(x - x);
-    assert_close(
-        "root",
-        root.derivative_part(0) + root.derivative_part(1) + root.re,
-        0.0,
-        0.0,
-    );
-    assert!(Scalar::sqrt(Dual2_64::from_re(0.0)).v2.abs() <= 0.0);
-    let root = Scalar::sqrt(DualSVec64::<2>::from_re(4.0).derivative(0));
+    let x = Dual::<f64, 2>::variable(0.5, 1);
+    let root = (x - x).sqrt();
+    let parts = root.derivative_part(0) + root.derivative_part(1);
+    assert_close("root", parts + root.value, 0.0, 0.0);
+    let root = Dual::<Dual>::from_f64(0.0).sqrt();
+    assert!(root.derivative[0].derivative[0].abs() <= 0.0);
+    let root = Dual::<f64, 2>::variable(4.0, 0).sqrt();
     assert_close("root", root.derivative_part(0), 0.25, 0.0);
 }
 
@@ -284,8 +309,10 @@ fn powers_of_dual_numbers_have_their_slopes_at_zero() {
         (2.5, [0.0, 0.0, 0.0]),
         (3.0, [0.0, 0.0, 0.0]),
     ] {
-        let power = Scalar::powf(Dual2_64::from_re(0.0).derivative(), Dual2_64::from_re(n));
-        let found = [power.re, power.v1, power.v2];
+        let base = Dual::<Dual>::variable(Dual::variable(0.0, 0), 0);
+        let power = base.powf(Dual::from_f64(n));
+        let [slope] = power.derivative;
+        let found = [power.value.value, slope.value, slope.derivative[0]];
         assert_eq!(
             found.map(f64::to_bits),
             expected.map(f64::to_bits),

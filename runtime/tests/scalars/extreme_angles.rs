@@ -5,10 +5,8 @@
 //! `atan2(y, x)`, `[-y/q, x/q]`, `[2*x*y/q**2, (y*y - x*x)/q**2]`, and along (x + x t/4, y − y t/2) the coefficients of the series
 //! of θ′ = (x y′ − y x′)/q by long division; a value beyond the range of f64 is infinite.
 
-#[cfg(feature = "num-dual")]
-use lagrangian::num_dual::{Dual2_64, Dual64, DualSVec64};
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, Lanes, Series, TaylorCoefficients};
+use lagrangian::{DoubleDouble, Dual, Lanes, Series, TaylorCoefficients};
 
 /// q̈ is the gradient of the angle.
 #[derive(Lagrangian)]
@@ -54,7 +52,6 @@ fn assert_near(found: f64, expected: f64, what: &str, [x, y]: [f64; 2]) {
     );
 }
 
-#[cfg(feature = "num-dual")]
 fn is_finite(second: [f64; 2]) -> bool {
     second.into_iter().all(f64::is_finite)
 }
@@ -99,15 +96,14 @@ fn slopes_on_other_scalars_are_those_of_the_angle() {
     }
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn slopes_on_dual_numbers_are_those_of_the_angle() {
     // Products of derivative parts are as large as 1/(x² + y²).
     for (at, _, second, _) in ANGLES.into_iter().filter(|row| is_finite(row.2)) {
-        let moving = [Dual64::new(at[0], 1.0), Dual64::from(at[1])];
+        let moving = [Dual::new(at[0], [1.0]), Dual::from(at[1])];
         let dual = Gradient.accelerations(&at_rest(moving));
         assert_all_near(
-            &[dual[0].eps, dual[1].eps],
+            &[dual[0].derivative[0], dual[1].derivative[0]],
             &second,
             "slopes on dual numbers",
             at,
@@ -115,16 +111,15 @@ fn slopes_on_dual_numbers_are_those_of_the_angle() {
     }
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn derivative_parts_of_an_angle_are_its_derivatives() {
     for (at, slopes, second, coefficients) in ANGLES {
         let [x, y] = at;
-        let gradient = |index: usize, value: f64| DualSVec64::<2>::from_re(value).derivative(index);
-        let angle = Scalar::atan2(gradient(1, y), gradient(0, x));
-        let parts = angle.eps.0.unwrap_or_default();
+        let variables = Dual::variables([x, y]);
+        let angle = variables[1].atan2(variables[0]);
+        let [by_x, by_y] = angle.derivative;
         assert_all_near(
-            &[angle.re, parts[0], parts[1]],
+            &[angle.value, by_x, by_y],
             &[coefficients[0], slopes[0], slopes[1]],
             "vectors",
             at,
@@ -134,8 +129,9 @@ fn derivative_parts_of_an_angle_are_its_derivatives() {
         assert_near(exact.largest(), coefficients[0], "double-double", at);
 
         if is_finite(second) {
-            let twice = Scalar::atan2(Dual2_64::from(y), Dual2_64::new(x, 1.0, 0.0));
-            assert_near(twice.v2, second[0], "second part", at);
+            let twice = Dual::variables(Dual::variables([x, y]));
+            let [by_x, _] = twice[1].atan2(twice[0]).derivative;
+            assert_all_near(&by_x.derivative, &second, "second parts", at);
         }
     }
 }

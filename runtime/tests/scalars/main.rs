@@ -4,6 +4,8 @@
 mod common;
 
 mod double_double;
+mod dual_functions;
+mod dual_lanes;
 mod dual_numbers;
 mod elliptic;
 mod extreme_angles;

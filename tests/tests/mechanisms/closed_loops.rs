@@ -1,13 +1,12 @@
 //! Closed loops whose angles are eliminated with inverse functions, as a user writes them: against positions on
 //! dual numbers of second order, and beside the same loop eliminated by roots.
 
-use lagrangian::OperationCount;
 use lagrangian::prelude::*;
+use lagrangian::{Dual, OperationCount};
 use lagrangian_tests::{Figures, Random, relative_error};
-use num_dual::Dual2_64;
-// With the feature, `Scalar` has the functions of these numbers.
-#[cfg(not(feature = "num-dual"))]
-use num_dual::DualNum as _;
+
+/// A number with its first and second derivative.
+type Twice = Dual<Dual>;
 
 /// A slider-crank mechanism: the rod's angle is that at which the slider stays on the line.
 #[derive(Lagrangian)]
@@ -84,15 +83,17 @@ struct FourBar {
 }
 
 /// q̈ of a mechanism of one coordinate, of which T = ½ Σ m ṗ²: −(½ M′ q̇² + V′)/M, with M = Σ m p′² and ½ M′ = Σ m p′ p″.
-fn acceleration(rate: f64, points: &[(f64, Dual2_64)], potential: Dual2_64) -> f64 {
-    let mass: f64 = points.iter().map(|(m, p)| m * p.v1 * p.v1).sum();
-    let half_slope: f64 = points.iter().map(|(m, p)| m * p.v1 * p.v2).sum();
-    -(half_slope * rate * rate + potential.v1) / mass
+fn acceleration(rate: f64, points: &[(f64, Twice)], potential: Twice) -> f64 {
+    let slope = |x: &Twice| x.derivative[0].value;
+    let bend = |x: &Twice| x.derivative[0].derivative[0];
+    let mass: f64 = points.iter().map(|(m, p)| m * slope(p) * slope(p)).sum();
+    let half_slope: f64 = points.iter().map(|(m, p)| m * slope(p) * bend(p)).sum();
+    -(half_slope * rate * rate + slope(&potential)) / mass
 }
 
 /// The variable of the derivatives.
-fn variable(theta: f64) -> Dual2_64 {
-    Dual2_64::from_re(theta).derivative()
+fn variable(theta: f64) -> Twice {
+    Dual::variable(Dual::variable(theta, 0), 0)
 }
 
 #[test]

@@ -17,7 +17,6 @@ mod sampled_controller;
 mod samples;
 mod signal;
 mod top;
-#[cfg(feature = "num-dual")]
 mod variational_equations;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -122,7 +121,6 @@ fn swing(l: f64, angle: f64, velocity: f64) -> f64 {
         .q[0]
 }
 
-#[cfg(feature = "num-dual")]
 #[test]
 fn variations_are_differences() {
     let exact = variational_equations::program().unwrap();

@@ -1,13 +1,12 @@
 //! How the end of a swing depends on its start and on the length of the pendulum.
 
-use lagrangian::StateTransition;
-use lagrangian::num_dual::DualSVec64;
 use lagrangian::prelude::*;
+use lagrangian::{Dual, StateTransition};
 
 use crate::models::Swing;
 
 pub(crate) fn program() -> Result<[f64; 3], IntegrationError> {
-    let l = DualSVec64::<3>::from_re(1.0).derivative(2);
+    let l = Dual::<f64, 3>::variable(1.0, 2);
     let start = State::new(0.0, [1.0], [0.0]);
     let swing = Swing { l, g: 9.81 }.into_dynamics();
     let transition = StateTransition::over(&Taylor::new(), &swing, &start, 10.0)?;

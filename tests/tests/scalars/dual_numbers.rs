@@ -4,9 +4,9 @@
 //! Forward differentiation of the emitted accelerations and the emitted Jacobians share the
 //! declaration and the mass matrix, and nothing that comes after.
 
-use lagrangian::{Energies, Inputs, Lagrangian, State};
+use lagrangian::{Dual, Energies, Inputs, Lagrangian, State};
 use lagrangian_tests::{
-    Dual, Figures, Parametrized, array, list, number, public_cases, relative_error, rows,
+    Figures, Parametrized, array, list, number, public_cases, relative_error, rows,
 };
 use nalgebra::{SMatrix, SVector};
 use serde_json::Value;
@@ -68,7 +68,7 @@ where
     let inputs: SVector<f64, U> = model.inputs();
     let resting = moving(&at, 0.0, &SVector::zeros(), &SVector::zeros());
     let columns: SMatrix<f64, N, U> = jacobian(|j| {
-        let perturbed = SVector::from_fn(|i, _| Dual::new(inputs[i], unit(i, j)));
+        let perturbed = SVector::from_fn(|i, _| Dual::new(inputs[i], [unit(i, j)]));
         model.accelerations_with(&resting, &perturbed)
     });
     comparisons.push(("dqdd_du", rows(&columns), rows(&model.input_jacobian(&at))));
@@ -98,14 +98,10 @@ where
         jacobian(|j| model.accelerations(&moving(at, 0.0, &none, &direction(j))));
     let dual: SVector<Dual, N> = model.accelerations(&moving(at, 1.0, &none, &none));
     vec![
-        ("qdd", rows(&dual.map(Dual::value)), rows(&accelerations)),
+        ("qdd", rows(&dual.map(|x| x.value)), rows(&accelerations)),
         ("dqdd_dq", rows(&position), rows(&linearization.position)),
         ("dqdd_dqd", rows(&velocity), rows(&linearization.velocity)),
-        (
-            "dqdd_dt",
-            rows(&dual.map(Dual::derivative)),
-            rows(&linearization.time),
-        ),
+        ("dqdd_dt", rows(&dual.map(slope)), rows(&linearization.time)),
     ]
 }
 
@@ -117,9 +113,7 @@ where
     let none = SVector::zeros();
     let momenta: SVector<f64, N> = model.momenta(at);
     let slopes = SVector::<f64, N>::from_fn(|j, _| {
-        model
-            .lagrangian(&moving(at, 0.0, &none, &direction(j)))
-            .derivative()
+        slope(model.lagrangian(&moving(at, 0.0, &none, &direction(j))))
     });
     vec![("p", rows(&slopes), rows(&momenta))]
 }
@@ -137,15 +131,12 @@ where
     M: Lagrangian<N> + Lagrangian<N, Dual>,
 {
     let none = SVector::zeros();
-    let rate = |q: &SVector<f64, N>, v: &SVector<f64, N>| {
-        model.energy(&moving(at, 0.0, q, v)).derivative()
-    };
+    let rate =
+        |q: &SVector<f64, N>, v: &SVector<f64, N>| slope(model.energy(&moving(at, 0.0, q, v)));
     let forces: SVector<f64, N> = model.generalized_forces(at);
-    let explicit = model
-        .lagrangian(&moving(at, 1.0, &none, &none))
-        .derivative();
+    let explicit = slope(model.lagrangian(&moving(at, 1.0, &none, &none)));
     let accelerations = SVector::<f64, N>::from(array(&state["qdd"]));
-    let mut terms = vec![model.energy(&moving(at, 1.0, &none, &none)).derivative()];
+    let mut terms = vec![slope(model.energy(&moving(at, 1.0, &none, &none)))];
     for j in 0..N {
         terms.push(rate(&direction(j), &none) * at.v[j]);
         terms.push(rate(&none, &direction(j)) * accelerations[j]);
@@ -176,9 +167,9 @@ fn moving<const N: usize>(
     v: &SVector<f64, N>,
 ) -> State<Dual, N> {
     State {
-        t: Dual::new(at.t, t),
-        q: at.q.zip_map(q, Dual::new),
-        v: at.v.zip_map(v, Dual::new),
+        t: Dual::new(at.t, [t]),
+        q: at.q.zip_map(q, |x, rate| Dual::new(x, [rate])),
+        v: at.v.zip_map(v, |x, rate| Dual::new(x, [rate])),
     }
 }
 
@@ -186,8 +177,12 @@ fn moving<const N: usize>(
 fn jacobian<const N: usize, const K: usize>(
     column: impl Fn(usize) -> SVector<Dual, N>,
 ) -> SMatrix<f64, N, K> {
-    let columns: [SVector<f64, N>; K] = std::array::from_fn(|j| column(j).map(Dual::derivative));
+    let columns: [SVector<f64, N>; K] = std::array::from_fn(|j| column(j).map(slope));
     SMatrix::from_columns(&columns)
+}
+
+fn slope(number: Dual) -> f64 {
+    number.derivative[0]
 }
 
 fn direction<const N: usize>(j: usize) -> SVector<f64, N> {

@@ -3,7 +3,7 @@
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::taylor::TaylorCoefficients;
 use crate::integrate::typical_sizes::WithSizes;
-use crate::scalar::{DoubleDouble, Scalar};
+use crate::scalar::{DoubleDouble, Dual, Scalar};
 
 /// Dynamics with event functions, such as the [equations of motion](crate::EquationsOfMotion) of a model that declares
 /// [events](crate::Events), by itself, [driven by signals](crate::Inputs::driven_by), under a
@@ -88,3 +88,5 @@ impl SingleNumber for f64 {}
 impl SingleNumber for f32 {}
 
 impl SingleNumber for DoubleDouble {}
+
+impl<S: SingleNumber, const N: usize> SingleNumber for Dual<S, N> {}

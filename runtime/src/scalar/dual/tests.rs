@@ -1,9 +1,9 @@
-//! Derivatives by tangents against differences.
+//! Derivatives against differences, and where functions have none.
 
-use super::Tangent;
+use super::Dual;
 use crate::Scalar;
 
-type OfThree = Tangent<f64, 3>;
+type OfThree = Dual<f64, 3>;
 
 /// Every function of the trait that has derivatives, on arguments of its domain.
 fn functions<S: Scalar>(x: S, y: S) -> [S; 34] {
@@ -58,11 +58,11 @@ fn difference(f: impl Fn(f64) -> f64) -> f64 {
 fn derivatives_are_the_limits_of_differences() {
     for (x, y) in [(0.3, 0.7), (-0.4, 1.3), (0.9, 0.2)] {
         // Along x, along y, and along neither.
-        let [along_x, along_y] = [OfThree::variable(x, Some(0)), OfThree::variable(y, Some(2))];
+        let [along_x, along_y] = [OfThree::variable(x, 0), OfThree::variable(y, 2)];
         let found = functions(along_x, along_y);
         let values = functions(x, y);
         for (i, (found, value)) in found.into_iter().zip(values).enumerate() {
-            let slopes = found.slopes();
+            let slopes = found.derivative;
             let expected = [
                 difference(|h| functions(x + h, y)[i]),
                 difference(|h| functions(x, y + h)[i]),
@@ -82,8 +82,8 @@ fn derivatives_are_the_limits_of_differences() {
 fn roots_of_nothing_have_no_slopes() {
     let root = OfThree::constant(0.0).sqrt();
     assert!(root.is_constant());
-    let power = OfThree::variable(-2.0, Some(1)).powf(OfThree::constant(3.0));
-    assert!((power.slopes()[1] - 12.0).abs() < 1e-12);
+    let power = OfThree::variable(-2.0, 1).powf(OfThree::constant(3.0));
+    assert!((power.derivative[1] - 12.0).abs() < 1e-12);
 }
 
 #[test]
@@ -94,10 +94,10 @@ fn powers_have_their_slopes_at_zero() {
         (2.0, 0.0, 0.0),
         (2.5, 0.0, 0.0),
     ] {
-        let base = OfThree::variable(0.0, Some(0));
-        for exponent in [OfThree::constant(n), OfThree::variable(n, Some(1))] {
+        let base = OfThree::variable(0.0, 0);
+        for exponent in [OfThree::constant(n), OfThree::variable(n, 1)] {
             let power = base.powf(exponent);
-            let found = [power.largest(), power.slopes()[0], power.slopes()[1]];
+            let found = [power.value, power.derivative[0], power.derivative[1]];
             assert_eq!(
                 found.map(f64::to_bits),
                 [value, slope, 0.0].map(f64::to_bits),
