@@ -5,6 +5,7 @@ mod single_precision;
 mod lanes;
 mod double_double;
 mod sensitivities;
+mod dual_expressions;
 mod dual_numbers;
 mod linearization_near_the_poles;
 mod parameter_sensitivities;
