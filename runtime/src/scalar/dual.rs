@@ -50,6 +50,9 @@ use super::Scalar;
 /// assert_eq!(found.to_string(), "22.5 + [15, 4.5]ε");
 /// ```
 ///
+/// The number of variables follows from what a number is used with. Where nothing says it, write `Dual::<f64, 2>::constant(1.0)`, and
+/// `<Dual>::constant(1.0)` for one variable. The right operand of `+ - * /` may be an `f64`.
+///
 /// A dual number is a [`Scalar`], and may be of any: models with parameters of dual numbers, or states, are evaluated and
 /// integrated like others. The derivatives of a motion by all initial values are a
 /// [`StateTransition`](crate::StateTransition).

@@ -9,6 +9,18 @@ use super::Dual;
 use crate::scalar::Scalar;
 use crate::scalar::arithmetic::assigning;
 
+impl<S: Scalar, const N: usize> Dual<S, N> {
+    #[inline]
+    fn quotient(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let slope = |k: usize| (self.derivative[k] - value * other.derivative[k]) / other.value;
+        Self {
+            value,
+            derivative: from_fn(slope),
+        }
+    }
+}
+
 impl<S: Scalar, const N: usize> Neg for Dual<S, N> {
     type Output = Self;
 
@@ -64,12 +76,7 @@ impl<S: Scalar, const N: usize> Div for Dual<S, N> {
 
     #[inline]
     fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        let slope = |k: usize| (self.derivative[k] - value * other.derivative[k]) / other.value;
-        Self {
-            value,
-            derivative: from_fn(slope),
-        }
+        self.quotient(other)
     }
 }
 
