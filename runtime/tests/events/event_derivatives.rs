@@ -162,7 +162,7 @@ fn a_bouncing_ball_has_the_gradient_of_its_closed_form() {
 #[test]
 fn a_bouncing_ball_has_second_derivatives() {
     for moving in 0..4 {
-        let mut parameters = BALL.map(|value| Dual::<Dual>::from_f64(value));
+        let mut parameters = BALL.map(Dual::<Dual>::from_f64);
         parameters[moving] = Dual::variable(Dual::variable(BALL[moving], 0), 0);
         let expected = bounces(parameters, END);
         let declared = integrated(&Taylor::new(), parameters, END);
