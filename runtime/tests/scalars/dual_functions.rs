@@ -1,5 +1,6 @@
 //! Functions of dual numbers against closed forms of their first and second derivatives (Abramowitz and Stegun, Handbook of
 //! Mathematical Functions, 1964, chapter 4), at the ends of their domains, and where functions have no derivative.
+#![allow(clippy::float_cmp)] // Exact comparisons are meant.
 
 use lagrangian::num_traits::Zero as _;
 use lagrangian::prelude::*;
@@ -216,7 +217,9 @@ fn slopes_keep_their_digits_far_out() {
 /// At the end of a domain, what has no derivative has a result without one, and what has one a slope beyond all sizes.
 #[test]
 fn ends_of_domains() {
-    let ends: [(fn(Dual<f64, 2>) -> Dual<f64, 2>, f64); 8] = [
+    type Plane = Dual<f64, 2>;
+    type End = (fn(Plane) -> Plane, f64);
+    let ends: [End; 8] = [
         (Scalar::sqrt, 0.0),
         (Scalar::asin, 1.0),
         (Scalar::asin, -1.0),

@@ -1,4 +1,5 @@
 //! Dual numbers of lanes: each lane has the values and the derivatives that it has alone.
+#![allow(clippy::float_cmp)] // Exact comparisons are meant.
 
 use lagrangian::prelude::*;
 use lagrangian::{Dual, Factorization, Lanes};
