@@ -16,6 +16,7 @@ pub(crate) mod hyperbolic;
 pub(crate) mod growing;
 pub(crate) mod scaled_sum;
 pub(crate) mod logistic;
+pub(crate) mod exponential_tower;
 pub(crate) mod call;
 pub(crate) mod circular;
 pub(crate) mod guard;

@@ -18,6 +18,15 @@ pub(super) enum Growing {
     Cosine(Expression),
 }
 
+impl Growing {
+    /// u.
+    pub(super) fn argument(self) -> Expression {
+        match self {
+            Self::Exponential(u) | Self::OneMore(u) | Self::Cosine(u) => u,
+        }
+    }
+}
+
 impl Graph {
     /// The factors of a negative power of a sum with exponential terms.
     pub(crate) fn distribute_over_exponentials(

@@ -87,7 +87,9 @@ impl Graph {
                 }
             }
         }
-        self.divided(factors).unwrap_or_default()
+        let taken = self.divided(factors);
+        let taken = taken.or_else(|| self.in_tower(factors));
+        taken.unwrap_or_default()
     }
 
     /// Rewrites the first power of a sum of exponentials that is divided by what it grows like, if there is one.
@@ -161,7 +163,11 @@ impl Graph {
                 let two = self.integer(2);
                 Some(vec![(logistic, above), (complement, below), (two, k)])
             }
-            Node::Unary(Unary::Exp, w) if self.is_with_softplus(*u) || self.is_with_softplus(w) => {
+            Node::Unary(Unary::Exp, w)
+                if self.is_with_softplus(*u)
+                    || self.is_with_softplus(w)
+                    || self.is_tower(w, &(*u, power.clone())) =>
+            {
                 let sum = self.sum([(*u, power.clone()), (w, exponent.clone())]);
                 Some(vec![(self.unary(Unary::Exp, sum), Rational::ONE)])
             }

@@ -4,6 +4,7 @@ mod circular;
 mod derivatives;
 mod determinants;
 mod expansion;
+mod exponential_towers;
 mod functions;
 mod identities;
 mod matrices;
