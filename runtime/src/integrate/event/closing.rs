@@ -9,6 +9,7 @@ use super::{EventFunctions, LastStep, Occurring};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::sample::Sample;
 use crate::integrate::stepper::Advance;
+use crate::limits::events::BETWEEN;
 use crate::scalar::Scalar;
 
 /// The event functions at the end of a run.
@@ -200,13 +201,16 @@ where
     if !step.comes_before(from, to) {
         return true;
     }
-    let middle = from + 0.5 * (to - from);
-    let middle = if step.comes_before(middle, step.begin()) {
-        step.begin()
-    } else {
-        middle
-    };
-    let there = step.at(middle);
-    let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
-    junction.zeros.contains(event)
+    // Not in the middle, where a periodic function is zero between two of its zeros.
+    BETWEEN.into_iter().all(|part| {
+        let between = from + part * (to - from);
+        let between = if step.comes_before(between, step.begin()) {
+            step.begin()
+        } else {
+            between
+        };
+        let there = step.at(between);
+        let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
+        junction.zeros.contains(event)
+    })
 }

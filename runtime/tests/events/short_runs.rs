@@ -1,0 +1,103 @@
+//! Runs of some roundings of the time, one after the other, of which the last ends at an event or next to it.
+
+use lagrangian::EquationsOfMotion;
+use lagrangian::prelude::*;
+
+/// An oscillator beside a clock.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * k * x.powi(2),
+    event(cube = t.powi(3) - 5),
+)]
+struct Oscillator {
+    k: f64,
+}
+
+/// The times of an event in runs that end at these times.
+fn seen<I>(
+    method: &I,
+    start: State<f64, 1>,
+    times: &[f64],
+    event: Event,
+    declared: bool,
+) -> Vec<f64>
+where
+    I: IntegrationMethod + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
+{
+    let model = Oscillator { k: 1.0 };
+    let equations = model.dynamics();
+    let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0];
+    let (mut last, mut seen) = (Sample::from(start), Vec::new());
+    for time in times {
+        let driver = method.driver();
+        let motion = if declared {
+            let driver = driver.declared_events([(Oscillator::CUBE, event)]);
+            driver.sample(&equations, &last, &[*time])
+        } else {
+            driver
+                .events([event], cube)
+                .sample(&equations, &last, &[*time])
+        };
+        let motion = motion.unwrap();
+        seen.extend(motion.events().iter().map(|event| event.t));
+        last = *motion.last();
+    }
+    seen
+}
+
+#[test]
+fn runs_of_some_roundings_report_an_event_once() {
+    let zero = 5.0_f64.cbrt();
+    let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
+    let start = State::new(0.2, [0.3], [0.4]);
+    for (event, count) in [
+        (Event::rising(), 1),
+        (Event::falling(), 0),
+        (Event::either(), 1),
+    ] {
+        for from in (-13..=11).step_by(2) {
+            for to in (from + 1..=13).step_by(3) {
+                let times = [near(from), near(to), 2.5];
+                for declared in [true, false] {
+                    let found = [
+                        seen(&Taylor::new(), start, &times, event, declared),
+                        seen(&Dop853::new(), start, &times, event, declared),
+                        seen(&RungeKutta::classical(0.2), start, &times, event, declared),
+                    ];
+                    for times in found {
+                        assert_eq!(
+                            times.len(),
+                            count,
+                            "{event:?} from {from} to {to}: {times:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// sin 2x is zero at both ends of a half period of x = π/2 · cos t, and in the middle.
+#[test]
+fn a_periodic_function_is_not_zero_between_its_zeros() {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let model = Oscillator { k: 1.0 };
+    let start = State::new(0.0, [quarter - 1e-9], [0.5]);
+    let wave = |_: f64, x: &Phase<f64, 1>| [(2.0 * x.q[0]).sin()];
+    let whole = Taylor::new().driver().events([Event::either()], wave);
+    let whole = whole.sample(&model.dynamics(), start, &[4.0]).unwrap();
+    assert!(whole.events().len() >= 3);
+    for event in whole.events() {
+        for ulps in 0..9 {
+            let end = f64::from_bits(event.t.to_bits() + ulps - 4);
+            let driver = || Taylor::new().driver().events([Event::either()], wave);
+            let first = driver().sample(&model.dynamics(), start, &[end]).unwrap();
+            let second = driver().sample(&model.dynamics(), first.last(), &[4.0]);
+            let count = first.events().len() + second.unwrap().events().len();
+            assert_eq!(count, whole.events().len(), "{end:e}");
+        }
+    }
+}
