@@ -1,7 +1,7 @@
 //! An integration that is stored, as text or as bytes, goes on to the last bit as if it had not stopped.
 
 use lagrangian::prelude::*;
-use lagrangian::{AugmentedPhase, Checkpoint, DoubleDouble, Lanes, Resume};
+use lagrangian::{AugmentedPhase, Checkpoint, DoubleDouble, Lanes, Resume, StateTransition};
 use serde::{Serialize, de::DeserializeOwned};
 
 #[derive(Lagrangian)]
@@ -80,6 +80,29 @@ where
             (found.steps, found.rejected),
             (expected.steps, expected.rejected)
         );
+    }
+}
+
+/// Dual numbers are stored with their derivatives, which their comparisons do not look at.
+#[test]
+fn derivatives_go_on_from_checkpoints() {
+    let dynamics = DoublePendulum.dynamics();
+    let initial = StateTransition::<2, 4>::initial(&State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
+    let driver = Taylor::new().driver();
+    let mut whole = driver.clone().start(&dynamics, &initial).unwrap();
+    whole.advance_to(END).unwrap();
+    let expected = StateTransition::of(&whole.sample());
+    let stopping = driver.clone().max_steps(3);
+    let mut running = stopping.start(&dynamics, &initial).unwrap();
+    running.advance_to(END).unwrap();
+    for checkpoint in [
+        by_text(&running.checkpoint()),
+        by_bytes(&running.checkpoint()),
+    ] {
+        let mut resumed = driver.clone().resume(&dynamics, checkpoint).unwrap();
+        assert!(resumed.time() < END);
+        resumed.advance_to(END).unwrap();
+        assert_eq!(StateTransition::of(&resumed.sample()), expected);
     }
 }
 
