@@ -176,8 +176,8 @@ pub trait Scalar:
 
     /// The number in lanes where `mask` is 1, and 0 in those where it is 0, also if the number is not finite there.
     ///
-    /// By the default, `min` and `max` ignore a NaN: they bound the number by 0/0 where the mask is 1, and by 0 where it is 0. For dual
-    /// numbers of your own, mask derivative parts, too.
+    /// By the default, `min` and `max` ignore a NaN: they bound the number by 0/0 where the mask is 1, and by 0 where it is 0. Dual
+    /// numbers of lanes mask their derivative parts, too.
     #[inline]
     #[must_use]
     fn masked(self, mask: Self) -> Self {
