@@ -170,6 +170,47 @@ fn series_of_a_rate_have_its_coefficients() {
     }
 }
 
+/// Points in the unit 1. In another unit, which is a power of two, the angle is the same, and its slopes are divided by the unit.
+const POINTS: [[f64; 2]; 4] = [[1.25, 0.75], [-0.5, 1.5], [3.0, 0.0], [0.0, -2.0]];
+
+#[test]
+fn slopes_and_series_on_f32_are_those_of_the_angle() {
+    for n in [-120, -100, -63, 0, 63, 100, 120] {
+        let unit = f32::powi(2.0, n);
+        #[allow(clippy::cast_possible_truncation)] // They have a few digits.
+        for [x, y] in POINTS.map(|point| point.map(|x| x as f32)) {
+            let at = [x * unit, y * unit];
+            let square = x * x + y * y;
+            let near = |found: f32, expected: f32, what: &str| {
+                let error = (found - expected).abs();
+                assert!(
+                    error <= 4.0 * f32::EPSILON * expected.abs(),
+                    "{what} at {at:?}: {found:e}, expected {expected:e}"
+                );
+            };
+            let slopes = Gradient.accelerations(&at_rest(at));
+            near(slopes[0] * unit, -y / square, "∂/∂x");
+            near(slopes[1] * unit, x / square, "∂/∂y");
+
+            // At the velocity of the unit along x: θ = arg(x + t, y).
+            let state = State::new(0.0, [at[0], at[1], 0.0], [unit, 0.0, 0.0]);
+            let mut series = TaylorCoefficients::<_, 4>::new(Phase::from(state));
+            Swept
+                .dynamics()
+                .series(0.0, &state.into(), 1.0, &mut series);
+            let mut terms = series.higher();
+            let mut term = |order: f32| {
+                let (first, rest) = terms.split_first().unwrap();
+                terms = rest;
+                order * first.v[2]
+            };
+            near(term(1.0), y.atan2(x), "angle");
+            near(term(2.0), -y / square, "rate");
+            near(term(3.0), x * y / (square * square), "second coefficient");
+        }
+    }
+}
+
 #[rustfmt::skip]
 #[allow(clippy::unreadable_literal, clippy::approx_constant)] // As mpmath prints them.
 const ANGLES: [Row; 38] = [

@@ -106,3 +106,24 @@ fn powers_have_their_slopes_at_zero() {
         }
     }
 }
+
+/// Squares of the distance are no numbers here; the angle, its slopes and its value are.
+#[test]
+fn angles_have_their_slopes_at_extreme_distances() {
+    for n in [-1000, -700, -500, 0, 500, 700, 1000] {
+        let unit = f64::powi(2.0, n);
+        for (x, y) in [(1.25, 0.75), (-0.5, 1.5), (3.0, 0.0), (0.0, -2.0)] {
+            let point = [(y, 0), (x, 2)];
+            let [along_y, along_x] =
+                point.map(|(value, index)| OfThree::variable(value * unit, Some(index)));
+            let found = along_y.atan2(along_x);
+            assert!((found.largest() - y.atan2(x)).abs() < 1e-15, "{n}");
+            let square = x * x + y * y;
+            for (index, expected) in [(0, x / square), (2, -y / square)] {
+                let found = found.slopes()[index] * unit;
+                let error = (found - expected).abs();
+                assert!(error < 1e-15, "{n} {x} {y}: {found} {expected}");
+            }
+        }
+    }
+}
