@@ -48,3 +48,14 @@ fn powers_with_whole_exponents_move_as_products_do() {
         }
     }
 }
+
+/// Beyond these, the series has the terms of order 0 alone, and the first step is as long as that is right: with any positive exponent
+/// the motion is the one whose energy is constant, ½ ẋ² − xⁿ⁺¹/(n + 1) = ½.
+#[test]
+fn powers_with_other_exponents_keep_the_energy() {
+    for n in [0.25, 0.5, 1.5, 2.5, 3.5, 4.0, 5.0, 5.5, 7.0, 12.0] {
+        let [x, v] = end!(Power { n });
+        let error = v * v - 1.0 - 2.0 * x.powf(n + 1.0) / (n + 1.0);
+        assert!(error.abs() <= 1e-11 * v * v, "{n}: {error:e}");
+    }
+}
