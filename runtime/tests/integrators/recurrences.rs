@@ -7,7 +7,7 @@ use lagrangian::recurrences::{
     HyperbolicTangent, InverseHyperbolicCosine, InverseHyperbolicSine, InverseHyperbolicTangent,
     Logarithm, Power, Product, Quotient, SineCosine, Square, SquareRoot, Tangent,
 };
-use lagrangian::{DoubleDouble, Series, TaylorCoefficients};
+use lagrangian::{DoubleDouble, Lanes, Series, TaylorCoefficients};
 use nalgebra::SVector;
 
 const HALF: usize = 12;
@@ -58,6 +58,63 @@ fn functions_of_series_are_series_of_functions() {
     }
     let mut block = ArcTangent2::<D, HALF>::new();
     check("angle", |x, y| block.next(x, y), D::atan2);
+}
+
+/// The coefficients of a power of a polynomial, from those of x and of z, by the terms of order 0, 1, ….
+fn power<S: Scalar>(exponent: S, x: [S; 4]) -> Vec<S> {
+    let mut block = Power::<S, HALF>::new(exponent);
+    let term = |k: usize| x.get(k).copied().unwrap_or(S::zero());
+    (0..2 * HALF).map(|k| block.next(term(k))).collect()
+}
+
+#[test]
+fn powers_of_what_vanishes_have_series() {
+    let number = |x: f64| D::from_f64(x);
+    // Of (xₘ tᵐ + …)ⁿ for whole m n: the power of the other factor, m n orders higher; for others 0.
+    for m in 1..4 {
+        let x: [f64; 4] = core::array::from_fn(|k| if k < m { 0.0 } else { X[k] + 0.5 });
+        let other = core::array::from_fn(|k| number(x.get(k + m).copied().unwrap_or(0.0)));
+        for n in [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 7.0, 11.0, 40.0] {
+            let found = power(number(n), x.map(number));
+            let factor = power(number(n), other);
+            let shift = n * f64::from(u32::try_from(m).unwrap());
+            for (k, found) in (0_u32..).zip(&found) {
+                let k = f64::from(k);
+                let index = k - shift;
+                let expected = if index < 0.0 || index.fract() > 0.0 {
+                    number(0.0)
+                } else {
+                    // Small whole numbers.
+                    let index =
+                        (0..2 * HALF).find(|i| f64::from(u32::try_from(*i).unwrap()) >= index);
+                    factor[index.unwrap()]
+                };
+                let error = (*found - expected).abs().to_f64();
+                assert!(
+                    error <= 1e-29 * (1.0 + expected.abs().to_f64()),
+                    "{n}, {m}, order {k}: {} {}",
+                    found.to_f64(),
+                    expected.to_f64()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn powers_of_what_vanishes_in_some_lanes_have_their_series() {
+    let starts = [[0.375, 0.75], [0.0, 0.75], [0.0, 0.0], [-0.5, 0.0]];
+    for n in [0.0, 1.0, 3.0, 4.0, 5.0] {
+        let x = |k: usize| starts.map(|start| [start[0], start[1], -0.25, 0.125][k]);
+        let found = power(Lanes([n; 4]), core::array::from_fn(|k| Lanes(x(k))));
+        for lane in 0..4 {
+            let alone = power(n, core::array::from_fn(|k| x(k)[lane]));
+            for (found, alone) in found.iter().zip(alone) {
+                let difference = (found.in_lane(lane) - alone).abs();
+                assert!(difference <= 0.0, "{n} {lane}: {found:?} {alone}");
+            }
+        }
+    }
 }
 
 #[test]

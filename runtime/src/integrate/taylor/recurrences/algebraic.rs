@@ -1,6 +1,7 @@
 //! Products, quotients, powers and roots of series.
 
 use super::terms::{Terms, convolution, number};
+use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::scalar::Scalar;
 
 /// The product x y: Σ xᵢ yₖ₋ᵢ.
@@ -110,8 +111,9 @@ impl<S: Scalar, const HALF: usize> SquareRoot<S, HALF> {
     }
 }
 
-/// The power z = xᵃ with a constant exponent: Σ₀﹤ᵢ (a i − (k − i)) xᵢ zₖ₋ᵢ/(k x₀). x₀ is not 0; powers with small whole
-/// exponents are products.
+/// The power z = xᵃ with a constant exponent, from x z′ = a z x′: Σₘ﹤ᵢ (a i − (k + m − i)) xᵢ zₖ₊ₘ₋ᵢ/((k − a m) xₘ), where xₘ is the
+/// first coefficient that is not 0, and zₖ is xₘᵃ for k = a m. Where x begins at 0 and z has no series, as with an exponent that is not
+/// whole, terms that do not exist count as 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<S, const HALF: usize> {
     exponent: S,
@@ -134,19 +136,53 @@ impl<S: Scalar, const HALF: usize> Power<S, HALF> {
         let z = if k == 0 {
             x.powf(self.exponent)
         } else {
-            let order = number::<S>(k);
-            let higher = self.x.known().get(1..).unwrap_or_default();
-            let mut sum = S::zero();
-            let mut i = S::one();
-            for (x, z) in higher.iter().zip(self.z.known().iter().rev()) {
-                let weight = self.exponent.mul_add(i, i - order);
-                sum = (weight * *x).mul_add(*z, sum);
-                i += S::one();
-            }
-            sum / (order * self.x.first())
+            self.by_first_terms(k)
         };
         self.z.push(z);
         z
+    }
+
+    /// zₖ, where the first term of x that is not 0 may be another one in each lane.
+    fn by_first_terms(&self, k: usize) -> S {
+        let mut vanishing = S::one();
+        let mut z = S::zero();
+        for (m, first) in self.x.known().iter().enumerate() {
+            let is_zero = is_zero(*first);
+            if m == 0 && (is_zero.largest().is_nan() || is_zero.largest() <= 0.0) {
+                return self.by_first_term(k, m);
+            }
+            let lanes = vanishing * (S::one() - is_zero);
+            if lanes.largest() > 0.0 {
+                z += self.by_first_term(k, m).masked(lanes);
+            }
+            vanishing *= is_zero;
+        }
+        z
+    }
+
+    /// zₖ, where xₘ is the first term that is not 0.
+    fn by_first_term(&self, k: usize, m: usize) -> S {
+        let (x, z) = (self.x.known(), self.z.known());
+        let order = number::<S>(k);
+        let rest = order - self.exponent * number(m);
+        let mut sum = S::zero();
+        let mut i = number::<S>(m + 1);
+        for (n, x) in x.iter().enumerate().skip(m + 1) {
+            let Some(z) = (k + m).checked_sub(n).and_then(|index| z.get(index)) else {
+                continue;
+            };
+            let weight = self.exponent.mul_add(i, i - number(k + m));
+            sum = (weight * *x).mul_add(*z, sum);
+            i += S::one();
+        }
+        let first = x.get(m).copied().unwrap_or(S::zero());
+        if m == 0 {
+            return sum / (order * first);
+        }
+        let is_least = is_zero(rest);
+        let least = first.powf(self.exponent).masked(is_least);
+        let later = sum / (one_if_zero(rest) * first);
+        least + later.masked(S::one() - is_least)
     }
 }
 
