@@ -26,9 +26,10 @@ impl<const K: usize> DeclaredEvents<K> {
     {
         let from = window.fraction(memory.until);
         let near = window.fraction(step.after(window.begin));
-        let mut found = [None; K];
+        let (mut found, mut ahead) = ([None; K], [0.0; K]);
         for (event, polynomial) in polynomials.iter().enumerate() {
-            found[event] = self.first_of(event, polynomial, memory, (window, from, near));
+            (found[event], ahead[event]) =
+                self.first_of(event, polynomial, memory, (window, from, near));
         }
         let mut late = MetConditions::default();
         for _ in 0..=K {
@@ -40,7 +41,7 @@ impl<const K: usize> DeclaredEvents<K> {
             let time = window.time(first);
             let events = occurring_at(&found, polynomials, window.fraction(step.after(time)));
             if let Some(t) = self.just_behind(memory, step, (time, window), &found, events) {
-                note_occurring(memory, &found, events);
+                note_occurring(memory, &found, &ahead, events);
                 let still = stay_at_zero(memory, polynomials, [from, near], window.fraction(t));
                 memory.arrive(step.after(t));
                 memory.left = still.without(events);
@@ -146,13 +147,14 @@ fn occurring_at<const K: usize>(
 fn note_occurring<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     found: &[Option<Root>; K],
+    ahead: &[f64; K],
     events: MetConditions,
 ) {
     for (event, root) in found.iter().enumerate() {
         let occurring = root.filter(|_| events.contains(event));
         memory.ahead[event] = match occurring {
             Some(_) => 0.0,
-            None => root.map_or(0.0, |root| root.before),
+            None => ahead[event],
         };
         if let Some(root) = occurring {
             (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
