@@ -2,6 +2,7 @@
 //! can be told from what it says of another. The environment variable `ADVERSARIAL_MODELS` names another file.
 
 use std::{
+    collections::BTreeSet,
     env,
     fmt::Write as _,
     fs,
@@ -93,10 +94,17 @@ pub(crate) fn evaluate(at: &At) -> Vec<Found> {{
     )
 }
 
-/// The call that integrates motions of the model.
+/// The calls that integrate motions of the model: those alone that a state asks for.
 fn motions(model: &Value) -> String {
     let n = model["n"].as_u64().expect("a number of coordinates");
-    let call = match text_of(&model["motion"]["compared"]) {
+    let states = list(&model["states"]);
+    let asked_for = |name: &&str| {
+        states
+            .iter()
+            .any(|state| state["values"].get(*name).is_some())
+    };
+    let methods = ["taylor", "dop853"].into_iter().filter(asked_for);
+    let calls: Vec<String> = match text_of(&model["motion"]["compared"]) {
         "ends" if model["motion"]["reduced"] == true => {
             let places = list(&model["ignorable"]);
             let (k, rest) = (
@@ -104,14 +112,36 @@ fn motions(model: &Value) -> String {
                 usize::try_from(n).expect("few coordinates") - places.len(),
             );
             let places: Vec<String> = places.iter().map(ToString::to_string).collect();
-            format!(
-                "reduced_ends::<Model, {n}, {rest}, {k}>(&model, [{}], at)",
-                places.join(", ")
-            )
+            let places = places.join(", ");
+            let call = |method| {
+                format!("reduced_ends::{method}::<Model, {n}, {rest}, {k}>(&model, [{places}], at)")
+            };
+            methods.map(call).collect()
         }
-        what => format!("{what}::<Model, {n}>(&model, at)"),
+        "ends" => methods
+            .map(|method| format!("ends::{method}::<Model, {n}>(&model, at)"))
+            .collect(),
+        "splits" => {
+            let name = |state: &Value| {
+                let run = &state["run"];
+                let watched = if run["declared"] == true {
+                    "declared"
+                } else {
+                    "sampled"
+                };
+                format!("{}_{watched}", text_of(&run["method"]))
+            };
+            let names: BTreeSet<String> = states.iter().map(name).collect();
+            let call = |name: &String| format!("splits::{name}::<Model, {n}>(&model, at)");
+            names.iter().map(call).collect()
+        }
+        what => vec![format!("{what}::<Model, {n}>(&model, at)")],
     };
-    format!("crate::{call}\n        .into_iter()")
+    let calls: Vec<String> = calls.iter().map(|call| format!("crate::{call}")).collect();
+    format!(
+        "[{}]\n        .concat()\n        .into_iter()",
+        calls.join(", ")
+    )
 }
 
 /// The call that evaluates the motion, and those chained to it for what else the model has.

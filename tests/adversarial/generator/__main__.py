@@ -13,6 +13,7 @@ import argparse
 import itertools
 import shutil
 import sys
+from collections import Counter
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -65,6 +66,7 @@ def evaluated(models, given):
         usable += with_states
         report.add(with_states, built(with_states, given.folder, given.limit))
         report.findings(findings)
+        (findings / "table.txt").write_text(f"{report}\n")
         print(f"{len(usable)} models: {len(report.wrong)} wrong, {len(report.refused)} refused", flush=True)
     return report, usable
 
@@ -92,8 +94,9 @@ def select(given):
     command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
     command += f" --name {given.name} --kinds {','.join(given.kinds)}" if given.kinds else ""
     command += f" --states {given.states}" if given.states else ""
+    sample = Sample(given.states)
     for name, contents in ((given.name, "models that agree"), ("failing", "models that are wrong or refused")):
-        chosen = [fewer(model, given.states) for model in models if fails(model) == (name == "failing")]
+        chosen = [sample.fewer(model) for model in models if fails(model) == (name == "failing")]
         path = MODELS / f"{name}.json"
         if chosen:
             document.write(path, chosen, {"command": command, "contents": contents})
@@ -104,9 +107,45 @@ def select(given):
     return 0
 
 
-def fewer(model, most):
-    """The model with at most so many states."""
-    return model if most is None else {**model, "states": model["states"][:most]}
+# The methods that motions are split under, and whether they watch for declared events: one of them in each model of a sample, since each has
+# to be compiled for each model.
+SPLIT = (("taylor", False), ("dop853", True), ("runge_kutta", False), ("taylor", True))
+
+
+class Sample:
+    """Models with at most so many states, and with one method each where there are several."""
+
+    def __init__(self, most):
+        self.most, self.turns = most, Counter()
+
+    def fewer(self, model):
+        if self.most is None:
+            return model
+        states = model["states"]
+        if "motion" in model:
+            compared = "reduced" if model["motion"]["reduced"] else model["motion"]["compared"]
+            turn = self.turns[compared]
+            self.turns[compared] += 1
+            if compared == "splits":
+                states = split_in_one_way(states, turn)
+            elif compared == "reduced":
+                states = [by_one_method(state, ("taylor", "dop853")[turn % 2]) for state in states]
+        return {**model, "states": states[: self.most]}
+
+
+def split_in_one_way(states, turn):
+    """The states under the next method that some are under."""
+    for k in range(len(SPLIT)):
+        method, declared = SPLIT[(turn + k) % len(SPLIT)]
+        found = [s for s in states if s["run"]["method"] == method and s["run"]["declared"] == declared]
+        if found:
+            return found
+    return states
+
+
+def by_one_method(state, method):
+    of = lambda table: {name: x for name, x in table.items() if method in name}
+    return {**state, "values": of(state["values"]), "tolerances": of(state["tolerances"])}
 
 
 def minimize(given):

@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import subprocess
 import time
 from pathlib import Path
@@ -15,11 +14,11 @@ OPTIMIZATION = [0]  # The level for the models: many motions take less time than
 
 
 class Build:
-    """What came of a shard: comparisons, refusals by identifier, and seconds."""
+    """What came of a shard: comparisons, refusals by identifier, and seconds of compilation."""
 
     def __init__(self):
         self.comparisons, self.refused = [], {}
-        self.seconds, self.expansion = 0.0, 0.0
+        self.seconds = 0.0
 
 
 def built(models, folder, limit):
@@ -31,15 +30,16 @@ def built(models, folder, limit):
         document.write(file, models, {})
         start = time.time()
         try:
-            output = cargo(["rustc", "--lib", "--message-format=json", "--", "-Ztime-passes"], file, folder, limit)
+            output = built_package(file, folder, limit)
         except subprocess.TimeoutExpired:
             return split(models, folder, limit, result)
         result.seconds += time.time() - start
-        result.expansion += expansion(output.stderr + output.stdout)
         refused = refusals(output.stdout, {m["id"] for m in models})
         result.refused.update(refused)
         if output.returncode == 0:
-            evaluated = cargo(["run", "--bin", PACKAGE, "--quiet"], file, folder, limit)
+            # Run by cargo, it would be built anew where its command differs.
+            program = [str(folder / "target" / "debug" / PACKAGE)]
+            evaluated = subprocess.run(program, capture_output=True, text=True, timeout=limit)
             if evaluated.returncode != 0:
                 raise SystemExit(evaluated.stderr[-4000:])
             result.comparisons += [json.loads(line) for line in evaluated.stdout.splitlines()]
@@ -60,11 +60,11 @@ def split(models, folder, limit, result):
         result.comparisons += part.comparisons
         result.refused.update(part.refused)
         result.seconds += part.seconds
-        result.expansion += part.expansion
     return result
 
 
-def cargo(arguments, file, folder, limit):
+def built_package(file, folder, limit):
+    """What cargo says of the package with the models of a file."""
     environment = {
         **os.environ,
         "ADVERSARIAL_MODELS": str(file),
@@ -73,16 +73,9 @@ def cargo(arguments, file, folder, limit):
         "CARGO_PROFILE_DEV_DEBUG": "0",
         "CARGO_INCREMENTAL": "0",
         **({"CARGO_PROFILE_DEV_OPT_LEVEL": str(OPTIMIZATION[0])} if OPTIMIZATION[0] else {}),
-        # Times by pass are for nightly compilers, or for those who say so.
-        "RUSTC_BOOTSTRAP": "lagrangian_adversarial",
     }
-    command = ["cargo", arguments[0], "-p", PACKAGE, *arguments[1:]]
+    command = ["cargo", "build", "-p", PACKAGE, "--bin", PACKAGE, "--message-format=json"]
     return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=limit)
-
-
-def expansion(text):
-    """Seconds that the compiler spent in macros."""
-    return sum(float(x) for x in re.findall(r"time:\s+([0-9.]+).*\bmacro_expand_crate\b", text))
 
 
 def is_refusal(message):

@@ -106,9 +106,10 @@ class Jet(Number):
         return Jet(self.a + other.a, merged(self.first, other.first), merged(self.second, other.second), self.velocities)
 
     def shifted(self, c):
-        return Jet(self.a + c, self.first, self.second, self.velocities)
+        return Jet(self.a + CONSTANT[0](c), self.first, self.second, self.velocities)
 
     def scaled(self, c):
+        c = CONSTANT[0](c)
         first = {i: x * c for i, x in self.first.items()}
         return Jet(self.a * c, first, {ij: x * c for ij, x in self.second.items()}, self.velocities)
 
@@ -242,6 +243,7 @@ def promoted(x):
     return x if isinstance(x, (mpf, float, Foreign)) else (mpf(x) if PRECISE[0] else float(x))
 
 
+CONSTANT = [lambda x: x]  # What a constant is beside numbers of the library of motions.
 PRECISE = [True]
 
 

@@ -11,6 +11,7 @@ from building import built
 from derivatives import NoValue
 from document import assembled
 from kinds import KINDS
+from motions import reference as motions
 from reference import Inputs, reference
 from report import Report
 from spelling import declaration
@@ -58,7 +59,8 @@ def steps(model):
             made = copy.copy(model)
             setattr(made, table, [x for k, x in enumerate(getattr(model, table)) if k != i])
             yield made
-    for table in (*CLAUSES, *ROWS):
+    # Events keep their places, by which they are watched.
+    for table in (*CLAUSES, *ROWS, "events"):
         for i, entry in enumerate(getattr(model, table)):
             for less in smaller(entry if isinstance(entry, E) else entry.expression):
                 made = copy.copy(model)
@@ -70,10 +72,13 @@ def steps(model):
                 yield made
 
 
-def with_reference(model, at, name):
-    """The document of a model at a state; none where it cannot be evaluated."""
+def with_reference(model, at, given, name):
+    """The document of a model at a state, of which the larger model had the one that is given; none where it cannot be evaluated."""
     try:
-        state, shapes = reference(model, at, random.Random(name))
+        if model.motion:
+            state, shapes = motions.again(model, at, given, random.Random(name)), {}
+        else:
+            state, shapes = reference(model, at, random.Random(name))
     except (NoValue, ArithmeticError, ValueError, TypeError, KeyError, IndexError, AttributeError):
         return None
     return assembled(name, model, declaration(model, random.Random(1)), [state], shapes)
@@ -93,13 +98,14 @@ def minimized(job, generated, state, folder, limit):
     """The smallest model that was found, as a report on it alone."""
     kind, seed, number = job
     model = KINDS[kind](random.Random(f"{kind}/{seed}/{number}"))
-    at = inputs_of(model, generated["states"][state])
+    given = generated["states"][state]
+    at = inputs_of(model, given)
     best, best_report = model, None
     while True:
         batch, candidates = [], {}
         for candidate in steps(best):
             name = f"{kind}_{seed}_{number}_{len(batch)}"
-            document = with_reference(candidate, at, name)
+            document = with_reference(candidate, at, given, name)
             if document:
                 batch.append(document)
                 candidates[name] = candidate

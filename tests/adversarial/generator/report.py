@@ -4,20 +4,30 @@ import math
 from collections import defaultdict
 
 
+def motions(model):
+    """How many motions of a model are integrated: those of its states that differ in more than in how they are split."""
+    if "motion" not in model:
+        return 0
+    each = [max(1, len(state.get("starts", "").split()) // (2 * model["n"] + 1)) for state in model["states"]]
+    if model["motion"]["compared"] == "splits":
+        return len({tuple(state[key] for key in ("t", "q", "qd", "params", "end")) for state in model["states"]})
+    return sum(each)
+
+
 class Report:
     def __init__(self):
-        self.rows = defaultdict(lambda: {"models": 0, "states": 0, "compared": 0, "refused": 0, "wrong": set(), "worst": 0.0, "at": ""})
+        self.rows = defaultdict(lambda: {"models": 0, "motions": 0, "states": 0, "compared": 0, "refused": 0, "wrong": set(), "worst": 0.0, "at": ""})
         self.wrong, self.refused = {}, {}
-        self.seconds = self.expansion = 0.0
+        self.seconds = 0.0
         self.unusable = 0
 
     def add(self, models, build):
         kinds = {m["id"]: m for m in models}
         self.seconds += build.seconds
-        self.expansion += build.expansion
         for m in models:
             self.rows[m["kind"]]["models"] += 1
             self.rows[m["kind"]]["states"] += len(m["states"])
+            self.rows[m["kind"]]["motions"] += motions(m)
         for name, message in build.refused.items():
             self.rows[kinds[name]["kind"]]["refused"] += 1
             self.refused[name] = kinds[name], message
@@ -41,16 +51,16 @@ class Report:
             row["worst"], row["at"] = ratio, f"{c['quantity']} of {c['model']}"
 
     def __str__(self):
-        lines = [f"{'kind':24}{'models':>7}{'states':>7}{'compared':>10}{'refused':>9}{'wrong':>7}   greatest error of those right / tolerance"]
+        lines = [f"{'kind':24}{'models':>7}{'motions':>8}{'states':>7}{'compared':>10}{'refused':>9}{'wrong':>7}   greatest error of those right / tolerance"]
         for kind, row in sorted(self.rows.items()):
-            counts = f"{row['models']:7}{row['states']:7}{row['compared']:10}{row['refused']:9}{len(row['wrong']):7}"
+            counts = f"{row['models']:7}{row['motions']:8}{row['states']:7}{row['compared']:10}{row['refused']:9}{len(row['wrong']):7}"
             lines.append(f"{kind:24}{counts}   {row['worst']:.2g}  {row['at']}")
         total = sum(row["models"] for row in self.rows.values())
+        moving = sum(row["motions"] for row in self.rows.values())
         states = sum(row["states"] for row in self.rows.values())
         compared = sum(row["compared"] for row in self.rows.values())
-        lines.append(f"{'all':24}{total:7}{states:7}{compared:10}{len(self.refused):9}{len(self.wrong):7}")
-        lines.append(f"{self.unusable} models without a usable state; {self.seconds:.0f} s of compilation, "
-                     f"{self.expansion:.0f} s of them in macros")
+        lines.append(f"{'all':24}{total:7}{moving:8}{states:7}{compared:10}{len(self.refused):9}{len(self.wrong):7}")
+        lines.append(f"{self.unusable} models without a usable state; {self.seconds:.0f} s of compilation")
         return "\n".join(lines)
 
     def findings(self, folder):

@@ -17,6 +17,8 @@ pub struct At {
     /// Coordinates, velocities and final times of motions in lanes.
     starts: Vec<f64>,
     run: Option<Run>,
+    /// The quantities that there are references for.
+    asked: Vec<String>,
 }
 
 /// How a motion is split into runs, and what is watched for.
@@ -85,7 +87,16 @@ impl At {
             end: some("end").first().copied().unwrap_or(f64::NAN),
             starts: some("starts"),
             run: state.get("run").map(Run::new),
+            asked: state["values"]
+                .as_object()
+                .map(|values| values.keys().cloned().collect())
+                .unwrap_or_default(),
         }
+    }
+
+    /// Whether there is a reference for a quantity.
+    pub(crate) fn asks_for(&self, quantity: &str) -> bool {
+        self.asked.iter().any(|name| name == quantity)
     }
 
     /// The final time of the motion, not a number where there is none.

@@ -113,7 +113,16 @@ pub fn compare_each(mut hand_over: impl FnMut(Comparison)) {
         assert_eq!(model["id"], *id);
         let states = model["states"].as_array().expect("a list of states");
         for (index, state) in states.iter().enumerate() {
-            for (quantity, found) in evaluated(*evaluate, state) {
+            let mut found = evaluated(*evaluate, state);
+            let expected = state["values"].as_object().expect("values by quantity");
+            let missing = expected
+                .keys()
+                .filter(|name| !found.iter().any(|(of, _)| of == *name));
+            let missing: Vec<_> = missing
+                .map(|name| (name.clone(), Err("is not evaluated".to_owned())))
+                .collect();
+            found.extend(missing);
+            for (quantity, found) in found {
                 hand_over(Comparison {
                     model: (*id).to_owned(),
                     state: index,

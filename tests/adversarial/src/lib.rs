@@ -8,14 +8,13 @@ mod evaluation;
 pub mod external;
 mod motions;
 mod regulators;
-mod splits;
+pub mod splits;
 
 pub use at::{At, Values};
 pub use comparison::{Comparison, compare, compare_each};
 pub use evaluation::{Entries, Evaluate, Found, driven, energies, motion, reduced, rows};
 pub use motions::{ends, lanes, reduced_ends};
 pub use regulators::compare_regulators;
-pub use splits::splits;
 
 /// The models, written by the build script.
 #[rustfmt::skip]

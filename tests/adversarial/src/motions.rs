@@ -1,9 +1,11 @@
 //! Where motions end, and the events on the way: of a model, and of its reduced model with the ignorable coordinates beside it.
 
+use std::fmt;
+
 use lagrangian::{
-    Dop853, Dynamics, Event, EventDynamics, Events, InitialValue, IntegrationMethod, Integrator,
-    MotionSeries, Occurrence, Phase, ReconstructedPhase, RouthReduction, Routhian, RouthianSeries,
-    State, StopReason, Taylor,
+    Dop853, Dynamics, Event, EventDynamics, Events, InitialValue, IntegrationError,
+    IntegrationMethod, Integrator, MotionSeries, Occurrence, Outcome, Phase, ReconstructedPhase,
+    RouthReduction, Routhian, RouthianSeries, State, StopReason, Taylor,
 };
 use nalgebra::SVector;
 
@@ -23,58 +25,117 @@ pub(crate) fn dop853() -> Dop853 {
         .absolute_tolerance(DOP853_TOLERANCE)
 }
 
-/// The last state of the motion, by both adaptive methods.
-#[must_use]
-pub fn ends<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
-where
-    M: MotionSeries<N>,
-{
-    let (dynamics, start, end) = (model.dynamics(), at.state::<N>(), at.end());
-    let [taylor, dop853] = [
-        last(&Taylor::new(), &dynamics, start, end),
-        last(&dop853(), &dynamics, start, end),
-    ];
-    vec![("taylor", taylor.map(flat)), ("dop853", dop853.map(flat))]
+/// The last state of the motion by one of these methods, where there is a reference for it; of a motion that slides along a jump, the time from
+/// which on it does.
+macro_rules! ends_by {
+    ($($name:ident = $method:expr;)*) => {$(
+        #[doc = concat!("The end of a motion by ", stringify!($name), ".")]
+        #[must_use]
+        pub fn $name<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
+        where
+            M: MotionSeries<N>,
+        {
+            let name = stringify!($name);
+            if !at.asks_for(name) {
+                return Vec::new();
+            }
+            let end = last(&$method, &model.dynamics(), at.state::<N>(), at.end());
+            vec![(name, state_or_slide(end))]
+        }
+    )*};
+}
+
+/// What a motion ends at. Each method is a function of its own, so that a model has to be compiled for those alone that it is asked for.
+pub mod ends {
+    use super::{At, Found, MotionSeries, Taylor, last, state_or_slide};
+
+    ends_by! {
+        taylor = Taylor::new();
+        dop853 = super::dop853();
+    }
+}
+
+/// Coordinates and velocities, or the time from which on a motion slides.
+fn state_or_slide<const N: usize>(end: Result<Phase<f64, N>, Failure>) -> Entries {
+    match end {
+        Ok(x) => Ok(flat(x)),
+        Err(Failure::Error(IntegrationError::SlidingMode { time, .. })) => Ok(vec![time]),
+        Err(failure) => Err(failure.to_string()),
+    }
+}
+
+/// Why a motion does not reach its end.
+pub(crate) enum Failure {
+    Error(IntegrationError),
+    Stop(StopReason, f64),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Error(error) => error.fmt(f),
+            Self::Stop(reason, t) => write!(f, "{reason:?} at t = {t}"),
+        }
+    }
+}
+
+fn completed<X>(outcome: Result<Outcome<X>, IntegrationError>) -> Result<X, Failure> {
+    let outcome = outcome.map_err(Failure::Error)?;
+    if outcome.reason == StopReason::Completed {
+        Ok(outcome.last.x)
+    } else {
+        Err(Failure::Stop(outcome.reason, outcome.last.t))
+    }
 }
 
 /// The last state of the motion and the first two events that the model declares, of the model and of its reduced one.
-#[must_use]
-pub fn reduced_ends<M, const N: usize, const R: usize, const K: usize>(
-    model: &M,
-    ignorable: [usize; K],
-    at: &At,
-) -> Vec<Found>
-where
-    M: MotionSeries<N> + Events<N> + RouthReduction<N, R, Scalar = f64>,
-    M::Reduced: MotionSeries<R> + Events<R> + RouthianSeries<R, K, FullState = State<f64, N>>,
-{
-    let (dynamics, start, end) = (model.dynamics(), at.state::<N>(), at.end());
-    let (reduced, state) = model.reduce(&start);
-    let places = SVector::from(ignorable.map(|i| start.q[i]));
-    let equations = reduced.reconstruction();
-    let back = |x: ReconstructedPhase<f64, R, K>| {
-        let State { q, v, .. } = equations.full_state(end, &x);
-        flat(Phase { q, v })
+macro_rules! reduced_ends_by {
+    ($($name:ident = $method:expr, $names:expr;)*) => {$(
+        #[doc = concat!("The ends and events of a model and of its reduced one by ", stringify!($name), ".")]
+        #[must_use]
+        pub fn $name<M, const N: usize, const R: usize, const K: usize>(
+            model: &M,
+            ignorable: [usize; K],
+            at: &At,
+        ) -> Vec<Found>
+        where
+            M: MotionSeries<N> + Events<N> + RouthReduction<N, R, Scalar = f64>,
+            M::Reduced: MotionSeries<R> + Events<R> + RouthianSeries<R, K, FullState = State<f64, N>>,
+        {
+            let names: [&'static str; 4] = $names;
+            if !at.asks_for(names[0]) {
+                return Vec::new();
+            }
+            let (dynamics, start, end) = (model.dynamics(), at.state::<N>(), at.end());
+            let (reduced, state) = model.reduce(&start);
+            let places = SVector::from(ignorable.map(|i| start.q[i]));
+            let equations = reduced.reconstruction();
+            let back = |x: ReconstructedPhase<f64, R, K>| {
+                let State { q, v, .. } = equations.full_state(end, &x);
+                flat(Phase { q, v })
+            };
+            let full = with_events(&$method, &dynamics, start, end);
+            let reduced = with_events(&$method, &equations, (state, places), end);
+            [
+                named([names[0], names[1]], full, flat),
+                named([names[2], names[3]], reduced, back),
+            ]
+            .concat()
+        }
+    )*};
+}
+
+/// What motions of a model with ignorable coordinates end at, by one of the methods.
+pub mod reduced_ends {
+    use super::{
+        At, Events, Found, MotionSeries, Phase, ReconstructedPhase, RouthReduction, Routhian as _,
+        RouthianSeries, SVector, State, Taylor, flat, named, with_events,
     };
-    let taylor = with_events(&Taylor::new(), &dynamics, start, end);
-    let eighth_order = with_events(&dop853(), &dynamics, start, end);
-    let reduced_taylor = with_events(&Taylor::new(), &equations, (state, places), end);
-    let reduced_eighth_order = with_events(&dop853(), &equations, (state, places), end);
-    [
-        named(["taylor", "taylor events"], taylor, flat),
-        named(["dop853", "dop853 events"], eighth_order, flat),
-        named(
-            ["reduced taylor", "reduced taylor events"],
-            reduced_taylor,
-            back,
-        ),
-        named(
-            ["reduced dop853", "reduced dop853 events"],
-            reduced_eighth_order,
-            back,
-        ),
-    ]
-    .concat()
+
+    reduced_ends_by! {
+        taylor = Taylor::new(), ["taylor", "taylor events", "reduced taylor", "reduced taylor events"];
+        dop853 = super::dop853(), ["dop853", "dop853 events", "reduced dop853", "reduced dop853 events"];
+    }
 }
 
 fn named<X>(
@@ -99,19 +160,13 @@ pub(crate) fn last<I, D>(
     dynamics: &D,
     start: impl InitialValue<D::State>,
     end: f64,
-) -> Result<D::State, String>
+) -> Result<D::State, Failure>
 where
     I: IntegrationMethod + Integrator<f64, D>,
     D: Dynamics<f64>,
 {
     let driver = method.driver().max_steps(MOST_STEPS);
-    let outcome = driver.run_until(dynamics, start, end);
-    let outcome = outcome.map_err(|error| error.to_string())?;
-    if outcome.reason == StopReason::Completed {
-        Ok(outcome.last.x)
-    } else {
-        Err(format!("{:?} at t = {}", outcome.reason, outcome.last.t))
-    }
+    completed(driver.run_until(dynamics, start, end))
 }
 
 fn with_events<I, D>(
@@ -147,7 +202,8 @@ pub(crate) fn list(events: &[(usize, f64)]) -> Vec<f64> {
     core::iter::once(events.len() as f64).chain(each).collect()
 }
 
-/// Motions in lanes beside references, and their distance from those that are integrated alone.
+/// Motions in lanes beside references, and their distance from those that are integrated alone; of one that slides along a jump, the
+/// time from which on it does.
 #[must_use]
 pub fn lanes<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
 where
@@ -160,14 +216,10 @@ where
     let ends = ensemble.collect(&lanes, starts.iter().copied());
     let (mut together, mut apart) = (Entries::Ok(Vec::new()), Entries::Ok(Vec::new()));
     for ((start, end), outcome) in starts.iter().zip(ends) {
-        let found = match outcome {
-            Ok(outcome) if outcome.reason == StopReason::Completed => Ok(flat(outcome.last.x)),
-            Ok(outcome) => Err(format!("{:?} at t = {}", outcome.reason, outcome.last.t)),
-            Err(error) => Err(error.to_string()),
-        };
-        let expected = last(&Taylor::new(), &alone, *start, *end).map(flat);
+        let found = state_or_slide(completed(outcome));
+        let expected = state_or_slide(last(&Taylor::new(), &alone, *start, *end));
         let differences = match (&found, expected) {
-            (Ok(found), Ok(expected)) => {
+            (Ok(found), Ok(expected)) if found.len() == expected.len() => {
                 Ok(found.iter().zip(&expected).map(|(x, y)| x - y).collect())
             }
             // The same error, to the last digit, is the same result; that it should not be one is seen beside the reference.

@@ -10,55 +10,60 @@ use lagrangian::{
 
 use crate::At;
 use crate::at::Run;
-use crate::evaluation::{Entries, Found};
+use crate::evaluation::Found;
 use crate::motions::{MOST_STEPS, dop853, list};
 
 /// An index of those watched, and a time.
 type Seen = Vec<(usize, f64)>;
 
-/// The events of the runs of a motion.
-///
-/// # Panics
-///
-/// If the state says nothing of runs.
-#[must_use]
-pub fn splits<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
-where
-    M: MotionSeries<N> + Events<N>,
-{
-    let run = at.run();
-    let (start, dynamics) = (at.state::<N>(), model.dynamics());
-    let split = Split {
-        dynamics: &dynamics,
-        start: start.into(),
-        run,
-    };
-    let indices = run.watched.map(|(index, _)| index);
-    let closure = |t: f64, x: &Phase<f64, N>| {
-        let values = model.event_functions(&State::new(t, x.q, x.v));
-        indices.map(|index| values.as_ref()[index])
-    };
-    let events = run.events();
-    let declared = [(indices[0], events[0]), (indices[1], events[1])];
-    // One of the three methods, watching in one of the two ways.
-    macro_rules! under {
-        ($method:expr) => {{
-            let driver = $method.driver().max_steps(MOST_STEPS);
-            if run.is_declared {
-                split.events(&driver.declared_events(declared))
-            } else {
-                split.events(&driver.events(events, closure))
+/// The events of the runs of a motion under these methods, watched for as declared events or by a closure.
+macro_rules! splits_by {
+    ($($name:ident, $method:expr, $declared:tt;)*) => {$(
+        #[doc = concat!("The events of the runs of a motion: ", stringify!($name), ".")]
+        ///
+        /// # Panics
+        ///
+        /// If the state says nothing of runs.
+        #[must_use]
+        pub fn $name<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
+        where
+            M: MotionSeries<N> + Events<N>,
+        {
+            let run = at.run();
+            if run.name() != stringify!($name) {
+                return Vec::new();
             }
-        }};
-    }
-    let found: Entries = match run.method.as_str() {
-        "taylor" => under!(Taylor::new()),
-        "dop853" => under!(dop853().max_step(run.step)),
-        "runge_kutta" => under!(RungeKutta::classical(run.step)),
-        other => panic!("`{other}` is no method"),
-    }
-    .map(|seen| list(&seen));
-    vec![("events", found)]
+            let dynamics = model.dynamics();
+            let split = Split {
+                dynamics: &dynamics,
+                start: at.state::<N>().into(),
+                run,
+            };
+            let driver = $method(run).driver().max_steps(MOST_STEPS);
+            let seen = splits_by!(driver, split, model, $declared);
+            vec![("events", seen.map(|seen| list(&seen)))]
+        }
+    )*};
+    ($driver:ident, $split:ident, $model:ident, true) => {{
+        $split.events(&$driver.declared_events($split.run.declared()))
+    }};
+    ($driver:ident, $split:ident, $model:ident, false) => {{
+        let indices = $split.run.watched.map(|(index, _)| index);
+        let closure = |t: f64, x: &Phase<f64, N>| {
+            let values = $model.event_functions(&State::new(t, x.q, x.v));
+            indices.map(|index| values.as_ref()[index])
+        };
+        $split.events(&$driver.events($split.run.events(), closure))
+    }};
+}
+
+splits_by! {
+    taylor_declared, |_: &Run| Taylor::new(), true;
+    taylor_sampled, |_: &Run| Taylor::new(), false;
+    dop853_declared, |run: &Run| dop853().max_step(run.step), true;
+    dop853_sampled, |run: &Run| dop853().max_step(run.step), false;
+    runge_kutta_declared, |run: &Run| RungeKutta::classical(run.step), true;
+    runge_kutta_sampled, |run: &Run| RungeKutta::classical(run.step), false;
 }
 
 /// A motion, and how it is split.
@@ -252,6 +257,22 @@ impl<X> Observer<X> for Watch<'_> {
 }
 
 impl Run {
+    /// The method, and whether it watches for declared events or samples a closure.
+    fn name(&self) -> String {
+        let watched = if self.is_declared {
+            "declared"
+        } else {
+            "sampled"
+        };
+        format!("{}_{watched}", self.method)
+    }
+
+    /// The declared events that are watched for.
+    fn declared(&self) -> [(usize, Event); 2] {
+        let [first, second] = self.events();
+        [(self.watched[0].0, first), (self.watched[1].0, second)]
+    }
+
     /// What is watched for; terminal if the runs end at events.
     fn events(&self) -> [Event; 2] {
         self.watched.map(|(_, crossing)| {

@@ -11,6 +11,39 @@ fn models_agree_with_an_independent_evaluation() {
     // Without states nothing would be compared.
     assert!(comparisons.len() >= 12 * MODELS.len());
     check(&comparisons);
+    for (kind, least) in MOTIONS {
+        let of_kind = |c: &&Comparison| kind_of(&c.model) == *kind;
+        let count = comparisons.iter().filter(of_kind).count();
+        assert!(count >= *least, "{count} comparisons of {kind}");
+    }
+}
+
+/// The kinds whose motions are integrated, or that are steep, and how many comparisons there are of each at least.
+const MOTIONS: &[(&str, usize)] = &[
+    ("square_waves", 4),
+    ("relays", 4),
+    ("dry_friction", 4),
+    ("signs_of_several", 4),
+    ("steep", 20),
+    ("steep_towers", 20),
+    ("steep_motions", 4),
+    ("turning_forms", 8),
+    ("turning_angles", 8),
+    ("turning_general", 8),
+    ("turning_with_corners", 8),
+    ("contacts_in_lanes", 2),
+    ("kinks_in_lanes", 2),
+    ("jumps_in_lanes", 2),
+    ("watched_oscillators", 4),
+    ("watched_falls", 4),
+    ("watched_pendulums", 1),
+    ("watched_pairs", 8),
+];
+
+/// The kind of a model: its identifier without its seed and number.
+fn kind_of(model: &str) -> &str {
+    let parts = model.rsplitn(3, '_');
+    parts.last().unwrap_or_default()
 }
 
 #[test]

@@ -8,7 +8,7 @@ from tree import absolute, cos, dot, maximum, minimum, signum, sin, sqrt, t
 
 
 def in_lanes(m, rng):
-    m.motion = Asked((1.0, 4.0), ("taylor",), states=2, lanes=rng.choice((3, 5, 7)))
+    m.motion = Asked((1.0, 4.0), ("taylor",), states=4, lanes=rng.choice((3, 5, 7)))
 
 
 @kind

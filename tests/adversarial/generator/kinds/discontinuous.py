@@ -20,7 +20,7 @@ def base(m, rng, low=1, high=2):
             m.dissipation.append(0.5 * m.parameter(f"c{i}", draw="positive") * dot(x) ** 2)
     if len(qs) > 1 and chance(rng, 0.5):
         m.potential.append(0.5 * m.parameter("k", draw="positive") * (qs[0] - qs[1]) ** 2)
-    m.motion = Asked((1.5, 5.0))
+    m.motion = Asked((1.5, 5.0), states=6)
     return qs
 
 

@@ -117,7 +117,7 @@ def rheonomic(m, rng):
     m.kinetic.append(0.5 * mass * dot(p).norm_squared())
     m.kinetic.append(diagonal(m, rng, qs) * rng.choice((tree.node(1), 2 + sin(t), exp(0.2 * t))))
     for y in qs[1:]:
-        m.kinetic.append(0.5 * (dot(y) + dot(smooth(rng, [*qs, t]))) ** 2)
+        m.kinetic.append(0.5 * (dot(y) + dot(0.1 * y + smooth(rng, [*qs, t]))) ** 2)
     m.potential.append(m.parameter("g") * smooth(rng, [*qs, t]))
     m.output("p", p)
     m.output("a", dot(dot(p)))
@@ -133,7 +133,7 @@ def magnetic(m, rng):
     for x in qs:
         m.potential.append(m.parameter("e") * smooth(rng, atoms) * dot(x) if x is qs[0] else smooth(rng, atoms) * dot(x))
     if chance(rng, 0.5):
-        m.potential.append(dot(smooth(rng, atoms)))
+        m.potential.append(dot(0.1 * qs[0] + smooth(rng, atoms)))
     if chance(rng, 0.5):
         m.potential.append(0.1 * dot(qs[0]) ** 2 * cos(qs[1]))
     decorated(m, rng, qs)

@@ -118,4 +118,4 @@ def steep_motions(m, rng):
     if chance(rng, 0.5):
         m.force(qs[0].data, -0.3 * tanh(rng.choice((3, 20)) * dot(qs[0])))
         fastest = max(fastest, 20)
-    m.motion = Asked((0.3, 1.0) if fastest >= 20 else (1.0, 4.0), states=2, step=1.0 / 32)
+    m.motion = Asked((0.3, 1.0) if fastest >= 20 else (1.0, 4.0), states=6, step=1.0 / 32)

@@ -16,7 +16,7 @@ def moving(m, rng, longest):
     x = rng.choice(xs)
     m.event("passing", rng.choice((lambda: x - 0.7, lambda: dot(x), lambda: sin(2 * x) + 0.1, lambda: x * dot(x) - 0.2))())
     m.event("fast", rng.choice((lambda: dot(rng.choice(turning)) - 0.4, lambda: cos(3 * t) + 0.2, lambda: dot(rng.choice(turning)) * x - 0.1))())
-    m.motion = Asked((1.0, longest), states=2, reduced=True, functions=2)
+    m.motion = Asked((1.0, longest), states=6, reduced=True, functions=2)
 
 
 @kind

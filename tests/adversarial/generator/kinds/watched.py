@@ -6,14 +6,15 @@ from motions.reference import Asked
 import tree
 from tree import cos, dot, exp, sin, t
 
-WAYS_EACH = 40  # To split each motion.
+MOTIONS = 8  # Of each model, which takes longer to compile than to integrate.
+WAYS_EACH = 20  # To split each motion.
 
 
-def watch(m, rng, functions, states=2):
+def watch(m, rng, functions):
     for i, g in enumerate(functions):
         m.event(f"event{i}", g)
     m.taylor = True
-    m.motion = Asked((3.0, 8.0), ("taylor", "taylor", "dop853", "dop853", "runge_kutta"), states=states, split=WAYS_EACH, functions=len(functions))
+    m.motion = Asked((3.0, 8.0), ("taylor", "taylor", "dop853", "dop853", "runge_kutta"), states=MOTIONS, split=WAYS_EACH, functions=len(functions))
 
 
 def functions(m, rng, qs, count=4):
@@ -50,7 +51,7 @@ def watched_falls(m, rng):
     g = m.parameter("g", draw="positive")
     m.kinetic.append(0.5 * (dot(x) ** 2 + dot(y) ** 2))
     m.potential.append(g * y + (m.parameter("wind", draw="unit") * x if chance(rng, 0.5) else 0 * x))
-    watch(m, rng, [y, dot(y), *functions(m, rng, [x, y], 3)], states=3)
+    watch(m, rng, [y, dot(y), *functions(m, rng, [x, y], 3)])
     if chance(rng, 0.5):
         # At t = 1 it is at the floor: from y = 5 at rest under g = 10.
         m.q_draw["y"] = (5.0, 5.0)
@@ -87,4 +88,4 @@ def watched_pairs(m, rng):
     m.taylor = True
     m.event("near", value - height)
     m.event("turning", rate)
-    m.motion = Asked((2.0, 6.0), ("taylor",), states=2, split=WAYS_EACH, functions=2, pair="height")
+    m.motion = Asked((2.0, 6.0), ("taylor",), states=MOTIONS, split=WAYS_EACH, functions=2, pair="height")

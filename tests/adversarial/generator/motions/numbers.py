@@ -4,6 +4,8 @@ from contextlib import contextmanager
 
 from mpmath import mp, mpf, workprec
 
+from derivatives import CONSTANT
+
 BITS = 100
 
 try:
@@ -16,10 +18,14 @@ except ImportError:
 
 @contextmanager
 def precise():
-    """Operations have `BITS` bits meanwhile."""
+    """Operations have `BITS` bits meanwhile. Constants beside numbers of the library are its own: mpmath has no products with its zeros."""
     if library is mp:
         with workprec(BITS):
             yield
         return
-    with workprec(BITS), library.context(library.get_context(), precision=BITS):
-        yield
+    before, CONSTANT[0] = CONSTANT[0], lambda x: real(x) if isinstance(x, mpf) else x
+    try:
+        with workprec(BITS), library.context(library.get_context(), precision=BITS):
+            yield
+    finally:
+        CONSTANT[0] = before

@@ -16,12 +16,13 @@ from motions.tracing import program
 TOLERANCE = 1e-19  # Of one step.
 NEAR = 1e-15  # Arguments that are as small as this at a crossing change their signs there, too.
 GRAZING = 1e-4  # A minimum of an argument, relative to its size nearby, so small that rounding may decide.
+SLOW = 1e-4  # A rate behind a jump, relative to that before it.
 ROUGH = 0.02  # The relative errors of points within a step are far below.
 MOST_STEPS = 400
 
 
 class Slides(NoValue):
-    """The motion stays where a force jumps."""
+    """The motion stays where a force jumps: it does not go on."""
 
 
 class Grazes(NoValue):
@@ -39,13 +40,16 @@ class Crossed:
 
 
 class Motion:
-    """A motion from (t, y), with the times at which branches were `crossings`, and the `events` of watched functions."""
+    """A motion from (t, y), with the times at which branches were `crossings`, states halfway on the last step to each, and the
+    `events` of watched functions. Where it slides, it ends at the time `slides`. `programs` has those of other motions with the
+    same values of the fields."""
 
-    def __init__(self, model, fields, watched, t, y, tolerance=TOLERANCE, longest=1.0):
+    def __init__(self, model, fields, watched, t, y, tolerance=TOLERANCE, longest=1.0, programs=None):
         self.model, self.fields, self.watched = model, fields, watched
         self.t, self.y, self.tolerance = real(t), [real(x) for x in y], tolerance
-        self.crossings, self.events, self.steps = [], [], 0
-        self.programs = {}
+        self.crossings, self.halfway, self.events, self.steps = [], [], [], 0
+        self.slides = None
+        self.programs = {} if programs is None else programs
         self.program = self.recorded(())
         self.longest = real(longest)
         self.h = min(self.longest, real(1) / 8)
@@ -62,7 +66,7 @@ class Motion:
         direction = 1 if end > self.t else -1
         h = abs(self.h) * direction
         self.choose(direction)
-        while (end - self.t) * direction > 0:
+        while (end - self.t) * direction > 0 and self.slides is None:
             self.steps += 1
             if self.steps > MOST_STEPS:
                 raise NoValue("too many steps")
@@ -126,7 +130,7 @@ class Motion:
                 exact = [(nodes[j][0], self.inside(nodes[j][0])[1][k] * sign) for j in around]
                 pair = next((p for p in zip(exact, exact[1:]) if p[1][1] < 0 and (p[0][1] > 0 or p[0][0] != self.t)), None)
                 if pair is None and exact[0][0] == self.t and exact[1][1] < 0:
-                    raise Slides("back at once")
+                    raise Grazes("back at once")
                 if pair is not None:
                     at = self.root(*pair, lambda out: out[1][k] * sign)
                     first = at if first is None or abs(at - self.t) < abs(first - self.t) else first
@@ -135,10 +139,17 @@ class Motion:
 
     def cross(self, t, direction):
         """To the time of a crossing, and to the piece behind it."""
+        middle = (t - self.t) / 2
+        self.halfway.append((self.t + middle, step(self.program, self.t, self.y, middle)[0]))
         y, _ = step(self.program, self.t, self.y, t - self.t)
         before = self.program.signs
         self.t, self.y = t, y
-        self.choose(direction)
+        try:
+            self.choose(direction)
+        except Slides:
+            self.slides = t
+            self.crossings.append(t)
+            return
         if self.program.signs == before:
             raise Grazes("no crossing")
         self.crossings.append(t)
@@ -156,9 +167,12 @@ class Motion:
             raise NoValue("branches come and go")
         if any(near):
             after, _ = step(self.program, self.t, self.y, little)
-            for zero, g, s in zip(near, self.program(self.t + little, after)[1], signs):
-                if zero and g * s <= 0:
-                    raise Slides("slides")
+            behind_it = self.program(self.t + little, after)[1]
+            # What leads away, or back, so slowly that rounding may decide says nothing.
+            if any(zero and abs(g) < SLOW * abs(b) for zero, g, b in zip(near, behind_it, behind)):
+                raise Grazes("hardly leaves a jump")
+            if any(zero and g * s <= 0 for zero, g, s in zip(near, behind_it, signs)):
+                raise Slides("slides")
 
     def find_events(self, nodes, limit, direction):
         for k in range(len(self.watched)):

@@ -2,7 +2,8 @@
 
 The tolerance of an end is what the motion makes of inputs that are off, measured by a second motion whose inputs are off by `OFF`,
 times the unit of the method: that of binary64 for the Taylor method at its default tolerance, the tolerance for the others. It grows
-with the time and with each jump or corner on the way. The tolerance of the time of an event is measured in the same way.
+with the time. Errors that are made before a jump or a corner move the time at which it is met: what they make of the end is measured by
+motions that are off halfway on the last step to some of the crossings. The tolerance of the time of an event is measured as the first.
 """
 
 import math
@@ -47,31 +48,70 @@ def perturbed(at, rng):
 
 
 class Reference:
-    """The motion from `at` to `end`: its last state, its events, and what errors make of them."""
+    """The motion from `at` to `end`, or to the time at which it `slides`: its last state, its events, and what errors make of them."""
 
     def __init__(self, model, at, end, rng):
-        exact = at.mapped(real)
-        watched = [e.expression for e in model.events]
-        run = lambda at, tolerance: Motion(model, at.fields, watched, at.t, [*at.q, *at.v], tolerance, model.motion.step).to(end)
-        motion, near = run(exact, PRECISE), run(perturbed(exact, rng), LOOSE)
-        same = [e.which for e in motion.events] == [e.which for e in near.events]
-        if not same or len(motion.crossings) != len(near.crossings):
+        self.model, self.exact, self.end = model, at.mapped(real), end
+        self.watched = [e.expression for e in model.events]
+        motion, near = self.run(self.exact, PRECISE), self.run(perturbed(self.exact, rng), LOOSE)
+        if not same_way(motion, near):
             raise NoValue("not the same way")
-        self.end, self.y, self.crossings, self.events = end, motion.y, motion.crossings, motion.events
-        size = max(abs(x) for x in [*exact.q, *exact.v, *motion.y])
-        moved = max(abs(a - b) for a, b in zip(motion.y, near.y)) / OFF
-        growth = float(max(1, size, moved))
+        self.y, self.slides, self.crossings, self.events = motion.y, motion.slides, motion.crossings, motion.events
+        self.duration = 1 + abs(float(end - self.exact.t))
+        size = max(abs(x) for x in [*self.exact.q, *self.exact.v, *motion.y])
+        growth = self.growth(size, motion, near)
+        # Errors that are made behind a crossing do not pass it, and those made before are made larger by it.
+        marks = [self.exact.t, *motion.crossings, real(end)]
+        lengths = [1 + abs(float(b - a)) for a, b in zip(marks, marks[1:])]
+        self.error = growth * lengths[0]
+        if motion.crossings:
+            self.error += self.behind_crossings(motion, size, rng) * sum(lengths[1:])
+        self.shifts = [self.shift(a, b) for a, b in zip(motion.events, near.events)]
+        if self.slides is not None:
+            # Where it begins to slide, the argument of the branch passes zero: so does the time.
+            moved = abs(motion.slides - near.slides) / OFF
+            self.error = self.error + float(max(moved, abs(motion.slides), 1)) * self.duration
+
+    def run(self, at, tolerance):
+        asked = self.model.motion
+        return Motion(self.model, at.fields, self.watched, at.t, [*at.q, *at.v], tolerance, asked.step).to(self.end)
+
+    def growth(self, size, motion, near):
+        """What becomes of an error of one unit."""
+        growth = float(max(1, size, max(abs(a - b) for a, b in zip(motion.y, near.y)) / OFF))
         if not growth < MOST_GROWTH:
             raise NoValue("grows too much")
-        self.error = growth * (1 + abs(float(end - exact.t)))
-        shift = lambda a, b: float(max(abs(a.t - b.t) / OFF, abs(a.t), 1, 1 / abs(a.rate))) * (1 + abs(float(end - exact.t)))
-        self.shifts = [shift(a, b) for a, b in zip(motion.events, near.events)]
+        return growth
+
+    def behind_crossings(self, motion, size, rng):
+        """What becomes of errors that are made on the way to crossings: the greatest of a few of them."""
+        count, shared = len(motion.crossings), {}
+        some = sorted({0, count // 2, count - 1})
+        return max(self.behind(motion, i, size, rng, shared) for i in some)
+
+    def behind(self, motion, i, size, rng, shared):
+        """What becomes of errors that are made on the way to a crossing."""
+        t, y = motion.halfway[i]
+        moved = [x + OFF * max(abs(x), 1) * rng.choice((-1, 1)) for x in y]
+        near = Motion(self.model, self.exact.fields, [], t, moved, LOOSE, self.model.motion.step, shared).to(self.end)
+        if len(near.crossings) != len(motion.crossings) - i:
+            raise NoValue("not the same way")
+        return self.growth(size, motion, near)
+
+    def shift(self, a, b):
+        return float(max(abs(a.t - b.t) / OFF, abs(a.t), 1, 1 / abs(a.rate))) * self.duration
 
     def tolerance(self, method):
-        return ALLOWANCE * UNITS[method] * self.error * (1 + len(self.crossings))
+        return ALLOWANCE * UNITS[method] * self.error
 
     def event_tolerances(self, method):
         return [ALLOWANCE * UNITS[method] * shift * (1 + len(self.crossings)) for shift in self.shifts]
+
+
+def same_way(motion, near):
+    """Whether a motion from inputs that are off meets the same events and branches."""
+    events = [e.which for e in motion.events] == [e.which for e in near.events]
+    return events and len(motion.crossings) == len(near.crossings) and (motion.slides is None) == (near.slides is None)
 
 
 def state(at, end, values, tolerances, **more):
@@ -113,17 +153,23 @@ def drawn(model, rng, asked, mode):
     if asked.pair:
         set_pair(model, at, end, asked, rng)
     if asked.lanes:
-        return lanes(model, at, end, asked, rng)
-    reference = Reference(model, at, end, rng)
+        others = [drawn_state(model, rng, "plain") for _ in range(asked.lanes)]
+        return [lanes(model, at, [(other.q, other.v, at.t + rng.uniform(*asked.span)) for other in others], rng)]
     if asked.split:
-        return splits.states(at, reference, asked, rng, state)
-    values, tolerances = {}, {}
-    add_ends(values, tolerances, asked, reference)
-    return [state(at, end, values, tolerances)]
+        reference = Reference(model, at, end, rng)
+        return [split(at, reference, run) for run in splits.drawn(at, reference, asked, rng)]
+    return [ends(model, at, end, asked, rng)]
 
 
-def add_ends(values, tolerances, asked, reference):
+def ends(model, at, end, asked, rng):
     """The last state by every method, and by that of the reduced model, and the events on the way."""
+    reference = Reference(model, at, end, rng)
+    values, tolerances = {}, {}
+    if reference.slides is not None:
+        # The Taylor method says so; those that sample do not see it.
+        if asked.functions:
+            raise NoValue("slides")
+        return state(at, end, {"taylor": [reference.slides]}, {"taylor": reference.tolerance("taylor")})
     for method in asked.methods:
         for prefix in ("", "reduced ") if asked.reduced else ("",):
             name = prefix + method
@@ -132,21 +178,40 @@ def add_ends(values, tolerances, asked, reference):
                 events = [x for e in reference.events if e.which < 2 for x in (e.which, e.t)]
                 values[name + " events"] = [len(events) // 2, *events]
                 tolerances[name + " events"] = max(reference.event_tolerances(method), default=ALLOWANCE * UNITS[method])
+    return state(at, end, values, tolerances)
 
 
-def lanes(model, at, end, asked, rng):
-    """Motions from several starts that differ in all components, to ends that differ."""
+def lanes(model, at, motions, rng):
+    """Motions from several starts that differ in all components, to ends that differ; the time alone of one that slides."""
     starts, ys, tolerance = [], [], 0.0
-    for _ in range(asked.lanes):
-        other = drawn_state(model, rng, "plain")
-        start = Inputs(at.t, other.q, other.v, at.fields)
-        stop = at.t + rng.uniform(*asked.span)
-        reference = Reference(model, start, stop, rng)
-        starts.append([*start.q, *start.v, stop])
-        ys += reference.y
+    for q, v, stop in motions:
+        reference = Reference(model, Inputs(at.t, q, v, at.fields), stop, rng)
+        starts += [*q, *v, stop]
+        ys += reference.y if reference.slides is None else [reference.slides]
         tolerance = max(tolerance, reference.tolerance("taylor"))
-    found = state(at, end, {"lanes": ys, "lanes alone": [0.0] * len(ys)}, {"lanes": tolerance, "lanes alone": 0.0})
-    return [{**found, "starts": [x for start in starts for x in start]}]
+    found = state(at, motions[0][-1], {"lanes": ys, "lanes alone": [0.0] * len(ys)}, {"lanes": tolerance, "lanes alone": 0.0})
+    return {**found, "starts": starts}
+
+
+def split(at, reference, run):
+    """The events of the runs into which a motion is split."""
+    values, tolerance = splits.expected(reference, run)
+    return state(at, reference.end, {"events": values}, {"events": tolerance}, run=run)
+
+
+def again(model, at, given, rng):
+    """What is compared of another model in the place of that which the state is of."""
+    asked, end = model.motion, float(given["end"])
+    words = lambda text: [float(x) for x in text.split()]
+    with precise():
+        if "starts" in given:
+            each, n = words(given["starts"]), len(at.q)
+            rows = [each[i : i + 2 * n + 1] for i in range(0, len(each), 2 * n + 1)]
+            return lanes(model, at, [(row[:n], row[n:-1], row[-1]) for row in rows], rng)
+        if "run" in given:
+            run = {key: words(x) if key in ("watched", "times") else x for key, x in given["run"].items()}
+            return split(at, Reference(model, at, end, rng), {**run, "step": float(run["step"])})
+        return ends(model, at, end, asked, rng)
 
 
 def set_pair(model, at, end, asked, rng):

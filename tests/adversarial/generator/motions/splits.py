@@ -10,19 +10,20 @@ from derivatives import NoValue
 WAYS = ("runs", "advanced", "resumed", "stopped", "limited", "unchanged", "changed", "samples")
 APART = 1e-6  # Events of different functions, and the ends of a motion, are apart by this.
 RUNGE_KUTTA_STEP = 0.01
+LEAST = 1e-200  # Runs as short as a unit in the last place of less have no steps.
 ULPS = (0, 0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 13, -40)
 
 
-def states(at, reference, asked, rng, state):
-    """A state for each way of splitting: `asked.split` of them."""
+def drawn(at, reference, asked, rng):
+    """Ways to split a motion: `asked.split` of them."""
     direction = 1 if reference.end > at.t else -1
     ends = [float(at.t), *(float(e.t) for e in reference.events), float(reference.end)]
     if len(ends) < 3 or any((b - a) * direction < APART for a, b in pairwise(ends)) and not asked.pair:
         raise NoValue("events that cannot be told apart")
-    return [one(at, reference, asked, rng, state, direction) for _ in range(asked.split)]
+    return [one(at, reference, asked, rng, direction) for _ in range(asked.split)]
 
 
-def one(at, reference, asked, rng, state, direction):
+def one(at, reference, asked, rng, direction):
     methods = ("taylor",) if asked.pair else asked.methods
     method, way = rng.choice(methods), rng.choice(WAYS)
     functions = sorted({e.which for e in reference.events})
@@ -34,27 +35,35 @@ def one(at, reference, asked, rng, state, direction):
     if second == first:
         turns = rng.choice(([1, -1], [-1, 1]))
     watched = list(zip((first, second), turns))
-    expected = []
-    for e, tolerance in zip(reference.events, reference.event_tolerances(method)):
-        for i, (which, turn) in enumerate(watched):
-            if e.which == which and turn in (0, 1 if e.rises else -1):
-                expected.append((i, float(e.t), tolerance))
+    step = 0.0
     if method != "taylor":
         step = least_gap(reference.events, watched)
         if step < 3 * RUNGE_KUTTA_STEP:
             method, step = "taylor", 0.0
-    else:
-        step = 0.0
-    tolerance = max((w for *_, w in expected), default=1e-9)
-    values = [float(len(expected)), *(x for i, t, _ in expected for x in (float(i), t))]
-    return state(at, reference.end, {"events": values}, {"events": tolerance}, run={
+    run = {
         "method": method,
         "way": way,
         "declared": declared,
         "step": step if method == "dop853" else RUNGE_KUTTA_STEP,
         "watched": [x for pair in watched for x in pair],
-        "times": times(at, reference, rng, direction, expected),
-    })
+    }
+    times = [t for _, t, _ in seen(reference, run)]
+    return {**run, "times": ends_of_runs(at, reference, rng, direction, times)}
+
+
+def seen(reference, run):
+    """The events that the runs report: the index among those watched, the time, and its tolerance."""
+    watched = list(zip(run["watched"][::2], run["watched"][1::2]))
+    pairs = zip(reference.events, reference.event_tolerances(run["method"]))
+    turn_of = lambda e: 1 if e.rises else -1
+    return [(i, float(e.t), tolerance) for e, tolerance in pairs for i, (which, turn) in enumerate(watched)
+            if e.which == which and turn in (0, turn_of(e))]
+
+
+def expected(reference, run):
+    """How many events there are, then the index and the time of each; and the tolerance."""
+    events = seen(reference, run)
+    return [float(len(events)), *(x for i, t, _ in events for x in (float(i), t))], max((w for *_, w in events), default=1e-9)
 
 
 def least_gap(events, watched):
@@ -65,13 +74,13 @@ def least_gap(events, watched):
     return min(gaps)
 
 
-def times(at, reference, rng, direction, expected):
+def ends_of_runs(at, reference, rng, direction, events):
     """Where the runs end: at events, to some units in the last place, near them, and anywhere."""
     found = {float(reference.end)}
     for _ in range(rng.randint(1, 5)):
-        near = rng.choice(expected)[1] if expected and rng.random() < 0.8 else float(rng.choice(reference.events).t)
+        near = rng.choice(events) if events and rng.random() < 0.8 else float(rng.choice(reference.events).t)
         lot = rng.random()
-        if lot < 0.55:
+        if lot < 0.55 and abs(near) > LEAST:
             t = moved(near, rng.choice(ULPS))
         elif lot < 0.8:
             t = near + rng.choice((-1, 1)) * 10 ** rng.uniform(-15, -2)
