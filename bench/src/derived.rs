@@ -51,11 +51,7 @@ impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
 
     #[inline]
     fn moved(state: &Self::State, by: &SVector<f64, N>) -> Self::State {
-        State {
-            t: state.t,
-            q: state.q + by,
-            v: state.v + by,
-        }
+        State::new(state.t, state.q + by, state.v + by)
     }
 
     #[inline]

@@ -54,11 +54,11 @@ impl Motions for Lanes<LANES> {
 /// The state of some motions whose coordinates and velocities are rows.
 pub(crate) fn state<S: Motions, const N: usize>(starts: &[Vec<f64>]) -> State<S, N> {
     let component = |index: usize| S::new(|motion| starts[motion][index]);
-    State {
-        t: S::zero(),
-        q: SVector::from_fn(|i, _| component(i)),
-        v: SVector::from_fn(|i, _| component(N + i)),
-    }
+    State::new(
+        S::zero(),
+        SVector::from_fn(|i, _| component(i)),
+        SVector::from_fn(|i, _| component(N + i)),
+    )
 }
 
 /// The rows of some motions.

@@ -7,7 +7,7 @@
 mod dynamics;
 mod singularity;
 mod error;
-mod sample;
+mod at;
 mod step_polynomial;
 mod stepper;
 mod dense_output;
@@ -33,9 +33,11 @@ mod checkpoint;
 mod running_integration;
 mod driver;
 mod integrator;
+mod problem;
 #[cfg(test)]
 mod order_conditions;
 
+pub use at::{At, InitialValue};
 pub use checkpoint::{Checkpoint, Resume};
 pub use dense_output::{DenseOutput, Interpolant};
 #[cfg(feature = "alloc")]
@@ -51,11 +53,13 @@ pub use event::{
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Observers, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
+pub use problem::{ByDynamics, End, Keep, Problem, Run, Solution, System, Unfinished, When};
+#[cfg(feature = "alloc")]
+pub use problem::{Dense, Every, Steps as StepEnds};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };
 pub use running_integration::{RunningIntegration, Step, Steps};
-pub use sample::{InitialValue, Sample};
 pub use singularity::Singularity;
 pub use step_polynomial::StepPolynomial;
 pub use stepper::{Advance, Statistics, Stepper};

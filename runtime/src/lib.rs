@@ -66,16 +66,19 @@ pub use model::emitted as __private;
 #[cfg(feature = "derivative-checks")]
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
-    Advance, Both, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint,
+    Advance, At, Both, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint,
     ComponentName, Crossing, DeclaredEvents, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper,
     Driver, Dynamics, Event, EventDynamics, EventValues, InitialValue, IntegrationError,
     IntegrationMethod, Integrator, Interpolant, MetConditions, ObservationKind, Observer,
     Observers, Occurrence, Outcome, Predicate, Progress, Reaction, Resume, RungeKutta,
-    RungeKuttaMemory, RungeKuttaStepper, RunningIntegration, Sample, Series, SetTypicalSizes,
-    SingleNumber, Singularity, Statistics, Step, StepPolynomial, Stepper, Steps, StopCondition,
-    StopReason, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
-    TypicalSizes, Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
+    RungeKuttaMemory, RungeKuttaStepper, RunningIntegration, Series, SetTypicalSizes, SingleNumber,
+    Singularity, Statistics, Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason,
+    SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
+    Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
 };
+pub use integrate::{ByDynamics, End, Keep, Problem, Run, Solution, System, Unfinished, When};
+#[cfg(feature = "alloc")]
+pub use integrate::{Dense, Every, StepEnds};
 #[cfg(feature = "alloc")]
 pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
 pub use integrate::{Ensemble, TaylorLanes, recurrences};

@@ -3,6 +3,8 @@
 
 mod generalized_coordinates;
 mod state;
+mod system;
+mod laws;
 mod vector_pair;
 mod phase;
 mod named_singularity;

@@ -4,11 +4,11 @@
 
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
-    Advance, AugmentedPhase, ConstantsOfMotion, ControlledBy, Crossing, Dop853, Driver, Dynamics,
-    Energies, Event, Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs,
-    IntegrationError, IntegrationMethod, Integrator, Interpolant, Lagrangian, Linearization,
-    ObservationKind, Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase, Plant, Progress,
-    Reaction, RouthReduction, Routhian, RungeKutta, RunningIntegration, Sample, Scalar,
+    Advance, At, AugmentedPhase, ConstantsOfMotion, ControlledBy, Crossing, Dop853, Driver,
+    Dynamics, Energies, Event, Events, EventsWith, ExternalFunctions, GeneralizedCoordinates,
+    Inputs, IntegrationError, IntegrationMethod, Integrator, Interpolant, Lagrangian,
+    Linearization, ObservationKind, Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase,
+    Plant, Progress, Reaction, RouthReduction, Routhian, RungeKutta, RunningIntegration, Scalar,
     SetTypicalSizes, State, Statistics, Step, Stepper, StopReason, Taylor, VectorSpace,
     WithController, WithInputs,
 };
@@ -28,4 +28,7 @@ pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 #[cfg(feature = "derivative-checks")]
 pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
+pub use crate::{Dense, Every};
+#[cfg(feature = "alloc")]
 pub use crate::{DenseSolution, PartialSolution, PartialTrajectory, Trajectory};
+pub use crate::{Problem, Solution};

@@ -318,7 +318,7 @@ for DrivenPendulum {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let theta_dot: __S = state.v[0];
+        let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         ::lagrangian::__private::vector([m * (l * l) * theta_dot])
@@ -348,13 +348,13 @@ for DrivenPendulum {
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for DrivenPendulum {
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let theta_dot: __S = state.v[0];
+        let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let theta: __S = state.q[0];
+        let theta: __S = state.x.q[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
@@ -378,8 +378,8 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> __S {
-        let theta: __S = state.q[0];
-        let theta_dot: __S = state.v[0];
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
@@ -397,8 +397,8 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> __S {
-        let theta: __S = state.q[0];
-        let theta_dot: __S = state.v[0];
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
@@ -416,8 +416,8 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let theta: __S = state.q[0];
-        let theta_dot: __S = state.v[0];
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
@@ -432,7 +432,7 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let theta_dot: __S = state.v[0];
+        let theta_dot: __S = state.x.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
@@ -456,8 +456,8 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let theta: __S = state.q[0];
-        let theta_dot: __S = state.v[0];
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         let c0: __S = prepared[0];
@@ -486,8 +486,8 @@ for DrivenPendulum {
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let theta: __S = state.q[0];
-        let theta_dot: __S = state.v[0];
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
@@ -613,8 +613,8 @@ for DrivenPendulum {
             1usize,
             __S,
         >::accelerations_with(self, state, inputs);
-        let theta: __S = state.q[0];
-        let theta_dot: __S = state.v[0];
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let (sin_theta, cos_theta) = theta.sin_cos();

@@ -218,11 +218,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -246,11 +246,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         x1
     }
     fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -277,11 +277,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -352,11 +352,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let c0: __S = prepared[0];
         let c1: __S = prepared[1];
         let c2: __S = prepared[2];
@@ -407,11 +407,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let phi_ddot: __S = accelerations[0];
         let theta_ddot: __S = accelerations[1];
         let psi_ddot: __S = accelerations[2];
@@ -484,11 +484,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -522,7 +522,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
+        let theta: __S = state.x.q[1];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -546,11 +546,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop {
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -565,7 +565,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
+        let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);

@@ -214,11 +214,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -242,11 +242,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         x1
     }
     fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -273,11 +273,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -348,11 +348,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let c0: __S = prepared[0];
         let c1: __S = prepared[1];
         let c2: __S = prepared[2];
@@ -403,11 +403,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let phi_ddot: __S = accelerations[0];
         let theta_ddot: __S = accelerations[1];
         let psi_ddot: __S = accelerations[2];
@@ -458,11 +458,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::Linearization<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -586,11 +586,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -615,8 +615,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -642,7 +642,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
+        let theta: __S = state.x.q[1];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -666,11 +666,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop {
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
-        let psi: __S = state.q[2];
-        let phi_dot: __S = state.v[0];
-        let theta_dot: __S = state.v[1];
-        let psi_dot: __S = state.v[2];
+        let theta: __S = state.x.q[1];
+        let psi: __S = state.x.q[2];
+        let phi_dot: __S = state.x.v[0];
+        let theta_dot: __S = state.x.v[1];
+        let psi_dot: __S = state.x.v[2];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -685,7 +685,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
+        let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);

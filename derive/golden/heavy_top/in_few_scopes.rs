@@ -216,11 +216,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -246,11 +246,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -280,11 +280,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
         x9, x10, x11]: [__S; 30usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -358,11 +358,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
         ]: [__S; 24usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
         c0 = prepared[0];
         c1 = prepared[1];
         c2 = prepared[2];
@@ -421,11 +421,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                 9usize, 10usize,
             ],
             [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
+                state.x.q[1],
+                state.x.q[2],
+                state.x.v[0],
+                state.x.v[1],
+                state.x.v[2],
                 accelerations[0],
                 accelerations[1],
                 accelerations[2],
@@ -547,11 +547,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
                 9usize, 10usize,
             ],
             [
-                state.q[1],
-                state.q[2],
-                state.v[0],
-                state.v[1],
-                state.v[2],
+                state.x.q[1],
+                state.x.q[2],
+                state.x.v[0],
+                state.x.v[1],
+                state.x.v[2],
                 ::lagrangian::__private::parameter(self.i1),
                 ::lagrangian::__private::parameter(self.i2),
                 ::lagrangian::__private::parameter(self.i3),
@@ -687,7 +687,13 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         ::lagrangian::__private::scatter(
             &mut values_[..],
             [0usize, 1usize, 2usize, 3usize, 4usize],
-            [state.v[0], state.v[1], state.v[2], accelerations[0], accelerations[1]],
+            [
+                state.x.v[0],
+                state.x.v[1],
+                state.x.v[2],
+                accelerations[0],
+                accelerations[1],
+            ],
         );
         {
             #[inline(never)]
@@ -905,11 +911,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
         sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -936,8 +942,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
         x3]: [__S; 13usize];
-        theta = state.q[1];
-        psi = state.q[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -963,7 +969,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
         &self,
         state: &::lagrangian::State<__S, 3usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.q[1];
+        let theta: __S = state.x.q[1];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -989,11 +995,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, cos_psi,
         sin_theta, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
-        theta = state.q[1];
-        psi = state.q[2];
-        phi_dot = state.v[0];
-        theta_dot = state.v[1];
-        psi_dot = state.v[2];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -1008,7 +1014,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
-        let theta: __S = state.q[1];
+        let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);

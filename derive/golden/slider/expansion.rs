@@ -175,15 +175,15 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         ]
     }
     fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
     }
     fn energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * k.mul_add(x * x, m * (x_dot * x_dot))
@@ -192,8 +192,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         &self,
         state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
@@ -212,8 +212,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         &self,
         state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
         ::lagrangian::__private::vector([
@@ -240,8 +240,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         state: &::lagrangian::State<__S, 1usize>,
         prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let c0: __S = prepared[0];
         let c1: __S = prepared[1];
@@ -270,8 +270,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let x_ddot: __S = accelerations[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
@@ -299,8 +299,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         &self,
         state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::Linearization<__S, 1usize> {
-        let x: __S = state.q[0];
-        let x_dot: __S = state.v[0];
+        let x: __S = state.x.q[0];
+        let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
@@ -327,7 +327,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         &self,
         state: &::lagrangian::State<__S, 1usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let x_dot: __S = state.v[0];
+        let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         ::lagrangian::__private::vector([m * x_dot])
     }
@@ -352,12 +352,12 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for Slider {
     fn kinetic_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let x_dot: __S = state.v[0];
+        let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         __S::from_f64(0.5) * (m * (x_dot * x_dot))
     }
     fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let x: __S = state.q[0];
+        let x: __S = state.x.q[0];
         let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * (k * (x * x))
     }

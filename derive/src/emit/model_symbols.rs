@@ -21,8 +21,8 @@ impl SymbolReader for ModelSymbols<'_> {
         let field = |components: &[Component], i: u32| self.emitter.read(&components[i as usize]);
         match symbol {
             Symbol::Time => quote!(state.t),
-            Symbol::Coordinate(i) => element(&quote!(state.q), i),
-            Symbol::Velocity(i) => element(&quote!(state.v), i),
+            Symbol::Coordinate(i) => element(&quote!(state.x.q), i),
+            Symbol::Velocity(i) => element(&quote!(state.x.v), i),
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
             Symbol::RightHandSide(i) => element(&quote!(momenta), i),
             Symbol::Parameter(i) => field(&quantities.parameters, i),

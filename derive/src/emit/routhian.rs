@@ -103,11 +103,7 @@ impl Emitter<'_> {
                 ) -> (Self::Reduced, #root::State<#scalar, #left>) {
                     let momenta = #root::Lagrangian::<#n, #scalar>::momenta(self, state);
                     let reduced = #target { #(#own,)* #(#constants),* };
-                    let state = #root::State {
-                        t: state.t,
-                        q: #root::__private::vector([#(state.q[#indices]),*]),
-                        v: #root::__private::vector([#(state.v[#indices]),*]),
-                    };
+                    let state = #root::State::new(state.t, #root::__private::vector([#(state.q[#indices]),*]), #root::__private::vector([#(state.v[#indices]),*]));
                     (reduced, state)
                 }
             }
@@ -160,11 +156,7 @@ impl Emitter<'_> {
                 ignorable: &#vector,
             ) -> #root::State<#scalar, #all> {
                 let velocities = #root::Routhian::<#n, #k, #scalar>::ignorable_velocities(self, state);
-                #root::State {
-                    t: state.t,
-                    q: #root::__private::vector([#(#places),*]),
-                    v: #root::__private::vector([#(#rates),*]),
-                }
+                #root::State::new(state.t, #root::__private::vector([#(#places),*]), #root::__private::vector([#(#rates),*]))
             }
         };
         let routhian = self.implement(&quote!(#root::Routhian<#n, #k, #scalar>), &items);

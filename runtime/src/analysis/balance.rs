@@ -141,11 +141,11 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
         let change = step.zip_map(sizes, |x, size| factor * x * size);
         let Self { state, inputs } = *self;
         Self {
-            state: State {
-                t: state.t,
-                q: state.q + change.positions,
-                v: state.v + change.velocities,
-            },
+            state: State::new(
+                state.t,
+                state.q + change.positions,
+                state.v + change.velocities,
+            ),
             inputs: inputs + change.inputs,
         }
     }

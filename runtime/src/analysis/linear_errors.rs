@@ -89,11 +89,11 @@ where
     /// The state at a distance, under the same constant momenta.
     fn moved(&self, displacement: &SVector<S, N>) -> State<S, N> {
         let [by_position, _] = &self.reduced.eliminated;
-        State {
-            t: self.state.t,
-            q: self.state.q + displacement,
-            v: self.state.v + by_position * displacement,
-        }
+        State::new(
+            self.state.t,
+            self.state.q + displacement,
+            self.state.v + by_position * displacement,
+        )
     }
 
     /// How far the equilibrium may be along each principal direction of K, in the columns, and as far as positions are rounded.
@@ -233,14 +233,8 @@ where
         })
     };
     let power = |q: SVector<S, N>, w: SVector<S, N>| {
-        let still = State {
-            q: state.q + q,
-            ..*state
-        };
-        let moving = State {
-            v: still.v + w,
-            ..still
-        };
+        let still = State::new(state.t, state.q + q, state.v);
+        let moving = State::new(still.t, still.q, still.v + w);
         let [before, after] = [&still, &moving].map(|state| model.generalized_forces(state));
         let terms = before.map(S::abs) + after.map(S::abs);
         let power = (after - before).dot(&w).largest();

@@ -60,11 +60,11 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
             let number = |value: f64, own: usize| {
                 Dual::new(value, [if index == Some(own) { 1.0 } else { 0.0 }])
             };
-            let state = State {
-                t: Dual::constant(state.t),
-                q: SVector::from_fn(|i, _| number(state.q[i], i)),
-                v: SVector::from_fn(|i, _| number(state.v[i], N + i)),
-            };
+            let state = State::new(
+                Dual::constant(state.t),
+                SVector::from_fn(|i, _| number(state.q[i], i)),
+                SVector::from_fn(|i, _| number(state.v[i], N + i)),
+            );
             let inputs = SVector::from_fn(|i, _| number(inputs[i], D + i));
             let found: SVector<Dual, Z> = outputs(&state, &inputs).into_vector();
             found

@@ -1,15 +1,15 @@
 //! What a driver collects on the way.
 
+use super::at::At;
 use super::dynamics::Dynamics;
 #[cfg(feature = "alloc")]
 use super::event::Occurrence;
-use super::sample::Sample;
 use crate::scalar::Scalar;
 
 /// What is told of each sample and each step, in the order of time.
-pub(crate) trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
+pub trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
     /// A sample.
-    fn sample(&mut self, sample: &Sample<D::State>) {
+    fn sample(&mut self, sample: &At<f64, D::State>) {
         let _ = sample;
     }
 
@@ -25,20 +25,20 @@ pub(crate) trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
 }
 
 /// Nothing is collected.
-pub(crate) struct Uncollected;
+pub struct Uncollected;
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Uncollected {}
 
 /// The samples and the events.
 #[cfg(feature = "alloc")]
 pub(crate) struct Samples<X, S> {
-    pub(crate) samples: alloc::vec::Vec<Sample<X>>,
+    pub(crate) samples: alloc::vec::Vec<At<f64, X>>,
     pub(crate) events: alloc::vec::Vec<Occurrence<X, S>>,
 }
 
 #[cfg(feature = "alloc")]
 impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Samples<D::State, S> {
-    fn sample(&mut self, sample: &Sample<D::State>) {
+    fn sample(&mut self, sample: &At<f64, D::State>) {
         self.samples.push(sample.clone());
     }
 

@@ -3,12 +3,12 @@
 use alloc::vec::Vec;
 use core::{fmt, marker::PhantomData};
 
+use super::at::At;
 use super::collector::Collector;
 use super::dense_output::{DenseOutput, Interpolant};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::outcome::Outcome;
-use super::sample::Sample;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 /// [`Dop853`](crate::Dop853); for [`Taylor`](crate::Taylor) it is the polynomial of the step itself.
 #[derive(Clone, PartialEq)]
 pub struct DenseSolution<X, P, S = f64> {
-    initial: Sample<X>,
+    initial: At<f64, X>,
     segments: Vec<Segment<P>>,
     outcome: Outcome<X>,
     scalar: PhantomData<S>,
@@ -32,7 +32,7 @@ struct Segment<P> {
 }
 
 impl<X, P, S> DenseSolution<X, P, S> {
-    pub(super) fn new(initial: Sample<X>, segments: Segments<P>, outcome: Outcome<X>) -> Self {
+    pub(super) fn new(initial: At<f64, X>, segments: Segments<P>, outcome: Outcome<X>) -> Self {
         Self {
             initial,
             segments: segments.0,
@@ -43,13 +43,13 @@ impl<X, P, S> DenseSolution<X, P, S> {
 
     /// The state from which the motion begins.
     #[must_use]
-    pub fn initial(&self) -> &Sample<X> {
+    pub fn initial(&self) -> &At<f64, X> {
         &self.initial
     }
 
     /// The state at which it ends.
     #[must_use]
-    pub fn last(&self) -> &Sample<X> {
+    pub fn last(&self) -> &At<f64, X> {
         &self.outcome.last
     }
 

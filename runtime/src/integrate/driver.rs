@@ -9,6 +9,7 @@ mod run;
 
 pub(crate) use run::check_times;
 
+use super::at::InitialValue;
 #[cfg(feature = "alloc")]
 use super::collector::Samples;
 use super::collector::Uncollected;
@@ -23,7 +24,6 @@ use super::observer::{Observer, Observers, Unobserved};
 use super::outcome::Outcome;
 #[cfg(feature = "alloc")]
 use super::reacting::{React, Unreacting};
-use super::sample::InitialValue;
 use super::stop_condition::{Extensible, Predicate, StopCondition, Unconditional};
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
@@ -126,6 +126,21 @@ impl<I> Driver<I> {
 }
 
 impl<I, C, O> Driver<I, C, O> {
+    pub(crate) fn of_parts(integrator: I, condition: C, observer: O) -> Self {
+        Self {
+            integrator,
+            max_steps: MAX_STEPS,
+            singularity_tolerance: None,
+            condition,
+            observer,
+        }
+    }
+
+    pub(crate) fn with_singularity_tolerance(mut self, tolerance: Option<f64>) -> Self {
+        self.singularity_tolerance = tolerance;
+        self
+    }
+
     /// Limits the number of steps, rejected ones included, of one call. Then the integration stops by
     /// [`StopReason::StepLimit`](crate::StopReason::StepLimit), and can go on: from the last state, or, as if it had not stopped, as a
     /// [`RunningIntegration`](crate::RunningIntegration).
@@ -234,7 +249,7 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<S, D>,
         O: Observer<D::State>,
     {
-        let initial = initial.into_sample();
+        let initial = initial.into_initial();
         let (outcome, result) = self.run(dynamics, &initial, times, &mut Uncollected);
         result.map(|()| outcome)
     }
@@ -276,7 +291,7 @@ impl<I, C, O> Driver<I, C, O> {
             samples: alloc::vec::Vec::with_capacity(times.len()),
             events: alloc::vec::Vec::new(),
         };
-        let initial = initial.into_sample();
+        let initial = initial.into_initial();
         let (outcome, result) = self.run_parts(system, &initial, times, &mut samples);
         let Samples { samples, events } = samples;
         let trajectory = Trajectory {
@@ -354,7 +369,7 @@ impl<I, C, O> Driver<I, C, O> {
         O: Observer<D::State>,
     {
         let mut segments = Segments::new();
-        let initial = initial.into_sample();
+        let initial = initial.into_initial();
         let (outcome, result) = self.run_parts(system, &initial, &[end], &mut segments);
         let solution = DenseSolution::new(initial, segments, outcome);
         match result {

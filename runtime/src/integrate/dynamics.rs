@@ -127,6 +127,68 @@ pub trait Dynamics<S: Scalar = f64> {
     }
 }
 
+impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
+    type State = D::State;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &D::State) -> D::State {
+        (**self).derivative(t, x)
+    }
+
+    #[inline]
+    fn allowed_error(&self, x: &D::State, tolerance: &ErrorTolerance<S>) -> D::State {
+        (**self).allowed_error(x, tolerance)
+    }
+
+    #[inline]
+    fn reduced(&self, x: &D::State, compensation: &D::State) -> D::State {
+        (**self).reduced(x, compensation)
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &D::State, min_pivot: f64) -> Option<Singularity> {
+        (**self).singularity(t, x, min_pivot)
+    }
+
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &D::State, min_pivot: f64) -> Option<Singularity> {
+        (**self).singularity_in_motion(t, x, min_pivot)
+    }
+
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &D::State,
+        after: (S, &D::State),
+    ) -> Option<Singularity> {
+        (**self).singularity_between(lane, before, after)
+    }
+
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &D::State,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        (**self).singularity_in_lane(lane, t, x, min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &D::State) -> Option<Singularity> {
+        (**self).vanishing_inertia(t, x)
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &D::State) -> Option<Singularity> {
+        (**self).vanishing_inertia_in_lane(lane, t, x)
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        (**self).component_name(index)
+    }
+}
+
 /// The name of a component of a state in error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ComponentName {

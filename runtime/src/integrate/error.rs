@@ -102,6 +102,20 @@ pub enum IntegrationError {
         /// The time at which it ends.
         end: f64,
     },
+    /// A sample is asked for outside of the integration.
+    OutsideSpan {
+        /// Its time.
+        time: f64,
+        /// The time at which the integration begins.
+        start: f64,
+        /// The time at which it ends.
+        end: f64,
+    },
+    /// An interval between samples is not a positive finite number.
+    InvalidSampleInterval {
+        /// That interval.
+        interval: f64,
+    },
     /// A step size is not a positive finite number.
     InvalidStep {
         /// That step size.
@@ -210,6 +224,18 @@ impl fmt::Display for IntegrationError {
                     Readable(time)
                 )
             }
+            Self::OutsideSpan { time, start, end } => write!(
+                f,
+                "a sample is asked for at t = {}, outside of the integration from t = {} to {}",
+                Readable(time),
+                Readable(start),
+                Readable(end)
+            ),
+            Self::InvalidSampleInterval { interval } => write!(
+                f,
+                "the interval between samples is {}, not a positive finite number",
+                Readable(interval)
+            ),
             Self::OutsideSolution { time, start, end } => write!(
                 f,
                 "the solution is known from t = {} to {}, not at {}",

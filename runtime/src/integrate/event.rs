@@ -17,6 +17,7 @@ mod sampling;
 mod sides;
 mod values;
 mod functions;
+mod state_function;
 mod event_dynamics;
 mod bernstein;
 mod polynomial;
@@ -36,6 +37,7 @@ pub(crate) use last_step::LastStep;
 pub(crate) use location::Bracket;
 pub(crate) use memory::{Memory, Remembers};
 pub use met_conditions::MetConditions;
+pub(crate) use state_function::{FunctionOfState, PredicateOfState};
 
 /// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,6 +111,12 @@ impl Event {
     #[must_use]
     pub const fn terminal(mut self) -> Self {
         self.is_terminal = true;
+        self
+    }
+
+    /// The event in another direction.
+    pub(crate) const fn crossing_by(mut self, crossing: Crossing) -> Self {
+        self.crossing = crossing;
         self
     }
 

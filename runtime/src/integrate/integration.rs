@@ -1,12 +1,12 @@
 //! The loop of the driver: steps, samples, events and observations.
 
+use super::at::At;
 use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::event::{Detection, LastStep, Located, MetConditions, Occurring, moved};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
-use super::sample::Sample;
 use super::singularity::Singularity;
 use super::stepper::Advance;
 use super::stop_condition::StopCondition;
@@ -248,7 +248,7 @@ where
     fn visit_event(
         &mut self,
         occurring: Occurring,
-        there: &Sample<D::State>,
+        there: &At<f64, D::State>,
     ) -> Result<(), Interruption> {
         if let Err(reason) = self.samples_until(there.t) {
             self.pending = Some(occurring);
@@ -271,7 +271,7 @@ where
     fn report(
         &mut self,
         events: MetConditions,
-        there: &Sample<D::State>,
+        there: &At<f64, D::State>,
     ) -> Result<(), StopReason> {
         self.outcome.occurred = self.outcome.occurred.or(events);
         let mut told = Ok(());
@@ -285,7 +285,7 @@ where
             };
             let t = S::from_f64(there.t);
             let delay = located.delay(self.condition, event);
-            self.outcome.last = Sample {
+            self.outcome.last = At {
                 t: there.t,
                 x: moved(self.dynamics, t, &there.x, delay),
             };
@@ -328,7 +328,7 @@ where
     }
 
     /// The sample at a time within the last step.
-    fn at(&mut self, t: f64) -> Sample<D::State> {
+    fn at(&mut self, t: f64) -> At<f64, D::State> {
         LastStep::new(self.dynamics, &mut *self.stepper).at(t)
     }
 

@@ -4,11 +4,11 @@
 //! a state, and owns what the method remembers between steps. A [`Driver`] takes steps until there is a reason to
 //! stop.
 
+use super::at::{At, InitialValue};
 use super::driver::Driver;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::outcome::{Outcome, StopReason};
-use super::sample::{InitialValue, Sample};
 use super::stepper::Advance;
 #[cfg(feature = "alloc")]
 use super::trajectory::{PartialTrajectory, Trajectory};
@@ -43,7 +43,7 @@ pub trait Integrator<S: Scalar, D: Dynamics<S> + ?Sized> {
         dynamics: &D,
         initial: impl InitialValue<D::State>,
         end: f64,
-    ) -> Result<Sample<D::State>, IntegrationError>
+    ) -> Result<At<f64, D::State>, IntegrationError>
     where
         Self: Clone,
     {

@@ -57,6 +57,38 @@ impl<X, F: FnMut(&Progress<'_, X>) -> ControlFlow<()>> Observer<X> for F {
 /// ```
 ///
 /// An observer that does more asks the flag itself.
+/// What a function that is called on the way returns: nothing, or whether the integration goes on.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not tell whether an integration goes on",
+    note = "return nothing, or `ControlFlow::Break(())` where it is to end"
+)]
+pub trait Flow {
+    /// Whether it goes on.
+    fn flow(self) -> ControlFlow<()>;
+}
+
+impl Flow for () {
+    fn flow(self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+impl Flow for ControlFlow<()> {
+    fn flow(self) -> Self {
+        self
+    }
+}
+
+/// A function that is called at each step.
+#[derive(Clone, Copy, Debug)]
+pub struct EachStep<F>(pub(super) F);
+
+impl<X, A: Flow, F: FnMut(&Progress<'_, X>) -> A> Observer<X> for EachStep<F> {
+    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
+        (self.0)(progress).flow()
+    }
+}
+
 impl<X> Observer<X> for &AtomicBool {
     #[inline]
     fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
@@ -87,6 +119,12 @@ impl<X> Observer<X> for Unobserved {
 /// [`Driver::observe`](crate::Driver::observe).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Observers<A, B>(pub(crate) A, pub(crate) B);
+
+impl<A, B> Observers<A, B> {
+    pub(crate) fn new(first: A, second: B) -> Self {
+        Self(first, second)
+    }
+}
 
 impl<X, A: Observer<X>, B: Observer<X>> Observer<X> for Observers<A, B> {
     #[inline]

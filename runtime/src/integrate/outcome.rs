@@ -1,7 +1,7 @@
 //! How an integration ended.
 
+use super::at::At;
 use super::event::MetConditions;
-use super::sample::Sample;
 use super::stepper::Statistics;
 
 /// Why an integration stopped.
@@ -29,7 +29,7 @@ pub enum StopReason {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome<X> {
     /// The last state that was reached without an error.
-    pub last: Sample<X>,
+    pub last: At<f64, X>,
     /// Why it is the last.
     pub reason: StopReason,
     /// Which stop conditions were met there, or which events occurred, or which observers stopped: those that are the reason,
@@ -43,7 +43,7 @@ pub struct Outcome<X> {
 
 impl<X> Outcome<X> {
     /// Before the first step.
-    pub(crate) fn at(last: Sample<X>) -> Self {
+    pub(crate) fn at(last: At<f64, X>) -> Self {
         Self {
             last,
             reason: StopReason::Error,

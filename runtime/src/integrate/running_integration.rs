@@ -1,5 +1,6 @@
 //! Integrations in progress, as values that are stepped by hand.
 
+use super::at::{At, InitialValue};
 use super::checkpoint::{Checkpoint, EventSigns, Resume};
 use super::collector::Uncollected;
 use super::driver::{Driver, check_times};
@@ -10,7 +11,6 @@ use super::integrator::Integrator;
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
 use super::reacting::Unreacting;
-use super::sample::{InitialValue, Sample};
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stop_condition::StopCondition;
 use crate::scalar::Scalar;
@@ -30,7 +30,7 @@ impl<I, C, O> Driver<I, C, O> {
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
     {
-        let initial = initial.into_sample();
+        let initial = initial.into_initial();
         let stepper = self.begin(dynamics, &initial)?;
         Ok(RunningIntegration::new(self, dynamics, stepper, None))
     }
@@ -53,7 +53,7 @@ impl<I, C, O> Driver<I, C, O> {
         let Checkpoint { memory, events } = checkpoint;
         let stepper = self.integrator.recall(dynamics, memory)?;
         let (t, x) = (stepper.time(), stepper.state().clone());
-        self.check_state(dynamics, &Sample { t, x })?;
+        self.check_state(dynamics, &At { t, x })?;
         Ok(RunningIntegration::new(self, dynamics, stepper, events))
     }
 }
@@ -126,7 +126,7 @@ pub struct Step<X> {
     /// The time at which it begins.
     pub start: f64,
     /// The time and the state at which it ends, or where a condition stopped within it.
-    pub end: Sample<X>,
+    pub end: At<f64, X>,
     /// Why there is no other step to the time that was given; none if there is.
     pub stop: Option<StopReason>,
 }
@@ -181,8 +181,8 @@ where
     }
 
     /// Time and state.
-    pub fn sample(&self) -> Sample<D::State> {
-        Sample {
+    pub fn sample(&self) -> At<f64, D::State> {
+        At {
             t: self.time(),
             x: self.state().clone(),
         }
@@ -246,7 +246,7 @@ where
     /// If the state or its derivative is not finite, or the state singular; nothing is changed then.
     pub fn restart(&mut self, x: D::State) -> Result<(), IntegrationError> {
         let t = self.time();
-        let initial = Sample { t, x };
+        let initial = At { t, x };
         self.driver.check_state(self.dynamics, &initial)?;
         self.forget_events();
         self.stepper.restart_at(self.dynamics, t, initial.x)

@@ -1,7 +1,9 @@
 //! Stop conditions: predicates, and events.
 
 use super::dynamics::Dynamics;
-use super::event::{Both, DeclaredEvents, Detection, MetConditions, ZeroCrossing};
+use super::event::{
+    Both, DeclaredEvents, Detection, FunctionOfState, MetConditions, PredicateOfState, ZeroCrossing,
+};
 use crate::scalar::Scalar;
 
 /// A condition on which a [`Driver`](crate::Driver) stops, or events that it watches for; made by
@@ -73,7 +75,7 @@ macro_rules! extended_by_both {
     )*};
 }
 
-extended_by_both!(Predicate<F> ZeroCrossing<F, W> Both<A, B>);
+extended_by_both!(Predicate<F> ZeroCrossing<F, W> PredicateOfState<F> FunctionOfState<F> Both<A, B>);
 
 impl<const K: usize> Extensible for DeclaredEvents<K> {
     type With<E> = Both<Self, E>;

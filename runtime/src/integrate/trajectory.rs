@@ -3,18 +3,18 @@
 use alloc::{boxed::Box, vec::Vec};
 use core::fmt;
 
+use super::at::At;
 use super::dense_solution::DenseSolution;
 use super::error::IntegrationError;
 use super::event::{MetConditions, Occurrence};
 use super::outcome::{Outcome, StopReason};
-use super::sample::Sample;
 use super::stepper::Statistics;
 use crate::number_format::Readable;
 
 /// The samples of a motion, in the order of the requested times, its events, and its outcome. `S` is the scalar.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory<X, S = f64> {
-    pub(super) samples: Vec<Sample<X>>,
+    pub(super) samples: Vec<At<f64, X>>,
     pub(super) events: Vec<Occurrence<X, S>>,
     pub(super) outcome: Outcome<X>,
 }
@@ -22,13 +22,13 @@ pub struct Trajectory<X, S = f64> {
 impl<X, S> Trajectory<X, S> {
     /// The samples.
     #[must_use]
-    pub fn samples(&self) -> &[Sample<X>] {
+    pub fn samples(&self) -> &[At<f64, X>] {
         &self.samples
     }
 
     /// The samples, as a vector.
     #[must_use]
-    pub fn into_samples(self) -> Vec<Sample<X>> {
+    pub fn into_initials(self) -> Vec<At<f64, X>> {
         self.samples
     }
 
@@ -53,7 +53,7 @@ impl<X, S> Trajectory<X, S> {
     /// The last state that was reached without an error. It is the last sample unless something
     /// stopped the integration before the final time.
     #[must_use]
-    pub fn last(&self) -> &Sample<X> {
+    pub fn last(&self) -> &At<f64, X> {
         &self.outcome.last
     }
 

@@ -6,7 +6,7 @@ use super::phase::Phase;
 use super::state::State;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
-use crate::integrate::{InitialValue, Sample, TypicalSizes};
+use crate::integrate::{At, InitialValue, TypicalSizes};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
@@ -16,10 +16,10 @@ use crate::scalar::{Lanes, Scalar};
 /// The initial value is a pair of a [`State`] and z:
 ///
 /// ```
-/// use lagrangian::{AugmentedPhase, InitialValue, Sample, State};
+/// use lagrangian::{At, AugmentedPhase, InitialValue, State};
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: Sample<AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_sample();
+/// let start: At<f64, AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_initial();
 /// assert_eq!(start.state(), state);
 /// assert_eq!(start.x.controller[1], 0.25);
 /// ```
@@ -141,7 +141,7 @@ macro_rules! further_components {
             }
         }
 
-        impl<S: Scalar, const N: usize, const K: usize> Sample<$phase<S, N, K>> {
+        impl<S: Scalar, const N: usize, const K: usize> At<f64, $phase<S, N, K>> {
             /// The sample as a state of the mechanical system.
             #[inline]
             #[must_use]
@@ -157,13 +157,13 @@ macro_rules! further_components {
             S: Scalar,
             C: IntoVector<S, K>,
         {
-            fn into_sample(self) -> Sample<$phase<S, N, K>> {
+            fn into_initial(self) -> At<f64, $phase<S, N, K>> {
                 let (state, $more) = self;
-                let Sample { t, x } = Sample::from(state);
+                let At { t, x } = state.into_initial();
                 let Phase { q, v } = x;
                 let $more = $more.into_vector();
                 let x = $phase { q, v, $more };
-                Sample { t, x }
+                At { t, x }
             }
         }
 
@@ -188,7 +188,7 @@ macro_rules! further_components {
             pub fn states(
                 &self,
             ) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
-                self.samples().iter().map(Sample::<$phase<S, N, K>>::state)
+                self.samples().iter().map(At::<f64, $phase<S, N, K>>::state)
             }
         }
     };

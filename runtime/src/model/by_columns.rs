@@ -18,10 +18,7 @@ pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
     state: &State<S, N>,
     momenta: impl Fn(&State<S, N>) -> SVector<S, N>,
 ) -> SMatrix<S, N, N> {
-    let mut state = State {
-        v: SVector::zeros(),
-        ..*state
-    };
+    let mut state = State::new(state.t, state.q, SVector::zeros());
     let at_rest = momenta(&state);
     let mut mass = SMatrix::zeros();
     for j in 0..N {
@@ -51,11 +48,11 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     };
     for first in (0..=2 * N).step_by(D) {
         let variable = |value, number: usize| Dual::variable(value, number.wrapping_sub(first));
-        let state = State {
-            t: variable(state.t, 2 * N),
-            q: SVector::from_fn(|i, _| variable(state.q[i], i)),
-            v: SVector::from_fn(|i, _| variable(state.v[i], N + i)),
-        };
+        let state = State::new(
+            variable(state.t, 2 * N),
+            SVector::from_fn(|i, _| variable(state.q[i], i)),
+            SVector::from_fn(|i, _| variable(state.v[i], N + i)),
+        );
         let residuals = inverse_dynamics(&state, &accelerations);
         for (i, residual) in residuals.iter().enumerate() {
             for (number, slope) in (first..=2 * N).zip(residual.derivative) {
@@ -104,9 +101,9 @@ pub fn constants<S: Scalar, const K: usize, const D: usize>(
 pub fn constant_state<S: Scalar, const N: usize, const D: usize>(
     state: &State<S, N>,
 ) -> State<Dual<S, D>, N> {
-    State {
-        t: Dual::constant(state.t),
-        q: constants(&state.q),
-        v: constants(&state.v),
-    }
+    State::new(
+        Dual::constant(state.t),
+        constants(&state.q),
+        constants(&state.v),
+    )
 }

@@ -8,7 +8,7 @@ use super::canonical_phase::CanonicalPhase;
 use super::hamiltonian::{Hamiltonian, NoVelocities};
 use super::singular_configuration::singularity_between;
 use super::state::State;
-use crate::integrate::{ComponentName, Dynamics, Sample, Singularity};
+use crate::integrate::{At, ComponentName, Dynamics, Singularity};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -35,9 +35,9 @@ where
     }
 
     /// The coordinates and momenta of a state, at its time: an initial value.
-    pub fn canonical(&self, state: &State<S, N>) -> Sample<CanonicalPhase<S, N>> {
+    pub fn canonical(&self, state: &State<S, N>) -> At<f64, CanonicalPhase<S, N>> {
         let (least, most) = (state.t.smallest(), state.t.largest());
-        Sample {
+        At {
             // The time is that of all lanes, and NaN if they differ.
             t: if least < most { f64::NAN } else { least },
             x: CanonicalPhase {
@@ -55,7 +55,7 @@ where
     pub fn state(&self, t: f64, phase: &CanonicalPhase<S, N>) -> Result<State<S, N>, NoVelocities> {
         let t = S::from_f64(t);
         let v = self.model.velocities(t, phase)?;
-        Ok(State { t, q: phase.q, v })
+        Ok(State::new(t, phase.q, v))
     }
 }
 
@@ -69,7 +69,7 @@ where
     fn derivative(&self, t: S, x: &Self::State) -> Self::State {
         let not_a_number = |_| SVector::repeat(S::from_f64(f64::NAN));
         let v = self.model.velocities(t, x).unwrap_or_else(not_a_number);
-        let state = State { t, q: x.q, v };
+        let state = State::new(t, x.q, v);
         CanonicalPhase {
             q: v,
             p: self.model.momentum_rates(&state),
@@ -93,11 +93,7 @@ where
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
-        let after = State {
-            t,
-            q: after.q,
-            v: SVector::zeros(),
-        };
+        let after = State::new(t, after.q, SVector::zeros());
         singularity_between::<M, S, N>(lane, &before.q, &after)
     }
 

@@ -219,7 +219,7 @@ fn expand<
     velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
     term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
-    *coefficients.initial_mut() = Phase::from(*state);
+    *coefficients.initial_mut() = state.x;
     let first = (state.v * unit, rates * unit);
     let higher = coefficients.higher_mut();
     if const { pair_by_pair::<S, PAIRS, HALF>() } {

@@ -76,11 +76,7 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
         t: S,
         phase: &CanonicalPhase<S, N>,
     ) -> Result<SVector<S, N>, NoVelocities> {
-        let state = State {
-            t,
-            q: phase.q,
-            v: SVector::zeros(),
-        };
+        let state = State::new(t, phase.q, SVector::zeros());
         let solved = self.solved_velocities(&state, &phase.p);
         if solved.iter().all(|v| v.is_finite()) {
             return Ok(solved);
@@ -95,7 +91,7 @@ pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// As of [`velocities`](Self::velocities).
     fn hamiltonian(&self, t: S, phase: &CanonicalPhase<S, N>) -> Result<S, NoVelocities> {
         let v = self.velocities(t, phase)?;
-        Ok(self.energy(&State { t, q: phase.q, v }))
+        Ok(self.energy(&State::new(t, phase.q, v)))
     }
 
     /// Hamilton's equations, for an integrator.

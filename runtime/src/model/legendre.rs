@@ -225,7 +225,7 @@ where
     let mass = model.mass_matrix(state);
     // Of all velocities other ones, also where some or all of these are zero.
     let v = state.v.map(|v| S::from_f64(0.5) * v + S::from_f64(0.618));
-    let is_quadratic = mass == model.mass_matrix(&State { v, ..*state });
+    let is_quadratic = mass == model.mass_matrix(&State::new(state.t, state.q, v));
     if is_quadratic || is_positive_definite(mass) || is_convex_beside(model, state) {
         Ok(state.v)
     } else {

@@ -6,7 +6,7 @@ use super::state::State;
 use super::vector_pair::vector_pair;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
-use crate::integrate::{InitialValue, Sample, TypicalSizes};
+use crate::integrate::{At, TypicalSizes};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
@@ -37,21 +37,14 @@ impl<S: Scalar, const N: usize> Phase<S, N> {
     #[inline]
     #[must_use]
     pub fn at(&self, t: S) -> State<S, N> {
-        State {
-            t,
-            q: self.q,
-            v: self.v,
-        }
+        At { t, x: *self }
     }
 }
 
 impl<S: Scalar, const N: usize> From<State<S, N>> for Phase<S, N> {
     #[inline]
     fn from(state: State<S, N>) -> Self {
-        Self {
-            q: state.q,
-            v: state.v,
-        }
+        state.x
     }
 }
 
@@ -104,45 +97,12 @@ fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>
     largest(&derivative.q).max(largest(&derivative.v).sqrt())
 }
 
-impl<S: Scalar, const N: usize> Sample<Phase<S, N>> {
+impl<S: Scalar, const N: usize> At<f64, Phase<S, N>> {
     /// The sample as a state of the mechanical system.
     #[inline]
     #[must_use]
     pub fn state(&self) -> State<S, N> {
         self.x.at(S::from_f64(self.t))
-    }
-}
-
-impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for State<S, N> {
-    fn into_sample(self) -> Sample<Phase<S, N>> {
-        self.into()
-    }
-}
-
-impl<S: Scalar, const N: usize> InitialValue<Phase<S, N>> for &State<S, N> {
-    fn into_sample(self) -> Sample<Phase<S, N>> {
-        self.into()
-    }
-}
-
-impl<S: Scalar, const N: usize> From<State<S, N>> for Sample<Phase<S, N>> {
-    /// The time is that of all lanes, and NaN if they differ.
-    fn from(state: State<S, N>) -> Self {
-        let (least, most) = (state.t.smallest(), state.t.largest());
-        let t = if least < most { f64::NAN } else { least };
-        Self { t, x: state.into() }
-    }
-}
-
-impl<S: Scalar, const N: usize> From<&State<S, N>> for Sample<Phase<S, N>> {
-    fn from(state: &State<S, N>) -> Self {
-        (*state).into()
-    }
-}
-
-impl<S: Scalar, const N: usize> From<Sample<Phase<S, N>>> for State<S, N> {
-    fn from(sample: Sample<Phase<S, N>>) -> Self {
-        sample.state()
     }
 }
 
@@ -157,6 +117,6 @@ impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {
 impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>, S> {
     /// The samples as states of the mechanical system.
     pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
-        self.samples().iter().map(Sample::<Phase<S, N>>::state)
+        self.samples().iter().map(At::<f64, Phase<S, N>>::state)
     }
 }

@@ -7,7 +7,7 @@ use super::phase::Phase;
 use super::state::State;
 #[cfg(feature = "alloc")]
 use crate::integrate::Trajectory;
-use crate::integrate::{InitialValue, Sample, TypicalSizes};
+use crate::integrate::{At, InitialValue, TypicalSizes};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
@@ -17,10 +17,10 @@ use crate::scalar::{Lanes, Scalar};
 /// The initial value is a pair of a [`State`] of the reduced model and the ignorable coordinates:
 ///
 /// ```
-/// use lagrangian::{InitialValue, ReconstructedPhase, Sample, State};
+/// use lagrangian::{At, InitialValue, ReconstructedPhase, State};
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: Sample<ReconstructedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_sample();
+/// let start: At<f64, ReconstructedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_initial();
 /// assert_eq!(start.state(), state);
 /// assert_eq!(start.x.ignorable[1], 0.25);
 /// ```

@@ -78,6 +78,18 @@ pub struct Sinusoid {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sum<T>(pub T);
 
+impl Sinusoid {
+    /// The signal A sin(ω t), of this amplitude A and angular frequency ω; its phase is a field.
+    #[must_use]
+    pub const fn new(amplitude: f64, angular_frequency: f64) -> Self {
+        Self {
+            amplitude,
+            angular_frequency,
+            phase: 0.0,
+        }
+    }
+}
+
 impl<S: Scalar> Signal<S> for Constant {
     fn add_series<const HALF: usize>(&self, _: S, _: S, coefficients: &mut [S]) {
         if let Some(first) = coefficients.first_mut() {

@@ -175,11 +175,11 @@ where
 
 /// The state in a lane.
 fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State<f64, N> {
-    State {
-        t: state.t.in_lane(lane),
-        q: state.q.map(|coordinate| coordinate.in_lane(lane)),
-        v: state.v.map(|velocity| velocity.in_lane(lane)),
-    }
+    State::new(
+        state.t.in_lane(lane),
+        state.q.map(|coordinate| coordinate.in_lane(lane)),
+        state.v.map(|velocity| velocity.in_lane(lane)),
+    )
 }
 
 /// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.

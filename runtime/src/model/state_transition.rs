@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{Dynamics, IntegrationError, Integrator, Sample};
+use crate::integrate::{At, Dynamics, IntegrationError, Integrator};
 use crate::scalar::Dual;
 
 /// The derivatives of a motion at a time by the `K` variables of its [dual numbers](Dual): by the initial coordinates and
@@ -83,7 +83,7 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
     /// let initial = StateTransition::<1, 1>::initial(&State::new(0.0, [1.0], [0.0]));
     /// ```
     #[must_use]
-    pub fn initial(state: &State<f64, N>) -> Sample<Phase<Dual<f64, K>, N>> {
+    pub fn initial(state: &State<f64, N>) -> At<f64, Phase<Dual<f64, K>, N>> {
         const {
             assert!(
                 K >= 2 * N,
@@ -94,21 +94,21 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
             q: SVector::from_fn(|i, _| Dual::variable(state.q[i], i)),
             v: SVector::from_fn(|i, _| Dual::variable(state.v[i], N + i)),
         };
-        Sample { t: state.t, x }
+        At { t: state.t, x }
     }
 
     /// The derivatives at a sample.
     #[must_use]
-    pub fn of(sample: &Sample<Phase<Dual<f64, K>, N>>) -> Self {
+    pub fn of(sample: &At<f64, Phase<Dual<f64, K>, N>>) -> Self {
         let Phase { q, v } = sample.x;
         let gradients =
             |of: &SVector<Dual<f64, K>, N>| SMatrix::from_fn(|i, j| of[i].derivative[j]);
         Self {
-            state: State {
-                t: sample.t,
-                q: q.map(|coordinate| coordinate.value),
-                v: v.map(|velocity| velocity.value),
-            },
+            state: State::new(
+                sample.t,
+                q.map(|coordinate| coordinate.value),
+                v.map(|velocity| velocity.value),
+            ),
             q: gradients(&q),
             v: gradients(&v),
         }

@@ -136,7 +136,7 @@ fn several_velocities() {
         let phase = Coupled.canonical_equations().canonical(&state).x;
         let found = Coupled.velocities(0.0, &phase);
         let found = found.unwrap_or_else(|error| panic!("{v:?}: {error}"));
-        let back = Coupled.momenta(&State { v: found, ..state });
+        let back = Coupled.momenta(&State::new(state.t, state.q, found));
         assert!(
             (back - phase.p).norm() <= 1e-12 * phase.p.norm(),
             "{v:?} {found:?}"

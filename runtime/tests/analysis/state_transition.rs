@@ -185,11 +185,11 @@ fn differences_confirm_all_columns() {
         let mut values = values.map(DoubleDouble::from_f64);
         values[index] += DoubleDouble::from_f64(by);
         let [alpha, beta, v, w, m, l] = values;
-        let start = State {
-            t: DoubleDouble::from_f64(0.0),
-            q: SVector::from([alpha, beta]),
-            v: SVector::from([v, w]),
-        };
+        let start = State::new(
+            DoubleDouble::from_f64(0.0),
+            SVector::from([alpha, beta]),
+            SVector::from([v, w]),
+        );
         let model = DoublePendulum { m, l };
         let end = Taylor::order_40().integrate_to(&model.dynamics(), start, 2.0);
         end.unwrap().x

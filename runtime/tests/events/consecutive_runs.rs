@@ -142,7 +142,7 @@ where
         let (from, end) = [(-2.5, 2.7), (2.5, -2.7)][(case + first) % 2];
         let q = [1.0 + 0.3 * random.uniform(), 0.5 * random.uniform()];
         let v = [random.uniform(), -random.uniform()];
-        let start = Sample::from(State::new(from, q, v));
+        let start = State::new(from, q, v);
         let (whole, _) = run(driver, &model.dynamics(), &start, end);
         assert!(!whole.is_empty());
         for (n, kind) in ENDS.into_iter().cycle().take(14).enumerate() {

@@ -104,7 +104,7 @@ fn a_restart_without_change_detects_each_zero_once() {
         (Crossing::Falling, 0.5 * PI, 2.0 * PI),
         (Crossing::Rising, 1.5 * PI, 2.0 * PI),
     ] {
-        let mut sample = Sample::from((0.0, SVector::from([1.0, 0.0])));
+        let mut sample = At::from((0.0, SVector::from([1.0, 0.0])));
         for i in 0..40 {
             let driver = method.driver();
             let driver = driver.stop_at_crossing(crossing, |_, x: &SVector<f64, 2>| x[0]);
@@ -247,7 +247,7 @@ fn a_function_that_stays_at_zero_is_detected_once() {
 #[test]
 fn the_event_function_that_crosses_is_reported() {
     let free = equation::<2, _>(|_, x| SVector::from([x[1], 0.0]));
-    let mut sample = Sample::from((0.0, SVector::from([0.25, 1.0])));
+    let mut sample = At::from((0.0, SVector::from([0.25, 1.0])));
     for bounce in 0..50_u8 {
         let driver = Dop853::new()
             .driver()

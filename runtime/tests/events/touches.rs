@@ -37,7 +37,7 @@ fn power(random: &mut Random, from: f64, to: f64) -> f64 {
 }
 
 /// A stone, where it begins, and the time until which it moves, forwards or backwards.
-fn thrown(random: &mut Random, case: usize) -> (Stone, Sample<X>, f64) {
+fn thrown(random: &mut Random, case: usize) -> (Stone, At<f64, X>, f64) {
     let model = Stone {
         k: 1.0 + 3.0 * random.uniform(),
         g: 0.5 + random.uniform(),
@@ -47,7 +47,7 @@ fn thrown(random: &mut Random, case: usize) -> (Stone, Sample<X>, f64) {
     let q = [0.4 + random.uniform(), 0.0];
     let v = [random.uniform() - 0.5, 0.3 + random.uniform()];
     let (from, end) = [(-0.3, 2.5), (2.5, -0.3)][case % 2];
-    (model, Sample::from(State::new(from, q, v)), end)
+    (model, State::new(from, q, v), end)
 }
 
 /// Splits of motions at zeros of these functions and near them, of which each zero is reported by one run.
@@ -115,7 +115,7 @@ fn no_event_comes_before_its_zero() {
             c,
             d,
         };
-        let start = Sample::from(State::new(-0.3, [0.4, 0.0], [0.0, 1.0]));
+        let start = State::new(-0.3, [0.4, 0.0], [0.0, 1.0]);
         let driver = Taylor::new().driver();
         let driver = driver.declared_events([(Stone::PAIR, Event::either())]);
         let times = run(&driver, &model.dynamics(), &start, 2.5).0;

@@ -12,9 +12,9 @@ pub(crate) type X = Phase<f64, 2>;
 pub(crate) fn run<D, I, C>(
     driver: &Driver<I, C>,
     equations: &D,
-    start: &Sample<X>,
+    start: &At<f64, X>,
     end: f64,
-) -> (Vec<(usize, f64)>, Sample<X>)
+) -> (Vec<(usize, f64)>, At<f64, X>)
 where
     D: Dynamics<f64, State = X>,
     I: Clone + Integrator<f64, D>,
@@ -52,7 +52,7 @@ pub(crate) const ENDS: [End; 7] = [
 pub(crate) fn in_two_runs<D, I, C>(
     driver: &Driver<I, C>,
     equations: &D,
-    start: &Sample<X>,
+    start: &At<f64, X>,
     (at, end): (f64, f64),
     kind: End,
 ) -> Vec<(usize, f64)>

@@ -13,7 +13,7 @@ use lagrangian::{DoubleDouble, Lanes};
 )]
 struct Rotors;
 
-fn motion<S: Scalar>(q: [f64; 2]) -> (Sample<Phase<S, 2>>, u64) {
+fn motion<S: Scalar>(q: [f64; 2]) -> (At<f64, Phase<S, 2>>, u64) {
     let number = S::from_f64;
     let start = State::new(number(0.0), q.map(number), [3.0, -5.0].map(number));
     let outcome = Dop853::new()

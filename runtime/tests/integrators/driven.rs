@@ -71,11 +71,7 @@ fn signals() -> Signals {
 
 fn start<S: Scalar>(t: f64) -> State<S, 2> {
     let [t, x, theta, v, w] = [t, 0.2, 1.0, 0.0, -0.5].map(S::from_f64);
-    State {
-        t,
-        q: SVector::from([x, theta]),
-        v: SVector::from([v, w]),
-    }
+    State::new(t, SVector::from([x, theta]), SVector::from([v, w]))
 }
 
 #[test]

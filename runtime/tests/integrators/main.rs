@@ -17,6 +17,7 @@ mod long_run;
 mod methods;
 mod order;
 mod precision;
+mod problem;
 mod recurrences;
 mod running;
 mod saltation;

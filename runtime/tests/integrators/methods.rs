@@ -127,7 +127,7 @@ where
         assert!(error <= accuracy, "at {}: {error:e}", sample.t);
     }
 
-    let mut at = Sample::from(start);
+    let mut at = At::from(start);
     for n in 0..4 {
         let driver = method.driver().stop_at_zero(|_, x: &X<S>| x[0]);
         let outcome = driver.run_until(&Oscillator, at, 100.0).unwrap();

@@ -189,11 +189,11 @@ fn double_doubles_have_all_digits() {
 fn lanes_are_the_motions_of_each_lane() {
     let rates = [1.0, 2.0, 3.0, 4.5];
     let lanes = Pendulum { rate: Lanes(rates) };
-    let start = State {
-        t: Lanes([0.0; 4]),
-        q: SVector::from([Lanes([2.0; 4])]),
-        v: SVector::from([Lanes([0.0; 4])]),
-    };
+    let start = State::new(
+        Lanes([0.0; 4]),
+        SVector::from([Lanes([2.0; 4])]),
+        SVector::from([Lanes([0.0; 4])]),
+    );
     let method = Taylor::new();
     let together = method.integrate_to(&lanes.dynamics(), start, 10.0).unwrap();
     for (lane, rate) in rates.into_iter().enumerate() {
@@ -208,11 +208,7 @@ fn lanes_are_the_motions_of_each_lane() {
 #[test]
 fn single_precision_is_enough_for_itself() {
     let pendulum = Pendulum { rate: 1.0_f32 };
-    let start: State<f32, 1> = State {
-        t: 0.0,
-        q: SVector::from([1.0]),
-        v: SVector::from([0.0]),
-    };
+    let start: State<f32, 1> = State::new(0.0, SVector::from([1.0]), SVector::from([0.0]));
     let end = Taylor::order_12()
         .integrate_to(&pendulum.dynamics(), start, 5.0)
         .unwrap();
@@ -285,11 +281,7 @@ fn late_times_and_many_digits_do_not_shorten_steps() {
 
     let one = DoubleDouble::from_f64(1.0);
     let [t, q, v] = [0.0, 0.0, -1.0].map(DoubleDouble::from_f64);
-    let start = State {
-        t,
-        q: SVector::from([q]),
-        v: SVector::from([v]),
-    };
+    let start = State::new(t, SVector::from([q]), SVector::from([v]));
     let driver = Taylor::order_40().driver().max_steps(300);
     let outcome = driver
         .run_until(&Driven { rate: one }.dynamics(), start, 9.7)

@@ -46,7 +46,7 @@ fn faster(faster: f64) -> (Bead, State<f64, 3>, f64) {
     )
 }
 
-type Ends = Vec<Sample<Phase<f64, 3>>>;
+type Ends = Vec<At<f64, Phase<f64, 3>>>;
 
 /// The ends of all steps.
 fn ends<I, D>(method: &I, dynamics: &D, start: State<f64, 3>, end: f64) -> Ends
@@ -64,7 +64,7 @@ where
 fn assert_same_bits(
     found: &Ends,
     expected: &Ends,
-    unit: impl Fn(&Sample<Phase<f64, 3>>) -> Sample<Phase<f64, 3>>,
+    unit: impl Fn(&At<f64, Phase<f64, 3>>) -> At<f64, Phase<f64, 3>>,
 ) {
     assert_eq!(found.len(), expected.len());
     assert!(expected.len() > 10);
@@ -83,7 +83,7 @@ where
         let factor = f64::powi(2.0, exponent);
         let (bead, start, end) = faster(factor);
         let found = ends(method, &bead.dynamics(), start, end);
-        assert_same_bits(&found, &expected, |sample| Sample {
+        assert_same_bits(&found, &expected, |sample| At {
             t: sample.t * factor,
             x: Phase::new(sample.x.q, sample.x.v / factor),
         });
@@ -127,7 +127,7 @@ fn the_first_step_from_rest_does_not_depend_on_the_unit_of_time() {
     let expected = ends(&method, &bead.dynamics(), at_rest, end);
     let (bead, at_rest, end) = start(4096.0);
     let found = ends(&method, &bead.dynamics(), at_rest, end);
-    assert_same_bits(&found, &expected, |sample| Sample {
+    assert_same_bits(&found, &expected, |sample| At {
         t: sample.t * 4096.0,
         x: Phase::new(sample.x.q, sample.x.v / 4096.0),
     });
@@ -160,7 +160,7 @@ fn steps_do_not_depend_on_the_unit_of_length() {
             let found = run(length, true, taylor);
             assert_same_bits(&found, &expected, |sample| {
                 let shorter = |x: SVector<f64, 3>| [x[0] / length, x[1], x[2]];
-                Sample {
+                At {
                     t: sample.t,
                     x: Phase::new(shorter(sample.x.q), shorter(sample.x.v)),
                 }

@@ -110,10 +110,7 @@ macro_rules! reduced_ends_by {
             let (reduced, state) = model.reduce(&start);
             let places = SVector::from(ignorable.map(|i| start.q[i]));
             let equations = reduced.reconstruction();
-            let back = |x: ReconstructedPhase<f64, R, K>| {
-                let State { q, v, .. } = equations.full_state(end, &x);
-                flat(Phase { q, v })
-            };
+            let back = |x: ReconstructedPhase<f64, R, K>| flat(equations.full_state(end, &x).x);
             let full = with_events(&$method, &dynamics, start, end);
             let reduced = with_events(&$method, &equations, (state, places), end);
             [
@@ -128,7 +125,7 @@ macro_rules! reduced_ends_by {
 /// What motions of a model with ignorable coordinates end at, by one of the methods.
 pub mod reduced_ends {
     use super::{
-        At, Events, Found, MotionSeries, Phase, ReconstructedPhase, RouthReduction, Routhian as _,
+        At, Events, Found, MotionSeries, ReconstructedPhase, RouthReduction, Routhian as _,
         RouthianSeries, SVector, State, Taylor, flat, named, with_events,
     };
 

@@ -4,8 +4,8 @@ use core::ops::ControlFlow;
 
 use lagrangian::{
     Driver, Dynamics, Event, Events, IntegrationMethod as _, MotionSeries, ObservationKind,
-    Observer, Phase, Progress, Reaction, Resume, RungeKutta, Sample, State, StopCondition,
-    StopReason, Taylor,
+    Observer, Phase, Progress, Reaction, Resume, RungeKutta, State, StopCondition, StopReason,
+    Taylor,
 };
 
 use crate::At;
@@ -69,7 +69,7 @@ splits_by! {
 /// A motion, and how it is split.
 struct Split<'a, D: Dynamics<f64>> {
     dynamics: &'a D,
-    start: Sample<D::State>,
+    start: lagrangian::At<f64, D::State>,
     run: &'a Run,
 }
 

@@ -142,11 +142,11 @@ fn scattered_body(index: u32) -> RigidBody {
 
 fn scattered_state<const N: usize>(index: u32) -> State<f64, N> {
     let first = 41 * index;
-    State {
-        t: scattered(first),
-        q: scattered_vector(first + 1),
-        v: scattered_vector(first + 20),
-    }
+    State::new(
+        scattered(first),
+        scattered_vector(first + 1),
+        scattered_vector(first + 20),
+    )
 }
 
 #[test]

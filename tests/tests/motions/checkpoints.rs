@@ -37,7 +37,7 @@ fn by_bytes<M: Serialize + DeserializeOwned>(checkpoint: &Checkpoint<M>) -> Chec
 }
 
 /// Stored after every third step, in turn as a value, as text and as bytes; also within what the last step shows.
-fn interrupted_is_uninterrupted<S, D, I>(method: &I, dynamics: &D, initial: &Sample<D::State>)
+fn interrupted_is_uninterrupted<S, D, I>(method: &I, dynamics: &D, initial: &At<f64, D::State>)
 where
     S: Scalar,
     D: Dynamics<S>,
@@ -109,7 +109,7 @@ fn derivatives_go_on_from_checkpoints() {
 #[test]
 fn every_method_goes_on_from_checkpoints() {
     let dynamics = DoublePendulum.dynamics();
-    let start = || Sample::from(State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
+    let start = || State::new(0.0, [2.0, 1.0], [0.1, -0.3]);
     interrupted_is_uninterrupted::<f64, _, _>(&RungeKutta::classical(0.01), &dynamics, &start());
     interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, &start());
     interrupted_is_uninterrupted::<f64, _, _>(&Taylor::new(), &dynamics, &start());
@@ -120,20 +120,20 @@ fn every_method_goes_on_from_checkpoints() {
 
 #[test]
 fn every_scalar_goes_on_from_checkpoints() {
-    fn start<S: Scalar>(number: impl Fn(f64) -> S) -> Sample<Phase<S, 2>> {
+    fn start<S: Scalar>(number: impl Fn(f64) -> S) -> At<f64, Phase<S, 2>> {
         let state = State::new(
             number(0.0),
             [2.0, 1.0].map(&number),
             [0.1, -0.3].map(&number),
         );
-        Sample::from(state)
+        At::from(state)
     }
     let dynamics = DoublePendulum.dynamics();
     let doubled = start(|x| DoubleDouble::from_f64(x) / DoubleDouble::from_f64(3.0));
-    let doubled = Sample { t: 0.0, ..doubled };
+    let doubled = At { t: 0.0, ..doubled };
     interrupted_is_uninterrupted::<DoubleDouble, _, _>(&Taylor::order_40(), &dynamics, &doubled);
     let dynamics = DoublePendulum.dynamics();
-    let lanes = Sample {
+    let lanes = At {
         t: 0.0,
         ..start(|x| Lanes([x, 0.5 * x, x + 0.1, -x]))
     };
@@ -160,7 +160,7 @@ fn the_states_of_a_controller_are_stored() {
         controller: SVector::from([0.0]),
     };
     let dynamics = cart.with_controller(law);
-    let start = Sample { t: 0.0, x: phase };
+    let start = At { t: 0.0, x: phase };
     interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, &start);
 }
 

@@ -78,10 +78,7 @@ fn velocities_are_solved_for_by_the_factors_of_the_model() {
         let momenta = CART.momenta(&state);
         let found = CART.solved_velocities(&state, &momenta);
         assert_close("q̇", found.as_slice(), state.v.as_slice(), 1e-13);
-        let at_rest = State {
-            v: SVector::zeros(),
-            ..state
-        };
+        let at_rest = State::new(state.t, state.q, SVector::zeros());
         let right = momenta - CART.momenta(&at_rest);
         let expected = CART.mass_matrix(&state).lu().solve(&right).unwrap();
         assert_close("M⁻¹ (p − b)", found.as_slice(), expected.as_slice(), 1e-12);
@@ -273,11 +270,11 @@ fn the_rate_of_the_energy_is_that_along_the_motion() {
     for _ in 0..50 {
         let state: State<f64, 2> = random.state();
         let accelerations = CART.accelerations(&state);
-        let along = State {
-            t: Dual::new(state.t, 1.0),
-            q: SVector::from_fn(|i, _| Dual::new(state.q[i], state.v[i])),
-            v: SVector::from_fn(|i, _| Dual::new(state.v[i], accelerations[i])),
-        };
+        let along = State::new(
+            Dual::new(state.t, 1.0),
+            SVector::from_fn(|i, _| Dual::new(state.q[i], state.v[i])),
+            SVector::from_fn(|i, _| Dual::new(state.v[i], accelerations[i])),
+        );
         let expected = CART.energy(&along).derivative();
         assert_close("rate", &[CART.energy_rate(&state)], &[expected], 1e-12);
         let power = 0.6 * state.v[0] - 0.2 * state.v[1].powi(2);

@@ -5,13 +5,10 @@ use lagrangian::prelude::*;
 use crate::models::{BALL, Ball};
 
 pub(crate) fn program() -> Result<Vec<f64>, IntegrationError> {
-    let start = State::new(0.0, [0.0, 5.0], [1.0, 0.0]);
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Ball::FLOOR, Event::falling())]);
-    let motion = driver.sample_reacting(&mut BALL.dynamics(), start, &[2.6], |_, _, x, _| {
-        x.v[Ball::HEIGHT] *= -0.5;
-        Reaction::Changed
-    })?;
+    let motion = Problem::new(&BALL, State::new(0.0, [0.0, 5.0], [1.0, 0.0]))
+        .on(Ball::FLOOR)
+        .falling()
+        .then(|ball| ball.v[Ball::HEIGHT] *= -0.5)
+        .solve(2.6, Taylor::new())?;
     Ok(motion.events().iter().map(|event| event.t).collect())
 }

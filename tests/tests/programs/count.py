@@ -50,10 +50,10 @@ def mentioned(lines, names):
     return sorted((words & names) - OTHERS)
 
 
-def main():
-    names = public_names()
+def count(folder, names):
+    """Prints the programs of a folder."""
     total, all_names = 0, set()
-    files = sorted(path for path in HERE.glob("*.rs") if path.stem not in ("main", "models"))
+    files = sorted(path for path in folder.glob("*.rs") if path.stem not in ("main", "models", "before"))
     for path in files:
         lines = body(path.read_text(encoding="utf-8"))
         found = mentioned(lines, names)
@@ -61,6 +61,13 @@ def main():
         all_names.update(found)
         print(f"{path.stem:28} {len(lines):3} lines {len(found):3} names: {', '.join(found)}")
     print(f"{len(files)} programs, {total} lines, {len(all_names)} names: {', '.join(sorted(all_names))}")
+
+
+def main():
+    names = public_names()
+    for folder in (HERE / "before", HERE):
+        print(f"{folder.name}:")
+        count(folder, names)
 
 
 if __name__ == "__main__":

@@ -6,9 +6,11 @@ use crate::models::{TOP, Top};
 
 pub(crate) fn program() -> Result<[f64; 2], IntegrationError> {
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]);
-    let solution = Taylor::new().driver().solve(&TOP.dynamics(), start, 10.0)?;
+    let motion = Problem::new(&TOP, start)
+        .save(Dense)
+        .solve(10.0, Taylor::new())?;
     Ok([
-        solution.at(1.234)?.q[Top::THETA],
-        solution.at(9.87)?.q[Top::THETA],
+        motion.at(1.234)?.q[Top::THETA],
+        motion.at(9.87)?.q[Top::THETA],
     ])
 }

@@ -6,11 +6,9 @@ use crate::models::TOP;
 
 pub(crate) fn program(mut draw: impl FnMut(f64)) -> Result<(), IntegrationError> {
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]);
-    let dynamics = TOP.dynamics();
-    let mut running = Taylor::new().driver().start(&dynamics, start)?;
+    let mut run = Problem::new(&TOP, start).start(Taylor::new())?;
     for frame in 1..=600 {
-        running.advance_to(f64::from(frame) / 60.0)?;
-        draw(running.state().q[1]);
+        draw(run.advance(f64::from(frame) / 60.0)?.q[1]);
     }
     Ok(())
 }

@@ -1,7 +1,9 @@
-//! What a user asks of an integration: sixteen programs, each as short as the interface allows. `count.py` beside this file
-//! counts their lines and the names of the crate that they mention; the tests below compare what they compute.
+//! What a user asks of an integration: sixteen programs, each as short as the interface allows, and those by drivers in
+//! `before/`. `count.py` beside this file counts their lines and the names of the crate that they mention; the tests below
+//! compare what they compute.
 
 mod models;
+mod before;
 mod bounce;
 mod cancellation;
 mod checkpoint;
@@ -39,6 +41,34 @@ fn assert_close(found: f64, expected: f64, tolerance: f64) {
 fn a_top_keeps_its_energy_under_both_methods() {
     assert!(top::program().unwrap().abs() < 1e-14);
     assert!(other_method::program().unwrap().abs() < 1e-9);
+}
+
+/// Problems are integrated as by drivers, to the last bit; under the sampled controller steps go on from sample to sample.
+#[test]
+fn programs_by_drivers_compute_the_same() {
+    macro_rules! assert_equal {
+        ($($program:ident)*) => {$(
+            assert_eq!($program::program().unwrap(), before::$program::program().unwrap());
+        )*};
+    }
+    assert_equal!(bounce checkpoint dense ensemble events linear_quadratic_regulator other_method parameter_change);
+    assert_equal!(proportional_derivative samples signal top);
+    let [new, old] = [
+        sampled_controller::program,
+        before::sampled_controller::program,
+    ];
+    assert_close(new().unwrap(), old().unwrap(), 1e-7);
+    let (mut new, mut old) = (Vec::new(), Vec::new());
+    game_loop::program(|theta| new.push(theta)).unwrap();
+    before::game_loop::program(|theta| old.push(theta)).unwrap();
+    assert_eq!(new, old);
+    let never = AtomicBool::new(false);
+    let end = cancellation::program(&never, |_| ()).unwrap();
+    assert_close(
+        end,
+        before::cancellation::program(&never, |_| ()).unwrap(),
+        0.0,
+    );
 }
 
 /// The nutation from one start, however it is asked for.

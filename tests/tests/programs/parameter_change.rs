@@ -5,10 +5,7 @@ use lagrangian::prelude::*;
 use crate::models::Swing;
 
 pub(crate) fn program() -> Result<f64, IntegrationError> {
-    let start = State::new(0.0, [1.0], [0.0]);
-    let half = Taylor::new().integrate_to(&Swing { l: 1.0, g: 9.81 }.dynamics(), start, 5.0)?;
-    Ok(Taylor::new()
-        .integrate_to(&Swing { l: 0.5, g: 9.81 }.dynamics(), &half, 10.0)?
-        .x
-        .q[0])
+    let swing = |l, start, end| Problem::new(Swing { l, g: 9.81 }, start).solve(end, Taylor::new());
+    let half = swing(1.0, State::new(0.0, [1.0], [0.0]), 5.0)?;
+    Ok(swing(0.5, half.last, 10.0)?.q[0])
 }

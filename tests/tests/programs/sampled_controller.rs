@@ -5,16 +5,17 @@ use lagrangian::prelude::*;
 use crate::models::PENDULUM;
 
 pub(crate) fn program() -> Result<f64, IntegrationError> {
-    let (mut motor, mut integral) = (PENDULUM, 0.0);
-    let mut state = State::new(0.0, [0.0], [0.0]);
+    let start = State::new(0.0, [0.0], [0.0]);
+    let mut run = Problem::new(PENDULUM, start).start(Dop853::new())?;
+    let mut integral = 0.0;
     for k in 1..=10_000 {
-        let error = 1.0 - state.q[0];
-        integral += 1e-3 * error;
-        motor.torque = 50.0 * error + 100.0 * integral - 15.0 * state.v[0];
-        let end = 1e-3 * f64::from(k);
-        state = Dop853::new()
-            .integrate_to(&motor.dynamics(), state, end)?
-            .state();
+        run.change(|x, motor| {
+            let error = 1.0 - x.q[0];
+            integral += 1e-3 * error;
+            let torque = 50.0 * error + 100.0 * integral - 15.0 * x.v[0];
+            motor.change(|motor| motor.torque = torque);
+        })?;
+        run.advance(1e-3 * f64::from(k))?;
     }
-    Ok(state.q[0])
+    Ok(run.state().q[0])
 }

@@ -6,14 +6,7 @@ use lagrangian::prelude::*;
 use crate::models::PENDULUM;
 
 pub(crate) fn program() -> Result<f64, IntegrationError> {
-    let torque = Sinusoid {
-        amplitude: 0.5,
-        angular_frequency: 2.0,
-        phase: 0.0,
-    };
-    let driven = PENDULUM.driven_by([torque]);
-    Ok(Taylor::new()
-        .integrate_to(&driven, State::new(0.0, [0.0], [0.0]), 10.0)?
-        .x
-        .q[0])
+    let driven =
+        Problem::new(&PENDULUM, State::new(0.0, [0.0], [0.0])).driven_by([Sinusoid::new(0.5, 2.0)]);
+    Ok(driven.solve(10.0, Taylor::new())?.q[0])
 }

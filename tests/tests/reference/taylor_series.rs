@@ -96,11 +96,11 @@ forces! {
 
 /// A state at t = 0.7 with a velocity.
 fn plane(q: [f64; 2]) -> State<DoubleDouble, 2> {
-    State {
-        t: DoubleDouble::from_f64(0.7),
-        q: q.map(DoubleDouble::from_f64).into(),
-        v: [0.4, -0.9].map(DoubleDouble::from_f64).into(),
-    }
+    State::new(
+        DoubleDouble::from_f64(0.7),
+        q.map(DoubleDouble::from_f64).into(),
+        [0.4, -0.9].map(DoubleDouble::from_f64).into(),
+    )
 }
 
 #[test]
@@ -135,11 +135,11 @@ fn systems_that_are_solved_numerically_have_series() {
         })
     };
     let exact = |values: [f64; 9]| values.map(DoubleDouble::from_f64);
-    let state = State {
-        t: DoubleDouble::from_f64(0.7),
-        q: exact(values(0.8)).into(),
-        v: exact(values(-0.6)).into(),
-    };
+    let state = State::new(
+        DoubleDouble::from_f64(0.7),
+        exact(values(0.8)).into(),
+        exact(values(-0.6)).into(),
+    );
     let mut figures = Figures::new();
     let residual = residual(&Coupled { m: 1.3 }, state);
     figures.record("residual", "nine coupled angles", residual, TOLERANCE);
@@ -181,11 +181,11 @@ fn quasi_velocities_in_a_moving_frame_have_series() {
         rate: -0.8,
     };
     let exact = |values: [f64; 3]| values.map(DoubleDouble::from_f64);
-    let state = State {
-        t: DoubleDouble::from_f64(0.7),
-        q: exact([0.4, -2.1, 1.3]).into(),
-        v: exact([0.9, -0.5, 2.2]).into(),
-    };
+    let state = State::new(
+        DoubleDouble::from_f64(0.7),
+        exact([0.4, -2.1, 1.3]).into(),
+        exact([0.9, -0.5, 2.2]).into(),
+    );
     let mut figures = Figures::new();
     figures.record("residual", "rotor", residual(&rotor, state), TOLERANCE);
     figures.finish();
@@ -214,11 +214,11 @@ where
 
 fn point<const N: usize>(state: &Value) -> State<DoubleDouble, N> {
     let exact = |values: [f64; N]| values.map(DoubleDouble::from_f64);
-    State {
-        t: DoubleDouble::from_f64(number(&state["t"])),
-        q: exact(array(&state["q"])).into(),
-        v: exact(array(&state["qd"])).into(),
-    }
+    State::new(
+        DoubleDouble::from_f64(number(&state["t"])),
+        exact(array(&state["q"])).into(),
+        exact(array(&state["qd"])).into(),
+    )
 }
 
 /// The greatest difference between the derivative of the polynomial and that of the equations, relative to the latter.

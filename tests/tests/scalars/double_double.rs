@@ -119,11 +119,11 @@ fn two_declarations_of_one_pendulum_agree_to_twice_the_digits() {
         let bent = BentPendulum { m1, m2, l1, l2, g };
         let state: State<DoubleDouble, 2> = on(&state(index));
         // β = α + bend.
-        let relative = State {
-            t: state.t,
-            q: SVector::from([state.q[0], state.q[1] - state.q[0]]),
-            v: SVector::from([state.v[0], state.v[1] - state.v[0]]),
-        };
+        let relative = State::new(
+            state.t,
+            SVector::from([state.q[0], state.q[1] - state.q[0]]),
+            SVector::from([state.v[0], state.v[1] - state.v[0]]),
+        );
         let [alpha, beta]: [DoubleDouble; 2] = pendulum.accelerations(&state).into();
         let found: [DoubleDouble; 2] = bent.accelerations(&relative).into();
         let error = distance(&found, &[alpha, beta - alpha]);

@@ -166,11 +166,11 @@ fn moving<const N: usize>(
     q: &SVector<f64, N>,
     v: &SVector<f64, N>,
 ) -> State<Dual, N> {
-    State {
-        t: Dual::new(at.t, [t]),
-        q: at.q.zip_map(q, |x, rate| Dual::new(x, [rate])),
-        v: at.v.zip_map(v, |x, rate| Dual::new(x, [rate])),
-    }
+    State::new(
+        Dual::new(at.t, [t]),
+        at.q.zip_map(q, |x, rate| Dual::new(x, [rate])),
+        at.v.zip_map(v, |x, rate| Dual::new(x, [rate])),
+    )
 }
 
 /// The matrix whose columns are the derivatives of what `column` gives.

@@ -20,11 +20,11 @@ fn lanes<const P: usize>(of_lane: impl Fn(usize) -> [f64; P]) -> [Lanes; P] {
 
 /// States of which each lane has its own.
 fn states<const N: usize>(of_lane: impl Fn(usize) -> State<f64, N>) -> State<Lanes, N> {
-    State {
-        t: Lanes::from_fn(|lane| of_lane(lane).t),
-        q: SVector::from_fn(|i, _| Lanes::from_fn(|lane| of_lane(lane).q[i])),
-        v: SVector::from_fn(|i, _| Lanes::from_fn(|lane| of_lane(lane).v[i])),
-    }
+    State::new(
+        Lanes::from_fn(|lane| of_lane(lane).t),
+        SVector::from_fn(|i, _| Lanes::from_fn(|lane| of_lane(lane).q[i])),
+        SVector::from_fn(|i, _| Lanes::from_fn(|lane| of_lane(lane).v[i])),
+    )
 }
 
 /// The same operations in the same order are done on each lane, and round alike.

@@ -147,11 +147,11 @@ pub(crate) fn state<const N: usize>(index: usize) -> State<f64, N> {
 
 /// The state on another scalar.
 pub(crate) fn on<S: Scalar, const N: usize>(state: &State<f64, N>) -> State<S, N> {
-    State {
-        t: S::from_f64(state.t),
-        q: state.q.map(S::from_f64),
-        v: state.v.map(S::from_f64),
-    }
+    State::new(
+        S::from_f64(state.t),
+        state.q.map(S::from_f64),
+        state.v.map(S::from_f64),
+    )
 }
 
 /// Models that are made from as many numbers as they have parameters.

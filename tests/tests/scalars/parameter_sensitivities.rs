@@ -97,11 +97,11 @@ fn coupled<T: Scalar>(values: [T; 10]) -> Coupled<T> {
 }
 
 fn on<S: Scalar, const N: usize>(state: &State<f64, N>) -> State<S, N> {
-    State {
-        t: S::from_f64(state.t),
-        q: state.q.map(S::from_f64),
-        v: state.v.map(S::from_f64),
-    }
+    State::new(
+        S::from_f64(state.t),
+        state.q.map(S::from_f64),
+        state.v.map(S::from_f64),
+    )
 }
 
 /// Compares the columns with the derivatives of q̈ by the first `P` of some parameters, on dual numbers and by differences.

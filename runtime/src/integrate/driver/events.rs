@@ -1,6 +1,7 @@
 //! Events, and integrations with reactions to them.
 
 use super::Driver;
+use crate::integrate::at::InitialValue;
 use crate::integrate::collector::Uncollected;
 #[cfg(feature = "alloc")]
 use crate::integrate::dense_output::DenseOutput;
@@ -15,7 +16,6 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::reacting::Reacting;
-use crate::integrate::sample::InitialValue;
 use crate::integrate::stop_condition::{Extensible, StopCondition};
 #[cfg(feature = "alloc")]
 use crate::integrate::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
@@ -176,7 +176,7 @@ impl<I, C, O> Driver<I, C, O> {
         O: Observer<D::State>,
         F: FnMut(usize, S, &mut D::State, &mut D) -> Reaction,
     {
-        let initial = initial.into_sample();
+        let initial = initial.into_initial();
         let mut system = Reacting { dynamics, reaction };
         let (outcome, result) = self.run_parts(&mut system, &initial, &[end], &mut Uncollected);
         result.map(|()| outcome)

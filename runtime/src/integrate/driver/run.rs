@@ -1,6 +1,7 @@
 //! What a driver does before the first step, and how it goes on.
 
 use super::Driver;
+use crate::integrate::at::At;
 use crate::integrate::collector::Collector;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
@@ -12,7 +13,6 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::{Outcome, StopReason};
 use crate::integrate::reacting::{React, Unreacting};
-use crate::integrate::sample::Sample;
 use crate::integrate::stepper::{Advance as _, Stepper as _, checked_state};
 use crate::integrate::stop_condition::StopCondition;
 use crate::limits::MIN_SINGULARITY_TOLERANCE;
@@ -23,7 +23,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn run<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
         dynamics: &D,
-        initial: &Sample<D::State>,
+        initial: &At<f64, D::State>,
         times: &[f64],
         collector: &mut dyn Collector<S, D, I::Stepper>,
     ) -> (Outcome<D::State>, Result<(), IntegrationError>)
@@ -39,7 +39,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn run_parts<S: Scalar, D: Dynamics<S> + ?Sized>(
         &mut self,
         system: &mut impl React<S, D>,
-        initial: &Sample<D::State>,
+        initial: &At<f64, D::State>,
         times: &[f64],
         collector: &mut dyn Collector<S, D, I::Stepper>,
     ) -> (Outcome<D::State>, Result<(), IntegrationError>)
@@ -73,7 +73,7 @@ impl<I, C, O> Driver<I, C, O> {
         O: Observer<D::State>,
     {
         let (t, x) = (stepper.time(), stepper.state().clone());
-        let mut outcome = Outcome::at(Sample { t, x });
+        let mut outcome = Outcome::at(At { t, x });
         let begun = memory.take();
         let mut known =
             begun.unwrap_or_else(|| self.condition.begin(system.dynamics(), t, &outcome.last.x));
@@ -169,7 +169,7 @@ impl<I, C, O> Driver<I, C, O> {
         C: StopCondition<S, D>,
     {
         let step = stepper.time() - stepper.previous_time();
-        let Sample { t, mut x } = LastStep::new(system.dynamics(), stepper).at(occurring.t);
+        let At { t, mut x } = LastStep::new(system.dynamics(), stepper).at(occurring.t);
         let here = S::from_f64(t);
         let mut all = Reaction::Unchanged;
         for event in occurring.events.indices() {
@@ -210,7 +210,7 @@ impl<I, C, O> Driver<I, C, O> {
     {
         let step = stepper.time() - stepper.previous_time();
         let (t, x) = (occurring.t, x.clone());
-        self.check_state(dynamics, &Sample { t, x: x.clone() })?;
+        self.check_state(dynamics, &At { t, x: x.clone() })?;
         stepper.restart_at(dynamics, t, x.clone())?;
         let condition = &mut self.condition;
         Ok(condition.restart(memory, dynamics, occurring, &x, step))
@@ -221,7 +221,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn begin<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
-        initial: &Sample<D::State>,
+        initial: &At<f64, D::State>,
     ) -> Result<I::Stepper, IntegrationError>
     where
         I: Integrator<S, D>,
@@ -236,7 +236,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn check_state<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
         dynamics: &D,
-        initial: &Sample<D::State>,
+        initial: &At<f64, D::State>,
     ) -> Result<(), IntegrationError>
     where
         I: Integrator<S, D>,

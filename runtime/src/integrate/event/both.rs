@@ -3,10 +3,10 @@
 use super::memory::Remembers;
 use super::met_conditions::MetConditions;
 use super::{Detection, LastStep, Occurring};
+use crate::integrate::at::At;
 use crate::integrate::checkpoint::EventSigns;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::sample::Sample;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
@@ -148,7 +148,7 @@ where
         &mut self,
         memory: &mut Self::Memory,
         step: &mut LastStep<'_, S, D, T>,
-        here: &Sample<D::State>,
+        here: &At<f64, D::State>,
         pending: Option<Occurring>,
     ) -> MetConditions {
         let count = A::COUNT;

@@ -6,8 +6,8 @@ use super::met_conditions::MetConditions;
 use super::sides::Sides;
 use super::values::Values;
 use super::{EventFunctions, LastStep, Occurring};
+use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
-use crate::integrate::sample::Sample;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::BETWEEN;
 use crate::scalar::Scalar;
@@ -71,7 +71,7 @@ impl<V: Values> Memory<V> {
         &mut self,
         source: &mut G,
         step: &mut LastStep<'_, S, D, T>,
-        here: &Sample<D::State>,
+        here: &At<f64, D::State>,
         pending: Option<Occurring>,
     ) -> MetConditions
     where

@@ -4,9 +4,9 @@ use super::memory::{Memory, Remembers};
 use super::met_conditions::MetConditions;
 use super::values::Values;
 use super::{Event, LastStep, sampling};
+use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::sample::Sample;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
@@ -70,7 +70,7 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         &mut self,
         memory: &mut Self::Memory,
         step: &mut LastStep<'_, S, D, T>,
-        here: &Sample<D::State>,
+        here: &At<f64, D::State>,
         pending: Option<Occurring>,
     ) -> MetConditions {
         let _ = (memory, step, here, pending);
@@ -172,7 +172,7 @@ macro_rules! detection_by_functions {
             &mut self,
             memory: &mut Self::Memory,
             step: &mut $crate::integrate::event::LastStep<'_, $scalar, $dynamics, T>,
-            here: &$crate::integrate::sample::Sample<$dynamics::State>,
+            here: &$crate::integrate::at::At<f64, $dynamics::State>,
             pending: Option<$crate::integrate::event::Occurring>,
         ) -> $crate::integrate::event::MetConditions {
             memory.close(self, step, here, pending)

@@ -46,6 +46,34 @@ pub trait EventDynamics<S: Scalar>: Dynamics<S> {
 }
 
 /// The sizes of coordinates are nothing to events.
+impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
+    type Values = D::Values;
+
+    fn names(&self) -> &'static [&'static str] {
+        (**self).names()
+    }
+
+    fn branches(&self, event: usize) -> &'static [usize] {
+        (**self).branches(event)
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &D::State) -> D::Values {
+        (**self).event_functions(t, x)
+    }
+
+    #[inline]
+    fn event_series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &D::State,
+        unit: S,
+        motion: &TaylorCoefficients<D::State, HALF>,
+    ) -> Option<TaylorCoefficients<D::Values, HALF>> {
+        (**self).event_series(t, x, unit, motion)
+    }
+}
+
 impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_, D, D::State> {
     type Values = D::Values;
 

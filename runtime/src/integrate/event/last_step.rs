@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
+use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
-use crate::integrate::sample::Sample;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::TIME_RESOLUTION;
@@ -61,13 +61,13 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
     }
 
     /// The sample at a time within the step.
-    pub(crate) fn at(&mut self, t: f64) -> Sample<D::State> {
+    pub(crate) fn at(&mut self, t: f64) -> At<f64, D::State> {
         let x = if t - self.stepper.time() == 0.0 {
             self.stepper.state().clone()
         } else {
             self.stepper.interpolate(self.dynamics, t)
         };
-        Sample { t, x }
+        At { t, x }
     }
 
     /// The shortest time that is safely distinguishable at `t`.

@@ -2,7 +2,7 @@
 
 use super::polynomial::{Polynomial, Root};
 use super::{DeclaredEvents, EventDynamics, SingleNumber};
-use crate::integrate::sample::Sample;
+use crate::integrate::at::At;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
 use crate::limits::events::{MOVED_EPSILONS, UNCERTAINTY};
@@ -104,7 +104,7 @@ pub(super) struct Search<'a, D: ?Sized, X, const K: usize> {
     pub(super) events: &'a DeclaredEvents<K>,
     pub(super) dynamics: &'a D,
     /// Where the window begins.
-    pub(super) from: &'a Sample<X>,
+    pub(super) from: &'a At<f64, X>,
     /// Where it ends at the latest.
     pub(super) end: f64,
     /// How short it may become.
@@ -129,7 +129,7 @@ where
         unit: f64,
         motion: &TaylorCoefficients<D::State, HALF>,
     ) -> Self::Output {
-        let Sample { t: begin, x } = self.from;
+        let At { t: begin, x } = self.from;
         let offset = (begin - t) / unit;
         let shifted = (offset != 0.0).then(|| motion.shifted(S::from_f64(offset)));
         let motion = shifted.as_ref().unwrap_or(motion);

@@ -5,9 +5,9 @@ mod running;
 pub(crate) use running::Running;
 
 use super::{Series, Taylor};
+use crate::integrate::at::InitialValue;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::outcome::Outcome;
-use crate::integrate::sample::InitialValue;
 use crate::limits::taylor::SINGULARITY_TOLERANCE;
 use crate::limits::{MAX_STEPS, MIN_SINGULARITY_TOLERANCE};
 use crate::linalg::LaneStates;
@@ -134,7 +134,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
         I: InitialValue<Lane<D, L>>,
     {
         let mut running = Running::new(self, motions.into_iter(), report);
-        while running.fill(|_, (initial, end)| (initial.into_sample(), end)) {
+        while running.fill(|_, (initial, end)| (initial.into_initial(), end)) {
             running.advance(dynamics);
         }
     }

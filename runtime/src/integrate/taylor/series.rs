@@ -51,6 +51,34 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
     }
 }
 
+impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
+    #[inline]
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        (**self).series(t, x, unit, coefficients);
+    }
+
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        (**self).branches(t, x, unit, motion, visit);
+    }
+
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        (**self).switching_function(index)
+    }
+}
+
 /// What is known of a switching function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SwitchingFunction {

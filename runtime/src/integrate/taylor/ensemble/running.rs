@@ -3,10 +3,10 @@
 use core::iter::Fuse;
 
 use super::Ensemble;
+use crate::integrate::at::At;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::event::MetConditions;
 use crate::integrate::outcome::{Outcome, StopReason};
-use crate::integrate::sample::Sample;
 use crate::integrate::taylor::{Series, TaylorLanes};
 use crate::linalg::{LaneStates, VectorSpace};
 use crate::scalar::Lanes;
@@ -48,7 +48,7 @@ where
     /// Gives each free lane a motion, whose initial value and final time `begin` tells. False when all motions have ended.
     pub(crate) fn fill(
         &mut self,
-        mut begin: impl FnMut(usize, I::Item) -> (Sample<X::Lane>, f64),
+        mut begin: impl FnMut(usize, I::Item) -> (At<f64, X::Lane>, f64),
     ) -> bool {
         for lane in 0..L {
             if self.motions[lane].is_some() {
@@ -139,7 +139,7 @@ where
         };
         let x = stepper.state(lane);
         Some(Ok(Outcome {
-            last: Sample { t, x },
+            last: At { t, x },
             reason,
             met: MetConditions::default(),
             occurred: MetConditions::default(),

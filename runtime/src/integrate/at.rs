@@ -1,0 +1,102 @@
+//! A state at a time, for any dynamics.
+
+use core::ops::{Deref, DerefMut};
+
+use crate::scalar::Scalar;
+
+/// A state `x` at a time `t`: an initial value, a sample, a final state.
+///
+/// Its fields are the time and those of `x`. That of a mechanical system is a [`State`](crate::State), with the fields
+/// `t`, `q` and `v`; of other dynamics it is made from a pair:
+///
+/// ```
+/// use lagrangian::nalgebra::SVector;
+/// use lagrangian::{At, State};
+///
+/// let pendulum = State::new(0.0, [0.5], [0.0]);
+/// assert_eq!(pendulum.q[0], 0.5);
+/// let decay = At::from((0.0, SVector::from([1.0])));
+/// assert_eq!(decay[0], 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct At<S, X> {
+    /// Time.
+    pub t: S,
+    /// The state at that time.
+    pub x: X,
+}
+
+impl<S, X> Deref for At<S, X> {
+    type Target = X;
+
+    #[inline]
+    fn deref(&self) -> &X {
+        &self.x
+    }
+}
+
+impl<S, X> DerefMut for At<S, X> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut X {
+        &mut self.x
+    }
+}
+
+impl<X> At<f64, X> {
+    /// With the time as a number of the scalar of the state.
+    #[inline]
+    pub(crate) fn on_scalar<S: Scalar>(self) -> At<S, X> {
+        At {
+            t: S::from_f64(self.t),
+            x: self.x,
+        }
+    }
+}
+
+impl<S, X> From<(S, X)> for At<S, X> {
+    fn from((t, x): (S, X)) -> Self {
+        Self { t, x }
+    }
+}
+
+impl<S: Clone, X: Clone> From<&At<S, X>> for At<S, X> {
+    fn from(state: &Self) -> Self {
+        state.clone()
+    }
+}
+
+/// The initial value of an integration: a state at a time ([`At`], [`State`](crate::State)), or a pair of a time and a
+/// state.
+#[diagnostic::on_unimplemented(
+    message = "an integration of `{X}` does not begin at `{Self}`",
+    label = "this is no state of the system",
+    note = "a mechanical system with `N` coordinates begins at a `State<S, N>`, of `N` coordinates and as many \
+            velocities, and under `with_controller` at a pair with the states of the controller, `(state, [0.0])`; \
+            under a control law `S` is `f64`, unless the struct has a type parameter or its declaration `scalar = f32`; \
+            other dynamics begin at a pair `(t, x)`"
+)]
+pub trait InitialValue<X> {
+    /// The state at a time that is one number: NaN where the lanes of a time differ.
+    fn into_initial(self) -> At<f64, X>;
+}
+
+impl<S: Scalar, X> InitialValue<X> for At<S, X> {
+    fn into_initial(self) -> At<f64, X> {
+        let (least, most) = (self.t.smallest(), self.t.largest());
+        let t = if least < most { f64::NAN } else { least };
+        At { t, x: self.x }
+    }
+}
+
+impl<S: Scalar, X: Clone> InitialValue<X> for &At<S, X> {
+    fn into_initial(self) -> At<f64, X> {
+        self.clone().into_initial()
+    }
+}
+
+impl<X> InitialValue<X> for (f64, X) {
+    fn into_initial(self) -> At<f64, X> {
+        self.into()
+    }
+}

@@ -1,0 +1,260 @@
+//! Initial value problems: what is integrated, what is watched and kept on the way, and what limits it.
+//!
+//! Input: dynamics and an initial state, then settings in any order, then a method. Output: a solution, or an error with the
+//! solution up to there. Without the feature `alloc` only the end is kept.
+
+mod keep;
+mod reaction;
+mod run;
+mod solution;
+mod system;
+mod watch;
+
+#[cfg(feature = "alloc")]
+pub use keep::{Dense, Every, Steps};
+pub use keep::{End, Keep};
+pub use run::Run;
+pub use solution::{Solution, Unfinished};
+pub use system::{ByDynamics, System};
+pub use watch::When;
+
+use core::marker::PhantomData;
+
+use super::at::At;
+use super::driver::Driver;
+use super::dynamics::Dynamics;
+use super::integrator::Integrator;
+use super::observer::{EachStep, Flow, Observer, Observers, Progress, Unobserved};
+use super::outcome::Outcome;
+use super::stop_condition::{Extensible, StopCondition, Unconditional};
+use crate::limits::MAX_STEPS;
+use crate::scalar::Scalar;
+use keep::Collecting;
+use reaction::{Changing, Reactions};
+
+/// An initial value problem: dynamics with an initial state, and what is asked of their integration.
+///
+/// It is made from a model, or from any [`Dynamics`], and the state at which it begins. Then come settings in any order:
+/// events ([`when`](Self::when), [`on`](Self::on)), conditions ([`stop_when`](Self::stop_when)), observers
+/// ([`each_step`](Self::each_step)), what is kept ([`save`](Self::save)), limits. Each counts, none takes the place of another.
+/// [`solve`](Self::solve) integrates by a method.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     taylor,
+///     coordinates(height),
+///     kinetic = 0.5 * m * dot(height).powi(2),
+///     potential = m * g * height,
+///     event(floor = height),
+/// )]
+/// struct Ball { m: f64, g: f64 }
+///
+/// let ball = Ball { m: 0.1, g: 10.0 };
+/// let start = State::new(0.0, [5.0], [0.0]);
+/// // It falls for 1 s, and for 1 s from bounce to bounce, ½ s, ¼ s, …
+/// let motion = Problem::new(&ball, start)
+///     .on(Ball::FLOOR).falling().then(|ball| ball.v[0] *= -0.5)
+///     .when(|ball| ball.v[0]).falling().record()
+///     .save(Every(0.1))
+///     .solve(2.3, Taylor::new())?;
+/// let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
+/// for (found, expected) in times.iter().zip([1.0, 1.5, 2.0, 2.25]) {
+///     assert!((found - expected).abs() < 1e-14);
+/// }
+/// assert_eq!(motion.samples().len(), 24);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[must_use = "a problem is integrated by `solve`"]
+#[derive(Clone, Debug)]
+pub struct Problem<S, D, K = End, C = Unconditional, R = (), O = Unobserved>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+{
+    dynamics: D,
+    start: At<f64, D::State>,
+    conditions: C,
+    reactions: R,
+    /// How many conditions and events there are.
+    count: usize,
+    observer: O,
+    keep: K,
+    max_steps: u64,
+    singularity_tolerance: Option<f64>,
+    scalar: PhantomData<S>,
+}
+
+impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
+    /// The problem of a model, `Problem::new(&model, start)`, or of [`Dynamics`], from an initial state on.
+    pub fn new<Y, Kind>(system: Y, start: At<S, D::State>) -> Self
+    where
+        Y: System<Kind, S, Dynamics = D, State = D::State>,
+    {
+        Self {
+            dynamics: system.into_dynamics(),
+            start: system::initial(start),
+            conditions: Unconditional,
+            reactions: (),
+            count: 0,
+            observer: Unobserved,
+            keep: End,
+            max_steps: MAX_STEPS,
+            singularity_tolerance: None,
+            scalar: PhantomData,
+        }
+    }
+}
+
+impl<S: Scalar, D: Dynamics<S>, K> Problem<S, D, K> {
+    /// The problem of other dynamics, before anything is watched for.
+    pub(crate) fn with_dynamics<E: Dynamics<S>>(
+        self,
+        change: impl FnOnce(D, At<f64, D::State>) -> (E, At<f64, E::State>),
+    ) -> Problem<S, E, K> {
+        let (dynamics, start) = change(self.dynamics, self.start);
+        Problem {
+            dynamics,
+            start,
+            conditions: self.conditions,
+            reactions: self.reactions,
+            count: self.count,
+            observer: self.observer,
+            keep: self.keep,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
+            scalar: PhantomData,
+        }
+    }
+}
+
+impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
+    /// Limits the number of steps, rejected ones included: 10⁸ by default. Then the integration ends by
+    /// [`StopReason::StepLimit`](crate::StopReason::StepLimit).
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.max_steps = steps;
+        self
+    }
+
+    /// Sets the relative error of the accelerations at which the integration ends near a singularity of the mass matrix: the
+    /// machine epsilon over the smallest relative pivot. Infinity turns the check off.
+    ///
+    /// The default is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps, but not below 4096
+    /// machine epsilons, since the pivots of regular models are small, too.
+    pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
+        self.singularity_tolerance = Some(tolerance);
+        self
+    }
+
+    /// Calls `observer` at every sample, at every event and at the end of every step. It returns nothing, or
+    /// `ControlFlow::Break(())` where the integration is to end. Of several observers each is called, in the order in which they
+    /// are set, also where one before it stops.
+    pub fn each_step<F, A>(self, observer: F) -> Problem<S, D, K, C, R, Observers<O, EachStep<F>>>
+    where
+        F: FnMut(&Progress<'_, D::State>) -> A,
+        A: Flow,
+    {
+        let observer = EachStep(observer);
+        Problem {
+            dynamics: self.dynamics,
+            start: self.start,
+            conditions: self.conditions,
+            reactions: self.reactions,
+            count: self.count,
+            observer: Observers::new(self.observer, observer),
+            keep: self.keep,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
+            scalar: PhantomData,
+        }
+    }
+
+    /// Conditions and a reaction behind those that there are.
+    fn with<E, A>(
+        self,
+        conditions: E,
+        reaction: impl FnOnce(R, usize) -> A,
+    ) -> Problem<S, D, K, C::With<E>, A, O>
+    where
+        C: Extensible,
+        E: StopCondition<S, D>,
+    {
+        Problem {
+            dynamics: self.dynamics,
+            start: self.start,
+            conditions: self.conditions.with(conditions),
+            reactions: reaction(self.reactions, self.count),
+            count: self.count + E::COUNT,
+            observer: self.observer,
+            keep: self.keep,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
+            scalar: PhantomData,
+        }
+    }
+
+    /// Integrates by a method until the time `end`, which may lie before the start, or until an event, a condition or an
+    /// observer stops.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`](crate::IntegrationError), with the solution up to there.
+    pub fn solve<I>(
+        mut self,
+        end: f64,
+        method: I,
+    ) -> Result<Solution<S, D::State, K::Kept>, Unfinished<Solution<S, D::State, K::Kept>>>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+        R: Reactions<S, D>,
+        O: Observer<D::State>,
+        K: Keep<S, D, I::Stepper>,
+    {
+        let mut driver = Driver::of_parts(method, self.conditions, self.observer)
+            .max_steps(self.max_steps)
+            .with_singularity_tolerance(self.singularity_tolerance);
+        let mut begun = self.keep.begin(&self.start, end);
+        let mut collector = Collecting::new(&mut begun.collection);
+        let mut system = Changing {
+            dynamics: &mut self.dynamics,
+            reactions: &mut self.reactions,
+        };
+        let (outcome, result) = match begun.checked {
+            Ok(()) => driver.run_parts(
+                &mut system,
+                &self.start,
+                begun.times.as_ref(),
+                &mut collector,
+            ),
+            Err(error) => (Outcome::at(self.start), Err(error)),
+        };
+        let events = collector.events;
+        let solution = Solution::new(K::finish(begun.collection, &outcome), events, outcome);
+        match result {
+            Ok(()) => Ok(solution),
+            Err(error) => Err(Unfinished::new(error, solution)),
+        }
+    }
+}
+
+impl<S: Scalar, D: Dynamics<S>, C, R, O> Problem<S, D, End, C, R, O> {
+    /// What is kept of the motion besides its end and its events: samples ([`Every`], a list of times, [`Steps`]), or
+    /// all of it ([`Dense`]).
+    pub fn save<K>(self, keep: K) -> Problem<S, D, K, C, R, O> {
+        Problem {
+            dynamics: self.dynamics,
+            start: self.start,
+            conditions: self.conditions,
+            reactions: self.reactions,
+            count: self.count,
+            observer: self.observer,
+            keep,
+            max_steps: self.max_steps,
+            singularity_tolerance: self.singularity_tolerance,
+            scalar: PhantomData,
+        }
+    }
+}

@@ -1,0 +1,350 @@
+//! What is kept of a motion.
+
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+use super::solution::Events;
+use crate::integrate::at::At;
+use crate::integrate::collector::{Collector, Uncollected};
+#[cfg(feature = "alloc")]
+use crate::integrate::dense_output::DenseOutput;
+#[cfg(feature = "alloc")]
+use crate::integrate::dense_solution::{DenseSolution, Segments};
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+#[cfg(feature = "alloc")]
+use crate::integrate::event::Occurrence;
+use crate::integrate::outcome::Outcome;
+#[cfg(feature = "alloc")]
+use crate::integrate::stepper::Advance;
+use crate::scalar::Scalar;
+
+/// What [`Problem::save`](crate::Problem::save) takes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is nothing that is kept of a motion",
+    note = "`Every(0.01)`, a list of times, `Steps` or `Dense`"
+)]
+pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Sized {
+    /// What is kept.
+    type Kept;
+    /// The times of samples, and the end.
+    #[doc(hidden)]
+    type Times: AsRef<[f64]>;
+    #[doc(hidden)]
+    type Collection: Collector<S, D, T>;
+
+    /// The times up to the end, and what collects.
+    #[doc(hidden)]
+    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Self::Times, Self::Collection>;
+
+    #[doc(hidden)]
+    fn finish(collection: Self::Collection, outcome: &Outcome<D::State>) -> Self::Kept;
+}
+
+/// How a collection begins.
+#[derive(Debug)]
+pub struct Begun<T, C> {
+    /// The times of samples, and the end.
+    pub(super) times: T,
+    pub(super) collection: C,
+    /// An error if the settings are invalid.
+    pub(super) checked: Result<(), IntegrationError>,
+}
+
+impl<T, C> Begun<T, C> {
+    fn valid(times: T, collection: C) -> Self {
+        Self {
+            times,
+            collection,
+            checked: Ok(()),
+        }
+    }
+}
+
+/// Nothing but the end.
+#[derive(Clone, Copy, Debug)]
+pub struct End;
+
+impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for End {
+    type Kept = ();
+    type Times = [f64; 1];
+    type Collection = Uncollected;
+
+    fn begin(self, _: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Uncollected> {
+        Begun::valid([end], Uncollected)
+    }
+
+    fn finish(_: Uncollected, _: &Outcome<D::State>) {}
+}
+
+/// Samples at the start and every so often: at t₀, t₀ + Δt, … up to the end.
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug)]
+pub struct Every(pub f64);
+
+/// Samples at the start and at the end of each step.
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug)]
+pub struct Steps;
+
+/// The whole motion: it can be asked at any time, `solution.at(t)`.
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug)]
+pub struct Dense;
+
+/// Samples, of which so many are asked for.
+#[cfg(feature = "alloc")]
+#[derive(Debug)]
+pub struct Samples<S, X> {
+    samples: Vec<At<S, X>>,
+    wanted: usize,
+}
+
+#[cfg(feature = "alloc")]
+impl<S: Scalar, D: Dynamics<S>, T> Collector<S, D, T> for Samples<S, D::State> {
+    fn sample(&mut self, sample: &At<f64, D::State>) {
+        if self.samples.len() < self.wanted {
+            self.samples.push(sample.clone().on_scalar());
+        }
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, D, T> Keep<S, D, T> for Vec<f64>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+{
+    type Kept = Vec<At<S, D::State>>;
+    type Times = Self;
+    type Collection = Samples<S, D::State>;
+
+    fn begin(mut self, start: &At<f64, D::State>, end: f64) -> Begun<Self, Samples<S, D::State>> {
+        let span = start.t.min(end)..=start.t.max(end);
+        let outside = self.iter().find(|time| !span.contains(*time));
+        let checked = match outside {
+            Some(&time) if time.is_finite() => Err(IntegrationError::OutsideSpan {
+                time,
+                start: start.t,
+                end,
+            }),
+            _ => Ok(()),
+        };
+        let samples = Samples {
+            samples: Vec::with_capacity(self.len()),
+            wanted: self.len(),
+        };
+        self.push(end);
+        Begun {
+            times: self,
+            collection: samples,
+            checked,
+        }
+    }
+
+    fn finish(collection: Samples<S, D::State>, _: &Outcome<D::State>) -> Self::Kept {
+        collection.samples
+    }
+}
+
+/// Further lists of times.
+#[cfg(feature = "alloc")]
+macro_rules! lists_of_times {
+    ($([$($parameter:tt)*] $list:ty;)*) => {$(
+        impl<S: Scalar, D: Dynamics<S>, T, $($parameter)*> Keep<S, D, T> for $list {
+            type Kept = Vec<At<S, D::State>>;
+            type Times = Vec<f64>;
+            type Collection = Samples<S, D::State>;
+
+            fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Vec<f64>, Self::Collection> {
+                Keep::<S, D, T>::begin(self.to_vec(), start, end)
+            }
+
+            fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
+                collection.samples
+            }
+        }
+    )*};
+}
+
+#[cfg(feature = "alloc")]
+lists_of_times! {
+    [] &[f64];
+    [] &Vec<f64>;
+    [const N: usize] [f64; N];
+    [const N: usize] &[f64; N];
+}
+
+#[cfg(feature = "alloc")]
+impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
+    type Kept = Vec<At<S, D::State>>;
+    type Times = Vec<f64>;
+    type Collection = Samples<S, D::State>;
+
+    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Vec<f64>, Self::Collection> {
+        let Self(interval) = self;
+        let is_valid = interval > 0.0 && interval.is_finite();
+        let times = if is_valid {
+            self.times(start.t, end)
+        } else {
+            Vec::new()
+        };
+        let begun = Keep::<S, D, T>::begin(times, start, end);
+        if is_valid {
+            begun
+        } else {
+            Begun {
+                checked: Err(IntegrationError::InvalidSampleInterval { interval }),
+                ..begun
+            }
+        }
+    }
+
+    fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
+        collection.samples
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl Every {
+    /// The multiples of the interval from the start on. One that differs from the end by rounding is the end.
+    fn times(self, start: f64, end: f64) -> Vec<f64> {
+        let interval = self.0.copysign(end - start);
+        let count = (end - start) / interval;
+        let rounding = 4.0 * f64::EPSILON * (count + (start / interval).abs());
+        let mut times = Vec::new();
+        let mut k = 0.0;
+        // Not a number where the end is not.
+        while k <= count + rounding {
+            let is_end = (k - count).abs() <= rounding;
+            times.push(if is_end { end } else { start + k * interval });
+            k += 1.0;
+        }
+        times
+    }
+}
+
+/// The ends of steps.
+#[cfg(feature = "alloc")]
+#[derive(Debug)]
+pub struct StepEnds<S, X>(Vec<At<S, X>>);
+
+#[cfg(feature = "alloc")]
+impl<S, D, T> Collector<S, D, T> for StepEnds<S, D::State>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    T: Advance<S, D>,
+{
+    fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {
+        let x = if end - stepper.time() == 0.0 {
+            stepper.state().clone()
+        } else {
+            stepper.interpolate(dynamics, end)
+        };
+        self.0.push(At {
+            t: S::from_f64(end),
+            x,
+        });
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, D, T> Keep<S, D, T> for Steps
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    T: Advance<S, D>,
+{
+    type Kept = Vec<At<S, D::State>>;
+    type Times = [f64; 1];
+    type Collection = StepEnds<S, D::State>;
+
+    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Self::Collection> {
+        let first = start.clone().on_scalar();
+        Begun::valid([end], StepEnds(alloc::vec![first]))
+    }
+
+    fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
+        collection.0
+    }
+}
+
+/// The polynomials of the steps, from an initial state on.
+#[cfg(feature = "alloc")]
+pub struct Whole<X, P> {
+    initial: At<f64, X>,
+    segments: Segments<P>,
+}
+
+#[cfg(feature = "alloc")]
+impl<S, D, T> Collector<S, D, T> for Whole<D::State, T::Interpolant>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    T: DenseOutput<S, D>,
+{
+    fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {
+        self.segments.step(dynamics, stepper, end);
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, D, T> Keep<S, D, T> for Dense
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    T: DenseOutput<S, D>,
+{
+    type Kept = DenseSolution<D::State, T::Interpolant, S>;
+    type Times = [f64; 1];
+    type Collection = Whole<D::State, T::Interpolant>;
+
+    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Self::Collection> {
+        let whole = Whole {
+            initial: start.clone(),
+            segments: Segments::new(),
+        };
+        Begun::valid([end], whole)
+    }
+
+    fn finish(collection: Self::Collection, outcome: &Outcome<D::State>) -> Self::Kept {
+        DenseSolution::new(collection.initial, collection.segments, outcome.clone())
+    }
+}
+
+/// What a problem collects: what is kept, and the events.
+pub(super) struct Collecting<'a, C, S, X> {
+    pub(super) kept: &'a mut C,
+    pub(super) events: Events<S, X>,
+}
+
+impl<'a, C, S, X> Collecting<'a, C, S, X> {
+    pub(super) fn new(kept: &'a mut C) -> Self {
+        Self {
+            kept,
+            events: Default::default(),
+        }
+    }
+}
+
+impl<S, D, T, C> Collector<S, D, T> for Collecting<'_, C, S, D::State>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    C: Collector<S, D, T>,
+{
+    fn sample(&mut self, sample: &At<f64, D::State>) {
+        self.kept.sample(sample);
+    }
+
+    #[cfg(feature = "alloc")]
+    fn event(&mut self, event: usize, t: S, x: &D::State) {
+        let x = x.clone();
+        self.events.push(Occurrence { event, t, x });
+    }
+
+    fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {
+        self.kept.step(dynamics, stepper, end);
+    }
+}

@@ -1,0 +1,121 @@
+//! What happens at events.
+
+use core::ops::ControlFlow;
+
+use crate::integrate::at::At;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::event::Reaction;
+use crate::integrate::observer::Flow;
+use crate::integrate::reacting::React as Reacting;
+use crate::scalar::Scalar;
+
+/// The reactions to the events of a problem.
+pub trait Reactions<S: Scalar, D: Dynamics<S>> {
+    /// Whether there is one.
+    const REACTS: bool;
+
+    /// What happens at an event, if there is a reaction to it.
+    fn react(&mut self, event: usize, t: S, x: &mut D::State, dynamics: &mut D) -> Reaction;
+}
+
+impl<S: Scalar, D: Dynamics<S>> Reactions<S, D> for () {
+    const REACTS: bool = false;
+
+    fn react(&mut self, _: usize, _: S, _: &mut D::State, _: &mut D) -> Reaction {
+        Reaction::Unchanged
+    }
+}
+
+/// Reactions, and one more to so many events from an index on.
+#[derive(Clone, Copy, Debug)]
+pub struct Then<R, F> {
+    pub(super) others: R,
+    pub(super) first: usize,
+    pub(super) count: usize,
+    pub(super) reaction: F,
+}
+
+impl<S, D, R, F> Reactions<S, D> for Then<R, F>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    R: Reactions<S, D>,
+    F: React<S, D>,
+{
+    const REACTS: bool = true;
+
+    fn react(&mut self, event: usize, t: S, x: &mut D::State, dynamics: &mut D) -> Reaction {
+        if !(self.first..self.first + self.count).contains(&event) {
+            return self.others.react(event, t, x, dynamics);
+        }
+        let mut there = At { t, x: x.clone() };
+        let reaction = self.reaction.react(&mut there, dynamics);
+        *x = there.x;
+        reaction
+    }
+}
+
+/// A reaction to an event.
+pub trait React<S: Scalar, D: Dynamics<S>> {
+    /// Changes the state, or the dynamics.
+    fn react(&mut self, state: &mut At<S, D::State>, dynamics: &mut D) -> Reaction;
+}
+
+/// A function of the state.
+#[derive(Clone, Copy, Debug)]
+pub struct OfState<F>(pub(super) F);
+
+impl<S, D, F, A> React<S, D> for OfState<F>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    F: FnMut(&mut At<S, D::State>) -> A,
+    A: Flow,
+{
+    fn react(&mut self, state: &mut At<S, D::State>, _: &mut D) -> Reaction {
+        // Whether it has changed is seen at the state.
+        reaction((self.0)(state), Reaction::Unchanged)
+    }
+}
+
+/// A function of the state and of the dynamics.
+#[derive(Clone, Copy, Debug)]
+pub struct OfDynamics<F>(pub(super) F);
+
+impl<S, D, F, A> React<S, D> for OfDynamics<F>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    F: FnMut(&mut At<S, D::State>, &mut D) -> A,
+    A: Flow,
+{
+    fn react(&mut self, state: &mut At<S, D::State>, dynamics: &mut D) -> Reaction {
+        reaction((self.0)(state, dynamics), Reaction::Changed)
+    }
+}
+
+/// A reaction that stops, or the other one.
+fn reaction(flow: impl Flow, otherwise: Reaction) -> Reaction {
+    match flow.flow() {
+        ControlFlow::Continue(()) => otherwise,
+        ControlFlow::Break(()) => Reaction::Stop,
+    }
+}
+
+/// Dynamics with reactions that may change them.
+pub(super) struct Changing<'a, D, R> {
+    pub(super) dynamics: &'a mut D,
+    pub(super) reactions: &'a mut R,
+}
+
+impl<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>> Reacting<S, D> for Changing<'_, D, R> {
+    const REACTS: bool = R::REACTS;
+
+    fn dynamics(&self) -> &D {
+        self.dynamics
+    }
+
+    fn react(&mut self, event: usize, t: S, x: &mut D::State) -> Reaction {
+        self.reactions.react(event, t, x, self.dynamics)
+    }
+}

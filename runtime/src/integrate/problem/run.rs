@@ -1,0 +1,318 @@
+//! Problems that are integrated step by step.
+
+use core::marker::PhantomData;
+
+use super::keep::{Collecting, Keep};
+use super::reaction::{Changing, Reactions};
+use super::solution::{Solution, Unfinished};
+use super::{End, Problem};
+use crate::integrate::at::At;
+use crate::integrate::checkpoint::{Checkpoint, EventSigns, Resume};
+use crate::integrate::driver::{Driver, check_times};
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::event::Remembers as _;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::observer::{Observer, Unobserved};
+use crate::integrate::outcome::Outcome;
+use crate::integrate::stepper::{Advance as _, Statistics, Stepper as _};
+use crate::integrate::stop_condition::{StopCondition, Unconditional};
+use crate::scalar::Scalar;
+
+/// An integration in progress, from [`Problem::start`] or [`Problem::resume`] on: it is advanced, asked and changed by hand.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * l.powi(2) * dot(theta).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Pendulum { m: f64, g: f64, l: f64 }
+///
+/// // A game that draws sixty frames a second.
+/// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
+/// let start = State::new(0.0, [1.0], [0.0]);
+/// let mut run = Problem::new(&pendulum, start).start(Dop853::new())?;
+/// for frame in 1..=60 {
+///     let state = run.advance(f64::from(frame) / 60.0)?;
+///     assert!(state.q[0].abs() <= 1.0 + 1e-9);
+/// }
+/// # Ok::<(), IntegrationError>(())
+/// ```
+#[derive(Debug)]
+pub struct Run<S, D, I, K = End, C = Unconditional, R = (), O = Unobserved>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    I: Integrator<S, D>,
+    C: StopCondition<S, D>,
+{
+    driver: Driver<I, C, O>,
+    dynamics: D,
+    reactions: R,
+    keep: K,
+    stepper: I::Stepper,
+    /// What is known of the events, as far as the integration goes on from where it was known.
+    memory: Option<C::Memory>,
+    /// What a checkpoint knew of them.
+    events: Option<EventSigns>,
+    scalar: PhantomData<S>,
+}
+
+impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
+    /// The integration in progress by a method, to be advanced by hand.
+    ///
+    /// # Errors
+    ///
+    /// If a setting is invalid, or the state is not finite or singular.
+    pub fn start<I>(self, method: I) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+    {
+        self.begin(method, |driver, dynamics, start| {
+            Ok((driver.begin(dynamics, start)?, None))
+        })
+    }
+
+    /// The integration that goes on from a checkpoint in place of the start: to the last bit as if it had not stopped, if the
+    /// dynamics and the settings are the same. Other dynamics, such as those of other parameters, begin there anew.
+    ///
+    /// # Errors
+    ///
+    /// If a setting is invalid, or the state is not finite or singular.
+    pub fn resume<I>(
+        self,
+        checkpoint: Checkpoint<I::Memory>,
+        method: I,
+    ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
+    where
+        I: Resume<S, D>,
+        C: StopCondition<S, D>,
+    {
+        self.begin(method, |driver, dynamics, _| {
+            let Checkpoint { memory, events } = checkpoint;
+            let stepper = driver.integrator.recall(dynamics, memory)?;
+            let (t, x) = (stepper.time(), stepper.state().clone());
+            driver.check_state(dynamics, &At { t, x })?;
+            Ok((stepper, events))
+        })
+    }
+
+    #[allow(clippy::type_complexity)] // The stepper is the method's own.
+    fn begin<I>(
+        self,
+        method: I,
+        stepper: impl FnOnce(
+            &Driver<I, C, O>,
+            &D,
+            &At<f64, D::State>,
+        ) -> Result<(I::Stepper, Option<EventSigns>), IntegrationError>,
+    ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: StopCondition<S, D>,
+    {
+        let driver = Driver::of_parts(method, self.conditions, self.observer)
+            .max_steps(self.max_steps)
+            .with_singularity_tolerance(self.singularity_tolerance);
+        let (stepper, events) = stepper(&driver, &self.dynamics, &self.start)?;
+        Ok(Run {
+            driver,
+            dynamics: self.dynamics,
+            reactions: self.reactions,
+            keep: self.keep,
+            stepper,
+            memory: None,
+            events,
+            scalar: PhantomData,
+        })
+    }
+}
+
+impl<S, D, I, K, C, R, O> Run<S, D, I, K, C, R, O>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    I: Integrator<S, D>,
+    C: StopCondition<S, D>,
+{
+    fn forget_events(&mut self) {
+        (self.memory, self.events) = (None, None);
+    }
+
+    /// What is known of the events, if it serves to go on from here to `end`.
+    fn recall_events(&mut self, end: f64) -> Option<C::Memory> {
+        let (t, x) = (self.stepper.time(), self.stepper.state());
+        let condition = self.driver.condition_mut();
+        let known = match (self.memory.take(), self.events.take()) {
+            (Some(memory), _) => Some(memory),
+            (None, Some(signs)) => Some(condition.begin(&self.dynamics, t, x).recalled(signs)),
+            (None, None) => None,
+        };
+        known.filter(|memory| memory.goes_on(t, end))
+    }
+
+    /// The state reached.
+    pub fn state(&self) -> At<S, D::State> {
+        let x = self.stepper.state().clone();
+        At {
+            t: S::from_f64(self.stepper.time()),
+            x,
+        }
+    }
+
+    /// The time from which the last step was taken.
+    pub fn previous_time(&self) -> f64 {
+        self.stepper.previous_time()
+    }
+
+    /// The cost so far.
+    pub fn statistics(&self) -> Statistics {
+        self.stepper.statistics()
+    }
+
+    /// The dynamics.
+    pub fn dynamics(&self) -> &D {
+        &self.dynamics
+    }
+
+    /// The stepper of the method, which knows what its last step was.
+    pub fn stepper(&self) -> &I::Stepper {
+        &self.stepper
+    }
+
+    /// Everything that the integration remembers, to go on from by [`Problem::resume`].
+    pub fn checkpoint(&self) -> Checkpoint<I::Memory>
+    where
+        I: Resume<S, D>,
+    {
+        let memory = self.memory.as_ref();
+        Checkpoint {
+            memory: I::memory(&self.stepper),
+            events: memory.map(C::Memory::event_signs).or(self.events),
+        }
+    }
+
+    /// The state at a time within the last step.
+    ///
+    /// # Errors
+    ///
+    /// [`OutsideSolution`](IntegrationError::OutsideSolution).
+    pub fn at(&mut self, t: f64) -> Result<At<S, D::State>, IntegrationError> {
+        let (start, end) = (self.previous_time(), self.stepper.time());
+        let x = if t - end == 0.0 {
+            self.stepper.state().clone()
+        } else if (start.min(end)..=start.max(end)).contains(&t) {
+            self.stepper.interpolate(&self.dynamics, t)
+        } else {
+            return Err(IntegrationError::OutsideSolution {
+                time: t,
+                start,
+                end,
+            });
+        };
+        Ok(At {
+            t: S::from_f64(t),
+            x,
+        })
+    }
+
+    /// Changes the state, the dynamics, or both, and goes on from there: a load is picked up, a parameter is tuned.
+    ///
+    /// # Errors
+    ///
+    /// If the state is not finite or singular then.
+    pub fn change(
+        &mut self,
+        change: impl FnOnce(&mut At<S, D::State>, &mut D),
+    ) -> Result<(), IntegrationError> {
+        let t = self.stepper.time();
+        let mut state = self.state();
+        change(&mut state, &mut self.dynamics);
+        let here = At { t, x: state.x };
+        self.driver.check_state(&self.dynamics, &here)?;
+        self.forget_events();
+        self.stepper.restart_at(&self.dynamics, t, here.x)
+    }
+}
+
+impl<S, D, I, K, C, R, O> Run<S, D, I, K, C, R, O>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    I: Integrator<S, D>,
+    C: StopCondition<S, D>,
+    R: Reactions<S, D>,
+    O: Observer<D::State>,
+    K: Keep<S, D, I::Stepper> + Clone,
+{
+    /// Goes on until the time `end`, or until an event, a condition or an observer stops. The solution is of this part alone.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`], with the solution up to there. The integration can go on from there, too.
+    pub fn advance(
+        &mut self,
+        end: f64,
+    ) -> Result<Solution<S, D::State, K::Kept>, Unfinished<Solution<S, D::State, K::Kept>>> {
+        self.advance_by(end, self.driver.steps_at_a_time())
+    }
+
+    /// Takes one step towards the time `end`; none at the end. A step that was rejected, or ended at an event, counts.
+    ///
+    /// # Errors
+    ///
+    /// Any of [`IntegrationError`].
+    pub fn step(
+        &mut self,
+        end: f64,
+    ) -> Result<Option<Solution<S, D::State, K::Kept>>, Unfinished<Solution<S, D::State, K::Kept>>>
+    {
+        let steps = self.statistics().steps;
+        let solution = self.advance_by(end, 1)?;
+        Ok(Some(solution).filter(|_| self.statistics().steps > steps))
+    }
+
+    fn advance_by(
+        &mut self,
+        end: f64,
+        steps: u64,
+    ) -> Result<Solution<S, D::State, K::Kept>, Unfinished<Solution<S, D::State, K::Kept>>> {
+        let (t, x) = (self.stepper.time(), self.stepper.state().clone());
+        let start = At { t, x };
+        let mut begun = self.keep.clone().begin(&start, end);
+        let mut collector = Collecting::new(&mut begun.collection);
+        let times = begun.times.as_ref();
+        let checked = begun.checked.and(check_times(t, times));
+        let (outcome, mut result) = match checked {
+            Ok(()) => {
+                self.memory = self.recall_events(end);
+                let mut system = Changing {
+                    dynamics: &mut self.dynamics,
+                    reactions: &mut self.reactions,
+                };
+                let parts = (&mut self.stepper, &mut self.memory);
+                (self.driver).advance(&mut system, parts, times, steps, &mut collector)
+            }
+            Err(error) => (Outcome::at(start), Err(error)),
+        };
+        let t = outcome.last.t;
+        if t - self.stepper.time() != 0.0 {
+            // The derivative parts of the state at an event are those at a time that moves.
+            let x = self.stepper.interpolate(&self.dynamics, t);
+            self.forget_events();
+            result = result.and(self.stepper.restart_at(&self.dynamics, t, x));
+        }
+        let events = collector.events;
+        let solution = Solution::new(K::finish(begun.collection, &outcome), events, outcome);
+        if let Err(error) = result {
+            self.forget_events();
+            return Err(Unfinished::new(error, solution));
+        }
+        Ok(solution)
+    }
+}

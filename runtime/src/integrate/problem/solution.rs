@@ -1,0 +1,215 @@
+//! Solutions of problems.
+
+#[cfg(feature = "alloc")]
+use alloc::{boxed::Box, vec::Vec};
+use core::fmt;
+use core::ops::Deref;
+
+use crate::integrate::at::At;
+#[cfg(feature = "alloc")]
+use crate::integrate::dense_output::Interpolant;
+#[cfg(feature = "alloc")]
+use crate::integrate::dense_solution::DenseSolution;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::event::MetConditions;
+#[cfg(feature = "alloc")]
+use crate::integrate::event::Occurrence;
+use crate::integrate::outcome::{Outcome, StopReason};
+use crate::integrate::stepper::Statistics;
+#[cfg(feature = "alloc")]
+use crate::linalg::VectorSpace;
+use crate::number_format::Readable;
+use crate::scalar::Scalar;
+
+/// What an integration has found. It is its last state, too: `solution.t`, `solution.q[0]`.
+///
+/// What was kept besides depends on [`Problem::save`](crate::Problem::save): [`samples`](Self::samples), or the motion
+/// [`at`](Self::at) any time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution<S, X, K = ()> {
+    /// The last state: at the end, or where an event, a condition or an observer stopped.
+    pub last: At<S, X>,
+    /// Why it ended there.
+    pub reason: StopReason,
+    /// Which conditions or events stopped it, or which observer, in the order in which they were set.
+    pub met: MetConditions,
+    /// The cost.
+    pub statistics: Statistics,
+    #[cfg_attr(not(feature = "alloc"), allow(dead_code))]
+    events: Events<S, X>,
+    kept: K,
+}
+
+/// The events that occurred; nothing without memory for them.
+#[cfg(feature = "alloc")]
+pub(super) type Events<S, X> = Vec<Occurrence<X, S>>;
+#[cfg(not(feature = "alloc"))]
+pub(super) type Events<S, X> = core::marker::PhantomData<(X, S)>;
+
+impl<S: Scalar, X, K> Solution<S, X, K> {
+    pub(super) fn new(kept: K, events: Events<S, X>, outcome: Outcome<X>) -> Self {
+        Self {
+            last: outcome.last.on_scalar(),
+            reason: outcome.reason,
+            met: outcome.met,
+            statistics: outcome.statistics,
+            events,
+            kept,
+        }
+    }
+}
+
+impl<S, X, K> Deref for Solution<S, X, K> {
+    type Target = At<S, X>;
+
+    fn deref(&self) -> &At<S, X> {
+        &self.last
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, X, K> Solution<S, X, K> {
+    /// The events that occurred, in the order of time. Those at which the integration stopped are among them.
+    #[must_use]
+    pub fn events(&self) -> &[Occurrence<X, S>] {
+        &self.events
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, X> Solution<S, X, Vec<At<S, X>>> {
+    /// The samples, in the order of time.
+    #[must_use]
+    pub fn samples(&self) -> &[At<S, X>] {
+        &self.kept
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, X> IntoIterator for Solution<S, X, Vec<At<S, X>>> {
+    type Item = At<S, X>;
+    type IntoIter = alloc::vec::IntoIter<At<S, X>>;
+
+    /// The samples.
+    fn into_iter(self) -> Self::IntoIter {
+        self.kept.into_iter()
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S, X, P> Solution<S, X, DenseSolution<X, P, S>>
+where
+    S: Scalar,
+    X: VectorSpace<S>,
+    P: Interpolant<S, X>,
+{
+    /// The state at a time between the start and the last; behind a jump where there is one.
+    ///
+    /// # Errors
+    ///
+    /// [`OutsideSolution`](IntegrationError::OutsideSolution).
+    pub fn at(&self, t: f64) -> Result<At<S, X>, IntegrationError> {
+        let x = self.kept.at(t)?;
+        Ok(At {
+            t: S::from_f64(t),
+            x,
+        })
+    }
+
+    /// The state at a time, before a jump where there is one.
+    ///
+    /// # Errors
+    ///
+    /// [`OutsideSolution`](IntegrationError::OutsideSolution).
+    pub fn before(&self, t: f64) -> Result<At<S, X>, IntegrationError> {
+        let x = self.kept.before(t)?;
+        Ok(At {
+            t: S::from_f64(t),
+            x,
+        })
+    }
+
+    /// The derivative of the state at a time, of the polynomial of the step; none where no step was taken.
+    ///
+    /// # Errors
+    ///
+    /// [`OutsideSolution`](IntegrationError::OutsideSolution).
+    pub fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
+        self.kept.derivative(t)
+    }
+
+    /// The start and the ends of the steps.
+    pub fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
+        self.kept.times()
+    }
+}
+
+/// An error of an integration, and the solution up to it.
+///
+/// `?` makes the error of it.
+pub struct Unfinished<T> {
+    // One pointer where there is memory for it, so that a `Result` is not large because of its error.
+    #[cfg(feature = "alloc")]
+    parts: Box<(IntegrationError, T)>,
+    #[cfg(not(feature = "alloc"))]
+    parts: (IntegrationError, T),
+}
+
+impl<T> Unfinished<T> {
+    #[allow(clippy::useless_conversion)] // Without the feature `alloc` nothing is boxed.
+    pub(super) fn new(error: IntegrationError, solution: T) -> Self {
+        Self {
+            parts: (error, solution).into(),
+        }
+    }
+
+    /// What went wrong.
+    #[must_use]
+    pub fn error(&self) -> IntegrationError {
+        self.parts.0
+    }
+
+    /// The solution up to there.
+    #[must_use]
+    pub fn solution(&self) -> &T {
+        &self.parts.1
+    }
+
+    /// The solution up to there.
+    #[must_use]
+    pub fn into_solution(self) -> T {
+        #[cfg(feature = "alloc")]
+        return (*self.parts).1;
+        #[cfg(not(feature = "alloc"))]
+        return self.parts.1;
+    }
+}
+
+impl<S: crate::Scalar, X, K> fmt::Display for Unfinished<Solution<S, X, K>> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let reached = Readable(self.solution().last.t.smallest());
+        write!(
+            f,
+            "{} (the solution is known until t = {reached})",
+            self.error()
+        )
+    }
+}
+
+impl<T> fmt::Debug for Unfinished<T>
+where
+    Self: fmt::Display,
+{
+    /// As it is displayed: `main` prints an error so.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<T> core::error::Error for Unfinished<T> where Self: fmt::Display {}
+
+impl<T> From<Unfinished<T>> for IntegrationError {
+    fn from(unfinished: Unfinished<T>) -> Self {
+        unfinished.error()
+    }
+}

@@ -1,0 +1,195 @@
+//! Events: which function, which direction, and what happens there.
+
+use super::Problem;
+use super::reaction::{OfDynamics, OfState, Then};
+use crate::integrate::at::At;
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::event::{
+    Crossing, DeclaredEvents, Event, EventDynamics, EventValues, FunctionOfState, PredicateOfState,
+    SingleNumber,
+};
+use crate::integrate::observer::Flow;
+use crate::integrate::stop_condition::{Extensible, StopCondition};
+use crate::scalar::Scalar;
+
+/// An event of a problem, before it is said what happens there: [`record`](Self::record), [`stop`](Self::stop) or
+/// [`then`](Self::then). It occurs at zeros of either direction, unless [`rising`](Self::rising) or
+/// [`falling`](Self::falling) is said.
+#[must_use = "say what happens at the event: `record()`, `stop()` or `then(…)`"]
+#[derive(Clone, Copy, Debug)]
+pub struct When<P, E> {
+    problem: P,
+    events: E,
+}
+
+/// The events of which the direction is set.
+pub trait Directed {
+    /// Sets it.
+    fn direct(&mut self, change: impl FnMut(Event) -> Event);
+
+    /// Sets the parts of steps.
+    fn sample(&mut self, parts: u32);
+}
+
+impl<F> Directed for FunctionOfState<F> {
+    fn direct(&mut self, mut change: impl FnMut(Event) -> Event) {
+        self.event = change(self.event);
+    }
+
+    fn sample(&mut self, parts: u32) {
+        self.parts = Some(parts);
+    }
+}
+
+impl<const K: usize> Directed for DeclaredEvents<K> {
+    fn direct(&mut self, mut change: impl FnMut(Event) -> Event) {
+        for (_, event) in &mut self.events {
+            *event = change(*event);
+        }
+    }
+
+    fn sample(&mut self, parts: u32) {
+        self.parts = Some(parts);
+    }
+}
+
+/// The index of a declared event, or those of several.
+pub trait EventIndices {
+    /// The events of these indices.
+    type Events;
+
+    /// Zeros of either direction.
+    fn events(self) -> Self::Events;
+}
+
+impl EventIndices for usize {
+    type Events = DeclaredEvents<1>;
+
+    fn events(self) -> DeclaredEvents<1> {
+        [self].events()
+    }
+}
+
+impl<const N: usize> EventIndices for [usize; N] {
+    type Events = DeclaredEvents<N>;
+
+    fn events(self) -> DeclaredEvents<N> {
+        DeclaredEvents {
+            events: self.map(|index| (index, Event::either())),
+            parts: None,
+        }
+    }
+}
+
+impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
+    /// An event: where a function of the state crosses zero. It returns a number, or an array of them, each of which is an
+    /// event; on [lanes](crate::Lanes), whose motions go on together, `f64`, made of all lanes.
+    ///
+    /// A closure is sampled in each step ([`When::samples`]), so that two zeros in one of the parts are missed; events that the
+    /// model declares ([`on`](Self::on)) are found by their Taylor series under [`Taylor`](crate::Taylor).
+    pub fn when<F, V>(self, function: F) -> When<Self, FunctionOfState<F>>
+    where
+        F: FnMut(&At<S, D::State>) -> V,
+        V: EventValues<S>,
+    {
+        When {
+            problem: self,
+            events: FunctionOfState::new(function),
+        }
+    }
+
+    /// An event that the model declares by the clause `event`, by its constant: `Ball::FLOOR`; or several.
+    pub fn on<E: EventIndices>(self, events: E) -> When<Self, E::Events>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S>,
+    {
+        When {
+            problem: self,
+            events: events.events(),
+        }
+    }
+
+    /// Stops after the first step at whose end the condition holds.
+    pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, C::With<PredicateOfState<F>>, R, O>
+    where
+        C: Extensible,
+        F: FnMut(&At<S, D::State>) -> bool,
+    {
+        self.with(PredicateOfState(condition), |others, _| others)
+    }
+}
+
+impl<P, E: Directed> When<P, E> {
+    /// Where it rises through zero alone.
+    pub fn rising(mut self) -> Self {
+        self.events
+            .direct(|event| event.crossing_by(Crossing::Rising));
+        self
+    }
+
+    /// Where it falls through zero alone.
+    pub fn falling(mut self) -> Self {
+        self.events
+            .direct(|event| event.crossing_by(Crossing::Falling));
+        self
+    }
+
+    /// Sets the number of equal parts of each step at whose ends the function is evaluated, where it has no series: 8 by
+    /// default, and 1 for methods without dense output.
+    pub fn samples(mut self, parts: u32) -> Self {
+        self.events.sample(parts);
+        self
+    }
+}
+
+impl<S, D, K, C, R, O, E> When<Problem<S, D, K, C, R, O>, E>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    C: Extensible,
+    E: Directed + StopCondition<S, D>,
+{
+    /// The integration stops there.
+    pub fn stop(mut self) -> Problem<S, D, K, C::With<E>, R, O> {
+        self.events.direct(Event::terminal);
+        self.problem.with(self.events, |others, _| others)
+    }
+
+    /// The event is recorded: it is one of [`Solution::events`](crate::Solution::events).
+    pub fn record(self) -> Problem<S, D, K, C::With<E>, R, O> {
+        self.problem.with(self.events, |others, _| others)
+    }
+
+    /// The event is recorded, and the state changes: a ball bounces, a stage separates. The function changes the state in place
+    /// and returns nothing, or `ControlFlow::Break(())` where the integration is to end.
+    pub fn then<F, A>(self, reaction: F) -> Problem<S, D, K, C::With<E>, Then<R, OfState<F>>, O>
+    where
+        F: FnMut(&mut At<S, D::State>) -> A,
+        A: Flow,
+    {
+        self.reacting(OfState(reaction))
+    }
+
+    /// The event is recorded, and the state or the dynamics change: a spring breaks, a load is picked up. The dynamics of an
+    /// owned model, `Problem::new(model, start)`, change by [`OwnedEquations::change`](crate::OwnedEquations::change).
+    pub fn then_with<F, A>(
+        self,
+        reaction: F,
+    ) -> Problem<S, D, K, C::With<E>, Then<R, OfDynamics<F>>, O>
+    where
+        F: FnMut(&mut At<S, D::State>, &mut D) -> A,
+        A: Flow,
+    {
+        self.reacting(OfDynamics(reaction))
+    }
+
+    fn reacting<F>(self, reaction: F) -> Problem<S, D, K, C::With<E>, Then<R, F>, O> {
+        self.problem.with(self.events, |others, first| Then {
+            others,
+            first,
+            count: E::COUNT,
+            reaction,
+        })
+    }
+}
