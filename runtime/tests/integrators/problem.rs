@@ -29,7 +29,7 @@ fn start() -> State<f64, 1> {
 }
 
 /// What a setting does.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Default)]
 struct Effects {
     /// It stops then.
     stop: Option<f64>,
