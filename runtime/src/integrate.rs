@@ -53,7 +53,9 @@ pub use event::{
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Observers, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
-pub use problem::{ByDynamics, End, Keep, Problem, Run, Solution, System, Unfinished, When};
+pub use problem::{
+    ByDynamics, End, Keep, Problem, Run, Solution, Solved, System, Unfinished, When,
+};
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, Steps as StepEnds};
 pub use runge_kutta::{

@@ -76,7 +76,9 @@ pub use integrate::{
     SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
     Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
 };
-pub use integrate::{ByDynamics, End, Keep, Problem, Run, Solution, System, Unfinished, When};
+pub use integrate::{
+    ByDynamics, End, Keep, Problem, Run, Solution, Solved, System, Unfinished, When,
+};
 #[cfg(feature = "alloc")]
 pub use integrate::{Dense, Every, StepEnds};
 #[cfg(feature = "alloc")]

@@ -3,6 +3,8 @@
 //! Input: dynamics and an initial state, then settings in any order, then a method. Output: a solution, or an error with the
 //! solution up to there. Without the feature `alloc` only the end is kept.
 
+#![allow(clippy::type_complexity)] // The settings of a problem are in its type.
+
 mod keep;
 mod reaction;
 mod run;
@@ -14,7 +16,7 @@ mod watch;
 pub use keep::{Dense, Every, Steps};
 pub use keep::{End, Keep};
 pub use run::Run;
-pub use solution::{Solution, Unfinished};
+pub use solution::{Solution, Solved, Unfinished};
 pub use system::{ByDynamics, System};
 pub use watch::When;
 
@@ -201,11 +203,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// # Errors
     ///
     /// Any of [`IntegrationError`](crate::IntegrationError), with the solution up to there.
-    pub fn solve<I>(
-        mut self,
-        end: f64,
-        method: I,
-    ) -> Result<Solution<S, D::State, K::Kept>, Unfinished<Solution<S, D::State, K::Kept>>>
+    pub fn solve<I>(mut self, end: f64, method: I) -> Solved<S, D::State, K::Kept>
     where
         I: Integrator<S, D>,
         C: StopCondition<S, D>,

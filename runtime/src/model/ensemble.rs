@@ -27,7 +27,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
             Running::<Phase<Lanes<L>, N>, _, _, L, HALF>::new(self, motions.into_iter(), report);
         while running.fill(|lane, motion| {
             let (initial, end) = begin(model, lane, motion);
-            (initial.into(), end)
+            (initial, end)
         }) {
             running.advance(&model.dynamics());
         }

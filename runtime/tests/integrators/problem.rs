@@ -376,8 +376,8 @@ impl Dynamics for Blowup {
 fn a_run_is_advanced_stored_and_changed() {
     let problem = Problem::new(&STONE, start()).on(Stone::LEDGE).record();
     let method = Dop853::new().max_step(0.1);
-    let whole = problem.clone().solve(1.0, method.clone()).unwrap();
-    let mut run = problem.clone().start(method.clone()).unwrap();
+    let whole = problem.clone().solve(1.0, method).unwrap();
+    let mut run = problem.clone().start(method).unwrap();
     let mut steps = 0;
     while let Some(step) = run.step(1.0).unwrap() {
         steps += 1;
@@ -389,7 +389,7 @@ fn a_run_is_advanced_stored_and_changed() {
     assert_eq!(run.state(), whole.last);
     assert!(run.at(0.1).is_err());
     // From a checkpoint within it.
-    let mut run = problem.clone().start(method.clone()).unwrap();
+    let mut run = problem.clone().start(method).unwrap();
     while run.state().t < 0.5 {
         run.step(1.0).unwrap();
     }

@@ -323,7 +323,7 @@ impl<'a, C, S, X> Collecting<'a, C, S, X> {
     pub(super) fn new(kept: &'a mut C) -> Self {
         Self {
             kept,
-            events: Default::default(),
+            events: Events::default(),
         }
     }
 }

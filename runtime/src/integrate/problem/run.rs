@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::keep::{Collecting, Keep};
 use super::reaction::{Changing, Reactions};
-use super::solution::{Solution, Unfinished};
+use super::solution::{Solution, Solved, Unfinished};
 use super::{End, Problem};
 use crate::integrate::at::At;
 use crate::integrate::checkpoint::{Checkpoint, EventSigns, Resume};
@@ -102,7 +102,6 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         })
     }
 
-    #[allow(clippy::type_complexity)] // The stepper is the method's own.
     fn begin<I>(
         self,
         method: I,
@@ -255,10 +254,7 @@ where
     /// # Errors
     ///
     /// Any of [`IntegrationError`], with the solution up to there. The integration can go on from there, too.
-    pub fn advance(
-        &mut self,
-        end: f64,
-    ) -> Result<Solution<S, D::State, K::Kept>, Unfinished<Solution<S, D::State, K::Kept>>> {
+    pub fn advance(&mut self, end: f64) -> Solved<S, D::State, K::Kept> {
         self.advance_by(end, self.driver.steps_at_a_time())
     }
 
@@ -277,11 +273,7 @@ where
         Ok(Some(solution).filter(|_| self.statistics().steps > steps))
     }
 
-    fn advance_by(
-        &mut self,
-        end: f64,
-        steps: u64,
-    ) -> Result<Solution<S, D::State, K::Kept>, Unfinished<Solution<S, D::State, K::Kept>>> {
+    fn advance_by(&mut self, end: f64, steps: u64) -> Solved<S, D::State, K::Kept> {
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
         let mut begun = self.keep.clone().begin(&start, end);

@@ -144,6 +144,9 @@ where
     }
 }
 
+/// A solution, or an error and the solution up to it.
+pub type Solved<S, X, K = ()> = Result<Solution<S, X, K>, Unfinished<Solution<S, X, K>>>;
+
 /// An error of an integration, and the solution up to it.
 ///
 /// `?` makes the error of it.
