@@ -101,6 +101,7 @@ pub use model::{
     SensitivitiesWith,
 };
 pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
+pub use model::{SampledFeedback, SampledPhase};
 pub use nalgebra;
 pub use num_traits;
 pub use scalar::{DoubleDouble, Dual, Lanes, Scalar};

@@ -4,6 +4,8 @@
 mod generalized_coordinates;
 mod state;
 mod system;
+mod sampled_phase;
+mod sampled_feedback;
 mod laws;
 mod vector_pair;
 mod phase;
@@ -74,6 +76,8 @@ pub use reconstructed_phase::ReconstructedPhase;
 pub use reconstruction::Reconstruction;
 pub use regressor::{Regressor, RegressorWith};
 pub use routhian::{RouthReduction, Routhian, RouthianSeries};
+pub use sampled_feedback::SampledFeedback;
+pub use sampled_phase::SampledPhase;
 pub use sensitivities::{Sensitivities, SensitivitiesWith};
 pub use signals::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use state::State;

@@ -121,6 +121,18 @@ pub trait Dynamics<S: Scalar = f64> {
         self.vanishing_inertia(t, x)
     }
 
+    /// The next time at which the state is updated (a sampled controller, a difference equation beside the differential ones),
+    /// as far as `x` tells; none by default. Steps end there.
+    fn next_update(&self, x: &Self::State) -> Option<f64> {
+        let _ = x;
+        None
+    }
+
+    /// Updates the state at the time that [`next_update`](Self::next_update) told, which is a later one from then on.
+    fn update(&self, t: S, x: &mut Self::State) {
+        let _ = (t, x);
+    }
+
     /// The name of a component in error messages.
     fn component_name(&self, index: usize) -> ComponentName {
         ComponentName::Index(index)
@@ -182,6 +194,14 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &D::State) -> Option<Singularity> {
         (**self).vanishing_inertia_in_lane(lane, t, x)
+    }
+
+    fn next_update(&self, x: &D::State) -> Option<f64> {
+        (**self).next_update(x)
+    }
+
+    fn update(&self, t: S, x: &mut D::State) {
+        (**self).update(t, x);
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

@@ -116,6 +116,13 @@ pub enum IntegrationError {
         /// That interval.
         interval: f64,
     },
+    /// The update of a state does not come later each time: the period of a sampled controller is not a positive finite number.
+    InvalidUpdate {
+        /// The time of the update.
+        time: f64,
+        /// The time of the next one.
+        next: f64,
+    },
     /// A step size is not a positive finite number.
     InvalidStep {
         /// That step size.
@@ -235,6 +242,13 @@ impl fmt::Display for IntegrationError {
                 f,
                 "the interval between samples is {}, not a positive finite number",
                 Readable(interval)
+            ),
+            Self::InvalidUpdate { time, next } => write!(
+                f,
+                "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller is a positive finite \
+                 number",
+                Readable(time),
+                Readable(next)
             ),
             Self::OutsideSolution { time, start, end } => write!(
                 f,

@@ -26,6 +26,8 @@ pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S> + ?Sized, T, C: 
     pub(crate) step_limit: u64,
     pub(crate) condition: &'a mut C,
     pub(crate) memory: &'a mut C::Memory,
+    /// The time at which the state is updated next, if the motion comes there.
+    pub(crate) update: Option<f64>,
     /// Whether events that do not stop the integration interrupt it.
     pub(crate) reacts: bool,
     /// Whether nothing is left to visit in the last step.
@@ -54,6 +56,8 @@ pub(crate) enum Interruption {
     Stop(StopReason),
     /// Events call for a reaction, after which there may be a reason to stop.
     Reaction(Occurring, Option<StopReason>),
+    /// The state is to be updated.
+    Update,
 }
 
 impl From<StopReason> for Interruption {
@@ -84,7 +88,7 @@ where
         };
         let interruption = match interruption {
             Interruption::Stop(reason) => self.close(reason),
-            reaction @ Interruption::Reaction(..) => reaction,
+            other => other,
         };
         if !self.is_visited {
             // The motion ends, or a reaction is called for, within the last step.
@@ -118,6 +122,9 @@ where
             }
             if self.stepper.time() - self.end == 0.0 {
                 return Ok(StopReason::Completed.into());
+            }
+            if self.update.is_some_and(|t| self.stepper.time() - t == 0.0) {
+                return Ok(Interruption::Update);
             }
             if self.stepper.statistics().attempts() >= self.step_limit {
                 return Ok(StopReason::StepLimit.into());
@@ -168,6 +175,7 @@ where
             self.waiting.first()
         };
         let target = next.copied().unwrap_or(self.end);
+        let target = self.update.map_or(target, |update| update.min(target));
         let result = self.stepper.step(self.dynamics, target);
         self.outcome.statistics = self.stepper.statistics();
         result

@@ -8,6 +8,8 @@ use super::driven_by::DrivenBy;
 use super::equations_of_motion::EquationsOfMotion;
 use super::inputs::Inputs;
 use super::lagrangian::Lagrangian;
+use super::sampled_feedback::SampledFeedback;
+use super::sampled_phase::SampledPhase;
 use super::signals::Signals;
 use super::state::State;
 use super::with_controller::WithController;
@@ -101,6 +103,60 @@ where
                 controller: initial.into_vector(),
             };
             (WithController::new(dynamics.model, law), At { t, x })
+        })
+    }
+
+    /// Sampled feedback: a controller with a memory, from `initial` on, that is evaluated at the start and once each `period` from
+    /// there. Its inputs are held in between (zero-order hold), and steps end where it is evaluated.
+    ///
+    /// Inputs and memory are part of the state, [`SampledPhase`]: samples and checkpoints have them.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    /// # #[derive(Lagrangian)]
+    /// # #[lagrangian(
+    /// #     taylor,
+    /// #     coordinates(x),
+    /// #     kinetic = 0.5 * m * dot(x).powi(2),
+    /// #     potential = 0.5 * k * x.powi(2),
+    /// #     force(x = push),
+    /// # )]
+    /// # struct Slider { m: f64, k: f64, #[lagrangian(input)] push: f64 }
+    ///
+    /// let slider = Slider { m: 1.0, k: 4.0, push: 0.0 };
+    /// // A thousand times a second, with the sum of the errors in its memory.
+    /// let end = Problem::new(&slider, State::new(0.0, [0.0], [0.0]))
+    ///     .sampled_feedback(1e-3, [0.0], |x, sum| {
+    ///         let error = 1.0 - x.q[0];
+    ///         sum[0] += 1e-3 * error;
+    ///         20.0 * error + 10.0 * sum[0] - 5.0 * x.v[0]
+    ///     })
+    ///     .solve(60.0, Taylor::new())?;
+    /// assert!((end.q[0] - 1.0).abs() < 1e-8);
+    /// assert!((end.inputs[0] - 4.0).abs() < 1e-6);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// A period that is not a positive finite number is an error of the integration,
+    /// [`InvalidUpdate`](crate::IntegrationError::InvalidUpdate).
+    pub fn sampled_feedback<I, F, A, const U: usize, const J: usize>(
+        self,
+        period: f64,
+        initial: I,
+        law: F,
+    ) -> Problem<S, SampledFeedback<'a, M, F, S, N, U, J>, K>
+    where
+        M: Inputs<N, U, S>,
+        I: IntoVector<S, J>,
+        F: Fn(&State<S, N>, &mut SVector<S, J>) -> A,
+        A: IntoVector<S, U>,
+    {
+        self.with_dynamics(|dynamics, At { t, x }| {
+            let x = SampledPhase::before_sampling(x, initial.into_vector());
+            let sampled = SampledFeedback::new(dynamics.model, law, t, period);
+            (sampled, At { t, x })
         })
     }
 

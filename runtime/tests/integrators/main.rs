@@ -21,6 +21,7 @@ mod problem;
 mod recurrences;
 mod running;
 mod saltation;
+mod sampled;
 mod series_by_hand;
 mod sliding;
 mod taylor;

@@ -110,6 +110,7 @@ impl<I, C, O> Driver<I, C, O> {
         let step_limit = stepper.statistics().attempts().saturating_add(steps);
         let (mut beginning, mut is_visited) = (Beginning::Initial, true);
         loop {
+            let next = self.update(system.dynamics(), stepper, end)?;
             let mut part = Integration {
                 dynamics: system.dynamics(),
                 stepper: &mut *stepper,
@@ -120,6 +121,7 @@ impl<I, C, O> Driver<I, C, O> {
                 step_limit,
                 condition: &mut self.condition,
                 memory: &mut *memory,
+                update: next,
                 reacts: R::REACTS,
                 is_visited,
                 pending: None,
@@ -130,6 +132,10 @@ impl<I, C, O> Driver<I, C, O> {
             let (occurring, stop) = match part.run(beginning)? {
                 Interruption::Stop(reason) => return Ok(reason),
                 Interruption::Reaction(occurring, stop) => (occurring, stop),
+                Interruption::Update => {
+                    (is_visited, beginning) = (true, Beginning::Unchanged);
+                    continue;
+                }
             };
             is_visited = part.is_visited;
             let (reaction, x) = self.react(system, stepper, occurring);
@@ -154,6 +160,35 @@ impl<I, C, O> Driver<I, C, O> {
             if let Some(reason) = stop {
                 return Ok(reason);
             }
+        }
+    }
+
+    /// Updates the state, if it is time to, and tells when the next update is, if the motion comes there: updates are of a motion
+    /// forwards in time.
+    fn update<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        stepper: &mut I::Stepper,
+        end: f64,
+    ) -> Result<Option<f64>, IntegrationError>
+    where
+        I: Integrator<S, D>,
+    {
+        let t = stepper.time();
+        let Some(mut next) = dynamics.next_update(stepper.state()) else {
+            return Ok(None);
+        };
+        if next <= t && t <= end {
+            let mut x = stepper.state().clone();
+            dynamics.update(S::from_f64(t), &mut x);
+            next = dynamics.next_update(&x).unwrap_or(f64::INFINITY);
+            checked_state(dynamics, t, &x)?;
+            stepper.restart_at(dynamics, t, x)?;
+        }
+        if next > t || t > end {
+            Ok(Some(next).filter(|next| *next < end))
+        } else {
+            Err(IntegrationError::InvalidUpdate { time: t, next })
         }
     }
 

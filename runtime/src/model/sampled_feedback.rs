@@ -1,0 +1,227 @@
+//! Sampled feedback: a controller that is evaluated periodically, and whose inputs are held in between.
+
+use nalgebra::SVector;
+
+use super::common_dynamics::{allowed_error, component_name, reduced};
+use super::events::EventsWith;
+use super::inputs::Inputs;
+use super::motion_series::{MotionSeriesWith, switching_function};
+use super::phase::Phase;
+use super::sampled_phase::SampledPhase;
+use super::singular_configuration::{
+    singularity, singularity_between, singularity_in_motion, vanishing_inertia,
+};
+use super::state::State;
+use crate::integrate::{
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, SingleNumber, Singularity,
+    SwitchingFunction, TaylorCoefficients,
+};
+use crate::linalg::{ErrorTolerance, IntoVector, VectorSpace};
+use crate::scalar::Scalar;
+
+/// A model under a controller that is sampled with a zero-order hold; made by
+/// [`Problem::sampled_feedback`](crate::Problem::sampled_feedback).
+#[derive(Debug)]
+pub struct SampledFeedback<'a, M, F, S, const N: usize, const U: usize, const J: usize>
+where
+    M: Inputs<N, U, S>,
+    S: Scalar,
+{
+    model: &'a M,
+    prepared: M::Prepared,
+    law: F,
+    /// The time of the first sampling.
+    start: f64,
+    period: f64,
+}
+
+impl<'a, M, F, S, const N: usize, const U: usize, const J: usize>
+    SampledFeedback<'a, M, F, S, N, U, J>
+where
+    M: Inputs<N, U, S>,
+    S: Scalar,
+{
+    pub(super) fn new(model: &'a M, law: F, start: f64, period: f64) -> Self {
+        Self {
+            model,
+            prepared: model.prepare(),
+            law,
+            start,
+            period,
+        }
+    }
+}
+
+impl<M, F, R, S, const N: usize, const U: usize, const J: usize> Dynamics<S>
+    for SampledFeedback<'_, M, F, S, N, U, J>
+where
+    M: Inputs<N, U, S>,
+    F: Fn(&State<S, N>, &mut SVector<S, J>) -> R,
+    R: IntoVector<S, U>,
+    S: Scalar,
+{
+    type State = SampledPhase<S, N, U, J>;
+
+    #[inline]
+    fn derivative(&self, t: S, x: &Self::State) -> Self::State {
+        SampledPhase::moving(Phase {
+            q: x.v,
+            v: self
+                .model
+                .accelerations_prepared_with(&x.state_at(t), &x.inputs, &self.prepared),
+        })
+    }
+
+    /// The next multiple of the period.
+    fn next_update(&self, x: &Self::State) -> Option<f64> {
+        let time = self.start + x.samplings.smallest() * self.period;
+        // Without a period that is a number the time is not one, which is an error.
+        let is_valid = self.period > 0.0 && self.period.is_finite();
+        Some(if is_valid { time } else { f64::NAN })
+    }
+
+    fn update(&self, t: S, x: &mut Self::State) {
+        x.inputs = (self.law)(&x.state_at(t), &mut x.memory).into_vector();
+        x.samplings += S::one();
+    }
+
+    #[inline]
+    fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
+        let Phase { q, v } = allowed_error::<M, S, N>(&x.phase(), tolerance);
+        let of_held = VectorSpace::map(x, |held| tolerance.of_coordinate(held.abs()));
+        SampledPhase { q, v, ..of_held }
+    }
+
+    /// The controller is evaluated at the whole angles.
+    #[inline]
+    fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
+        let Phase { q, v } = reduced::<M, S, N>(&x.phase(), &compensation.phase());
+        SampledPhase { q, v, ..*x }
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity(self.model, &x.state_at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        singularity_between::<M, S, N>(lane, &before.q, &after.state_at(t))
+    }
+
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singularity_in_motion(self.model, &x.state_at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        vanishing_inertia(self.model, &x.state_at(t))
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        match index.checked_sub(2 * N) {
+            Some(own) => ComponentName::Controller(own),
+            None => component_name::<M, N>(index),
+        }
+    }
+}
+
+/// Between two samplings the inputs are constant. Motions in lanes have samplings of their own, which nothing waits for: they
+/// have no series.
+impl<M, F, R, S, const N: usize, const U: usize, const J: usize> Series<S>
+    for SampledFeedback<'_, M, F, S, N, U, J>
+where
+    M: MotionSeriesWith<N, U, S>,
+    F: Fn(&State<S, N>, &mut SVector<S, J>) -> R,
+    R: IntoVector<S, U>,
+    S: SingleNumber,
+{
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        let (state, held) = (x.state_at(t), [x.inputs]);
+        let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.phase());
+        self.model
+            .taylor_series_with(&state, &held, &self.prepared, unit, &mut motion);
+        let Phase { q, v } = *motion.initial();
+        *coefficients.initial_mut() = SampledPhase { q, v, ..*x };
+        let terms = coefficients.higher_mut().iter_mut();
+        for (term, of_motion) in terms.zip(motion.higher()) {
+            *term = SampledPhase::moving(*of_motion);
+        }
+    }
+
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let held = [x.inputs];
+        self.model
+            .branch_series_with(&held, &x.state_at(t), unit, &of_phase(motion), visit);
+    }
+
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        switching_function::<M, S, N>(index)
+    }
+}
+
+/// The coefficients of coordinates and velocities.
+fn of_phase<S: Scalar, const N: usize, const U: usize, const J: usize, const HALF: usize>(
+    motion: &TaylorCoefficients<SampledPhase<S, N, U, J>, HALF>,
+) -> TaylorCoefficients<Phase<S, N>, HALF> {
+    let mut of_phase = TaylorCoefficients::new(motion.initial().phase());
+    let terms = of_phase.higher_mut().iter_mut().zip(motion.higher());
+    for (term, sampled) in terms {
+        *term = sampled.phase();
+    }
+    of_phase
+}
+
+impl<M, F, R, S, const N: usize, const U: usize, const J: usize> EventDynamics<S>
+    for SampledFeedback<'_, M, F, S, N, U, J>
+where
+    M: EventsWith<N, U, S>,
+    F: Fn(&State<S, N>, &mut SVector<S, J>) -> R,
+    R: IntoVector<S, U>,
+    S: Scalar,
+{
+    type Values = M::EventValues;
+
+    fn names(&self) -> &'static [&'static str] {
+        M::EVENTS
+    }
+
+    fn branches(&self, event: usize) -> &'static [usize] {
+        M::BRANCHES.get(event).copied().unwrap_or_default()
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
+        self.model.event_functions_with(&x.state_at(t), &x.inputs)
+    }
+
+    fn event_series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
+        let held = [x.inputs];
+        self.model
+            .event_series_with(&held, &x.state_at(t), unit, &of_phase(motion))
+    }
+}
