@@ -121,12 +121,8 @@ fn every_method_goes_on_from_checkpoints() {
 #[test]
 fn every_scalar_goes_on_from_checkpoints() {
     fn start<S: Scalar>(number: impl Fn(f64) -> S) -> At<f64, Phase<S, 2>> {
-        let state = State::new(
-            number(0.0),
-            [2.0, 1.0].map(&number),
-            [0.1, -0.3].map(&number),
-        );
-        At::from(state)
+        let q = [2.0, 1.0].map(&number);
+        At::from((0.0, Phase::new(q, [0.1, -0.3].map(&number))))
     }
     let dynamics = DoublePendulum.dynamics();
     let doubled = start(|x| DoubleDouble::from_f64(x) / DoubleDouble::from_f64(3.0));
