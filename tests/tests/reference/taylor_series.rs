@@ -98,8 +98,8 @@ forces! {
 fn plane(q: [f64; 2]) -> State<DoubleDouble, 2> {
     State::new(
         DoubleDouble::from_f64(0.7),
-        q.map(DoubleDouble::from_f64).into(),
-        [0.4, -0.9].map(DoubleDouble::from_f64).into(),
+        q.map(DoubleDouble::from_f64),
+        [0.4, -0.9].map(DoubleDouble::from_f64),
     )
 }
 
@@ -137,8 +137,8 @@ fn systems_that_are_solved_numerically_have_series() {
     let exact = |values: [f64; 9]| values.map(DoubleDouble::from_f64);
     let state = State::new(
         DoubleDouble::from_f64(0.7),
-        exact(values(0.8)).into(),
-        exact(values(-0.6)).into(),
+        exact(values(0.8)),
+        exact(values(-0.6)),
     );
     let mut figures = Figures::new();
     let residual = residual(&Coupled { m: 1.3 }, state);
@@ -183,8 +183,8 @@ fn quasi_velocities_in_a_moving_frame_have_series() {
     let exact = |values: [f64; 3]| values.map(DoubleDouble::from_f64);
     let state = State::new(
         DoubleDouble::from_f64(0.7),
-        exact([0.4, -2.1, 1.3]).into(),
-        exact([0.9, -0.5, 2.2]).into(),
+        exact([0.4, -2.1, 1.3]),
+        exact([0.9, -0.5, 2.2]),
     );
     let mut figures = Figures::new();
     figures.record("residual", "rotor", residual(&rotor, state), TOLERANCE);
@@ -216,8 +216,8 @@ fn point<const N: usize>(state: &Value) -> State<DoubleDouble, N> {
     let exact = |values: [f64; N]| values.map(DoubleDouble::from_f64);
     State::new(
         DoubleDouble::from_f64(number(&state["t"])),
-        exact(array(&state["q"])).into(),
-        exact(array(&state["qd"])).into(),
+        exact(array(&state["q"])),
+        exact(array(&state["qd"])),
     )
 }
 
