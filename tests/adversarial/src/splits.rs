@@ -36,7 +36,7 @@ macro_rules! splits_by {
             let dynamics = model.dynamics();
             let split = Split {
                 dynamics: &dynamics,
-                start: at.state::<N>().into(),
+                start: at.state::<N>(),
                 run,
             };
             let driver = $method(run).driver().max_steps(MOST_STEPS);

@@ -95,10 +95,11 @@ fn derivatives_go_on_from_checkpoints() {
     let stopping = driver.clone().max_steps(3);
     let mut running = stopping.start(&dynamics, &initial).unwrap();
     running.advance_to(END).unwrap();
-    for checkpoint in [
-        by_text(&running.checkpoint()),
-        by_bytes(&running.checkpoint()),
-    ] {
+    for stored in 0..2 {
+        let checkpoint = match stored {
+            0 => by_text(&running.checkpoint()),
+            _ => by_bytes(&running.checkpoint()),
+        };
         let mut resumed = driver.clone().resume(&dynamics, checkpoint).unwrap();
         assert!(resumed.time() < END);
         resumed.advance_to(END).unwrap();

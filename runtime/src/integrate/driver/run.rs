@@ -13,7 +13,7 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::{Outcome, StopReason};
 use crate::integrate::reacting::{React, Unreacting};
-use crate::integrate::stepper::{Advance as _, Stepper as _, checked_state};
+use crate::integrate::stepper::{Advance, Stepper as _, checked_state};
 use crate::integrate::stop_condition::StopCondition;
 use crate::limits::MIN_SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
@@ -110,7 +110,7 @@ impl<I, C, O> Driver<I, C, O> {
         let step_limit = stepper.statistics().attempts().saturating_add(steps);
         let (mut beginning, mut is_visited) = (Beginning::Initial, true);
         loop {
-            let next = self.update(system.dynamics(), stepper, end)?;
+            let next = update(system.dynamics(), stepper, end)?;
             let mut part = Integration {
                 dynamics: system.dynamics(),
                 stepper: &mut *stepper,
@@ -160,35 +160,6 @@ impl<I, C, O> Driver<I, C, O> {
             if let Some(reason) = stop {
                 return Ok(reason);
             }
-        }
-    }
-
-    /// Updates the state, if it is time to, and tells when the next update is, if the motion comes there: updates are of a motion
-    /// forwards in time.
-    fn update<S: Scalar, D: Dynamics<S> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        stepper: &mut I::Stepper,
-        end: f64,
-    ) -> Result<Option<f64>, IntegrationError>
-    where
-        I: Integrator<S, D>,
-    {
-        let t = stepper.time();
-        let Some(mut next) = dynamics.next_update(stepper.state()) else {
-            return Ok(None);
-        };
-        if next <= t && t <= end {
-            let mut x = stepper.state().clone();
-            dynamics.update(S::from_f64(t), &mut x);
-            next = dynamics.next_update(&x).unwrap_or(f64::INFINITY);
-            checked_state(dynamics, t, &x)?;
-            stepper.restart_at(dynamics, t, x)?;
-        }
-        if next > t || t > end {
-            Ok(Some(next).filter(|next| *next < end))
-        } else {
-            Err(IntegrationError::InvalidUpdate { time: t, next })
         }
     }
 
@@ -300,6 +271,31 @@ impl<I, C, O> Driver<I, C, O> {
                 .max(MIN_SINGULARITY_TOLERANCE * epsilon)
         });
         epsilon / allowed
+    }
+}
+
+/// Updates the state, if it is time to, and tells when the next update is, if the motion comes there: updates are of a motion
+/// forwards in time.
+fn update<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    stepper: &mut impl Advance<S, D>,
+    end: f64,
+) -> Result<Option<f64>, IntegrationError> {
+    let t = stepper.time();
+    let Some(mut next) = dynamics.next_update(stepper.state()) else {
+        return Ok(None);
+    };
+    if next <= t && t <= end {
+        let mut x = stepper.state().clone();
+        dynamics.update(S::from_f64(t), &mut x);
+        next = dynamics.next_update(&x).unwrap_or(f64::INFINITY);
+        checked_state(dynamics, t, &x)?;
+        stepper.restart_at(dynamics, t, x)?;
+    }
+    if next > t || t > end {
+        Ok(Some(next).filter(|next| *next < end))
+    } else {
+        Err(IntegrationError::InvalidUpdate { time: t, next })
     }
 }
 

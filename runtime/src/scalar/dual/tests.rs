@@ -115,12 +115,12 @@ fn angles_have_their_slopes_at_extreme_distances() {
         for (x, y) in [(1.25, 0.75), (-0.5, 1.5), (3.0, 0.0), (0.0, -2.0)] {
             let point = [(y, 0), (x, 2)];
             let [along_y, along_x] =
-                point.map(|(value, index)| OfThree::variable(value * unit, Some(index)));
+                point.map(|(value, index)| OfThree::variable(value * unit, index));
             let found = along_y.atan2(along_x);
             assert!((found.largest() - y.atan2(x)).abs() < 1e-15, "{n}");
             let square = x * x + y * y;
             for (index, expected) in [(0, x / square), (2, -y / square)] {
-                let found = found.slopes()[index] * unit;
+                let found = found.derivative[index] * unit;
                 let error = (found - expected).abs();
                 assert!(error < 1e-15, "{n} {x} {y}: {found} {expected}");
             }
