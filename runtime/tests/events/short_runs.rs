@@ -30,7 +30,7 @@ where
     let model = Oscillator { k: 1.0 };
     let equations = model.dynamics();
     let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0];
-    let (mut last, mut seen) = (Sample::from(start), Vec::new());
+    let (mut last, mut seen) = (start, Vec::new());
     for time in times {
         let driver = method.driver();
         let motion = if declared {
@@ -146,7 +146,7 @@ fn a_reaction_leaves_no_event_in_the_other_direction() {
         for to in 1..=13 {
             let model = Oscillator { k: 1.0 };
             let mut equations = model.dynamics();
-            let (mut last, mut seen) = (Sample::from(State::new(0.2, [0.3], [0.4])), Vec::new());
+            let (mut last, mut seen) = (State::new(0.2, [0.3], [0.4]), Vec::new());
             for time in [near(from), near(to), 2.5] {
                 let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0; 2];
                 let driver = Dop853::new().driver();

@@ -23,7 +23,7 @@ fn start() -> State<f64, 1> {
 }
 
 /// The difference equation of a mass whose acceleration is constant in each period, under a law of the state and of a sum.
-fn expected(period: f64, samplings: usize) -> [f64; 4] {
+fn expected(period: f64, samplings: u32) -> [f64; 4] {
     let [mut x, mut v, mut push, mut sum] = [1.0, 0.0, 0.0, 0.0];
     for _ in 0..samplings {
         sum += x;
@@ -81,9 +81,9 @@ fn samples_have_what_is_held() {
         .solve(1.25, Taylor::new())
         .unwrap();
     assert_eq!(motion.samples().len(), 21);
-    for (k, state) in motion.samples().iter().enumerate() {
+    for (k, state) in (0..).zip(motion.samples()) {
         // Samples at samplings are taken as a step ends, before the controller is evaluated, except at the start.
-        let samplings = if k == 0 { 1 } else { k.div_ceil(2) };
+        let samplings = if k == 0 { 1 } else { u32::div_ceil(k, 2) };
         let [.., push, sum] = expected(0.1, samplings);
         assert!((state.inputs[0] - push).abs() < 1e-13, "{k}");
         assert!((state.memory[0] - sum).abs() < 1e-13, "{k}");
@@ -125,11 +125,12 @@ fn events_occur_under_held_inputs() {
         .filter(|event| event.event == 1)
         .map(|event| event.t)
         .collect();
-    let crossings = (1..60).filter(|k| {
+    let crossings = (1..60_u32).filter(|k| {
         let [before, behind] = [*k, k + 1].map(|samplings| expected(0.1, samplings)[2] > 0.25);
         before != behind
     });
-    let crossings: Vec<f64> = crossings.map(|k| 0.25 + 0.1 * k as f64).collect();
+    let crossings = crossings.map(|k| 0.25 + 0.1 * f64::from(k));
+    let crossings: Vec<f64> = crossings.collect();
     assert_eq!(jumps.len(), crossings.len(), "{jumps:?} {crossings:?}");
     for (jump, crossing) in jumps.iter().zip(crossings) {
         assert!((jump - crossing).abs() < 1e-12);
