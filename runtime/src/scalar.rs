@@ -326,7 +326,8 @@ pub trait Scalar:
     }
     /// A power of two, without derivative parts, by which the larger of |self| and |other| becomes about 1.
     ///
-    /// Emitted code multiplies both by it where it squares them, so that the squares neither underflow nor overflow.
+    /// Emitted code multiplies both by it where it squares them, so that the squares neither underflow nor overflow. It takes
+    /// them in either order, in which the scale is the same.
     /// The default is 1, with which slopes of `atan2` have their digits at distances whose squares are
     /// representable.
     #[inline]

@@ -1,9 +1,9 @@
 //! Taylor series of programs, and the check that every expansion makes of them.
 
 use lagrangian_symbolic::{
-    AccelerationProgram, Equations, Expression, FirstOrderEquations, Graph, ImplicitEquations,
-    Kinetics, Model, PoleForm, Program, Reduction, SeriesCheck, SeriesOutputs, Staged,
-    TaylorProgram, ValueSeriesCheck,
+    AccelerationProgram, Binary, Equations, Expression, FirstOrderEquations, Graph,
+    ImplicitEquations, Kinetics, Model, Operation, PoleForm, Program, Reduction, SeriesCheck,
+    SeriesOutputs, Staged, Symbol, TaylorProgram, ValueSeriesCheck,
 };
 use lagrangian_symbolic_testing::mutation::wrong_series;
 use lagrangian_symbolic_testing::systems::{
@@ -364,4 +364,26 @@ fn series_of_values_with_an_error_anywhere_are_found_out() {
             assert!(!agrees, "{what}: {error}");
         }
     }
+}
+
+/// An angle times its slope has one scale: the squares of x and y are convolved once, and so is x y′ − y x′.
+#[test]
+fn an_angle_and_its_slope_share_the_squares_of_the_distance() {
+    let mut graph = Graph::new();
+    let [x, y] = [0, 1].map(|i| graph.symbol(Symbol::Coordinate(i)));
+    let angle = graph.binary(Binary::Atan2, y, x);
+    let potential = graph.square(angle);
+    let force = graph.derivative(potential, Symbol::Coordinate(0));
+    let program = Program::schedule(&graph, &[&[force]]);
+    let outputs = SeriesOutputs::Values(&program.groups[0].outputs);
+    let taylor = TaylorProgram::of(&graph, &program, outputs).unwrap();
+    let instructions = taylor
+        .initial
+        .groups
+        .iter()
+        .flat_map(|group| &group.instructions);
+    let scales = instructions.filter(|instruction| {
+        matches!(instruction.operation, Operation::Binary(Binary::Scale, ..))
+    });
+    assert_eq!((scales.count(), taylor.convolutions.len()), (1, 7));
 }

@@ -332,15 +332,14 @@ impl Builder<'_> {
     /// (x² + y²) Dw = x Dy − y Dx for the angle w of the point (x, y), both times a power of two, by which the squares are
     /// neither too small nor too large.
     fn angle(&mut self, y: &Series, x: &Series) -> Operand {
-        let [x, y] = &self.scaled_together([x, y]);
-        let squares = [x, y].map(|series| {
+        let [y, x] = &self.scaled_together([y, x]);
+        let squares = [y, x].map(|series| {
             let constant = &series.constant;
             let operation = Operation::Multiply(constant.clone(), constant.clone());
             self.initial.emit(operation)
         });
-        let [first, second] = squares;
-        let constant = self.initial.emit(Operation::Add(first, second));
-        let squares = [x, y].map(|series| self.product(series, series));
+        let constant = self.symmetric(Operation::Add, squares);
+        let squares = [y, x].map(|series| self.product(series, series));
         let square = self.add(&squares[0], &squares[1]);
         let changes = [(x, y), (y, x)].map(|(factor, of)| {
             if !of.varies() {
@@ -362,16 +361,15 @@ impl Builder<'_> {
 
     /// Two series times the scale of their terms of order 0.
     fn scaled_together(&mut self, series: [&Series; 2]) -> [Series; 2] {
-        let [first, second] = series.map(|series| series.constant.clone());
-        let scale = self
-            .initial
-            .emit(Operation::Binary(Binary::Scale, first, second));
+        let constants = series.map(|series| series.constant.clone());
+        let scale = |x, y| Operation::Binary(Binary::Scale, x, y);
+        let scale = self.symmetric(scale, constants);
         let of_recurrence = self.invariant(&scale);
         series.map(|series| {
             let constant = Operation::Multiply(series.constant.clone(), scale.clone());
             Series {
                 constant: self.initial.emit(constant),
-                coefficient: self.multiply(&series.coefficient, &of_recurrence),
+                coefficient: self.multiply(&of_recurrence, &series.coefficient),
             }
         })
     }

@@ -57,6 +57,16 @@ impl Builder<'_> {
         self.multiply(&Operand::Symbol(Symbol::ReciprocalOrder), x)
     }
 
+    /// A term of order 0 that is the same with its operands exchanged: one value for both orders.
+    pub(super) fn symmetric(
+        &mut self,
+        operation: impl Fn(Operand, Operand) -> Operation,
+        [x, y]: [Operand; 2],
+    ) -> Operand {
+        let known = self.initial.known(&operation(y.clone(), x.clone()));
+        known.unwrap_or_else(|| self.initial.emit(operation(x, y)))
+    }
+
     /// A term of order 0, as the recurrence reads it.
     pub(super) fn invariant(&mut self, constant: &Operand) -> Operand {
         if !matches!(constant, Operand::Value(_) | Operand::Symbol(_)) {
