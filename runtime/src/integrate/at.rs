@@ -6,8 +6,8 @@ use crate::scalar::Scalar;
 
 /// A state `x` at a time `t`: an initial value, a sample, a final state.
 ///
-/// Its fields are the time and those of `x`. That of a mechanical system is a [`State`](crate::State), with the fields
-/// `t`, `q` and `v`; of other dynamics it is made from a pair:
+/// Its fields are the time and the fields of `x`: a [`State`](crate::State) of a mechanical system has the fields `t`, `q` and `v`. A
+/// state of other dynamics is made from a pair:
 ///
 /// ```
 /// use lagrangian::nalgebra::SVector;

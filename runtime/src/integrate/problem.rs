@@ -25,9 +25,10 @@ use core::marker::PhantomData;
 use super::at::At;
 use super::driver::Driver;
 use super::dynamics::Dynamics;
+use super::error::IntegrationError;
 use super::integrator::Integrator;
 use super::observer::{EachStep, Flow, Observer, Observers, Progress, Unobserved};
-use super::outcome::Outcome;
+use super::outcome::{Outcome, StopReason};
 use super::stop_condition::{Extensible, StopCondition, Unconditional};
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
@@ -84,7 +85,7 @@ where
     count: usize,
     observer: O,
     keep: K,
-    max_steps: u64,
+    max_steps: Option<u64>,
     singularity_tolerance: Option<f64>,
     scalar: PhantomData<S>,
 }
@@ -103,7 +104,7 @@ impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
             count: 0,
             observer: Unobserved,
             keep: End,
-            max_steps: MAX_STEPS,
+            max_steps: None,
             singularity_tolerance: None,
             scalar: PhantomData,
         }
@@ -133,10 +134,11 @@ impl<S: Scalar, D: Dynamics<S>, K> Problem<S, D, K> {
 }
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// Limits the number of steps, rejected ones included: 10⁸ by default. Then the integration ends by
-    /// [`StopReason::StepLimit`](crate::StopReason::StepLimit).
+    /// Limits the number of steps, rejected ones included. Then the integration ends by
+    /// [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without a limit more than 10⁸ steps are an error,
+    /// [`TooManySteps`](crate::IntegrationError::TooManySteps).
     pub fn max_steps(mut self, steps: u64) -> Self {
-        self.max_steps = steps;
+        self.max_steps = Some(steps);
         self
     }
 
@@ -212,7 +214,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         K: Keep<S, D, I::Stepper>,
     {
         let mut driver = Driver::of_parts(method, self.conditions, self.observer)
-            .max_steps(self.max_steps)
+            .max_steps(self.max_steps.unwrap_or(MAX_STEPS))
             .with_singularity_tolerance(self.singularity_tolerance);
         let mut begun = self.keep.begin(&self.start, end);
         let mut collector = Collecting::new(&mut begun.collection);
@@ -230,11 +232,24 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             Err(error) => (Outcome::at(self.start), Err(error)),
         };
         let events = collector.events;
+        let result = result.and(within_limit(&outcome, self.max_steps));
         let solution = Solution::new(K::finish(begun.collection, &outcome), events, outcome);
         match result {
             Ok(()) => Ok(solution),
             Err(error) => Err(Unfinished::new(error, solution)),
         }
+    }
+}
+
+/// An error at the largest number of steps, unless a limit is set.
+fn within_limit<X>(outcome: &Outcome<X>, limit: Option<u64>) -> Result<(), IntegrationError> {
+    if outcome.reason == StopReason::StepLimit && limit.is_none() {
+        Err(IntegrationError::TooManySteps {
+            time: outcome.last.t,
+            limit: MAX_STEPS,
+        })
+    } else {
+        Ok(())
     }
 }
 

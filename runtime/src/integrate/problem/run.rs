@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::keep::{Collecting, Keep};
 use super::reaction::{Changing, Reactions};
 use super::solution::{Solution, Solved, Unfinished};
-use super::{End, Problem};
+use super::{End, Problem, within_limit};
 use crate::integrate::at::At;
 use crate::integrate::checkpoint::{Checkpoint, EventSigns, Resume};
 use crate::integrate::driver::{Driver, check_times};
@@ -17,6 +17,7 @@ use crate::integrate::observer::{Observer, Unobserved};
 use crate::integrate::outcome::Outcome;
 use crate::integrate::stepper::{Advance as _, Statistics, Stepper as _};
 use crate::integrate::stop_condition::{StopCondition, Unconditional};
+use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 
 /// An integration in progress, from [`Problem::start`] or [`Problem::resume`] on: it is advanced, asked and changed by hand.
@@ -54,6 +55,7 @@ where
     dynamics: D,
     reactions: R,
     keep: K,
+    max_steps: Option<u64>,
     stepper: I::Stepper,
     /// What is known of the events, as far as the integration goes on from where it was known.
     memory: Option<C::Memory>,
@@ -79,7 +81,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     }
 
     /// The integration that goes on from a checkpoint in place of the start: to the last bit as if it had not stopped, if the
-    /// dynamics and the settings are the same. Other dynamics, such as those of other parameters, begin there anew.
+    /// dynamics and the settings are the same. Dynamics with other parameters begin there anew.
     ///
     /// # Errors
     ///
@@ -116,7 +118,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         C: StopCondition<S, D>,
     {
         let driver = Driver::of_parts(method, self.conditions, self.observer)
-            .max_steps(self.max_steps)
+            .max_steps(self.max_steps.unwrap_or(MAX_STEPS))
             .with_singularity_tolerance(self.singularity_tolerance);
         let (stepper, events) = stepper(&driver, &self.dynamics, &self.start)?;
         Ok(Run {
@@ -124,6 +126,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             dynamics: self.dynamics,
             reactions: self.reactions,
             keep: self.keep,
+            max_steps: self.max_steps,
             stepper,
             memory: None,
             events,
@@ -255,7 +258,7 @@ where
     ///
     /// Any of [`IntegrationError`], with the solution up to there. The integration can go on from there, too.
     pub fn advance(&mut self, end: f64) -> Solved<S, D::State, K::Kept> {
-        self.advance_by(end, self.driver.steps_at_a_time())
+        self.advance_by(end, self.driver.steps_at_a_time(), self.max_steps)
     }
 
     /// Takes one step towards the time `end`; none at the end. A step that was rejected, or ended at an event, counts.
@@ -269,11 +272,16 @@ where
     ) -> Result<Option<Solution<S, D::State, K::Kept>>, Unfinished<Solution<S, D::State, K::Kept>>>
     {
         let steps = self.statistics().steps;
-        let solution = self.advance_by(end, 1)?;
+        let solution = self.advance_by(end, 1, Some(1))?;
         Ok(Some(solution).filter(|_| self.statistics().steps > steps))
     }
 
-    fn advance_by(&mut self, end: f64, steps: u64) -> Solved<S, D::State, K::Kept> {
+    fn advance_by(
+        &mut self,
+        end: f64,
+        steps: u64,
+        limit: Option<u64>,
+    ) -> Solved<S, D::State, K::Kept> {
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
         let mut begun = self.keep.clone().begin(&start, end);
@@ -300,6 +308,7 @@ where
             result = result.and(self.stepper.restart_at(&self.dynamics, t, x));
         }
         let events = collector.events;
+        result = result.and(within_limit(&outcome, limit));
         let solution = Solution::new(K::finish(begun.collection, &outcome), events, outcome);
         if let Err(error) = result {
             self.forget_events();

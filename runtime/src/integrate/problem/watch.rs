@@ -53,7 +53,7 @@ impl<const K: usize> Directed for DeclaredEvents<K> {
     }
 }
 
-/// The index of a declared event, or those of several.
+/// The index of a declared event, or the indices of several.
 pub trait EventIndices {
     /// The events of these indices.
     type Events;
