@@ -11,8 +11,6 @@ struct Cart {
 fn main() {
     let cart = Cart { m: 1.0, push: 0.0 };
     let problem = || Problem::new(&cart, State::new(0.0, [0.0], [1.0]));
-    // A law of two inputs for one.
-    let _ = problem().feedback(|x| [x.q[0], x.v[0]]);
     // No series is known under a closure.
     let _ = problem().feedback(|x| -x.q[0]).solve(1.0, Taylor::new());
     // No event is declared.
