@@ -124,16 +124,16 @@ where
     /// # struct Slider { m: f64, k: f64, #[lagrangian(input)] push: f64 }
     ///
     /// let slider = Slider { m: 1.0, k: 4.0, push: 0.0 };
-    /// // A thousand times a second, with the sum of the errors in its memory.
+    /// // Fifty times a second, with the sum of the errors in its memory.
     /// let end = Problem::new(&slider, State::new(0.0, [0.0], [0.0]))
-    ///     .sampled_feedback(1e-3, [0.0], |x, sum| {
+    ///     .sampled_feedback(0.02, [0.0], |x, sum| {
     ///         let error = 1.0 - x.q[0];
-    ///         sum[0] += 1e-3 * error;
+    ///         sum[0] += 0.02 * error;
     ///         20.0 * error + 10.0 * sum[0] - 5.0 * x.v[0]
     ///     })
-    ///     .solve(60.0, Taylor::new())?;
-    /// assert!((end.q[0] - 1.0).abs() < 1e-8);
-    /// assert!((end.inputs[0] - 4.0).abs() < 1e-6);
+    ///     .solve(20.0, Taylor::new())?;
+    /// assert!((end.q[0] - 1.0).abs() < 1e-3);
+    /// assert!((end.inputs[0] - 4.0).abs() < 1e-2);
     /// # Ok::<(), IntegrationError>(())
     /// ```
     ///
