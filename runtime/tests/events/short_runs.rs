@@ -10,7 +10,7 @@ use lagrangian::prelude::*;
     coordinates(x),
     kinetic = 0.5 * dot(x).powi(2),
     potential = 0.5 * k * x.powi(2),
-    event(cube = t.powi(3) - 5, early = t - 0.37, both = (t - 1) * (t - 2.5), pair = (t - 1).powi(2) - 1e-10),
+    event(cube = t.powi(3) - 5, early = t - 0.37, both = (t - 1) * (t - 2.5)),
 )]
 struct Oscillator {
     k: f64,
@@ -116,25 +116,6 @@ fn an_event_is_not_reported_where_another_one_occurs() {
     let found: Vec<usize> = motion.events().iter().map(|event| event.event).collect();
     assert_eq!(found, [0, 1]);
     assert!((motion.events()[1].t - 2.5).abs() < 1e-12);
-}
-
-/// Both zeros of a pair, each watched for in its direction.
-#[test]
-fn the_directions_of_a_pair_are_told_apart() {
-    let model = Oscillator { k: 1.0 };
-    let watched = [Event::rising(), Event::falling()].map(|event| (Oscillator::PAIR, event));
-    let driver = Taylor::new().driver().declared_events(watched);
-    let start = State::new(-0.1, [0.2], [0.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[3.2]).unwrap();
-    let found = motion.events().iter().map(|event| (event.event, event.t));
-    let found: Vec<(usize, f64)> = found.collect();
-    assert_eq!(found.len(), 2);
-    for ((event, time), expected) in found.iter().zip([(1, 1.0 - 1e-5), (0, 1.0 + 1e-5)]) {
-        assert!(
-            *event == expected.0 && (time - expected.1).abs() < 1e-9,
-            "{found:?}"
-        );
-    }
 }
 
 /// Reactions to one direction, watched for beside the other one.

@@ -9,7 +9,6 @@ use crate::integrate::event::{
     Bracket, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber,
 };
 use crate::integrate::stepper::Advance;
-use crate::limits::events::MOST_COEFFICIENTS;
 
 impl<const K: usize> DeclaredEvents<K> {
     /// The next events at roots of these polynomials of the fraction of the step.
@@ -27,9 +26,9 @@ impl<const K: usize> DeclaredEvents<K> {
     {
         let from = window.fraction(memory.until);
         let near = window.fraction(step.after(window.begin));
-        let (mut found, mut first_of_all) = ([None; K], [None; K]);
+        let (mut found, mut ahead) = ([None; K], [0.0; K]);
         for (event, polynomial) in polynomials.iter().enumerate() {
-            [found[event], first_of_all[event]] =
+            (found[event], ahead[event]) =
                 self.first_of(event, polynomial, memory, (window, from, near));
         }
         let mut late = MetConditions::default();
@@ -42,9 +41,7 @@ impl<const K: usize> DeclaredEvents<K> {
             let time = window.time(first);
             let events = occurring_at(&found, polynomials, window.fraction(step.after(time)));
             if let Some(t) = self.just_behind(memory, step, (time, window), &found, events) {
-                let behind = window.fraction(step.after(t));
-                note_occurring(memory, &found, events);
-                note_others(memory, polynomials, first_of_all, events, behind);
+                note_occurring(memory, &found, &ahead, events);
                 let still = stay_at_zero(memory, polynomials, [from, near], window.fraction(t));
                 memory.arrive(step.after(t));
                 memory.left = still.without(events);
@@ -146,38 +143,22 @@ fn occurring_at<const K: usize>(
     MetConditions::of(found.iter().zip(polynomials).map(occurs))
 }
 
-/// Notes which of the events that were found occur.
+/// Notes which of the events that were found occur, and the signs before the others.
 fn note_occurring<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     found: &[Option<Root>; K],
+    ahead: &[f64; K],
     events: MetConditions,
 ) {
-    for event in events.indices() {
-        if let Some(root) = found[event] {
+    for (event, root) in found.iter().enumerate() {
+        let occurring = root.filter(|_| events.contains(event));
+        memory.ahead[event] = match occurring {
+            Some(_) => 0.0,
+            None => ahead[event],
+        };
+        if let Some(root) = occurring {
             (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
         }
-        memory.ahead[event] = 0.0;
-    }
-}
-
-/// Notes the signs of the other events' functions up to their next roots behind a part of the window, whether or not these are events.
-fn note_others<const K: usize>(
-    memory: &mut Memory<[f64; K]>,
-    polynomials: &[Polynomial; K],
-    first_of_all: [Option<Root>; K],
-    events: MetConditions,
-    behind: f64,
-) {
-    let others = polynomials.iter().zip(first_of_all).enumerate();
-    for (event, (polynomial, mut next)) in others.filter(|(event, _)| !events.contains(*event)) {
-        for _ in 0..MOST_COEFFICIENTS {
-            let Some(root) = next.filter(|root| root.at <= behind) else {
-                break;
-            };
-            (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
-            next = polynomial.next_root(root.until, root.behind);
-        }
-        memory.ahead[event] = next.map_or(0.0, |root| root.before);
     }
 }
 
