@@ -10,7 +10,7 @@ use lagrangian::prelude::*;
     coordinates(x),
     kinetic = 0.5 * dot(x).powi(2),
     potential = 0.5 * k * x.powi(2),
-    event(cube = t.powi(3) - 5, early = t - 0.37, both = (t - 1) * (t - 2.5)),
+    event(cube = t.powi(3) - 5),
 )]
 struct Oscillator {
     k: f64,
@@ -98,48 +98,6 @@ fn a_periodic_function_is_not_zero_between_its_zeros() {
             let second = driver().sample(&model.dynamics(), first.last(), &[4.0]);
             let count = first.events().len() + second.unwrap().events().len();
             assert_eq!(count, whole.events().len(), "{end:e}");
-        }
-    }
-}
-
-/// The sign before a rising zero is not the one before the falling zero on the way to it.
-#[test]
-fn an_event_is_not_reported_where_another_one_occurs() {
-    let model = Oscillator { k: 1.0 };
-    let watched = [
-        (Oscillator::EARLY, Event::either()),
-        (Oscillator::BOTH, Event::rising()),
-    ];
-    let driver = Taylor::new().driver().declared_events(watched);
-    let start = State::new(-0.1, [0.2], [0.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[3.2]).unwrap();
-    let found: Vec<usize> = motion.events().iter().map(|event| event.event).collect();
-    assert_eq!(found, [0, 1]);
-    assert!((motion.events()[1].t - 2.5).abs() < 1e-12);
-}
-
-/// Reactions to one direction, watched for beside the other one.
-#[test]
-fn a_reaction_leaves_no_event_in_the_other_direction() {
-    let zero = 5.0_f64.cbrt();
-    let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
-    for from in -13..=0 {
-        for to in 1..=13 {
-            let model = Oscillator { k: 1.0 };
-            let mut equations = model.dynamics();
-            let (mut last, mut seen) = (State::new(0.2, [0.3], [0.4]), Vec::new());
-            for time in [near(from), near(to), 2.5] {
-                let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0; 2];
-                let driver = Dop853::new().driver();
-                let driver = driver.events([Event::falling(), Event::rising()], cube);
-                let react = |event, _, _: &mut Phase<f64, 1>, _: &mut _| {
-                    seen.push(event);
-                    Reaction::Changed
-                };
-                let outcome = driver.run_reacting(&mut equations, &last, time, react);
-                last = outcome.unwrap().last;
-            }
-            assert_eq!(seen, [1], "from {from} to {to}");
         }
     }
 }

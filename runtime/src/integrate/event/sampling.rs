@@ -185,14 +185,6 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D
     let mut hysteresis = G::Values::ZERO;
     let mut accumulating = MetConditions::default();
     let mut at_zero = MetConditions::default();
-    // Others that are zero to rounding have crossed it in the direction that is not watched for, or leave it.
-    let triples = signs.as_mut_slice().iter_mut().zip(noise.as_slice());
-    let triples = triples.zip(hysteresis.as_mut_slice());
-    for (_, ((sign, noise), least)) in triples.enumerate().filter(|(i, _)| !events.contains(*i)) {
-        if sign.abs() <= *noise {
-            (*sign, *least) = (0.0, *noise);
-        }
-    }
     for event in events.indices() {
         let at = |values: &G::Values| values.as_slice().get(event).copied().unwrap_or(0.0);
         // A reaction may have moved the zero.

@@ -9,14 +9,14 @@ use crate::integrate::event::window::Window;
 use crate::limits::events::MOST_COEFFICIENTS;
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// The first root of an event's polynomial that is one of its event, and the sign up to the first root of all; 0 if there is none.
+    /// The first root of an event's polynomial that is one of its event.
     pub(super) fn first_of(
         &self,
         event: usize,
         polynomial: &Polynomial,
         memory: &Memory<[f64; K]>,
         (window, from, near): (Window<K>, f64, f64),
-    ) -> (Option<Root>, f64) {
+    ) -> Option<Root> {
         let crossing = self.event(event).crossing();
         let deflated = from <= 0.0 && memory.at_zero.contains(event);
         let polynomial = if deflated {
@@ -33,22 +33,19 @@ impl<const K: usize> DeclaredEvents<K> {
         };
         let mut next = if memory.left.contains(event) {
             // What is zero where a run begins has a sign as soon as it is distinguishable from zero.
-            let left = polynomial.leaves(from.max(near), memory.hysteresis[event]);
-            left.and_then(|(at, sign)| polynomial.next_root(at, sign))
+            let (at, sign) = polynomial.leaves(from.max(near), memory.hysteresis[event])?;
+            polynomial.next_root(at, sign)
         } else {
             polynomial.next_root(from.max(memory.resume[event]), sign)
         };
         if from <= 0.0 && !deflated && !memory.left.contains(event) {
             next = match self.at_last_end(event, &polynomial, memory, (from, near, next)) {
                 ControlFlow::Continue(next) => next,
-                ControlFlow::Break(root) => return (Some(root), root.before),
+                ControlFlow::Break(root) => return Some(root),
             };
         }
-        let ahead = next.map_or(0.0, |root| root.before);
         for _ in 0..MOST_COEFFICIENTS {
-            let Some(root) = next.map(|root| window.behind(event, root)) else {
-                break;
-            };
+            let root = window.behind(event, next?);
             let behind = if root.before * root.behind < 0.0 {
                 root.behind
             } else {
@@ -56,11 +53,11 @@ impl<const K: usize> DeclaredEvents<K> {
             };
             let is_one = window.is_known || behind != 0.0;
             if is_one && crossing.between(root.before, behind) {
-                return (Some(root), ahead);
+                return Some(root);
             }
             next = polynomial.next_root(root.until, root.behind);
         }
-        (None, ahead)
+        None
     }
 
     /// An event at the beginning of a step: the last step may have ended before a root that is now behind, to rounding, or at a

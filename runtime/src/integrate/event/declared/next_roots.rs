@@ -26,10 +26,9 @@ impl<const K: usize> DeclaredEvents<K> {
     {
         let from = window.fraction(memory.until);
         let near = window.fraction(step.after(window.begin));
-        let (mut found, mut ahead) = ([None; K], [0.0; K]);
+        let mut found = [None; K];
         for (event, polynomial) in polynomials.iter().enumerate() {
-            (found[event], ahead[event]) =
-                self.first_of(event, polynomial, memory, (window, from, near));
+            found[event] = self.first_of(event, polynomial, memory, (window, from, near));
         }
         let mut late = MetConditions::default();
         for _ in 0..=K {
@@ -41,7 +40,7 @@ impl<const K: usize> DeclaredEvents<K> {
             let time = window.time(first);
             let events = occurring_at(&found, polynomials, window.fraction(step.after(time)));
             if let Some(t) = self.just_behind(memory, step, (time, window), &found, events) {
-                note_occurring(memory, &found, &ahead, events);
+                note_occurring(memory, &found, events);
                 let still = stay_at_zero(memory, polynomials, [from, near], window.fraction(t));
                 memory.arrive(step.after(t));
                 memory.left = still.without(events);
@@ -147,14 +146,13 @@ fn occurring_at<const K: usize>(
 fn note_occurring<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     found: &[Option<Root>; K],
-    ahead: &[f64; K],
     events: MetConditions,
 ) {
     for (event, root) in found.iter().enumerate() {
         let occurring = root.filter(|_| events.contains(event));
         memory.ahead[event] = match occurring {
             Some(_) => 0.0,
-            None => ahead[event],
+            None => root.map_or(0.0, |root| root.before),
         };
         if let Some(root) = occurring {
             (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
