@@ -101,9 +101,6 @@ pub(crate) mod events {
     /// the second derivative of a function makes no difference to its change, the others are for functions with large rounding errors.
     pub(crate) const SIDES: [f64; 3] = [1.0 / 134_217_728.0, 1.0 / 1_048_576.0, 1.0 / 1024.0];
 
-    /// The parts of the time between two zeros at which a function is zero that is so all the time.
-    pub(crate) const BETWEEN: [f64; 3] = [0.618, 0.271, 0.859];
-
     /// The least value of a parabola, as a part of those next to it, that is zero.
     pub(crate) const TOUCHING: f64 = 0.01;
 

@@ -16,7 +16,6 @@ mod hostile_motions;
 mod reactions;
 mod rounding;
 mod series_of_events;
-mod short_runs;
 mod settings_compose;
 mod switch_derivatives;
 mod touches;

@@ -9,7 +9,6 @@ use super::{EventFunctions, LastStep, Occurring};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::Advance;
-use crate::limits::events::BETWEEN;
 use crate::scalar::Scalar;
 
 /// The event functions at the end of a run.
@@ -201,16 +200,13 @@ where
     if !step.comes_before(from, to) {
         return true;
     }
-    // Not in the middle, where a periodic function is zero between two of its zeros.
-    BETWEEN.into_iter().all(|part| {
-        let between = from + part * (to - from);
-        let between = if step.comes_before(between, step.begin()) {
-            step.begin()
-        } else {
-            between
-        };
-        let there = step.at(between);
-        let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
-        junction.zeros.contains(event)
-    })
+    let middle = from + 0.5 * (to - from);
+    let middle = if step.comes_before(middle, step.begin()) {
+        step.begin()
+    } else {
+        middle
+    };
+    let there = step.at(middle);
+    let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
+    junction.zeros.contains(event)
 }

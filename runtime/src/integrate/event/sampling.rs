@@ -6,7 +6,7 @@ use super::location::Bracket;
 use super::memory::Memory;
 use super::met_conditions::MetConditions;
 use super::values::Values;
-use super::{Crossing, EventFunctions, LastStep, Occurring};
+use super::{EventFunctions, LastStep, Occurring};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::{Advance, derivative_apart};
 use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, PARTS};
@@ -29,9 +29,8 @@ pub(super) fn next<
     while let Some(time) = memory.next_time(step, parts) {
         let sample = step.at(time);
         let mut values = source.values(step.dynamics(), time, &sample.x);
-        let changed = sign_changes(memory, &values);
-        if changed.any() {
-            let crossed = crossings(source, memory, &values);
+        let crossed = crossings(source, memory, &values);
+        if crossed.any() {
             let noise = rounding(source, step.dynamics(), (time, &sample.x), &values);
             if crossed
                 .indices()
@@ -39,10 +38,9 @@ pub(super) fn next<
             {
                 return Some(locate(source, memory, step, (time, values)));
             }
-            // Nearer to zero than rounding tells: what follows decides.
-            for event in changed.indices() {
-                let is_certain = has_crossed(event, &values, &noise);
-                if let (false, Some(value)) = (is_certain, values.as_mut_slice().get_mut(event)) {
+            // Nearer to zero than rounding tells, all of them: what follows decides.
+            for event in crossed.indices() {
+                if let Some(value) = values.as_mut_slice().get_mut(event) {
                     *value = 0.0;
                 }
             }
@@ -57,12 +55,6 @@ fn has_crossed<V: Values>(event: usize, values: &V, noise: &V) -> bool {
     let [value, noise] = [values, noise].map(|values| values.as_slice().get(event).copied());
     let pair = value.zip(noise);
     pair.is_some_and(|(value, noise)| value == 0.0 || value.abs() > noise || noise.is_nan())
-}
-
-/// The functions that have other signs than before, whether or not in the direction of their events.
-fn sign_changes<V: Values>(memory: &Memory<V>, values: &V) -> MetConditions {
-    let pairs = memory.signs.as_slice().iter().zip(values.as_slice());
-    MetConditions::of(pairs.map(|(before, after)| Crossing::Either.between(*before, *after)))
 }
 
 /// The events whose functions have crossed zero where they have these values.
