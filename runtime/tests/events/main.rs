@@ -4,7 +4,6 @@
 mod common;
 mod event_models;
 mod random_numbers;
-mod two_runs;
 
 mod consecutive_runs;
 mod contacts;
@@ -18,4 +17,3 @@ mod rounding;
 mod series_of_events;
 mod settings_compose;
 mod switch_derivatives;
-mod touches;

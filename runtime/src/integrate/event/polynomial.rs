@@ -6,7 +6,6 @@
 //! Intervals are halved until the number is known. The arithmetic is that of double-doubles, so that a sign is as certain
 //! as the coefficients: what is smaller than their rounding errors has none.
 
-mod leaving;
 #[cfg(test)]
 mod tests;
 
