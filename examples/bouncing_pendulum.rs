@@ -63,7 +63,7 @@ fn main() -> Result<(), IntegrationError> {
     let above = |state: &State<f64, 1>| pendulum.energy(state) - pendulum.energy(&lowest);
     for (n, turn) in (1..).zip(&turns).take(10) {
         let expected = above(&start) * RESTITUTION.powi(2 * n);
-        let found = above(&turn.x.at(turn.t));
+        let found = above(&At::from((turn.t, turn.x)));
         assert!(
             (found - expected).abs() <= 1e-13 * above(&start),
             "{found} {expected}"

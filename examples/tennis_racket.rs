@@ -84,7 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let model = Racket { racket: body };
     // In y-x-z and at the identity, the rates are those about y, x and z.
     let state = State::new(0.0, [0.0; 3], [omega.y, omega.x, omega.z]);
-    let middle = |x: &lagrangian::Phase<f64, 3>| model.outputs(&x.at(0.0)).omega.y;
+    let middle = |x: &lagrangian::Phase<f64, 3>| model.outputs(&At::from((0.0, *x))).omega.y;
     let by_angles = between_zeros(&model.dynamics(), state.into(), middle)?;
     println!("\nTime between two flips, in s:");
     println!("  closed form, 2 K(m)/σ        {flip:.12}");

@@ -23,6 +23,7 @@ mod stop_condition;
 mod reacting;
 mod observer;
 mod outcome;
+mod partial;
 #[cfg(feature = "alloc")]
 mod dense_solution;
 #[cfg(feature = "alloc")]
@@ -53,11 +54,10 @@ pub use event::{
 pub use integrator::{IntegrationMethod, Integrator};
 pub use observer::{ObservationKind, Observer, Observers, Progress, Unobserved};
 pub use outcome::{Outcome, StopReason};
-pub use problem::{
-    ByDynamics, End, Keep, Problem, Run, Solution, Solved, System, Unfinished, When,
-};
+pub use partial::Partial;
 #[cfg(feature = "alloc")]
-pub use problem::{Dense, Every, Steps as StepEnds};
+pub use problem::{Dense, Every, StepEnds};
+pub use problem::{End, Keep, Problem, Run, Solution, System, When};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };
@@ -75,5 +75,5 @@ pub use taylor::{
 pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
 pub use taylor::{Ensemble, TaylorLanes};
 #[cfg(feature = "alloc")]
-pub use trajectory::{Partial, PartialSolution, PartialTrajectory, Trajectory};
+pub use trajectory::{PartialSolution, PartialTrajectory, Trajectory};
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};

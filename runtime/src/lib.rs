@@ -58,6 +58,7 @@ pub mod rotation;
 pub mod rigid_body;
 pub mod analysis;
 pub mod identification;
+pub mod problem;
 pub mod prelude;
 
 #[doc(hidden)]
@@ -76,14 +77,10 @@ pub use integrate::{
     SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
     Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
 };
-pub use integrate::{
-    ByDynamics, End, Keep, Problem, Run, Solution, Solved, System, Unfinished, When,
-};
 #[cfg(feature = "alloc")]
-pub use integrate::{Dense, Every, StepEnds};
-#[cfg(feature = "alloc")]
-pub use integrate::{DenseSolution, Partial, PartialSolution, PartialTrajectory, Trajectory};
+pub use integrate::{DenseSolution, PartialSolution, PartialTrajectory, Trajectory};
 pub use integrate::{Ensemble, TaylorLanes, recurrences};
+pub use integrate::{Partial, Problem, Solution};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{ErrorTolerance, Factorization, IntoVector, LaneStates, VectorSpace};
@@ -101,7 +98,6 @@ pub use model::{
     SensitivitiesWith,
 };
 pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
-pub use model::{SampledFeedback, SampledPhase};
 pub use nalgebra;
 pub use num_traits;
 pub use scalar::{DoubleDouble, Dual, Lanes, Scalar};

@@ -28,7 +28,7 @@ pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 #[cfg(feature = "derivative-checks")]
 pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
-pub use crate::{Dense, Every};
+pub use crate::problem::{Dense, Every, StepEnds};
 #[cfg(feature = "alloc")]
 pub use crate::{DenseSolution, PartialSolution, PartialTrajectory, Trajectory};
 pub use crate::{Problem, Solution};

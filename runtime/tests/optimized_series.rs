@@ -1,9 +1,9 @@
-//! The Taylor series of a model as an optimizing compiler makes it, compared with the same in double-doubles, whose convolutions are
-//! in another layout. `.ci/run` runs this in release.
+//! The Taylor series of a model as an optimizing compiler makes it, compared with its series in double-doubles, whose convolutions
+//! are in another layout. `.ci/run` runs this in release.
 //!
 //! The vectorizer of LLVM 22 (`SLPVectorizer`) exchanged two factors of the convolutions of this model, when it had two scales for
-//! the same point. The terms were wrong, and the residuals of the steps, which showed it, made the motion take a thousand times as
-//! long. Whether the vectorizer does so depends on what else is in the crate, so that the model is alone in this one.
+//! one point. The terms were wrong, and the residuals of the steps, which showed it, made the motion take a thousand times the
+//! instructions. Whether the vectorizer does so depends on what else is in the crate, so that the model is alone in this one.
 
 use std::hint::black_box;
 

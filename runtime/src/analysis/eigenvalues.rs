@@ -64,7 +64,7 @@ pub(super) fn balancing<const D: usize>(matrix: &SMatrix<f64, D, D>) -> [i32; D]
     exponents
 }
 
-/// The same of a matrix in a slice, which is balanced: the exponents are added to those given, as many as it has rows.
+/// Balances a matrix that is given by rows in a slice, and adds the exponents of its units to `exponents`, one for each row.
 pub(super) fn balance(entries: &mut [f64], exponents: &mut [i32]) {
     if entries.iter().all(|x| x.is_finite()) {
         let mut square = Square {

@@ -24,13 +24,13 @@ pub(super) fn symmetric<const D: usize>(matrix: &Square<D>) -> Square<D> {
     (matrix + matrix.transpose()) * DoubleDouble::from(0.5)
 }
 
-/// M with the entries in other units of the variables, which are powers of two: Mᵢⱼ 2^(nᵢ + nⱼ) of a quadratic form, for units 2^nᵢ.
+/// The matrix of a quadratic form in units 2^nᵢ of the variables: Mᵢⱼ 2^(nᵢ + nⱼ).
 pub(super) fn form_in_units<const D: usize>(form: &Square<D>, exponents: &[i32; D]) -> Square<D> {
     let unit = |i: usize| DoubleDouble::from(libm::ldexp(1.0, exponents[i]));
     SMatrix::from_fn(|i, j| form[(i, j)] * unit(i) * unit(j))
 }
 
-/// The same of a linear map: Mᵢⱼ 2^(nⱼ − nᵢ).
+/// The matrix of a linear map in other units: Mᵢⱼ 2^(nⱼ − nᵢ).
 pub(super) fn map_in_units<const D: usize>(map: &Square<D>, exponents: &[i32; D]) -> Square<D> {
     let power = |n: i32| DoubleDouble::from(libm::ldexp(1.0, n));
     SMatrix::from_fn(|i, j| map[(i, j)] * power(exponents[j] - exponents[i]))

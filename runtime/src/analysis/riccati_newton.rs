@@ -1,9 +1,9 @@
 //! Newton's method for algebraic Riccati equations, in numbers of twice the digits.
 //!
 //! D. L. Kleinman, *On an iterative technique for Riccati equation computations*, IEEE Trans. Automat. Contr. **13** (1968) 114–115;
-//! G. A. Hewer, *An iterative technique for the computation of the steady state gains for the discrete optimal regulator*, the
-//! same, **16** (1971) 382–384. From any gain that stabilizes the system it converges to the stabilizing solution, and near it quadratically.
-//! Its last step is the error of the solution that was had before, whatever the conditioning of the equation, which no residual tells.
+//! G. A. Hewer, *An iterative technique for the computation of the steady state gains for the discrete optimal regulator*,
+//! IEEE Trans. Automat. Contr. **16** (1971) 382–384. From any gain that stabilizes the system it converges to the stabilizing solution, and near it quadratically.
+//! Its last step is the error of the solution before it, whatever the conditioning of the equation; a residual does not tell it.
 
 use nalgebra::SMatrix;
 
@@ -86,9 +86,8 @@ impl<const D: usize, const U: usize> Riccati<D, U> {
     }
 }
 
-/// The largest change of a cost, each entry Pᵢⱼ in relation to (Pᵢᵢ Pⱼⱼ)^½, which it does not exceed, so that no unit matters. Costs
-/// that are less than the rounding errors of the largest one may vanish: they are compared with these, in units in which A
-/// is balanced.
+/// The largest change of a cost, each entry Pᵢⱼ in relation to (Pᵢᵢ Pⱼⱼ)^½, which bounds it, so that no unit matters. A cost
+/// below the rounding errors of the largest one may vanish, and is compared with those errors, in units in which A is balanced.
 fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[i32; D]) -> f64 {
     let [cost, step] = [cost, step].map(|form| form_in_units(form, units));
     let least = f64::EPSILON * largest(&cost);

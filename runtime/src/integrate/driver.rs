@@ -126,19 +126,17 @@ impl<I> Driver<I> {
 }
 
 impl<I, C, O> Driver<I, C, O> {
-    pub(crate) fn of_parts(integrator: I, condition: C, observer: O) -> Self {
+    pub(crate) fn of_parts(
+        (integrator, condition, observer): (I, C, O),
+        (max_steps, singularity_tolerance): (u64, Option<f64>),
+    ) -> Self {
         Self {
             integrator,
-            max_steps: MAX_STEPS,
-            singularity_tolerance: None,
+            max_steps,
+            singularity_tolerance,
             condition,
             observer,
         }
-    }
-
-    pub(crate) fn with_singularity_tolerance(mut self, tolerance: Option<f64>) -> Self {
-        self.singularity_tolerance = tolerance;
-        self
     }
 
     /// Limits the number of steps, rejected ones included, of one call. Then the integration stops by

@@ -122,7 +122,8 @@ pub trait Dynamics<S: Scalar = f64> {
     }
 
     /// The next time at which the state is updated (a sampled controller, a difference equation beside the differential ones),
-    /// as far as `x` tells; none by default. Steps end there.
+    /// as far as `x` tells; none by default. Steps of a [`Problem`](crate::Problem) end there, if it is integrated forwards in
+    /// time; in an [`Ensemble`](crate::Ensemble) it is an error.
     fn next_update(&self, x: &Self::State) -> Option<f64> {
         let _ = x;
         None

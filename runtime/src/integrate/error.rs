@@ -123,6 +123,8 @@ pub enum IntegrationError {
         /// The time of the next one.
         next: f64,
     },
+    /// The dynamics of an ensemble update their states.
+    UpdatesInLanes,
     /// A step size is not a positive finite number.
     InvalidStep {
         /// That step size.
@@ -200,16 +202,7 @@ impl fmt::Display for IntegrationError {
                 time,
                 estimated_error,
                 singularity,
-            } => {
-                write!(f, "at t = {} {singularity}", Readable(time))?;
-                if singularity.has_estimate() {
-                    write!(
-                        f,
-                        "; the estimated relative error of the accelerations is {estimated_error:.1e}"
-                    )?;
-                }
-                Ok(())
-            }
+            } => write_singular(f, (time, estimated_error), &singularity),
             Self::StepTooSmall {
                 time,
                 step,
@@ -231,25 +224,6 @@ impl fmt::Display for IntegrationError {
                     Readable(time)
                 )
             }
-            Self::OutsideSpan { time, start, end } => write!(
-                f,
-                "a sample is asked for at t = {}, outside of the integration from t = {} to {}",
-                Readable(time),
-                Readable(start),
-                Readable(end)
-            ),
-            Self::InvalidSampleInterval { interval } => write!(
-                f,
-                "the interval between samples is {}, not a positive finite number",
-                Readable(interval)
-            ),
-            Self::InvalidUpdate { time, next } => write!(
-                f,
-                "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller is a positive finite \
-                 number",
-                Readable(time),
-                Readable(next)
-            ),
             Self::OutsideSolution { time, start, end } => write!(
                 f,
                 "the solution is known from t = {} to {}, not at {}",
@@ -263,7 +237,11 @@ impl fmt::Display for IntegrationError {
             | Self::InvalidSize { .. }
             | Self::InvalidSingularityTolerance { .. }
             | Self::NoSuchEvent { .. }
-            | Self::UnorderedTimes { .. } => self.write_invalid_setting(f),
+            | Self::UnorderedTimes { .. }
+            | Self::OutsideSpan { .. }
+            | Self::InvalidSampleInterval { .. }
+            | Self::InvalidUpdate { .. }
+            | Self::UpdatesInLanes => self.write_invalid_setting(f),
         }
     }
 }
@@ -318,9 +296,47 @@ impl IntegrationError {
                 "sample times must advance from the initial time towards the last: {time} at index \
                  {index} comes after {previous}"
             ),
+            Self::OutsideSpan { time, start, end } => write!(
+                f,
+                "a sample is asked for at t = {}, outside of the integration from t = {} to {}",
+                Readable(time),
+                Readable(start),
+                Readable(end)
+            ),
+            Self::InvalidSampleInterval { interval } => write!(
+                f,
+                "the interval between samples is {}, not a positive finite number",
+                Readable(interval)
+            ),
+            Self::InvalidUpdate { time, next } => write!(
+                f,
+                "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller is a positive finite \
+                 number",
+                Readable(time),
+                Readable(next)
+            ),
+            Self::UpdatesInLanes => f.write_str(
+                "states that are updated at given times, as under a sampled controller, are integrated one by one, not in lanes",
+            ),
             _ => Ok(()),
         }
     }
+}
+
+/// The message of a singular configuration.
+fn write_singular(
+    f: &mut fmt::Formatter<'_>,
+    (time, estimated_error): (f64, f64),
+    singularity: &Singularity,
+) -> fmt::Result {
+    write!(f, "at t = {} {singularity}", Readable(time))?;
+    if singularity.has_estimate() {
+        write!(
+            f,
+            "; the estimated relative error of the accelerations is {estimated_error:.1e}"
+        )?;
+    }
+    Ok(())
 }
 
 /// The message of a step size that is too small, with the remedy.

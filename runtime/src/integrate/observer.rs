@@ -31,32 +31,6 @@ impl<X, F: FnMut(&Progress<'_, X>) -> ControlFlow<()>> Observer<X> for F {
     }
 }
 
-/// Cancellation, from another thread too: the integration stops at the end of the step in which the flag becomes true.
-///
-/// ```
-/// use core::sync::atomic::{AtomicBool, Ordering};
-/// use lagrangian::prelude::*;
-/// # use lagrangian::nalgebra::SVector;
-/// # struct Oscillator;
-/// # impl Dynamics for Oscillator {
-/// #     type State = SVector<f64, 2>;
-/// #     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
-/// #         SVector::from([x[1], -x[0]])
-/// #     }
-/// # }
-///
-/// let cancelled = AtomicBool::new(false);
-/// let outcome = std::thread::scope(|scope| {
-///     scope.spawn(|| cancelled.store(true, Ordering::Relaxed));
-///     let start = (0.0, SVector::from([1.0, 0.0]));
-///     let driver = RungeKutta::classical(1e-9).driver().observe(&cancelled);
-///     driver.run_until(&Oscillator, start, 1e6)
-/// })?;
-/// assert_eq!(outcome.reason, StopReason::Observer);
-/// # Ok::<(), IntegrationError>(())
-/// ```
-///
-/// An observer that does more asks the flag itself.
 /// What a function that is called on the way returns: nothing, or whether the integration goes on.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not tell whether an integration goes on",
@@ -89,6 +63,32 @@ impl<X, A: Flow, F: FnMut(&Progress<'_, X>) -> A> Observer<X> for EachStep<F> {
     }
 }
 
+/// Cancellation, from another thread too: the integration stops at the end of the step in which the flag becomes true.
+///
+/// ```
+/// use core::sync::atomic::{AtomicBool, Ordering};
+/// use lagrangian::prelude::*;
+/// # use lagrangian::nalgebra::SVector;
+/// # struct Oscillator;
+/// # impl Dynamics for Oscillator {
+/// #     type State = SVector<f64, 2>;
+/// #     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
+/// #         SVector::from([x[1], -x[0]])
+/// #     }
+/// # }
+///
+/// let cancelled = AtomicBool::new(false);
+/// let outcome = std::thread::scope(|scope| {
+///     scope.spawn(|| cancelled.store(true, Ordering::Relaxed));
+///     let start = (0.0, SVector::from([1.0, 0.0]));
+///     let driver = RungeKutta::classical(1e-9).driver().observe(&cancelled);
+///     driver.run_until(&Oscillator, start, 1e6)
+/// })?;
+/// assert_eq!(outcome.reason, StopReason::Observer);
+/// # Ok::<(), IntegrationError>(())
+/// ```
+///
+/// An observer that does more asks the flag itself.
 impl<X> Observer<X> for &AtomicBool {
     #[inline]
     fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
@@ -119,12 +119,6 @@ impl<X> Observer<X> for Unobserved {
 /// [`Driver::observe`](crate::Driver::observe).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Observers<A, B>(pub(crate) A, pub(crate) B);
-
-impl<A, B> Observers<A, B> {
-    pub(crate) fn new(first: A, second: B) -> Self {
-        Self(first, second)
-    }
-}
 
 impl<X, A: Observer<X>, B: Observer<X>> Observer<X> for Observers<A, B> {
     #[inline]

@@ -13,26 +13,28 @@ mod system;
 mod watch;
 
 #[cfg(feature = "alloc")]
-pub use keep::{Dense, Every, Steps};
+pub use keep::{Dense, Every, StepEnds};
 pub use keep::{End, Keep};
 pub use run::Run;
-pub use solution::{Solution, Solved, Unfinished};
-pub use system::{ByDynamics, System};
+pub use solution::Solution;
+pub use system::System;
 pub use watch::When;
 
 use core::marker::PhantomData;
 
-use super::at::At;
+use super::at::{At, InitialValue as _};
+use super::collector::Collector;
 use super::driver::Driver;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::Integrator;
 use super::observer::{EachStep, Flow, Observer, Observers, Progress, Unobserved};
 use super::outcome::{Outcome, StopReason};
+use super::partial::Partial;
 use super::stop_condition::{Extensible, StopCondition, Unconditional};
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
-use keep::Collecting;
+use keep::{Begun, Collecting};
 use reaction::{Changing, Reactions};
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
@@ -79,15 +81,49 @@ where
 {
     dynamics: D,
     start: At<f64, D::State>,
-    conditions: C,
-    reactions: R,
-    /// How many conditions and events there are.
-    count: usize,
-    observer: O,
     keep: K,
+    watch: Watch<C, R, O>,
+    limits: Limits,
+    scalar: PhantomData<S>,
+}
+
+/// What is watched.
+#[derive(Clone, Debug)]
+struct Watch<C, R, O> {
+    /// Conditions and events, of which there are so many.
+    conditions: C,
+    count: usize,
+    reactions: R,
+    observer: O,
+}
+
+/// What limits an integration, as far as it is set.
+#[derive(Clone, Copy, Debug, Default)]
+struct Limits {
     max_steps: Option<u64>,
     singularity_tolerance: Option<f64>,
-    scalar: PhantomData<S>,
+}
+
+impl Limits {
+    fn driver<I, C, O>(self, method: I, conditions: C, observer: O) -> Driver<I, C, O> {
+        let max_steps = self.max_steps.unwrap_or(MAX_STEPS);
+        Driver::of_parts(
+            (method, conditions, observer),
+            (max_steps, self.singularity_tolerance),
+        )
+    }
+
+    /// An error at the largest number of steps, unless a limit is set.
+    fn check<X>(self, outcome: &Outcome<X>) -> Result<(), IntegrationError> {
+        if outcome.reason == StopReason::StepLimit && self.max_steps.is_none() {
+            Err(IntegrationError::TooManySteps {
+                time: outcome.last.t,
+                limit: MAX_STEPS,
+            })
+        } else {
+            Ok(())
+        }
+    }
 }
 
 impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
@@ -98,14 +134,15 @@ impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
     {
         Self {
             dynamics: system.into_dynamics(),
-            start: system::initial(start),
-            conditions: Unconditional,
-            reactions: (),
-            count: 0,
-            observer: Unobserved,
+            start: start.into_initial(),
             keep: End,
-            max_steps: None,
-            singularity_tolerance: None,
+            watch: Watch {
+                conditions: Unconditional,
+                count: 0,
+                reactions: (),
+                observer: Unobserved,
+            },
+            limits: Limits::default(),
             scalar: PhantomData,
         }
     }
@@ -121,13 +158,9 @@ impl<S: Scalar, D: Dynamics<S>, K> Problem<S, D, K> {
         Problem {
             dynamics,
             start,
-            conditions: self.conditions,
-            reactions: self.reactions,
-            count: self.count,
-            observer: self.observer,
             keep: self.keep,
-            max_steps: self.max_steps,
-            singularity_tolerance: self.singularity_tolerance,
+            watch: self.watch,
+            limits: self.limits,
             scalar: PhantomData,
         }
     }
@@ -138,7 +171,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without a limit more than 10⁸ steps are an error,
     /// [`TooManySteps`](crate::IntegrationError::TooManySteps).
     pub fn max_steps(mut self, steps: u64) -> Self {
-        self.max_steps = Some(steps);
+        self.limits.max_steps = Some(steps);
         self
     }
 
@@ -148,7 +181,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// The default is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps, but not below 4096
     /// machine epsilons, since the pivots of regular models are small, too.
     pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
-        self.singularity_tolerance = Some(tolerance);
+        self.limits.singularity_tolerance = Some(tolerance);
         self
     }
 
@@ -160,22 +193,15 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         F: FnMut(&Progress<'_, D::State>) -> A,
         A: Flow,
     {
-        let observer = EachStep(observer);
-        Problem {
-            dynamics: self.dynamics,
-            start: self.start,
-            conditions: self.conditions,
-            reactions: self.reactions,
-            count: self.count,
-            observer: Observers::new(self.observer, observer),
-            keep: self.keep,
-            max_steps: self.max_steps,
-            singularity_tolerance: self.singularity_tolerance,
-            scalar: PhantomData,
-        }
+        self.watching(|watch| Watch {
+            conditions: watch.conditions,
+            count: watch.count,
+            reactions: watch.reactions,
+            observer: Observers(watch.observer, EachStep(observer)),
+        })
     }
 
-    /// Conditions and a reaction behind those that there are.
+    /// Adds conditions and a reaction behind those that there are.
     fn with<E, A>(
         self,
         conditions: E,
@@ -185,16 +211,24 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         C: Extensible,
         E: StopCondition<S, D>,
     {
+        self.watching(|watch| Watch {
+            conditions: watch.conditions.with(conditions),
+            count: watch.count + E::COUNT,
+            reactions: reaction(watch.reactions, watch.count),
+            observer: watch.observer,
+        })
+    }
+
+    fn watching<C2, R2, O2>(
+        self,
+        change: impl FnOnce(Watch<C, R, O>) -> Watch<C2, R2, O2>,
+    ) -> Problem<S, D, K, C2, R2, O2> {
         Problem {
             dynamics: self.dynamics,
             start: self.start,
-            conditions: self.conditions.with(conditions),
-            reactions: reaction(self.reactions, self.count),
-            count: self.count + E::COUNT,
-            observer: self.observer,
             keep: self.keep,
-            max_steps: self.max_steps,
-            singularity_tolerance: self.singularity_tolerance,
+            watch: change(self.watch),
+            limits: self.limits,
             scalar: PhantomData,
         }
     }
@@ -205,7 +239,11 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// # Errors
     ///
     /// Any of [`IntegrationError`](crate::IntegrationError), with the solution up to there.
-    pub fn solve<I>(mut self, end: f64, method: I) -> Solved<S, D::State, K::Kept>
+    pub fn solve<I>(
+        mut self,
+        end: f64,
+        method: I,
+    ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>>
     where
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
@@ -213,61 +251,65 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         O: Observer<D::State>,
         K: Keep<S, D, I::Stepper>,
     {
-        let mut driver = Driver::of_parts(method, self.conditions, self.observer)
-            .max_steps(self.max_steps.unwrap_or(MAX_STEPS))
-            .with_singularity_tolerance(self.singularity_tolerance);
-        let mut begun = self.keep.begin(&self.start, end);
-        let mut collector = Collecting::new(&mut begun.collection);
+        let (limits, start, mut watch) = (self.limits, self.start, self.watch);
+        let mut driver = limits.driver(method, watch.conditions, watch.observer);
+        let begun = self.keep.begin(&start, end);
         let mut system = Changing {
             dynamics: &mut self.dynamics,
-            reactions: &mut self.reactions,
+            reactions: &mut watch.reactions,
         };
-        let (outcome, result) = match begun.checked {
-            Ok(()) => driver.run_parts(
-                &mut system,
-                &self.start,
-                begun.times.as_ref(),
-                &mut collector,
-            ),
-            Err(error) => (Outcome::at(self.start), Err(error)),
-        };
-        let events = collector.events;
-        let result = result.and(within_limit(&outcome, self.max_steps));
-        let solution = Solution::new(K::finish(begun.collection, &outcome), events, outcome);
-        match result {
-            Ok(()) => Ok(solution),
-            Err(error) => Err(Unfinished::new(error, solution)),
-        }
-    }
-}
-
-/// An error at the largest number of steps, unless a limit is set.
-fn within_limit<X>(outcome: &Outcome<X>, limit: Option<u64>) -> Result<(), IntegrationError> {
-    if outcome.reason == StopReason::StepLimit && limit.is_none() {
-        Err(IntegrationError::TooManySteps {
-            time: outcome.last.t,
-            limit: MAX_STEPS,
+        collected::<_, _, _, K>(begun, start, limits, |start, times, collector| {
+            driver.run_parts(&mut system, start, times, collector)
         })
-    } else {
-        Ok(())
     }
 }
 
 impl<S: Scalar, D: Dynamics<S>, C, R, O> Problem<S, D, End, C, R, O> {
-    /// What is kept of the motion besides its end and its events: samples ([`Every`], a list of times, [`Steps`]), or
+    /// What is kept of the motion besides its end and its events: samples ([`Every`], a list of times, [`StepEnds`]), or
     /// all of it ([`Dense`]).
     pub fn save<K>(self, keep: K) -> Problem<S, D, K, C, R, O> {
         Problem {
             dynamics: self.dynamics,
             start: self.start,
-            conditions: self.conditions,
-            reactions: self.reactions,
-            count: self.count,
-            observer: self.observer,
             keep,
-            max_steps: self.max_steps,
-            singularity_tolerance: self.singularity_tolerance,
+            watch: self.watch,
+            limits: self.limits,
             scalar: PhantomData,
         }
+    }
+}
+
+/// What an integration finds, as it collects what is kept.
+fn collected<S, D, T, K>(
+    begun: Begun<K::Times, K::Collection>,
+    start: At<f64, D::State>,
+    limits: Limits,
+    integrate: impl FnOnce(
+        &At<f64, D::State>,
+        &[f64],
+        &mut dyn Collector<S, D, T>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>),
+) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    K: Keep<S, D, T>,
+{
+    let Begun {
+        times,
+        mut collection,
+        checked,
+    } = begun;
+    let mut collector = Collecting::new(&mut collection);
+    let (outcome, result) = match checked {
+        Ok(()) => integrate(&start, times.as_ref(), &mut collector),
+        Err(error) => (Outcome::at(start), Err(error)),
+    };
+    let events = collector.events;
+    let result = result.and(limits.check(&outcome));
+    let solution = Solution::new(K::finish(collection, &outcome), events, outcome);
+    match result {
+        Ok(()) => Ok(solution),
+        Err(error) => Err(Partial::new(error, solution)),
     }
 }

@@ -1,13 +1,13 @@
 //! Sampled motions. Needs the feature `alloc`.
 
-use alloc::{boxed::Box, vec::Vec};
+use alloc::vec::Vec;
 use core::fmt;
 
 use super::at::At;
 use super::dense_solution::DenseSolution;
-use super::error::IntegrationError;
 use super::event::{MetConditions, Occurrence};
 use super::outcome::{Outcome, StopReason};
+use super::partial::Partial;
 use super::stepper::Statistics;
 use crate::number_format::Readable;
 
@@ -82,45 +82,23 @@ impl<X, S> Trajectory<X, S> {
     }
 }
 
-/// An error that stopped an integration, with what was computed up to then: a [`PartialTrajectory`] or a
-/// [`PartialSolution`].
-#[derive(Clone, PartialEq)]
-pub struct Partial<T> {
-    // One pointer, so that a `Result` is not large because of its error.
-    parts: Box<(IntegrationError, T)>,
-}
-
 /// An error that stopped an integration, with the trajectory up to then.
 pub type PartialTrajectory<X, S = f64> = Partial<Trajectory<X, S>>;
 
 /// An error that stopped an integration, with the solution up to then.
 pub type PartialSolution<X, P, S = f64> = Partial<DenseSolution<X, P, S>>;
 
-impl<T> Partial<T> {
-    pub(super) fn new(error: IntegrationError, value: T) -> Self {
-        Self {
-            parts: Box::new((error, value)),
-        }
-    }
-
-    /// The error.
-    #[must_use]
-    pub fn error(&self) -> IntegrationError {
-        self.parts.0
-    }
-}
-
 impl<X, P, S> Partial<DenseSolution<X, P, S>> {
     /// The solution up to the error.
     #[must_use]
     pub fn solution(&self) -> &DenseSolution<X, P, S> {
-        &self.parts.1
+        self.value()
     }
 
     /// The solution up to the error, owned.
     #[must_use]
     pub fn into_solution(self) -> DenseSolution<X, P, S> {
-        self.parts.1
+        self.into_value()
     }
 }
 
@@ -128,13 +106,13 @@ impl<X, S> Partial<Trajectory<X, S>> {
     /// The trajectory up to the error. Its [`last`](Trajectory::last) state is the last that was reached.
     #[must_use]
     pub fn trajectory(&self) -> &Trajectory<X, S> {
-        &self.parts.1
+        self.value()
     }
 
     /// The trajectory up to the error, owned.
     #[must_use]
     pub fn into_trajectory(self) -> Trajectory<X, S> {
-        self.parts.1
+        self.into_value()
     }
 }
 
@@ -150,23 +128,5 @@ impl<X, P, S> fmt::Display for Partial<DenseSolution<X, P, S>> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (error, reached) = (self.error(), Readable(self.solution().last().t));
         write!(f, "{error} (the solution is known until t = {reached})")
-    }
-}
-
-/// The message, without what was computed: that may be long.
-impl<T> fmt::Debug for Partial<T>
-where
-    Self: fmt::Display,
-{
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-impl<T> core::error::Error for Partial<T> where Self: fmt::Display {}
-
-impl<T> From<Partial<T>> for IntegrationError {
-    fn from(partial: Partial<T>) -> Self {
-        partial.error()
     }
 }

@@ -139,6 +139,14 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
         self.dynamics.vanishing_inertia_in_lane(lane, t, x)
     }
 
+    fn next_update(&self, x: &Self::State) -> Option<f64> {
+        self.dynamics.next_update(x)
+    }
+
+    fn update(&self, t: S, x: &mut Self::State) {
+        self.dynamics.update(t, x);
+    }
+
     fn component_name(&self, index: usize) -> ComponentName {
         self.dynamics.component_name(index)
     }

@@ -60,7 +60,7 @@ macro_rules! further_components {
             /// The state of the mechanical system at time `t`.
             #[inline]
             #[must_use]
-            pub fn at(&self, t: S) -> State<S, N> {
+            pub(crate) fn at(&self, t: S) -> State<S, N> {
                 self.phase().at(t)
             }
         }

@@ -33,7 +33,7 @@ pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
     mass
 }
 
-/// The derivatives of q̈ by q, by q̇ and by t, where the factors are those of M, from M q̈ − f on dual numbers.
+/// The derivatives of q̈ by q, by q̇ and by t, from M q̈ − f on dual numbers and the factors of M.
 pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     state: &State<S, N>,
     accelerations: &SVector<S, N>,
@@ -71,7 +71,7 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     }
 }
 
-/// The derivatives of q̈ by the inputs, where the factors are those of M, from M q̈ − f on dual numbers.
+/// The derivatives of q̈ by the inputs, from M q̈ − f on dual numbers and the factors of M.
 pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, const D: usize>(
     inputs: &SVector<S, U>,
     factors: &Factorization<S, N>,

@@ -9,6 +9,73 @@ use crate::integrate::ComponentName;
 use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;
 
+/// What the dynamics of a model say of singularities: `self.model` is the model or a reference to it, and `x.at(t)` the state of the
+/// mechanical system.
+macro_rules! singularities_of_the_model {
+    () => {
+        #[inline]
+        fn singularity(
+            &self,
+            t: S,
+            x: &Self::State,
+            min_pivot: f64,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::singularity;
+            singularity::<M, S, N>(&self.model, &x.at(t), min_pivot)
+        }
+
+        #[inline]
+        fn singularity_in_motion(
+            &self,
+            t: S,
+            x: &Self::State,
+            min_pivot: f64,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::singularity_in_motion;
+            singularity_in_motion::<M, S, N>(&self.model, &x.at(t), min_pivot)
+        }
+
+        #[inline]
+        fn singularity_between(
+            &self,
+            lane: Option<usize>,
+            before: &Self::State,
+            (t, after): (S, &Self::State),
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::singularity_between;
+            singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
+        }
+
+        #[inline]
+        fn singularity_in_lane(
+            &self,
+            lane: usize,
+            t: S,
+            x: &Self::State,
+            min_pivot: f64,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::singularity_in_lane;
+            singularity_in_lane::<M, S, N>(&self.model, lane, &x.at(t), min_pivot)
+        }
+
+        fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::vanishing_inertia;
+            vanishing_inertia::<M, S, N>(&self.model, &x.at(t))
+        }
+
+        fn vanishing_inertia_in_lane(
+            &self,
+            lane: usize,
+            t: S,
+            x: &Self::State,
+        ) -> Option<$crate::Singularity> {
+            use $crate::model::singular_configuration::vanishing_inertia_in_lane;
+            vanishing_inertia_in_lane::<M, S, N>(&self.model, lane, &x.at(t))
+        }
+    };
+}
+pub(super) use singularities_of_the_model;
+
 /// What the dynamics of a model say of allowed errors, of singularities and of the names of components, whatever sets the
 /// inputs: `self.model` is the model or a reference to it.
 macro_rules! errors_of_the_model {
@@ -22,65 +89,7 @@ macro_rules! errors_of_the_model {
             $crate::model::common_dynamics::allowed_error::<M, S, N>(x, tolerance)
         }
 
-        #[inline]
-        fn singularity(
-            &self,
-            t: S,
-            x: &$crate::Phase<S, N>,
-            min_pivot: f64,
-        ) -> Option<$crate::Singularity> {
-            use $crate::model::singular_configuration::singularity;
-            singularity::<M, S, N>(&self.model, &x.at(t), min_pivot)
-        }
-
-        #[inline]
-        fn singularity_in_motion(
-            &self,
-            t: S,
-            x: &$crate::Phase<S, N>,
-            min_pivot: f64,
-        ) -> Option<$crate::Singularity> {
-            use $crate::model::singular_configuration::singularity_in_motion;
-            singularity_in_motion::<M, S, N>(&self.model, &x.at(t), min_pivot)
-        }
-
-        #[inline]
-        fn singularity_between(
-            &self,
-            lane: Option<usize>,
-            before: &$crate::Phase<S, N>,
-            (t, after): (S, &$crate::Phase<S, N>),
-        ) -> Option<$crate::Singularity> {
-            use $crate::model::singular_configuration::singularity_between;
-            singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
-        }
-
-        #[inline]
-        fn singularity_in_lane(
-            &self,
-            lane: usize,
-            t: S,
-            x: &$crate::Phase<S, N>,
-            min_pivot: f64,
-        ) -> Option<$crate::Singularity> {
-            use $crate::model::singular_configuration::singularity_in_lane;
-            singularity_in_lane::<M, S, N>(&self.model, lane, &x.at(t), min_pivot)
-        }
-
-        fn vanishing_inertia(&self, t: S, x: &$crate::Phase<S, N>) -> Option<$crate::Singularity> {
-            use $crate::model::singular_configuration::vanishing_inertia;
-            vanishing_inertia::<M, S, N>(&self.model, &x.at(t))
-        }
-
-        fn vanishing_inertia_in_lane(
-            &self,
-            lane: usize,
-            t: S,
-            x: &$crate::Phase<S, N>,
-        ) -> Option<$crate::Singularity> {
-            use $crate::model::singular_configuration::vanishing_inertia_in_lane;
-            vanishing_inertia_in_lane::<M, S, N>(&self.model, lane, &x.at(t))
-        }
+        $crate::model::common_dynamics::singularities_of_the_model!();
 
         fn component_name(&self, index: usize) -> $crate::ComponentName {
             $crate::model::common_dynamics::component_name::<M, N>(index)

@@ -23,7 +23,7 @@ use crate::scalar::Scalar;
 /// where the events are watched for ([`Driver::declared_events`](crate::Driver::declared_events)).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` declares no events",
-    note = "write the clause `event(name = expression)` in its declaration, or give functions to `Driver::events`"
+    note = "write the clause `event(name = expression)` in its declaration, or give functions to `Problem::when`"
 )]
 pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The names of the events, in order.
@@ -59,7 +59,7 @@ pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
 /// [`WithInputs`](crate::WithInputs) has the events under constant inputs.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` declares no events",
-    note = "write the clause `event(name = expression)` in its declaration, or give functions to `Driver::events`"
+    note = "write the clause `event(name = expression)` in its declaration, or give functions to `Problem::when`"
 )]
 pub trait EventsWith<const N: usize, const U: usize, S: Scalar = f64>:
     Inputs<N, U, S> + Events<N, S>
@@ -114,8 +114,8 @@ where
     }
 }
 
-/// The methods that both kinds of equations of motion have.
-macro_rules! event_dynamics {
+/// What all dynamics of a model say of its events.
+macro_rules! declared_events {
     () => {
         type Values = M::EventValues;
 
@@ -126,6 +126,14 @@ macro_rules! event_dynamics {
         fn branches(&self, event: usize) -> &'static [usize] {
             M::BRANCHES.get(event).copied().unwrap_or_default()
         }
+    };
+}
+pub(super) use declared_events;
+
+/// The methods that both kinds of equations of motion have.
+macro_rules! event_dynamics {
+    () => {
+        declared_events!();
 
         #[inline]
         fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
@@ -168,15 +176,7 @@ where
     I: Signals<S, U>,
     S: Scalar,
 {
-    type Values = M::EventValues;
-
-    fn names(&self) -> &'static [&'static str] {
-        M::EVENTS
-    }
-
-    fn branches(&self, event: usize) -> &'static [usize] {
-        M::BRANCHES.get(event).copied().unwrap_or_default()
-    }
+    declared_events!();
 
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
@@ -207,15 +207,7 @@ where
     R: IntoVector<S, U>,
     S: Scalar,
 {
-    type Values = M::EventValues;
-
-    fn names(&self) -> &'static [&'static str] {
-        M::EVENTS
-    }
-
-    fn branches(&self, event: usize) -> &'static [usize] {
-        M::BRANCHES.get(event).copied().unwrap_or_default()
-    }
+    declared_events!();
 
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
@@ -235,15 +227,7 @@ where
     Z: IntoVector<S, K>,
     S: Scalar,
 {
-    type Values = M::EventValues;
-
-    fn names(&self) -> &'static [&'static str] {
-        M::EVENTS
-    }
-
-    fn branches(&self, event: usize) -> &'static [usize] {
-        M::BRANCHES.get(event).copied().unwrap_or_default()
-    }
+    declared_events!();
 
     #[inline]
     fn event_functions(&self, t: S, x: &AugmentedPhase<S, N, K>) -> M::EventValues {

@@ -36,7 +36,7 @@ impl<S: Scalar, const N: usize> Phase<S, N> {
     /// The state that has this phase at time `t`.
     #[inline]
     #[must_use]
-    pub fn at(&self, t: S) -> State<S, N> {
+    pub(crate) fn at(&self, t: S) -> State<S, N> {
         At { t, x: *self }
     }
 }

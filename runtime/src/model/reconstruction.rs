@@ -2,18 +2,14 @@
 
 use nalgebra::SVector;
 
-use super::common_dynamics::{allowed_error, component_name, reduced};
+use super::common_dynamics::{allowed_error, component_name, reduced, singularities_of_the_model};
 use super::events::Events;
 use super::motion_series::{MotionSeries, switching_function};
 use super::phase::Phase;
 use super::reconstructed_phase::ReconstructedPhase;
 use super::routhian::{Routhian, RouthianSeries};
-use super::singular_configuration::{
-    singularity, singularity_between, singularity_in_lane, singularity_in_motion,
-    vanishing_inertia, vanishing_inertia_in_lane,
-};
 use crate::integrate::{
-    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, Singularity, SwitchingFunction,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, SwitchingFunction,
     TaylorCoefficients,
 };
 use crate::linalg::ErrorTolerance;
@@ -105,44 +101,7 @@ where
         joined(phase, x.ignorable)
     }
 
-    #[inline]
-    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singularity::<M, S, N>(self.model, &x.at(t), min_pivot)
-    }
-
-    #[inline]
-    fn singularity_between(
-        &self,
-        lane: Option<usize>,
-        before: &Self::State,
-        (t, after): (S, &Self::State),
-    ) -> Option<Singularity> {
-        singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
-    }
-
-    #[inline]
-    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singularity_in_motion::<M, S, N>(self.model, &x.at(t), min_pivot)
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Self::State,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        singularity_in_lane::<M, S, N>(self.model, lane, &x.at(t), min_pivot)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        vanishing_inertia::<M, S, N>(self.model, &x.at(t))
-    }
-
-    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
-        vanishing_inertia_in_lane::<M, S, N>(self.model, lane, &x.at(t))
-    }
+    singularities_of_the_model!();
 
     fn component_name(&self, index: usize) -> ComponentName {
         let ignorable = index.checked_sub(2 * N);
@@ -190,25 +149,13 @@ where
         motion: &TaylorCoefficients<Self::State, HALF>,
         visit: &mut BranchVisitor<'_, S>,
     ) {
-        let of_phase = of_phase(motion);
+        let of_phase = motion.map(ReconstructedPhase::phase);
         self.model.branch_series(&x.at(t), unit, &of_phase, visit);
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         switching_function::<M, S, N>(index)
     }
-}
-
-/// The coefficients of the motion of the reduced model.
-fn of_phase<S: Scalar, const N: usize, const K: usize, const HALF: usize>(
-    motion: &TaylorCoefficients<ReconstructedPhase<S, N, K>, HALF>,
-) -> TaylorCoefficients<Phase<S, N>, HALF> {
-    let mut of_phase = TaylorCoefficients::new(motion.initial().phase());
-    let terms = of_phase.higher_mut().iter_mut().zip(motion.higher());
-    for (term, with_ignorable) in terms {
-        *term = with_ignorable.phase();
-    }
-    of_phase
 }
 
 /// The events of the reduced model: they depend on its state alone.
@@ -236,6 +183,7 @@ where
         unit: S,
         motion: &TaylorCoefficients<Self::State, HALF>,
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-        self.model.event_series(&x.at(t), unit, &of_phase(motion))
+        self.model
+            .event_series(&x.at(t), unit, &motion.map(ReconstructedPhase::phase))
     }
 }

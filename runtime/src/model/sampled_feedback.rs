@@ -2,19 +2,16 @@
 
 use nalgebra::SVector;
 
-use super::common_dynamics::{allowed_error, component_name, reduced};
-use super::events::EventsWith;
+use super::common_dynamics::{allowed_error, component_name, reduced, singularities_of_the_model};
+use super::events::{EventsWith, declared_events};
 use super::inputs::Inputs;
 use super::motion_series::{MotionSeriesWith, switching_function};
 use super::phase::Phase;
 use super::sampled_phase::SampledPhase;
-use super::singular_configuration::{
-    singularity, singularity_between, singularity_in_motion, vanishing_inertia,
-};
 use super::state::State;
 use crate::integrate::{
-    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, SingleNumber, Singularity,
-    SwitchingFunction, TaylorCoefficients,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, SingleNumber, SwitchingFunction,
+    TaylorCoefficients,
 };
 use crate::linalg::{ErrorTolerance, IntoVector, VectorSpace};
 use crate::scalar::Scalar;
@@ -68,7 +65,7 @@ where
             q: x.v,
             v: self
                 .model
-                .accelerations_prepared_with(&x.state_at(t), &x.inputs, &self.prepared),
+                .accelerations_prepared_with(&x.at(t), &x.inputs, &self.prepared),
         })
     }
 
@@ -81,7 +78,7 @@ where
     }
 
     fn update(&self, t: S, x: &mut Self::State) {
-        x.inputs = (self.law)(&x.state_at(t), &mut x.memory).into_vector();
+        x.inputs = (self.law)(&x.at(t), &mut x.memory).into_vector();
         x.samplings += S::one();
     }
 
@@ -99,29 +96,7 @@ where
         SampledPhase { q, v, ..*x }
     }
 
-    #[inline]
-    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.state_at(t), min_pivot)
-    }
-
-    #[inline]
-    fn singularity_between(
-        &self,
-        lane: Option<usize>,
-        before: &Self::State,
-        (t, after): (S, &Self::State),
-    ) -> Option<Singularity> {
-        singularity_between::<M, S, N>(lane, &before.q, &after.state_at(t))
-    }
-
-    #[inline]
-    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singularity_in_motion(self.model, &x.state_at(t), min_pivot)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        vanishing_inertia(self.model, &x.state_at(t))
-    }
+    singularities_of_the_model!();
 
     fn component_name(&self, index: usize) -> ComponentName {
         match index.checked_sub(2 * N) {
@@ -148,16 +123,12 @@ where
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
-        let (state, held) = (x.state_at(t), [x.inputs]);
+        let (state, held) = (x.at(t), [x.inputs]);
         let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.phase());
         self.model
             .taylor_series_with(&state, &held, &self.prepared, unit, &mut motion);
-        let Phase { q, v } = *motion.initial();
-        *coefficients.initial_mut() = SampledPhase { q, v, ..*x };
-        let terms = coefficients.higher_mut().iter_mut();
-        for (term, of_motion) in terms.zip(motion.higher()) {
-            *term = SampledPhase::moving(*of_motion);
-        }
+        *coefficients = motion.map(|term| SampledPhase::moving(*term));
+        *coefficients.initial_mut() = *x;
     }
 
     fn branches<const HALF: usize>(
@@ -169,25 +140,18 @@ where
         visit: &mut BranchVisitor<'_, S>,
     ) {
         let held = [x.inputs];
-        self.model
-            .branch_series_with(&held, &x.state_at(t), unit, &of_phase(motion), visit);
+        self.model.branch_series_with(
+            &held,
+            &x.at(t),
+            unit,
+            &motion.map(SampledPhase::phase),
+            visit,
+        );
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         switching_function::<M, S, N>(index)
     }
-}
-
-/// The coefficients of coordinates and velocities.
-fn of_phase<S: Scalar, const N: usize, const U: usize, const J: usize, const HALF: usize>(
-    motion: &TaylorCoefficients<SampledPhase<S, N, U, J>, HALF>,
-) -> TaylorCoefficients<Phase<S, N>, HALF> {
-    let mut of_phase = TaylorCoefficients::new(motion.initial().phase());
-    let terms = of_phase.higher_mut().iter_mut().zip(motion.higher());
-    for (term, sampled) in terms {
-        *term = sampled.phase();
-    }
-    of_phase
 }
 
 impl<M, F, R, S, const N: usize, const U: usize, const J: usize> EventDynamics<S>
@@ -198,19 +162,11 @@ where
     R: IntoVector<S, U>,
     S: Scalar,
 {
-    type Values = M::EventValues;
-
-    fn names(&self) -> &'static [&'static str] {
-        M::EVENTS
-    }
-
-    fn branches(&self, event: usize) -> &'static [usize] {
-        M::BRANCHES.get(event).copied().unwrap_or_default()
-    }
+    declared_events!();
 
     #[inline]
     fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
-        self.model.event_functions_with(&x.state_at(t), &x.inputs)
+        self.model.event_functions_with(&x.at(t), &x.inputs)
     }
 
     fn event_series<const HALF: usize>(
@@ -222,6 +178,6 @@ where
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
         let held = [x.inputs];
         self.model
-            .event_series_with(&held, &x.state_at(t), unit, &of_phase(motion))
+            .event_series_with(&held, &x.at(t), unit, &motion.map(SampledPhase::phase))
     }
 }

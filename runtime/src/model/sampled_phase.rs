@@ -66,7 +66,7 @@ impl<S: Scalar, const N: usize, const U: usize, const J: usize> SampledPhase<S, 
 
     /// The state of the mechanical system at time `t`.
     #[inline]
-    pub(super) fn state_at(&self, t: S) -> State<S, N> {
+    pub(crate) fn at(&self, t: S) -> State<S, N> {
         self.phase().at(t)
     }
 }

@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 /// A model whose declaration has the clause `sensitivities`: the derivatives of q̈ by `P` components of parameters.
 ///
 /// From M q̈ = f follows M ∂q̈/∂π = −∂(M q̈ − f)/∂π at fixed q̈, which is solved with the factors by which q̈ is solved
-/// for. The derivatives of a whole motion by parameters are those of [`StateTransition`](crate::StateTransition).
+/// for. [`StateTransition`](crate::StateTransition) has the derivatives of a whole motion by parameters.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivatives by parameters",
     note = "write the clause `sensitivities`, or `sensitivities(m, l)` with some parameters, in its declaration"

@@ -3,14 +3,11 @@
 use nalgebra::SVector;
 
 use super::augmented_phase::AugmentedPhase;
-use super::common_dynamics::{allowed_error, component_name};
+use super::common_dynamics::{allowed_error, component_name, singularities_of_the_model};
 use super::inputs::Inputs;
 use super::phase::Phase;
-use super::singular_configuration::{
-    singularity, singularity_between, singularity_in_motion, vanishing_inertia,
-};
 use super::state::State;
-use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::integrate::{ComponentName, Dynamics};
 use crate::linalg::{ErrorTolerance, IntoVector};
 use crate::scalar::Scalar;
 
@@ -95,29 +92,7 @@ where
         AugmentedPhase { q, v, controller }
     }
 
-    #[inline]
-    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singularity(self.model, &x.at(t), min_pivot)
-    }
-
-    #[inline]
-    fn singularity_between(
-        &self,
-        lane: Option<usize>,
-        before: &Self::State,
-        (t, after): (S, &Self::State),
-    ) -> Option<Singularity> {
-        singularity_between::<M, S, N>(lane, &before.q, &after.at(t))
-    }
-
-    #[inline]
-    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singularity_in_motion(self.model, &x.at(t), min_pivot)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        vanishing_inertia(self.model, &x.at(t))
-    }
+    singularities_of_the_model!();
 
     fn component_name(&self, index: usize) -> ComponentName {
         match index.checked_sub(2 * N) {

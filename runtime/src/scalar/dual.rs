@@ -59,7 +59,7 @@ use super::Scalar;
 ///
 /// # Second derivatives
 ///
-/// A dual number of dual numbers has second derivatives, which are those of hyper-dual numbers (Fike & Alonso 2011). Each level
+/// A dual number of dual numbers has second derivatives, as hyper-dual numbers have (Fike & Alonso 2011). Each level
 /// differentiates by its own variables:
 ///
 /// ```

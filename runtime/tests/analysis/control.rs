@@ -92,7 +92,7 @@ impl Dynamics for Forced {
 
     fn derivative(&self, t: f64, x: &Phase<f64, 1>) -> Phase<f64, 1> {
         let inputs = SVector::from([(3.0 * t).sin()]);
-        Phase::new(x.v, self.0.accelerations_with(&x.at(t), &inputs))
+        Phase::new(x.v, self.0.accelerations_with(&At::from((t, *x)), &inputs))
     }
 }
 

@@ -131,8 +131,8 @@ fn what_no_input_stabilizes_is_refused() {
     }
 }
 
-/// The gain of the scalar problem: the positive root of b² p² = r (2 a p + q), times b/r; in discrete time that of
-/// b² p² + (r − a² r − b² q) p = q r, which gives b p a/(r + b² p).
+/// The gain of the scalar problem: b p/r with the positive root p of b² p² = r (2 a p + q); in discrete time
+/// b p a/(r + b² p) with the positive root of b² p² + (r − a² r − b² q) p = q r.
 fn scalar_gain(is_discrete: bool, numbers: [f64; 4]) -> f64 {
     let [a, b, q, r] = numbers.map(DoubleDouble::from);
     let gain = if is_discrete {
@@ -211,8 +211,7 @@ fn coupled() -> ([Matrix4<f64>; 2], SMatrix<f64, 4, 2>, Matrix2<f64>) {
     ([a, root * root.transpose()], b, r)
 }
 
-/// Neither the unit of time nor those of inputs and states matter, nor does the unit of costs: the gain has other units, and the
-/// same digits. Powers of two do not round.
+/// In other units of time, inputs, states and costs the gain has other units and equal digits. Powers of two do not round.
 #[test]
 fn units_do_not_matter() {
     let ([a, q], b, r) = coupled();

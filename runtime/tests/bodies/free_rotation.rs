@@ -314,7 +314,7 @@ fn the_flip_of_a_tennis_racket() {
     let racket = Racket { i1, i2, i3 };
     // In y-x-z from the identity, the rates are those of y, x and z.
     let at = State::new(0.0, [0.0; 3], [omega.y, omega.x, omega.z]);
-    let middle = |x: &Phase<f64, 3>| racket.outputs(&x.at(0.0)).middle;
+    let middle = |x: &Phase<f64, 3>| racket.outputs(&At::from((0.0, *x))).middle;
     let found = between_zeros(&racket.dynamics(), at.into(), middle);
     assert_close(found, flip, 1e-9);
 }

@@ -18,6 +18,7 @@ mod methods;
 mod order;
 mod precision;
 mod problem;
+mod problem_settings;
 mod recurrences;
 mod running;
 mod saltation;

@@ -1,6 +1,8 @@
 //! Controllers that are sampled: at the start and at multiples of the period, with what they hold and remember in the state.
 
+use lagrangian::nalgebra::SVector;
 use lagrangian::prelude::*;
+use lagrangian::{Series, TaylorCoefficients};
 
 /// A mass of 1 on rails, with an event at a gate.
 #[derive(Lagrangian)]
@@ -149,4 +151,73 @@ fn a_period_is_a_positive_number() {
             "{refused}"
         );
     }
+}
+
+/// ẋ = u, whose sign changes once a second: x, u and how often it has changed.
+struct Zigzag;
+
+impl<S: Scalar> Dynamics<S> for Zigzag {
+    type State = SVector<S, 3>;
+
+    fn derivative(&self, _: S, x: &Self::State) -> Self::State {
+        SVector::from([x[1], S::zero(), S::zero()])
+    }
+
+    fn next_update(&self, x: &Self::State) -> Option<f64> {
+        Some(1.0 + x[2].smallest())
+    }
+
+    fn update(&self, _: S, x: &mut Self::State) {
+        x[1] = -x[1];
+        x[2] += S::one();
+    }
+}
+
+impl<S: Scalar> Series<S> for Zigzag {
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        coefficients.higher_mut().fill(SVector::zeros());
+        coefficients.higher_mut()[0] = self.derivative(t, x) * unit;
+    }
+}
+
+/// Dynamics that are written by hand, by value, by reference and with sizes; in lanes they are refused.
+#[test]
+fn hand_written_dynamics_are_updated() {
+    let start = || At::from((0.0, SVector::from([0.0, 1.0, 0.0])));
+    let check = |end: &At<f64, SVector<f64, 3>>| {
+        assert!(
+            (end[0] - 0.5).abs() < 1e-12 && (end[2] - 3.0).abs() < 0.5,
+            "{end:?}"
+        );
+    };
+    check(
+        &Problem::new(Zigzag, start())
+            .solve(3.5, Dop853::new())
+            .unwrap(),
+    );
+    check(
+        &Problem::new(&Zigzag, start())
+            .solve(3.5, Taylor::new())
+            .unwrap(),
+    );
+    let sized = Zigzag.with_sizes(SVector::from([2.0, 1.0, 1.0]));
+    check(
+        &Problem::new(sized, start())
+            .solve(3.5, Dop853::new())
+            .unwrap(),
+    );
+    let mut ends = Vec::new();
+    let motions = [1.0, 2.0].map(|end| (start(), end));
+    Taylor::new()
+        .ensemble::<2>()
+        .run(&Zigzag, motions, |_, outcome| {
+            ends.push(outcome.unwrap_err());
+        });
+    assert_eq!(ends, [IntegrationError::UpdatesInLanes; 2]);
 }

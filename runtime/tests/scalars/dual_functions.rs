@@ -78,7 +78,7 @@ fn functions<S: Scalar, D: Scalar>() -> [Row<S, D>; 17] {
     ]
 }
 
-/// Functions at positive arguments, those of two arguments along a line.
+/// Functions at positive arguments; functions of two arguments are taken along a line.
 fn functions_of_positive<S: Scalar, D: Scalar>() -> [Row<S, D>; 10] {
     [
         ("ln", S::ln, |x| [D::one() / x, -D::one() / (x * x)]),
@@ -270,7 +270,7 @@ struct Corners {
     p: f64,
 }
 
-/// At corners and jumps the conventions are those of derived derivatives.
+/// At corners and jumps the conventions of derived derivatives hold.
 #[test]
 fn corners_have_the_derivatives_of_derived_ones() {
     for p in [0.0, 1.0, 2.0, 3.0] {

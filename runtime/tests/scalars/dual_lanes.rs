@@ -85,7 +85,7 @@ fn a_pivot_that_is_zero_leaves_its_derivative_behind() {
     }
 }
 
-/// The same in lanes of which one needs the interchange and another does not.
+/// One lane needs the interchange, and another does not.
 #[test]
 fn lanes_interchange_rows_with_their_derivatives() {
     let values = [[0.0, 3.0], [0.5, -2.0], [1.0, 1.0]].map(Lanes);

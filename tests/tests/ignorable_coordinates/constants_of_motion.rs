@@ -190,7 +190,7 @@ fn changes_are_watched_along_a_motion() {
     let driver = RungeKutta::classical(0.01).driver();
     let energy = top.energy(&start);
     let by_hand = driver.observe(|progress: &Progress<'_, Phase<f64, 3>>| {
-        let change = top.energy(&progress.x.at(progress.t)) - energy;
+        let change = top.energy(&At::from((progress.t, *progress.x))) - energy;
         if f64::abs(change) > f64::abs(largest.0) {
             largest = (change, progress.t);
         }

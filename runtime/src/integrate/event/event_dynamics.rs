@@ -11,7 +11,7 @@ use crate::scalar::{DoubleDouble, Dual, Scalar};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no declared events",
     note = "a model has some with the clause `event(name = expression)` in its declaration; of other systems, give \
-            functions to `Driver::events`"
+            functions to `Problem::when`"
 )]
 pub trait EventDynamics<S: Scalar>: Dynamics<S> {
     /// One value for each event, and behind them those of the functions at whose zeros event functions have corners or
@@ -45,7 +45,6 @@ pub trait EventDynamics<S: Scalar>: Dynamics<S> {
     }
 }
 
-/// The sizes of coordinates are nothing to events.
 impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
     type Values = D::Values;
 
@@ -74,6 +73,7 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
     }
 }
 
+/// The sizes of coordinates are nothing to events.
 impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_, D, D::State> {
     type Values = D::Values;
 
@@ -107,7 +107,7 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_,
     message = "`{Self}` is not a single number",
     note = "the size of a solid is given by its lengths, as in `Solid::cuboid(x, y, z)`",
     note = "declared events are watched for in one motion: integrate lanes one by one, or give functions of all lanes to \
-            `Driver::events`"
+            `Problem::when`"
 )]
 pub trait SingleNumber: Scalar {}
 

@@ -22,7 +22,7 @@ use crate::scalar::Scalar;
 /// What [`Problem::save`](crate::Problem::save) takes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is nothing that is kept of a motion",
-    note = "`Every(0.01)`, a list of times, `Steps` or `Dense`"
+    note = "`Every(0.01)`, a list of times, `StepEnds` or `Dense`"
 )]
 pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Sized {
     /// What is kept.
@@ -85,7 +85,7 @@ pub struct Every(pub f64);
 /// Samples at the start and at the end of each step.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
-pub struct Steps;
+pub struct StepEnds;
 
 /// The whole motion: it can be asked at any time, `solution.at(t)`.
 #[cfg(feature = "alloc")]
@@ -227,10 +227,10 @@ impl Every {
 /// The ends of steps.
 #[cfg(feature = "alloc")]
 #[derive(Debug)]
-pub struct StepEnds<S, X>(Vec<At<S, X>>);
+pub struct CollectedSteps<S, X>(Vec<At<S, X>>);
 
 #[cfg(feature = "alloc")]
-impl<S, D, T> Collector<S, D, T> for StepEnds<S, D::State>
+impl<S, D, T> Collector<S, D, T> for CollectedSteps<S, D::State>
 where
     S: Scalar,
     D: Dynamics<S>,
@@ -250,7 +250,7 @@ where
 }
 
 #[cfg(feature = "alloc")]
-impl<S, D, T> Keep<S, D, T> for Steps
+impl<S, D, T> Keep<S, D, T> for StepEnds
 where
     S: Scalar,
     D: Dynamics<S>,
@@ -258,11 +258,11 @@ where
 {
     type Kept = Vec<At<S, D::State>>;
     type Times = [f64; 1];
-    type Collection = StepEnds<S, D::State>;
+    type Collection = CollectedSteps<S, D::State>;
 
     fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Self::Collection> {
         let first = start.clone().on_scalar();
-        Begun::valid([end], StepEnds(alloc::vec![first]))
+        Begun::valid([end], CollectedSteps(alloc::vec![first]))
     }
 
     fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {

@@ -2,12 +2,13 @@
 
 use core::marker::PhantomData;
 
-use super::keep::{Collecting, Keep};
+use super::keep::Keep;
 use super::reaction::{Changing, Reactions};
-use super::solution::{Solution, Solved, Unfinished};
-use super::{End, Problem, within_limit};
+use super::solution::Solution;
+use super::{End, Limits, Problem, Watch, collected};
 use crate::integrate::at::At;
 use crate::integrate::checkpoint::{Checkpoint, EventSigns, Resume};
+use crate::integrate::collector::Collector;
 use crate::integrate::driver::{Driver, check_times};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
@@ -15,9 +16,9 @@ use crate::integrate::event::Remembers as _;
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::{Observer, Unobserved};
 use crate::integrate::outcome::Outcome;
+use crate::integrate::partial::Partial;
 use crate::integrate::stepper::{Advance as _, Statistics, Stepper as _};
 use crate::integrate::stop_condition::{StopCondition, Unconditional};
-use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 
 /// An integration in progress, from [`Problem::start`] or [`Problem::resume`] on: it is advanced, asked and changed by hand.
@@ -55,7 +56,7 @@ where
     dynamics: D,
     reactions: R,
     keep: K,
-    max_steps: Option<u64>,
+    limits: Limits,
     stepper: I::Stepper,
     /// What is known of the events, as far as the integration goes on from where it was known.
     memory: Option<C::Memory>,
@@ -117,16 +118,20 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         I: Integrator<S, D>,
         C: StopCondition<S, D>,
     {
-        let driver = Driver::of_parts(method, self.conditions, self.observer)
-            .max_steps(self.max_steps.unwrap_or(MAX_STEPS))
-            .with_singularity_tolerance(self.singularity_tolerance);
+        let Watch {
+            conditions,
+            reactions,
+            observer,
+            ..
+        } = self.watch;
+        let driver = self.limits.driver(method, conditions, observer);
         let (stepper, events) = stepper(&driver, &self.dynamics, &self.start)?;
         Ok(Run {
             driver,
             dynamics: self.dynamics,
-            reactions: self.reactions,
+            reactions,
             keep: self.keep,
-            max_steps: self.max_steps,
+            limits: self.limits,
             stepper,
             memory: None,
             events,
@@ -257,8 +262,11 @@ where
     /// # Errors
     ///
     /// Any of [`IntegrationError`], with the solution up to there. The integration can go on from there, too.
-    pub fn advance(&mut self, end: f64) -> Solved<S, D::State, K::Kept> {
-        self.advance_by(end, self.driver.steps_at_a_time(), self.max_steps)
+    pub fn advance(
+        &mut self,
+        end: f64,
+    ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>> {
+        self.advance_by(end, self.driver.steps_at_a_time(), self.limits)
     }
 
     /// Takes one step towards the time `end`; none at the end. A step that was rejected, or ended at an event, counts.
@@ -269,10 +277,14 @@ where
     pub fn step(
         &mut self,
         end: f64,
-    ) -> Result<Option<Solution<S, D::State, K::Kept>>, Unfinished<Solution<S, D::State, K::Kept>>>
+    ) -> Result<Option<Solution<S, D::State, K::Kept>>, Partial<Solution<S, D::State, K::Kept>>>
     {
         let steps = self.statistics().steps;
-        let solution = self.advance_by(end, 1, Some(1))?;
+        let one = Limits {
+            max_steps: Some(1),
+            ..self.limits
+        };
+        let solution = self.advance_by(end, 1, one)?;
         Ok(Some(solution).filter(|_| self.statistics().steps > steps))
     }
 
@@ -280,26 +292,43 @@ where
         &mut self,
         end: f64,
         steps: u64,
-        limit: Option<u64>,
-    ) -> Solved<S, D::State, K::Kept> {
+        limits: Limits,
+    ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>> {
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
-        let mut begun = self.keep.clone().begin(&start, end);
-        let mut collector = Collecting::new(&mut begun.collection);
-        let times = begun.times.as_ref();
-        let checked = begun.checked.and(check_times(t, times));
-        let (outcome, mut result) = match checked {
-            Ok(()) => {
-                self.memory = self.recall_events(end);
-                let mut system = Changing {
-                    dynamics: &mut self.dynamics,
-                    reactions: &mut self.reactions,
-                };
-                let parts = (&mut self.stepper, &mut self.memory);
-                (self.driver).advance(&mut system, parts, times, steps, &mut collector)
-            }
-            Err(error) => (Outcome::at(start), Err(error)),
+        let begun = self.keep.clone().begin(&start, end);
+        let solved = collected::<_, _, _, K>(begun, start, limits, |_, times, collector| {
+            self.go_on(times, steps, collector)
+        });
+        if solved.is_err() {
+            self.forget_events();
+        }
+        solved
+    }
+
+    /// Goes on through `times`, and from where that stops.
+    fn go_on(
+        &mut self,
+        times: &[f64],
+        steps: u64,
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>) {
+        let start = At {
+            t: self.stepper.time(),
+            x: self.stepper.state().clone(),
         };
+        if let Err(error) = check_times(start.t, times) {
+            return (Outcome::at(start), Err(error));
+        }
+        let end = times.last().copied().unwrap_or(start.t);
+        self.memory = self.recall_events(end);
+        let mut system = Changing {
+            dynamics: &mut self.dynamics,
+            reactions: &mut self.reactions,
+        };
+        let parts = (&mut self.stepper, &mut self.memory);
+        let (outcome, mut result) =
+            (self.driver).advance(&mut system, parts, times, steps, collector);
         let t = outcome.last.t;
         if t - self.stepper.time() != 0.0 {
             // The derivative parts of the state at an event are those at a time that moves.
@@ -307,13 +336,6 @@ where
             self.forget_events();
             result = result.and(self.stepper.restart_at(&self.dynamics, t, x));
         }
-        let events = collector.events;
-        result = result.and(within_limit(&outcome, limit));
-        let solution = Solution::new(K::finish(begun.collection, &outcome), events, outcome);
-        if let Err(error) = result {
-            self.forget_events();
-            return Err(Unfinished::new(error, solution));
-        }
-        Ok(solution)
+        (outcome, result)
     }
 }

@@ -1,7 +1,7 @@
 //! Solutions of problems.
 
 #[cfg(feature = "alloc")]
-use alloc::{boxed::Box, vec::Vec};
+use alloc::vec::Vec;
 use core::fmt;
 use core::ops::Deref;
 
@@ -15,6 +15,7 @@ use crate::integrate::event::MetConditions;
 #[cfg(feature = "alloc")]
 use crate::integrate::event::Occurrence;
 use crate::integrate::outcome::{Outcome, StopReason};
+use crate::integrate::partial::Partial;
 use crate::integrate::stepper::Statistics;
 #[cfg(feature = "alloc")]
 use crate::linalg::VectorSpace;
@@ -144,51 +145,21 @@ where
     }
 }
 
-/// A solution, or an error and the solution up to it.
-pub type Solved<S, X, K = ()> = Result<Solution<S, X, K>, Unfinished<Solution<S, X, K>>>;
-
-/// An error of an integration, and the solution up to it.
-///
-/// `?` makes the error of it.
-pub struct Unfinished<T> {
-    // One pointer where there is memory for it, so that a `Result` is not large because of its error.
-    #[cfg(feature = "alloc")]
-    parts: Box<(IntegrationError, T)>,
-    #[cfg(not(feature = "alloc"))]
-    parts: (IntegrationError, T),
-}
-
-impl<T> Unfinished<T> {
-    #[allow(clippy::useless_conversion)] // Without the feature `alloc` nothing is boxed.
-    pub(super) fn new(error: IntegrationError, solution: T) -> Self {
-        Self {
-            parts: (error, solution).into(),
-        }
+impl<S, X, K> Partial<Solution<S, X, K>> {
+    /// The solution up to the error.
+    #[must_use]
+    pub fn solution(&self) -> &Solution<S, X, K> {
+        self.value()
     }
 
-    /// What went wrong.
+    /// The solution up to the error, owned.
     #[must_use]
-    pub fn error(&self) -> IntegrationError {
-        self.parts.0
-    }
-
-    /// The solution up to there.
-    #[must_use]
-    pub fn solution(&self) -> &T {
-        &self.parts.1
-    }
-
-    /// The solution up to there.
-    #[must_use]
-    pub fn into_solution(self) -> T {
-        #[cfg(feature = "alloc")]
-        return (*self.parts).1;
-        #[cfg(not(feature = "alloc"))]
-        return self.parts.1;
+    pub fn into_solution(self) -> Solution<S, X, K> {
+        self.into_value()
     }
 }
 
-impl<S: crate::Scalar, X, K> fmt::Display for Unfinished<Solution<S, X, K>> {
+impl<S: Scalar, X, K> fmt::Display for Partial<Solution<S, X, K>> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let reached = Readable(self.solution().last.t.smallest());
         write!(
@@ -196,23 +167,5 @@ impl<S: crate::Scalar, X, K> fmt::Display for Unfinished<Solution<S, X, K>> {
             "{} (the solution is known until t = {reached})",
             self.error()
         )
-    }
-}
-
-impl<T> fmt::Debug for Unfinished<T>
-where
-    Self: fmt::Display,
-{
-    /// As it is displayed: `main` prints an error so.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-impl<T> core::error::Error for Unfinished<T> where Self: fmt::Display {}
-
-impl<T> From<Unfinished<T>> for IntegrationError {
-    fn from(unfinished: Unfinished<T>) -> Self {
-        unfinished.error()
     }
 }

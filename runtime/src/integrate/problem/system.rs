@@ -1,6 +1,5 @@
 //! What a problem is made of: a model, or any dynamics.
 
-use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::Scalar;
 
@@ -33,10 +32,4 @@ impl<S: Scalar, D: Dynamics<S>> System<ByDynamics, S> for D {
     fn into_dynamics(self) -> D {
         self
     }
-}
-
-/// A state at a time that is one number.
-pub(super) fn initial<S: Scalar, X>(start: At<S, X>) -> At<f64, X> {
-    use crate::integrate::at::InitialValue as _;
-    start.into_initial()
 }

@@ -58,6 +58,15 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.pairs.as_flattened_mut()
     }
 
+    /// The polynomial of what is made of each coefficient.
+    #[inline]
+    pub(crate) fn map<Y>(&self, function: impl Fn(&X) -> Y) -> TaylorCoefficients<Y, HALF> {
+        TaylorCoefficients {
+            initial: function(&self.initial),
+            pairs: core::array::from_fn(|i| core::array::from_fn(|j| function(&self.pairs[i][j]))),
+        }
+    }
+
     /// The terms up to the order 2·`FEW`; beyond the order of this polynomial, its last coefficients again.
     #[inline]
     pub(crate) fn leading<const FEW: usize>(&self) -> TaylorCoefficients<X, FEW> {

@@ -105,7 +105,7 @@ impl<S: Scalar, const N: usize> One for Dual<S, N> {
 /// Implements an operator whose right operand is a number that depends on no variable, given the derivative of the result.
 macro_rules! with_number {
     ($operator:ident $function:ident, |$derivative:ident, $number:ident| $result:expr) => {
-        /// The same with a number that depends on no variable.
+        /// With a number that depends on no variable.
         impl<S: Scalar, const N: usize> $operator<f64> for Dual<S, N> {
             type Output = Self;
 

@@ -90,7 +90,7 @@ fn unit_difference<S: Scalar>(x: S) -> S {
 }
 
 impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
-    /// Those of all values, and before them those of the value itself, if it is dual, too.
+    /// The derivative parts of the value, if it is dual, too; then each derivative with its own parts.
     const DERIVATIVES: usize = S::DERIVATIVES + N * (1 + S::DERIVATIVES);
 
     /// The part with the largest magnitude over lanes.

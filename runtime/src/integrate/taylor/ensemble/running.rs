@@ -166,6 +166,9 @@ where
             Err(error) => return (0..L).for_each(|lane| stepper.fail(lane, error)),
         };
         let (times, states) = (stepper.times(), stepper.states());
+        if dynamics.next_update(states).is_some() {
+            return (0..L).for_each(|lane| stepper.fail(lane, IntegrationError::UpdatesInLanes));
+        }
         let found = if (0..L).any(|lane| stepper.is_new(lane)) {
             dynamics.singularity(times, states, min_pivot)
         } else {

@@ -1,0 +1,8 @@
+//! What a [`Problem`](crate::Problem) is made of, what it asks for, and what is kept of its solution.
+//!
+//! Programs name few of these: [`Every`], [`StepEnds`] and [`Dense`] for what is saved.
+
+#[cfg(feature = "alloc")]
+pub use crate::integrate::{Dense, Every, StepEnds};
+pub use crate::integrate::{End, Keep, Run, System, When};
+pub use crate::model::{SampledFeedback, SampledPhase};
