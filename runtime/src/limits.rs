@@ -97,6 +97,16 @@ pub(crate) mod events {
     /// each if the one before shows nothing but rounding errors.
     pub(crate) const EXTRAPOLATIONS: [f64; 3] = [1.0 / 1024.0, 1.0 / 32.0, 1.0];
 
+    /// The parts of the last step at which event functions have their signs on both sides of the end of a run. The first is one at which
+    /// the second derivative of a function makes no difference to its change, the others are for functions with large rounding errors.
+    pub(crate) const SIDES: [f64; 3] = [1.0 / 134_217_728.0, 1.0 / 1_048_576.0, 1.0 / 1024.0];
+
+    /// The parts of the time between two zeros at which a function is zero that is so all the time.
+    pub(crate) const BETWEEN: [f64; 3] = [0.618, 0.271, 0.859];
+
+    /// The least value of a parabola, as a part of those next to it, that is zero.
+    pub(crate) const TOUCHING: f64 = 0.01;
+
     /// The iterations by which an event is located in the arithmetic of the scalar. The slope is one of differences, right
     /// to some 1e-4 at least, so that three are enough for each order of derivative parts.
     pub(crate) const DELAY_ITERATIONS: usize = 6;

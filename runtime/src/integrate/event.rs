@@ -9,10 +9,12 @@
 mod detection;
 mod both;
 mod junction;
+mod closing;
 mod last_step;
 mod location;
 mod memory;
 mod sampling;
+mod sides;
 mod values;
 mod functions;
 mod state_function;

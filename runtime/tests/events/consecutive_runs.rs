@@ -1,10 +1,8 @@
 //! Every event belongs to one of two consecutive runs, however the first of them ends: at its final time, by an observer at a
 //! sample, at an event or at the end of a step, by a step limit, or as a call of an integration in progress.
 
-use core::ops::ControlFlow;
-use std::cell::RefCell;
-
 use crate::random_numbers::Random;
+use crate::two_runs::{ENDS, X, in_two_runs, run};
 use lagrangian::prelude::*;
 use lagrangian::{EquationsOfMotion, Resume, StopCondition};
 
@@ -115,7 +113,6 @@ struct Oscillator {
 const COUNT: usize = 6;
 
 type Equations<'a> = EquationsOfMotion<'a, Oscillator, f64, 2>;
-type X = Phase<f64, 2>;
 
 fn functions(t: f64, x: &X) -> [f64; COUNT] {
     let [a, b] = [x.q[0], x.q[1]];
@@ -128,116 +125,6 @@ fn functions(t: f64, x: &X) -> [f64; COUNT] {
         (3.0 * t).sin(),
         a + 100.1 - 100.0,
     ]
-}
-
-/// The events of a run with their times, and its last state.
-fn run<I, C>(
-    driver: &Driver<I, C>,
-    model: &Oscillator,
-    start: &At<f64, X>,
-    end: f64,
-) -> (Vec<(usize, f64)>, At<f64, X>)
-where
-    I: Clone + for<'a> Integrator<f64, Equations<'a>>,
-    C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
-{
-    let motion = driver.clone().sample(&model.dynamics(), start, &[end]);
-    let motion = motion.unwrap();
-    let events = motion.events().iter().map(|event| (event.event, event.t));
-    (events.collect(), *motion.last())
-}
-
-/// How the first of two runs ends.
-#[derive(Clone, Copy, Debug)]
-enum End {
-    Time,
-    Sample,
-    Steps,
-    Event,
-    Call,
-    Dynamics,
-    Checkpoint,
-}
-
-const ENDS: [End; 7] = [
-    End::Time,
-    End::Sample,
-    End::Steps,
-    End::Event,
-    End::Call,
-    End::Dynamics,
-    End::Checkpoint,
-];
-
-/// The events of two runs, the first of which ends at a time, or wherever its observer or step limit ends it.
-fn in_two_runs<I, C>(
-    driver: &Driver<I, C>,
-    model: &Oscillator,
-    start: &At<f64, X>,
-    (at, end): (f64, f64),
-    kind: End,
-) -> Vec<(usize, f64)>
-where
-    I: Clone + for<'a> Resume<f64, Equations<'a>>,
-    C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
-{
-    let equations = model.dynamics();
-    let seen = RefCell::new(Vec::new());
-    let noting = driver.clone().observe(|progress: &Progress<'_, X>| {
-        if let ObservationKind::Event(event) = progress.kind {
-            seen.borrow_mut().push((event, progress.t));
-        }
-        ControlFlow::Continue(())
-    });
-    let stopping = |stops: bool| {
-        if stops {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    };
-    let last = match kind {
-        End::Time => noting.run_until(&equations, start, at).unwrap().last,
-        End::Sample => {
-            let at_sample =
-                |progress: &Progress<'_, X>| stopping(progress.kind == ObservationKind::Sample);
-            let driver = noting.observe(at_sample);
-            let outcome = driver.run_through(&equations, start, &[at, end]).unwrap();
-            assert!(outcome.reason == StopReason::Observer && outcome.met.contains(1));
-            outcome.last
-        }
-        End::Steps => {
-            let driver = noting.max_steps(3);
-            driver
-                .run_through(&equations, start, &[at, end])
-                .unwrap()
-                .last
-        }
-        End::Event => {
-            let at_event = |progress: &Progress<'_, X>| {
-                stopping(matches!(progress.kind, ObservationKind::Event(_)))
-            };
-            let driver = noting.observe(at_event);
-            driver.run_until(&equations, start, end).unwrap().last
-        }
-        End::Call | End::Dynamics | End::Checkpoint => {
-            let mut running = noting.clone().start(&equations, start).unwrap();
-            running.advance_to(at).unwrap();
-            match kind {
-                End::Dynamics => running.change_dynamics(&equations).unwrap(),
-                End::Checkpoint => {
-                    let stored = running.checkpoint();
-                    running = noting.clone().resume(&equations, stored).unwrap();
-                }
-                _ => {}
-            }
-            running.advance_to(end).unwrap();
-            running.sample()
-        }
-    };
-    let mut all = seen.take();
-    all.extend(run(driver, model, &last, end).0);
-    all
 }
 
 fn each_event_once<I, C>(driver: &Driver<I, C>, tolerance: f64, seed: u64, cases: usize)
@@ -256,14 +143,14 @@ where
         let q = [1.0 + 0.3 * random.uniform(), 0.5 * random.uniform()];
         let v = [random.uniform(), -random.uniform()];
         let start = State::new(from, q, v);
-        let (whole, _) = run(driver, &model, &start, end);
+        let (whole, _) = run(driver, &model.dynamics(), &start, end);
         assert!(!whole.is_empty());
         for (n, kind) in ENDS.into_iter().cycle().take(14).enumerate() {
             let (_, time) = whole[n % whole.len()];
             let ulp = time.abs().next_up() - time.abs();
             let offset = f64::from(random.below(17)) - 8.0;
             let at = time + offset * ulp * [1.0, 1.0, 100.0][n % 3];
-            let parts = in_two_runs(driver, &model, &start, (at, end), kind);
+            let parts = in_two_runs(driver, &model.dynamics(), &start, (at, end), kind);
             for event in 0..COUNT {
                 let times = |list: &[(usize, f64)]| {
                     let list = list.iter().filter(|told| told.0 == event);

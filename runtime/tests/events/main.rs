@@ -4,6 +4,7 @@
 mod common;
 mod event_models;
 mod random_numbers;
+mod two_runs;
 
 mod consecutive_runs;
 mod contacts;
@@ -15,5 +16,7 @@ mod hostile_motions;
 mod reactions;
 mod rounding;
 mod series_of_events;
+mod short_runs;
 mod settings_compose;
 mod switch_derivatives;
+mod touches;

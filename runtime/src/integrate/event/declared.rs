@@ -3,18 +3,19 @@
 //! Where a step is a Taylor polynomial, the series of an event function is one, too, and no root of it is missed. By other
 //! methods the functions are sampled.
 
-use core::ops::ControlFlow;
+mod first_root;
+mod next_roots;
 
 use super::detection::{Detection, EventFunctions, detection_by_functions};
 use super::exclusion::Exclusion;
 use super::junction::rounding;
 use super::memory::Memory;
-use super::polynomial::{Polynomial, Root};
+use super::polynomial::Polynomial;
 use super::window::{Search, Window};
-use super::{Event, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber, sampling};
+use super::{Event, EventDynamics, LastStep, Occurring, SingleNumber, sampling};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
-use crate::limits::events::{LEAST_WINDOW, MOST_COEFFICIENTS};
+use crate::limits::events::LEAST_WINDOW;
 
 /// Some of the events that the dynamics declare, by their indices, and what is watched for; made by
 /// [`Driver::declared_events`](crate::Driver::declared_events).
@@ -233,190 +234,5 @@ impl<const K: usize> DeclaredEvents<K> {
             }
             end = begin + 0.25 * (end - begin);
         }
-    }
-
-    /// The next events at roots of these polynomials of the fraction of the step.
-    fn next_roots<S, D, T>(
-        &mut self,
-        memory: &mut Memory<[f64; K]>,
-        step: &mut LastStep<'_, S, D, T>,
-        window: Window<K>,
-        polynomials: &[Polynomial; K],
-    ) -> Option<Occurring>
-    where
-        S: SingleNumber,
-        D: EventDynamics<S> + ?Sized,
-        T: Advance<S, D>,
-    {
-        let from = window.fraction(memory.until);
-        let near = window.fraction(step.after(window.begin));
-        let mut found = [None; K];
-        for (event, polynomial) in polynomials.iter().enumerate() {
-            found[event] = self.first_of(event, polynomial, memory, (window, from, near));
-        }
-        let times = found.iter().flatten().map(|root: &Root| root.at);
-        let first = times.fold(f64::INFINITY, f64::min);
-        if first > 1.0 {
-            for (event, polynomial) in polynomials.iter().enumerate() {
-                let known = (from, memory.resume[event]);
-                memory.signs[event] = window.last_sign(polynomial, known, memory.signs[event]);
-            }
-            let touches = |(polynomial, resume): (&Polynomial, f64)| {
-                resume < 1.0 && polynomial.is_uncertain(1.0)
-            };
-            let touching = polynomials.iter().zip(memory.resume).map(touches);
-            let touching = MetConditions::of(touching);
-            let departs =
-                |(polynomial, sign): (&Polynomial, f64)| polynomial.slope(1.0) * sign > 0.0;
-            let departing = MetConditions::of(polynomials.iter().zip(memory.signs).map(departs));
-            memory.arrive(window.end);
-            (memory.touching, memory.departing) = (touching, departing.and(touching));
-            (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
-            memory.window = window.end;
-            return None;
-        }
-        let time = window.time(first);
-        let together = window.fraction(step.after(time));
-        let occurs = |(root, polynomial): (&Option<Root>, &Polynomial)| {
-            root.is_some_and(|root| {
-                // Behind a time within its rounding errors, a zero without a change of sign is not seen any more.
-                let touches = root.before * root.behind > 0.0;
-                root.at <= together || touches && polynomial.is_uncertain(together)
-            })
-        };
-        let events = MetConditions::of(found.iter().zip(polynomials).map(occurs));
-        for (event, root) in found.iter().enumerate() {
-            let occurring = root.filter(|_| events.contains(event));
-            memory.ahead[event] = match occurring {
-                Some(_) => 0.0,
-                None => root.map_or(0.0, |root| root.before),
-            };
-            if let Some(root) = occurring {
-                (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
-            }
-        }
-        memory.arrive(step.after(time));
-        let t = self.just_behind(memory, step, time, &found, events);
-        memory.note_zeros(events, t);
-        Some(Occurring { t, events })
-    }
-
-    /// The first root of an event's polynomial that is one of its event.
-    fn first_of(
-        &self,
-        event: usize,
-        polynomial: &Polynomial,
-        memory: &Memory<[f64; K]>,
-        (window, from, near): (Window<K>, f64, f64),
-    ) -> Option<Root> {
-        let crossing = self.event(event).crossing();
-        let is_left = from <= 0.0 && memory.left.contains(event);
-        let deflated = is_left || from <= 0.0 && memory.at_zero.contains(event);
-        let polynomial = if deflated {
-            polynomial.over_argument()
-        } else {
-            *polynomial
-        };
-        let sign = if memory.resume[event] > from {
-            memory.signs[event]
-        } else if from > 0.0 {
-            memory.ahead[event]
-        } else {
-            0.0
-        };
-        let mut next = polynomial.next_root(from.max(memory.resume[event]), sign);
-        if from <= 0.0 && !deflated {
-            next = match self.at_last_end(event, &polynomial, memory, (from, near, next)) {
-                ControlFlow::Continue(next) => next,
-                ControlFlow::Break(root) => return Some(root),
-            };
-        }
-        for _ in 0..MOST_COEFFICIENTS {
-            let root = window.behind(event, next?);
-            // The zero that is left is no crossing, whatever rounding makes of it.
-            let is_initial = is_left && root.at <= near;
-            let behind = if root.before * root.behind < 0.0 {
-                root.behind
-            } else {
-                0.0
-            };
-            let is_one = window.is_known || behind != 0.0;
-            if is_one && crossing.between(root.before, behind) && !is_initial {
-                return Some(root);
-            }
-            next = polynomial.next_root(root.until, root.behind);
-        }
-        None
-    }
-
-    /// An event at the beginning of a step: the last step may have ended before a root that is now behind, to rounding, or at a
-    /// zero, whether or not the sign changes there. Otherwise the next root that is not the last one again.
-    fn at_last_end(
-        &self,
-        event: usize,
-        polynomial: &Polynomial,
-        memory: &Memory<[f64; K]>,
-        (from, near, next): (f64, f64, Option<Root>),
-    ) -> ControlFlow<Root, Option<Root>> {
-        let crossing = self.event(event).crossing();
-        let before = memory.signs[event];
-        let behind = polynomial.sign_behind(from, next);
-        let touches = memory.touching.contains(event)
-            && before * behind > 0.0
-            && crossing.between(before, 0.0);
-        let returns = next.filter(|root| {
-            root.at <= near && root.behind * before > 0.0 && root.before * root.behind < 0.0
-        });
-        let crosses = crossing.between(before, behind) && behind != 0.0;
-        match returns {
-            Some(root) if !touches => {
-                ControlFlow::Continue(polynomial.next_root(root.until, root.behind))
-            }
-            _ if touches || crosses => ControlFlow::Break(Root {
-                at: 0.0,
-                before,
-                behind,
-                until: 0.0,
-            }),
-            _ => ControlFlow::Continue(next),
-        }
-    }
-
-    /// The time of an event, moved by rounding errors until its function is not before the zero any more.
-    fn just_behind<S, D, T>(
-        &mut self,
-        memory: &mut Memory<[f64; K]>,
-        step: &mut LastStep<'_, S, D, T>,
-        time: f64,
-        found: &[Option<Root>; K],
-        events: MetConditions,
-    ) -> f64
-    where
-        S: SingleNumber,
-        D: EventDynamics<S> + ?Sized,
-        T: Advance<S, D>,
-    {
-        let last = step.after(time);
-        let mut distance = f64::EPSILON * time.abs().max(f64::MIN_POSITIVE);
-        let mut there = time;
-        while step.comes_before(there, last) {
-            let sample = step.at(there);
-            let values = self.values(step.dynamics(), there, &sample.x);
-            let is_before = |event: usize| {
-                let root = found.get(event).copied().flatten();
-                root.is_some_and(|root| {
-                    root.before * root.behind < 0.0 && values[event] * root.before > 0.0
-                })
-            };
-            if !events.indices().any(is_before) {
-                memory.at_event = values;
-                return there;
-            }
-            there = time + distance.copysign(last - time);
-            distance *= 4.0;
-        }
-        let sample = step.at(last);
-        memory.at_event = self.values(step.dynamics(), last, &sample.x);
-        last
     }
 }

@@ -40,8 +40,6 @@ pub struct Memory<V> {
     /// Of polynomials: the events whose functions are zero to rounding at the end of the last window. Where they do not cross
     /// it, they have touched it.
     pub(super) touching: MetConditions,
-    /// Those of them whose functions move away from zero already.
-    pub(super) departing: MetConditions,
     /// The direction of time in the steps that were looked at.
     forwards: Option<bool>,
     /// The events to which the reaction was from which the method began anew: their functions are zero there.
@@ -80,7 +78,6 @@ impl<V: Values> Memory<V> {
             ahead: V::ZERO,
             at_zero: MetConditions::default(),
             touching: MetConditions::default(),
-            departing: MetConditions::default(),
             forwards: None,
             left: MetConditions::default(),
             zero_at: never,
@@ -256,7 +253,6 @@ impl<V: Values> Memory<V> {
         self.at_zero = MetConditions::default();
         self.left = MetConditions::default();
         self.touching = MetConditions::default();
-        self.departing = MetConditions::default();
     }
 
     /// Notes that no event has occurred up to a time with these values.

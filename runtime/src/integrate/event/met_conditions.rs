@@ -76,12 +76,6 @@ impl MetConditions {
         Self(self.0 & !other.0)
     }
 
-    /// The intersection of two sets.
-    #[must_use]
-    pub(crate) fn and(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-
     /// The union of two sets.
     #[must_use]
     pub(crate) fn or(self, other: Self) -> Self {

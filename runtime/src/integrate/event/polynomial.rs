@@ -6,6 +6,7 @@
 //! Intervals are halved until the number is known. The arithmetic is that of double-doubles, so that a sign is as certain
 //! as the coefficients: what is smaller than their rounding errors has none.
 
+mod leaving;
 #[cfg(test)]
 mod tests;
 
@@ -228,24 +229,17 @@ impl Polynomial {
         }
     }
 
-    /// The sign up to 1 behind the last root; `otherwise` if there is none.
+    /// The sign at 1, or next to it where it is not certain there; `otherwise` if it is not certain behind `from`.
     pub(super) fn last_sign(&self, from: f64, otherwise: f64) -> f64 {
-        let value = self.value(1.0);
-        if value.abs() > self.uncertainty(1.0) + self.shift {
-            return value.signum();
-        }
-        let (mut root, mut last) = (from, 0.0);
-        for _ in 0..MOST_COEFFICIENTS {
-            let Some(next) = self.next_root(root, last) else {
-                break;
-            };
-            (root, last) = (next.until, next.behind);
-        }
-        if last == 0.0 {
-            // Without a root it has one sign, which is certain away from the ends.
-            last = self.sign_behind(from, None);
-        }
-        if last == 0.0 { otherwise } else { last }
+        let is_certain = |u: &f64| self.value(*u).abs() > self.uncertainty(*u) + 2.0 * self.shift;
+        let parts = (0..f64::MANTISSA_DIGITS).scan(f64::EPSILON, |part, _| {
+            let u = 1.0 - *part;
+            *part *= 2.0;
+            Some(u)
+        });
+        let before = parts.take_while(|u| *u > from);
+        let last = core::iter::once(1.0).chain(before).find(is_certain);
+        last.map_or(otherwise, |u| self.value(u).signum())
     }
 
     /// The first root behind `from`, up to 1. The sign behind `from` is given where it is that behind another root.

@@ -6,7 +6,7 @@ use super::location::Bracket;
 use super::memory::Memory;
 use super::met_conditions::MetConditions;
 use super::values::Values;
-use super::{EventFunctions, LastStep, Occurring};
+use super::{Crossing, EventFunctions, LastStep, Occurring};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::{Advance, derivative_apart};
 use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, PARTS};
@@ -29,8 +29,9 @@ pub(super) fn next<
     while let Some(time) = memory.next_time(step, parts) {
         let sample = step.at(time);
         let mut values = source.values(step.dynamics(), time, &sample.x);
-        let crossed = crossings(source, memory, &values);
-        if crossed.any() {
+        let changed = sign_changes(memory, &values);
+        if changed.any() {
+            let crossed = crossings(source, memory, &values);
             let noise = rounding(source, step.dynamics(), (time, &sample.x), &values);
             if crossed
                 .indices()
@@ -38,9 +39,10 @@ pub(super) fn next<
             {
                 return Some(locate(source, memory, step, (time, values)));
             }
-            // Nearer to zero than rounding tells, all of them: what follows decides.
-            for event in crossed.indices() {
-                if let Some(value) = values.as_mut_slice().get_mut(event) {
+            // Nearer to zero than rounding tells: what follows decides.
+            for event in changed.indices() {
+                let is_certain = has_crossed(event, &values, &noise);
+                if let (false, Some(value)) = (is_certain, values.as_mut_slice().get_mut(event)) {
                     *value = 0.0;
                 }
             }
@@ -55,6 +57,12 @@ fn has_crossed<V: Values>(event: usize, values: &V, noise: &V) -> bool {
     let [value, noise] = [values, noise].map(|values| values.as_slice().get(event).copied());
     let pair = value.zip(noise);
     pair.is_some_and(|(value, noise)| value == 0.0 || value.abs() > noise || noise.is_nan())
+}
+
+/// The functions that have other signs than before, whether or not in the direction of their events.
+fn sign_changes<V: Values>(memory: &Memory<V>, values: &V) -> MetConditions {
+    let pairs = memory.signs.as_slice().iter().zip(values.as_slice());
+    MetConditions::of(pairs.map(|(before, after)| Crossing::Either.between(*before, *after)))
 }
 
 /// The events whose functions have crossed zero where they have these values.
@@ -177,6 +185,14 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D
     let mut hysteresis = G::Values::ZERO;
     let mut accumulating = MetConditions::default();
     let mut at_zero = MetConditions::default();
+    // Others that are zero to rounding have crossed it in the direction that is not watched for, or leave it.
+    let triples = signs.as_mut_slice().iter_mut().zip(noise.as_slice());
+    let triples = triples.zip(hysteresis.as_mut_slice());
+    for (_, ((sign, noise), least)) in triples.enumerate().filter(|(i, _)| !events.contains(*i)) {
+        if sign.abs() <= *noise {
+            (*sign, *least) = (0.0, *noise);
+        }
+    }
     for event in events.indices() {
         let at = |values: &G::Values| values.as_slice().get(event).copied().unwrap_or(0.0);
         // A reaction may have moved the zero.

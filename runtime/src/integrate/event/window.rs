@@ -78,7 +78,7 @@ impl<const K: usize> Window<K> {
     ) -> f64 {
         let trusted = self.trusted();
         if trusted > 1.0 {
-            return polynomial.last_sign(from, sign);
+            return polynomial.last_sign(from.max(resume), sign);
         }
         if resume >= 1.0 {
             return sign;

@@ -1,0 +1,164 @@
+//! Runs of some roundings of the time, one after the other, of which the last ends at an event or next to it.
+
+use lagrangian::EquationsOfMotion;
+use lagrangian::prelude::*;
+
+/// An oscillator beside a clock.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * k * x.powi(2),
+    event(cube = t.powi(3) - 5, early = t - 0.37, both = (t - 1) * (t - 2.5), pair = (t - 1).powi(2) - 1e-10),
+)]
+struct Oscillator {
+    k: f64,
+}
+
+/// The times of an event in runs that end at these times.
+fn seen<I>(
+    method: &I,
+    start: State<f64, 1>,
+    times: &[f64],
+    event: Event,
+    declared: bool,
+) -> Vec<f64>
+where
+    I: IntegrationMethod + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
+{
+    let model = Oscillator { k: 1.0 };
+    let equations = model.dynamics();
+    let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0];
+    let (mut last, mut seen) = (start, Vec::new());
+    for time in times {
+        let driver = method.driver();
+        let motion = if declared {
+            let driver = driver.declared_events([(Oscillator::CUBE, event)]);
+            driver.sample(&equations, &last, &[*time])
+        } else {
+            driver
+                .events([event], cube)
+                .sample(&equations, &last, &[*time])
+        };
+        let motion = motion.unwrap();
+        seen.extend(motion.events().iter().map(|event| event.t));
+        last = *motion.last();
+    }
+    seen
+}
+
+#[test]
+fn runs_of_some_roundings_report_an_event_once() {
+    let zero = 5.0_f64.cbrt();
+    let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
+    let start = State::new(0.2, [0.3], [0.4]);
+    for (event, count) in [
+        (Event::rising(), 1),
+        (Event::falling(), 0),
+        (Event::either(), 1),
+    ] {
+        for from in (-13..=11).step_by(2) {
+            for to in (from + 1..=13).step_by(3) {
+                let times = [near(from), near(to), 2.5];
+                for declared in [true, false] {
+                    let found = [
+                        seen(&Taylor::new(), start, &times, event, declared),
+                        seen(&Dop853::new(), start, &times, event, declared),
+                        seen(&RungeKutta::classical(0.2), start, &times, event, declared),
+                    ];
+                    for times in found {
+                        assert_eq!(
+                            times.len(),
+                            count,
+                            "{event:?} from {from} to {to}: {times:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// sin 2x is zero at both ends of a half period of x = π/2 · cos t, and in the middle.
+#[test]
+fn a_periodic_function_is_not_zero_between_its_zeros() {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let model = Oscillator { k: 1.0 };
+    let start = State::new(0.0, [quarter - 1e-9], [0.5]);
+    let wave = |_: f64, x: &Phase<f64, 1>| [(2.0 * x.q[0]).sin()];
+    let whole = Taylor::new().driver().events([Event::either()], wave);
+    let whole = whole.sample(&model.dynamics(), start, &[4.0]).unwrap();
+    assert!(whole.events().len() >= 3);
+    for event in whole.events() {
+        for ulps in 0..9 {
+            let end = f64::from_bits(event.t.to_bits() + ulps - 4);
+            let driver = || Taylor::new().driver().events([Event::either()], wave);
+            let first = driver().sample(&model.dynamics(), start, &[end]).unwrap();
+            let second = driver().sample(&model.dynamics(), first.last(), &[4.0]);
+            let count = first.events().len() + second.unwrap().events().len();
+            assert_eq!(count, whole.events().len(), "{end:e}");
+        }
+    }
+}
+
+/// The sign before a rising zero is not the one before the falling zero on the way to it.
+#[test]
+fn an_event_is_not_reported_where_another_one_occurs() {
+    let model = Oscillator { k: 1.0 };
+    let watched = [
+        (Oscillator::EARLY, Event::either()),
+        (Oscillator::BOTH, Event::rising()),
+    ];
+    let driver = Taylor::new().driver().declared_events(watched);
+    let start = State::new(-0.1, [0.2], [0.0]);
+    let motion = driver.sample(&model.dynamics(), start, &[3.2]).unwrap();
+    let found: Vec<usize> = motion.events().iter().map(|event| event.event).collect();
+    assert_eq!(found, [0, 1]);
+    assert!((motion.events()[1].t - 2.5).abs() < 1e-12);
+}
+
+/// Both zeros of a pair, each watched for in its direction.
+#[test]
+fn the_directions_of_a_pair_are_told_apart() {
+    let model = Oscillator { k: 1.0 };
+    let watched = [Event::rising(), Event::falling()].map(|event| (Oscillator::PAIR, event));
+    let driver = Taylor::new().driver().declared_events(watched);
+    let start = State::new(-0.1, [0.2], [0.0]);
+    let motion = driver.sample(&model.dynamics(), start, &[3.2]).unwrap();
+    let found = motion.events().iter().map(|event| (event.event, event.t));
+    let found: Vec<(usize, f64)> = found.collect();
+    assert_eq!(found.len(), 2);
+    for ((event, time), expected) in found.iter().zip([(1, 1.0 - 1e-5), (0, 1.0 + 1e-5)]) {
+        assert!(
+            *event == expected.0 && (time - expected.1).abs() < 1e-9,
+            "{found:?}"
+        );
+    }
+}
+
+/// Reactions to one direction, watched for beside the other one.
+#[test]
+fn a_reaction_leaves_no_event_in_the_other_direction() {
+    let zero = 5.0_f64.cbrt();
+    let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
+    for from in -13..=0 {
+        for to in 1..=13 {
+            let model = Oscillator { k: 1.0 };
+            let mut equations = model.dynamics();
+            let (mut last, mut seen) = (State::new(0.2, [0.3], [0.4]), Vec::new());
+            for time in [near(from), near(to), 2.5] {
+                let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0; 2];
+                let driver = Dop853::new().driver();
+                let driver = driver.events([Event::falling(), Event::rising()], cube);
+                let react = |event, _, _: &mut Phase<f64, 1>, _: &mut _| {
+                    seen.push(event);
+                    Reaction::Changed
+                };
+                let outcome = driver.run_reacting(&mut equations, &last, time, react);
+                last = outcome.unwrap().last;
+            }
+            assert_eq!(seen, [1], "from {from} to {to}");
+        }
+    }
+}
