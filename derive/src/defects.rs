@@ -10,7 +10,7 @@ use quote::ToTokens;
 
 use crate::diagnostics::Diagnostics;
 use crate::emit::printed_names;
-use crate::limits::LONGEST_TERM;
+use crate::limits::MAX_TERM_LENGTH;
 use crate::lower::Lowered;
 use crate::plan::NoTaylorSeries;
 use crate::syntax::clauses::Clause;
@@ -155,7 +155,7 @@ fn report_not_polynomial(
 fn printed(model: &Model, lowered: &Lowered, term: Expression) -> String {
     let letters = Letters::new(&printed_names(lowered));
     let text = model.graph.display_in(term, &letters).to_string();
-    if text.chars().count() <= LONGEST_TERM {
+    if text.chars().count() <= MAX_TERM_LENGTH {
         format!("`{text}`")
     } else {
         "a function, a root or a sum that is divided by".to_owned()

@@ -7,15 +7,15 @@ use lagrangian_symbolic::Rational;
 /// How many scopes may be nested with a `let` for each variable. The derivatives of an arm of six joints in space
 /// have 2500 variables, at which rustc 1.95 without optimization overflows its stack where it writes debug
 /// information. A compiler that does not recurse over scopes would lift it.
-pub(crate) const MOST_SCOPES: usize = 1000;
+pub(crate) const MAX_SCOPES: usize = 1000;
 
-/// How many times [`MOST_SCOPES`] the variables of a method are declared at once and assigned; one with more is divided into
+/// How many times [`MAX_SCOPES`] the variables of a method are declared at once and assigned; one with more is divided into
 /// pieces. Measured by arms in space: the accelerations of thirty joints (4600 variables) take 0.94 of the time in pieces, the
 /// inverse dynamics of thirty (2800) and the accelerations of ten (1800) 1.9 and 1.1 times as long. Code that fits the first
 /// cache of instructions is better in one function, whose values wait on the stack; a larger cache would move it.
-pub(crate) const MOST_ASSIGNED: usize = 4;
+pub(crate) const MAX_ASSIGNED: usize = 4;
 
-/// How many statements a piece has of a method in pieces; with what it reads these are fewer scopes than [`MOST_SCOPES`]. The
+/// How many statements a piece has of a method in pieces; with what it reads these are fewer scopes than [`MAX_SCOPES`]. The
 /// accelerations of thirty joints take the same time, to 3 %, in pieces of 300 and of 1000. Compiled with optimization, a function of
 /// 6000 random statements takes 27 s and its pieces of 300 take 4 s. Loops over links of one kind would move it.
 pub(crate) const STATEMENTS_PER_PIECE: usize = 300;
@@ -29,7 +29,7 @@ pub(crate) const STATEMENTS_PER_TRANSFER: usize = 8;
 pub(crate) const DECLARED_AT_ONCE: usize = 200;
 
 /// The characters of a switching function's formula in an error.
-pub(crate) const LONGEST_SWITCHING_FUNCTION: usize = 60;
+pub(crate) const MAX_SWITCHING_FUNCTION_LENGTH: usize = 60;
 
 /// The cost of M beyond which it is computed column by column. That of thirty joints in space costs ten thousand, a tenth of
 /// what thirty columns of momenta do; that of a hundred joints would cost more than ten times as much, and the time to compile
@@ -48,7 +48,7 @@ pub(crate) const DIRECTIONS_AT_ONCE: usize = 1;
 /// The sizes beyond which methods take another form.
 #[derive(Clone, Copy)]
 pub(crate) struct MethodLimits {
-    /// See [`MOST_SCOPES`].
+    /// See [`MAX_SCOPES`].
     pub(crate) most_scopes: usize,
     /// See [`COSTLIEST_MASS_MATRIX`].
     pub(crate) costliest_mass_matrix: usize,
@@ -59,7 +59,7 @@ pub(crate) struct MethodLimits {
 impl MethodLimits {
     /// Those of what users get; tests have others, too.
     pub(crate) const OF_EXPANSIONS: Self = Self {
-        most_scopes: MOST_SCOPES,
+        most_scopes: MAX_SCOPES,
         costliest_mass_matrix: COSTLIEST_MASS_MATRIX,
         costliest_derivatives: COSTLIEST_DERIVATIVES,
     };
@@ -76,35 +76,35 @@ pub(crate) const DEEPEST_PRINTED: usize = 100;
 /// The most numbers that a field may hold. Each is a symbol of the equations and has a name, used or not, which
 /// takes 45 microseconds and two kilobytes: at most half a second for a table of data. Symbols that are made on
 /// demand would lift it.
-pub(crate) const MOST_COMPONENTS: usize = 10_000;
+pub(crate) const MAX_COMPONENTS: usize = 10_000;
 
 /// How many coordinates may have one name. A chain of springs between 200 masses takes four seconds, and the time
 /// grows with the square of their number, as the emitted mass matrix does: a thousand are beyond what is practical,
 /// so that the limit stops slips of the pen alone. A mass matrix that is emitted by its pattern of zeros would
 /// move it.
-pub(crate) const LARGEST_FAMILY: usize = 1000;
+pub(crate) const MAX_FAMILY: usize = 1000;
 
 /// The most components that a vector or matrix may have: as many as a field may hold, so that no expression is
 /// larger than the largest parameter.
-pub(crate) const LARGEST_ARRAY: usize = MOST_COMPONENTS;
+pub(crate) const MAX_ARRAY: usize = MAX_COMPONENTS;
 
 /// The most rows of an identity matrix, and of the diagonal matrix of a vector: those of the largest square array.
 /// The product of two of them takes two seconds. Sparse matrices would move it.
-pub(crate) const MOST_DIAGONAL_ROWS: usize = LARGEST_ARRAY.isqrt();
+pub(crate) const MAX_DIAGONAL_ROWS: usize = MAX_ARRAY.isqrt();
 
 /// How many iterations are unrolled in one declaration, all together. A sum of as many terms `i * x` takes a
 /// second. Sums that stay loops would lift it.
-pub(crate) const MOST_REPETITIONS: usize = 100_000;
+pub(crate) const MAX_REPETITIONS: usize = 100_000;
 
 /// How many rotations and matrices of frames are in one declaration. Each of a chain remembers its factors, so that memory and
 /// time grow with the square of their number; 2000 are a chain of 600 links. Products that share the factors of those before
 /// them would lift it.
-pub(crate) const MOST_ROTATIONS: usize = 2000;
+pub(crate) const MAX_ROTATIONS: usize = 2000;
 
 /// For more coordinates the relative pivots are those of a numerical factorization: symbolic elimination keeps the
 /// entries of larger systems opaque, and the magnitude of a pivot is summed over its terms. Magnitudes that are
 /// computed along with the elimination would move it.
-pub(crate) const MOST_PIVOTS: usize = 4;
+pub(crate) const MAX_PIVOTS: usize = 4;
 
 /// Accelerations up to this cost are inlined where a stepper evaluates them: a result that goes through memory delays each
 /// stage by some 8 ns, a quarter of the time of a double pendulum's and an eighth of that of five links, whose
@@ -113,19 +113,19 @@ pub(crate) const COSTLIEST_INLINED_ACCELERATIONS: usize = 300;
 
 /// The most tokens of an expression. Printing 10 000 terms in a row takes the stack that rustc has, 8 MiB; a parser that
 /// does not recurse would lift it, as it would the next three.
-pub(crate) const LONGEST_EXPRESSION: usize = 8192;
+pub(crate) const MAX_EXPRESSION_LENGTH: usize = 8192;
 
 /// The most dots of an expression: calls of methods, one on the result of the other, of which 1500 are within the stack.
-pub(crate) const MOST_METHOD_CALLS: usize = 1024;
+pub(crate) const MAX_METHOD_CALLS: usize = 1024;
 
 /// The most operators without an operand between them.
-pub(crate) const MOST_OPERATORS_IN_ROW: usize = 256;
+pub(crate) const MAX_OPERATORS_IN_ROW: usize = 256;
 
 /// How deep parentheses, brackets and braces are nested; 600 are within the stack.
 pub(crate) const DEEPEST_GROUPS: usize = 256;
 
 /// How many names an error lists: one line of a terminal.
-pub(crate) const MOST_NAMES: usize = 10;
+pub(crate) const MAX_NAMES: usize = 10;
 
 /// Whether a number is neither beyond the largest nor lost below the smallest `f64`.
 pub(crate) fn in_range(number: &Rational) -> bool {
@@ -134,4 +134,4 @@ pub(crate) fn in_range(number: &Rational) -> bool {
 }
 
 /// Terms of more characters are not printed in errors: what is longer is not read.
-pub(crate) const LONGEST_TERM: usize = 80;
+pub(crate) const MAX_TERM_LENGTH: usize = 80;

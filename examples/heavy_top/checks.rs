@@ -4,7 +4,7 @@ use crate::model::HeavyTop;
 use crate::options::Options;
 
 /// The most samples that fit into memory without a second thought: 100 MB.
-const MOST_SAMPLES: usize = 1_000_000;
+const MAX_SAMPLES: usize = 1_000_000;
 
 impl Options {
     /// The first thing that is wrong with the options, in one sentence.
@@ -93,9 +93,9 @@ impl Options {
         if !(time > 0.0 && time.is_finite()) {
             return Err(format!("--time must be positive, and is {time}"));
         }
-        if !(2..=MOST_SAMPLES).contains(&samples) {
+        if !(2..=MAX_SAMPLES).contains(&samples) {
             return Err(format!(
-                "--samples must be from 2 to {MOST_SAMPLES}, and is {samples}"
+                "--samples must be from 2 to {MAX_SAMPLES}, and is {samples}"
             ));
         }
         if !(1e-15..=1e-2).contains(&tolerance) {

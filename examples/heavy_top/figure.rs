@@ -9,7 +9,7 @@ use crate::nutation::Nutation;
 use crate::record::Record;
 
 /// The most points of a curve; more would only make the file larger.
-const MOST_POINTS: usize = 20_000;
+const MAX_POINTS: usize = 20_000;
 
 /// Left, right, top and bottom of the three panels in pixels.
 const TILT: [f64; 4] = [84.0, 620.0, 112.0, 322.0];
@@ -157,7 +157,7 @@ fn points(records: &[Record], value: impl Fn(&Record) -> f64) -> impl Iterator<I
 fn thinned(records: &[Record]) -> impl Iterator<Item = &Record> + Clone {
     records
         .iter()
-        .step_by(records.len().div_ceil(MOST_POINTS).max(1))
+        .step_by(records.len().div_ceil(MAX_POINTS).max(1))
 }
 
 /// The horizontal coordinates of the point of the axis at distance 1 from the pivot.

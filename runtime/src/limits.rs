@@ -36,7 +36,7 @@ pub(crate) const JACOBI_SWEEPS: usize = 60;
 
 /// The condition number of a scaled regressor above which a combination of parameters counts as not excited: half of the
 /// digits of `f64` are lost.
-pub(crate) const LARGEST_CONDITION_NUMBER: f64 = 1e8;
+pub(crate) const MAX_CONDITION_NUMBER: f64 = 1e8;
 
 /// Steps of Newton's method for the velocities that belong to momenta: two where L is quadratic in the velocities, some
 /// five for relativistic ones.
@@ -46,7 +46,7 @@ pub(crate) const LEGENDRE_ITERATIONS: usize = 50;
 pub(crate) const LEGENDRE_ROUNDING: f64 = 8.0;
 
 /// Newton's method for velocities is given up where a step of this length, relative to a whole one, does not come nearer.
-pub(crate) const SHORTEST_NEWTON_STEP: f64 = 1e-9;
+pub(crate) const MIN_NEWTON_STEP: f64 = 1e-9;
 
 /// What may be missing of the momentum of a velocity that is held since M is infinite there, in machine epsilons of the largest momentum:
 /// some rounding errors of its terms.
@@ -67,7 +67,7 @@ pub(crate) const PRINTED_WITHOUT_EXPONENT: core::ops::Range<f64> = 1e-4..1e7;
 pub(crate) const SMALL_ANGLE: f64 = 8.0;
 
 /// A time in comparison with which every motion is fast, and whose inverse is one in comparison with which it is slow.
-pub(crate) const LONGEST_TIME_SCALE: f64 = 1e100;
+pub(crate) const MAX_TIME_SCALE: f64 = 1e100;
 
 /// A motion with a longer time scale is at rest.
 pub(crate) const USABLE_TIME_SCALE: f64 = 1e50;
@@ -112,7 +112,7 @@ pub(crate) mod events {
     pub(crate) const DELAY_ITERATIONS: usize = 6;
 
     /// The change of an event function over its values on both sides of a zero, below which the zero is an extremum.
-    pub(crate) const LEAST_CHANGE: f64 = 1e-8;
+    pub(crate) const MIN_CHANGE: f64 = 1e-8;
 
     /// The rounding errors that an event function has to exceed after a reaction to count again.
     pub(crate) const COOLDOWN: f64 = 4.0;
@@ -124,26 +124,26 @@ pub(crate) mod events {
     pub(crate) const SHORT_PART: f64 = 0.125;
 
     /// The most coefficients of a polynomial whose roots are isolated: those of order 64, beyond which no method goes.
-    pub(crate) const MOST_COEFFICIENTS: usize = 65;
+    pub(crate) const MAX_COEFFICIENTS: usize = 65;
 
     /// Half of the order up to which the series of an event function is computed at first: the sums of order k have k products,
     /// so that all up to order 6 cost a twentieth of all up to order 28. By judgement.
-    pub(crate) const FEW: usize = 3;
+    pub(crate) const LEADING_HALF_ORDER: usize = 3;
 
     /// What is left of an event function anywhere in a step, at least, over its value at the beginning, where the first few terms
     /// exclude a zero. It guards against what terms of higher order do within a step and not at its end. By judgement.
-    pub(crate) const KEPT: f64 = 0.25;
+    pub(crate) const MIN_REMAINING_PART: f64 = 0.25;
 
     /// The errors of the coefficients of an event's polynomial, in machine epsilons: values below what they make are zero,
     /// and an extremum of that size is a double root.
     pub(crate) const UNCERTAINTY: f64 = 8.0;
 
     /// An interval of this length, in steps, is not divided further: roots in it are one.
-    pub(crate) const LEAST_WIDTH: f64 = 1e-12;
+    pub(crate) const MIN_WIDTH: f64 = 1e-12;
 
     /// The least part of a step over which the series of an event function is used: it does not converge there, as that of
     /// a square root at 0.
-    pub(crate) const LEAST_WINDOW: f64 = 1.0 / 1024.0;
+    pub(crate) const MIN_WINDOW: f64 = 1.0 / 1024.0;
 
     /// A value of an event function that differs from that of its polynomial by more than this part of the terms shows a
     /// corner. Larger than the rounding errors of `f32`.
@@ -183,8 +183,8 @@ pub(crate) mod dormand_prince {
     pub(crate) const SAFETY: f64 = 0.9;
 
     /// Errors over the tolerance that are less, or greater, are beyond the bounds of growth.
-    pub(crate) const LEAST_ERROR: f64 = 1e-10;
-    pub(crate) const LARGEST_ERROR: f64 = 1e10;
+    pub(crate) const MIN_ERROR: f64 = 1e-10;
+    pub(crate) const MAX_ERROR: f64 = 1e10;
 
     /// A step is at most this much shorter than the one before (1/FAC1).
     pub(crate) const MAX_SHRINKAGE: f64 = 1.0 / 0.333;
@@ -194,7 +194,7 @@ pub(crate) mod dormand_prince {
 
     /// The least time scale that is believed before the first step, in relation to the remaining time. It is shorter
     /// where a coordinate is nearly zero and its absolute tolerance, too.
-    pub(crate) const LEAST_TIME_SCALE: f64 = 1e-9;
+    pub(crate) const MIN_TIME_SCALE: f64 = 1e-9;
 
     /// The weight of the third-order error estimate in (10.17) of section II.10.
     pub(crate) const THIRD_ORDER_WEIGHT: f64 = 0.01;

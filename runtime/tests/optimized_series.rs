@@ -17,7 +17,7 @@ const HALF: usize = 14;
 const ALLOWED: f64 = 1e-10;
 
 /// In the time 1, in which the models move by about 1.
-const MOST_STEPS: u64 = 30;
+const MAX_STEPS: u64 = 30;
 
 type Terms<const N: usize> = Vec<[[f64; N]; 2]>;
 
@@ -62,7 +62,7 @@ where
         .sample(dynamics, state, &[1.0])
         .unwrap();
     let steps = trajectory.statistics().steps;
-    assert!(steps <= MOST_STEPS, "{name}: {steps} steps");
+    assert!(steps <= MAX_STEPS, "{name}: {steps} steps");
 }
 
 /// The force is the angle times its slope, both of which have the squares of the distance in their recurrences.

@@ -25,7 +25,7 @@ pub use algebra::symbol::Symbol;
 pub use frames::inverse::NoInverse;
 pub use frames::rotation::NoRotation;
 pub use identity::modular_point::ModularPoint;
-pub use limits::LARGEST_DETERMINANT;
+pub use limits::MAX_DETERMINANT;
 pub use matrix::axis::Axis;
 pub use matrix::dense::Matrix;
 pub use matrix::ldlt::Ldlt;

@@ -1,7 +1,7 @@
 //! Checks of the types of fields and of coordinates.
 
 use crate::diagnostics::Diagnostics;
-use crate::limits::MOST_COMPONENTS;
+use crate::limits::MAX_COMPONENTS;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::field_type::Content;
@@ -46,7 +46,7 @@ pub(super) fn check_field_types(declaration: &Declaration, diagnostics: &mut Dia
             }
             Err(UnsupportedType::TooMany) => {
                 let message = format!(
-                    "a parameter has at most {MOST_COMPONENTS} numbers, each of which is a symbol of the equations: \
+                    "a parameter has at most {MAX_COMPONENTS} numbers, each of which is a symbol of the equations: \
                      mark a larger table `#[lagrangian(skip)]`, and read it by an external function, as in \
                      `function(table(x) = self.table.at(x), derivative(x) = 0.0)`"
                 );

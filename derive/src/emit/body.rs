@@ -21,7 +21,7 @@ use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, To
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
-use crate::limits::{MOST_ASSIGNED, STATEMENTS_PER_PIECE};
+use crate::limits::{MAX_ASSIGNED, STATEMENTS_PER_PIECE};
 use crate::syntax::scalar::Scalar;
 use angles::Angles;
 use block::{Block, Form};
@@ -74,7 +74,7 @@ impl<'a> Body<'a> {
         let scopes = program.symbols().len() + variables.count();
         let form = match scopes {
             _ if scopes <= most_scopes => Form::Nested,
-            _ if scopes <= most_scopes.saturating_mul(MOST_ASSIGNED) => Form::Assigned,
+            _ if scopes <= most_scopes.saturating_mul(MAX_ASSIGNED) => Form::Assigned,
             _ => Form::Pieces,
         };
         if form == Form::Pieces {

@@ -14,7 +14,7 @@ use super::model_symbols::element;
 use super::printed_names::printed_names;
 use super::signatures::InputsFrom;
 use super::writer::Writer;
-use crate::limits::LONGEST_SWITCHING_FUNCTION;
+use crate::limits::MAX_SWITCHING_FUNCTION_LENGTH;
 use crate::plan::{AccelerationOutputs, BranchSeries, Rates, TaylorMethod};
 
 /// The `f64` in a vector register of 256 bits.
@@ -22,7 +22,7 @@ const REGISTER: usize = 4;
 
 /// As many pairs of factors are summed at once: the sums of four orders stay in registers, and the compiler unrolls what is
 /// done for each pair of a block. Blocks of 32 were functions that are called; ten links took twice the time.
-const LARGEST_BLOCK: usize = 24;
+const MAX_BLOCK: usize = 24;
 
 /// Reads the symbols of the recurrence for the terms of order k.
 struct TermSymbols;
@@ -138,7 +138,7 @@ impl Emitter<'_> {
         let functions = series.functions.iter().zip(&series.are_inner);
         let functions = functions.map(|(function, is_inner)| {
             let formula = self.model.graph.display(*function, &names);
-            let name = formula.limit(LONGEST_SWITCHING_FUNCTION).to_string();
+            let name = formula.limit(MAX_SWITCHING_FUNCTION_LENGTH).to_string();
             quote!(#root::SwitchingFunction { name: #name, is_inner: #is_inner })
         });
         Some(quote! {
@@ -278,7 +278,7 @@ impl Emitter<'_> {
 /// The pairs of the convolutions in blocks, and the number of pairs in a block, the last of which is filled by repeating
 /// the last pair.
 fn in_blocks(convolutions: &[Convolution]) -> (Vec<&Convolution>, usize) {
-    let blocks = convolutions.len().div_ceil(LARGEST_BLOCK).max(1);
+    let blocks = convolutions.len().div_ceil(MAX_BLOCK).max(1);
     let registers = convolutions.len().div_ceil(blocks).div_ceil(REGISTER);
     let lanes = (registers * REGISTER).max(1);
     let last = convolutions.last().into_iter();

@@ -8,7 +8,7 @@ use syn::{BinOp, Expr, ExprField, ExprPath, Member};
 
 use super::builtins::is_function;
 pub(crate) use super::unknown_function::unknown_function;
-use crate::limits::MOST_NAMES;
+use crate::limits::MAX_NAMES;
 use crate::lower::scope::Family;
 use crate::syntax::other_notation::{NO_CASES, NO_CONDITIONS, NO_REMAINDER};
 use crate::syntax::shape::Shape;
@@ -134,7 +134,7 @@ pub(crate) fn unknown_name(name: &Ident, known: &[&str]) -> String {
     }
     let known = match known {
         [one] => format!("there is `{one}`; "),
-        [_, ..] if known.len() <= MOST_NAMES => format!("there are `{}`; ", known.join("`, `")),
+        [_, ..] if known.len() <= MAX_NAMES => format!("there are `{}`; ", known.join("`, `")),
         _ => String::new(),
     };
     format!("unknown name `{name}`: {known}make it a field of the struct, or define it")

@@ -8,7 +8,7 @@ use super::method::Method;
 use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
 use super::requested::{Requested, RequestedMethods};
 use super::table::EmittedMethod;
-use crate::limits::{MOST_PIVOTS, in_range};
+use crate::limits::{MAX_PIVOTS, in_range};
 use crate::syntax::shape::Shape;
 
 /// The programs of everything that is emitted for a model.
@@ -216,7 +216,7 @@ struct PivotExpressions {
 impl PivotExpressions {
     fn of(model: &mut Model, equations: &Equations, kinetics: &Kinetics) -> Option<Self> {
         let size = kinetics.mass.len();
-        if size > MOST_PIVOTS {
+        if size > MAX_PIVOTS {
             return None;
         }
         let solution = kinetics.solution.as_ref()?;

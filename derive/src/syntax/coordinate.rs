@@ -7,7 +7,7 @@ use quote::quote;
 use syn::parse::ParseStream;
 use syn::{LitInt, Token, Type, token};
 
-use crate::limits::LARGEST_FAMILY;
+use crate::limits::MAX_FAMILY;
 use crate::syntax::field_type::{members, vector};
 use crate::syntax::grammar::{list, position, word};
 use crate::syntax::label::{Index, Label};
@@ -203,7 +203,7 @@ fn read_vector(name: &Ident, lengths: &[usize], input: ParseStream<'_>) -> syn::
         return Err(syn::Error::new_spanned(&ty, how_to_type(name)));
     };
     let count = lengths.iter().product::<usize>().saturating_mul(rows);
-    if count > LARGEST_FAMILY {
+    if count > MAX_FAMILY {
         return Err(syn::Error::new_spanned(&ty, too_many(name)));
     }
     Ok(Vector { rows, ty: Some(ty) })
@@ -217,7 +217,7 @@ fn how_to_type(name: &Ident) -> String {
 }
 
 fn too_many(name: &Ident) -> String {
-    format!("at most {LARGEST_FAMILY} coordinates are called `{name}`: there are more of them here")
+    format!("at most {MAX_FAMILY} coordinates are called `{name}`: there are more of them here")
 }
 
 /// `[5]` behind the name of coordinates, of which there are `before` without it.
@@ -225,7 +225,7 @@ fn family_length(name: &Ident, input: ParseStream<'_>, before: usize) -> syn::Re
     let content;
     let bracket = syn::bracketed!(content in input);
     let message =
-        format!("the size of a family is a number from 1 to {LARGEST_FAMILY}: write `{name}[5]`");
+        format!("the size of a family is a number from 1 to {MAX_FAMILY}: write `{name}[5]`");
     let length: LitInt = content.parse().map_err(|error| {
         let span = if content.is_empty() {
             bracket.span.join()
@@ -238,8 +238,8 @@ fn family_length(name: &Ident, input: ParseStream<'_>, before: usize) -> syn::Re
         return Err(content.error(message));
     }
     match length.base10_parse::<usize>() {
-        Ok(number @ 1..=LARGEST_FAMILY) if length.suffix().is_empty() => {
-            if number * before > LARGEST_FAMILY {
+        Ok(number @ 1..=MAX_FAMILY) if length.suffix().is_empty() => {
+            if number * before > MAX_FAMILY {
                 return Err(syn::Error::new(length.span(), too_many(name)));
             }
             Ok(number)

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Expr, GenericArgument, Lit, PathArguments, Type};
 
-use crate::limits::MOST_COMPONENTS;
+use crate::limits::MAX_COMPONENTS;
 use crate::syntax::body_type::BodyType;
 use crate::syntax::shape::Shape;
 
@@ -43,7 +43,7 @@ pub(crate) enum UnsupportedType {
     Unknown,
     /// A number of components is not written as a number.
     Length,
-    /// There are more than [`MOST_COMPONENTS`].
+    /// There are more than [`MAX_COMPONENTS`].
     TooMany,
 }
 
@@ -57,7 +57,7 @@ impl<'a> FieldType<'a> {
             Content::Body(body) => [body.numbers().len(), 1],
         };
         let lengths = read.lengths.iter().copied().chain(each);
-        if lengths.fold(1, usize::saturating_mul) > MOST_COMPONENTS {
+        if lengths.fold(1, usize::saturating_mul) > MAX_COMPONENTS {
             return Err(UnsupportedType::TooMany);
         }
         Ok(read)

@@ -5,7 +5,9 @@
 
 use proc_macro2::{TokenStream, TokenTree, token_stream};
 
-use crate::limits::{DEEPEST_GROUPS, LONGEST_EXPRESSION, MOST_METHOD_CALLS, MOST_OPERATORS_IN_ROW};
+use crate::limits::{
+    DEEPEST_GROUPS, MAX_EXPRESSION_LENGTH, MAX_METHOD_CALLS, MAX_OPERATORS_IN_ROW,
+};
 
 /// What has been read of an expression.
 #[derive(Default)]
@@ -27,10 +29,10 @@ pub(crate) fn check(tokens: TokenStream) -> syn::Result<()> {
             continue;
         };
         length.read(&token);
-        if length.tokens > LONGEST_EXPRESSION {
+        if length.tokens > MAX_EXPRESSION_LENGTH {
             return Err(refusal(&token, TOO_LONG));
         }
-        if length.calls > MOST_METHOD_CALLS || length.operators > MOST_OPERATORS_IN_ROW {
+        if length.calls > MAX_METHOD_CALLS || length.operators > MAX_OPERATORS_IN_ROW {
             return Err(refusal(&token, TOO_DEEP));
         }
         if let TokenTree::Group(group) = token {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::expand::expand_within;
-use crate::limits::{MOST_SCOPES, MethodLimits};
+use crate::limits::{MAX_SCOPES, MethodLimits};
 
 /// Of these links' derivatives there are just more variables than scopes may be nested.
 const CHAIN: &str = r"
@@ -44,10 +44,10 @@ fn expansion(most_scopes: usize) -> TokenStream {
 
 #[test]
 fn no_method_nests_more_scopes_than_the_compiler_bears() {
-    assert!(most_scopes(expansion(usize::MAX)) > MOST_SCOPES);
-    let chain = expansion(MOST_SCOPES);
+    assert!(most_scopes(expansion(usize::MAX)) > MAX_SCOPES);
+    let chain = expansion(MAX_SCOPES);
     assert!(syn::parse2::<syn::File>(chain.clone()).is_ok());
-    assert!(most_scopes(chain) <= MOST_SCOPES);
+    assert!(most_scopes(chain) <= MAX_SCOPES);
 }
 
 /// Of values that are called like variables with numbers.

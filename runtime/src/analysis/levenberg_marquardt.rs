@@ -10,7 +10,7 @@ use super::equilibrium::SearchReport;
 use super::equilibrium_problem::EquilibriumProblem;
 use super::jacobian_rows::Residuals;
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::{DESCENT_DAMPING, DESCENT_END, LONGEST_NEWTON_STEP};
+use crate::limits::analysis::{DESCENT_DAMPING, DESCENT_END, MAX_NEWTON_STEP};
 
 /// The point to which the descent from a point leads, and what it took, added to a report.
 pub(super) fn descended<B, S, const N: usize, const U: usize>(
@@ -39,7 +39,7 @@ where
         let after = problem.residuals(&trial);
         report.evaluations += 1;
         let gain = (squared(&found) - squared(&after)) / predicted;
-        if gain > 0.0 && step.norm() <= LONGEST_NEWTON_STEP {
+        if gain > 0.0 && step.norm() <= MAX_NEWTON_STEP {
             point = trial;
             found = after;
             rows = problem.scaled_jacobian(&point, &sizes);

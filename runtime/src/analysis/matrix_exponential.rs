@@ -38,7 +38,7 @@ const COEFFICIENTS: [f64; 14] = [
 ];
 
 /// Below this part of the norm, a root of the norm of a power may be 0 by underflow.
-const LEAST_ROOT: f64 = 1e-28;
+const MIN_ROOT: f64 = 1e-28;
 
 /// exp(A h), and ∫ exp(A τ) dτ from 0 to h; not finite where A h is not or is so large that they overflow.
 pub(super) fn exponential<S: SingleNumber, const D: usize>(
@@ -129,7 +129,7 @@ fn root_of_powers<const D: usize>(unit: &SMatrix<f64, D, D>) -> f64 {
         root(eighth, 8.0),
         root(eighth * second, 10.0),
     ];
-    sixth.max(eighth).min(eighth.max(tenth)).max(LEAST_ROOT)
+    sixth.max(eighth).min(eighth.max(tenth)).max(MIN_ROOT)
 }
 
 /// How often a number has to be halved to be at most 1.

@@ -15,7 +15,7 @@ use super::equilibrium_problem::EquilibriumProblem;
 use super::force_balance::{UnbalancedForce, nearly_singular, unbalanced_force};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::{LEAST_DAMPING, LONGEST_NEWTON_STEP, UNBALANCED};
+use crate::limits::analysis::{MAX_NEWTON_STEP, MIN_DAMPING, UNBALANCED};
 use crate::scalar::Scalar;
 
 /// A running search.
@@ -117,11 +117,11 @@ where
         predicted: f64,
     ) -> Result<Trial<S, N, U>, Failure<S, N, U>> {
         let length = correction.norm();
-        let longest = (LONGEST_NEWTON_STEP / length).min(1.0);
+        let longest = (MAX_NEWTON_STEP / length).min(1.0);
         let mut damping = predicted.min(longest);
         let mut is_reduced = false;
         loop {
-            if damping < LEAST_DAMPING * longest {
+            if damping < MIN_DAMPING * longest {
                 self.report.residual = largest(&self.residuals);
                 return Err(EquilibriumError::Stalled { last: self.found() });
             }

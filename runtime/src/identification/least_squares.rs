@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector};
 use super::error::IdentificationError;
 use super::identified::Identified;
 use super::singular_values::SingularValues;
-use crate::limits::LARGEST_CONDITION_NUMBER;
+use crate::limits::MAX_CONDITION_NUMBER;
 use crate::model::{Regressor, State};
 use crate::scalar::Scalar;
 
@@ -66,7 +66,7 @@ impl<const B: usize> Identification<B> {
     pub fn new(names: [&'static str; B]) -> Self {
         Self {
             names,
-            largest_condition_number: LARGEST_CONDITION_NUMBER,
+            largest_condition_number: MAX_CONDITION_NUMBER,
             factor: SMatrix::zeros(),
             right: SVector::zeros(),
             residual: 0.0,

@@ -15,7 +15,7 @@ const INTEGERS: u64 = 4_503_599_627_370_496.0_f64.to_bits();
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// Below it 2ˣ neither overflows nor underflows.
-const LARGEST_EXPONENT: f64 = 1000.0;
+const MAX_EXPONENT: f64 = 1000.0;
 
 /// The bits of the exponent of a number.
 pub(super) const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
@@ -60,7 +60,7 @@ fn log2_of_normal(x: f64) -> f64 {
 /// 2ˣ to six digits, by the series of the exponential function about the nearest whole number.
 #[inline]
 pub(super) fn exp2(x: f64) -> f64 {
-    if x.abs() < LARGEST_EXPONENT {
+    if x.abs() < MAX_EXPONENT {
         exp2_of_moderate(x)
     } else {
         Scalar::exp(x * LN_2)
@@ -70,9 +70,7 @@ pub(super) fn exp2(x: f64) -> f64 {
 /// The same in each lane.
 #[inline]
 pub(super) fn exp2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
-    if x.iter()
-        .fold(true, |all, x| all & (x.abs() < LARGEST_EXPONENT))
-    {
+    if x.iter().fold(true, |all, x| all & (x.abs() < MAX_EXPONENT)) {
         x.map(exp2_of_moderate)
     } else {
         x.map(exp2)

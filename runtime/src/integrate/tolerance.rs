@@ -2,7 +2,7 @@
 
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use crate::limits::{LONGEST_TIME_SCALE, USABLE_TIME_SCALE};
+use crate::limits::{MAX_TIME_SCALE, USABLE_TIME_SCALE};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
@@ -62,10 +62,7 @@ impl Tolerance {
             let allowed = dynamics.allowed_error(x, &self.over(S::from_f64(time_scale)));
             derivative.rate(&allowed.map(|allowed| allowed / largest))
         };
-        Some([
-            rate_over(LONGEST_TIME_SCALE)?,
-            rate_over(1.0 / LONGEST_TIME_SCALE)?,
-        ])
+        Some([rate_over(MAX_TIME_SCALE)?, rate_over(1.0 / MAX_TIME_SCALE)?])
     }
 
     /// The reciprocals of the errors that are allowed; 0 where none is.

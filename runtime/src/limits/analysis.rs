@@ -7,10 +7,10 @@ pub(crate) const NEWTON_STEPS: usize = 100;
 pub(crate) const EQUILIBRIUM_TOLERANCE: f64 = 64.0;
 
 /// The longest Newton step, in sizes of the variables: a radian for an angle at zero.
-pub(crate) const LONGEST_NEWTON_STEP: f64 = 1.0;
+pub(crate) const MAX_NEWTON_STEP: f64 = 1.0;
 
 /// The smallest damping factor of a Newton step, in relation to the longest one that is allowed: Deuflhard's value.
-pub(crate) const LEAST_DAMPING: f64 = 1e-8;
+pub(crate) const MIN_DAMPING: f64 = 1e-8;
 
 /// The first damping of a descent, in squares of the largest singular value: the middle of the values that Nielsen proposes.
 pub(crate) const DESCENT_DAMPING: f64 = 1e-3;

@@ -27,7 +27,7 @@ pub(crate) const NEGLIGIBLE_TERM: f64 = 1024.0;
 pub(crate) const INNER_CHECKS: u32 = 16;
 
 /// Passages to other branches of the equations that are checked in a step; a step with more of them is shortened.
-pub(crate) const MOST_CROSSINGS: usize = 16;
+pub(crate) const MAX_CROSSINGS: usize = 16;
 
 /// A switching function whose value at the beginning of a step exceeds its other terms by this factor has one sign.
 pub(crate) const ONE_SIGN: f64 = 1.0 + 1e-12;
@@ -38,7 +38,7 @@ pub(crate) const ONE_SIGN: f64 = 1.0 + 1e-12;
 pub(crate) const CONVERGED: f64 = 1e-10;
 
 /// By how many halvings a step is shortened at once where the series of a switching function does not converge.
-pub(crate) const MOST_HALVINGS: u32 = 16;
+pub(crate) const MAX_HALVINGS: u32 = 16;
 
 /// Values of a switching function that are this many rounding errors of the sum of its terms have no sign.
 pub(crate) const SIGN_UNCERTAINTY: f64 = 32.0;
@@ -62,7 +62,7 @@ pub(crate) const FIRST_PUSH: f64 = 16.0;
 pub(crate) const PUSH_GROWTH: f64 = 4.0;
 
 /// The longest time behind a discontinuity surface, in lengths of the step.
-pub(crate) const LARGEST_PUSH: f64 = 1.0 / 256.0;
+pub(crate) const MAX_PUSH: f64 = 1.0 / 256.0;
 
 /// Newton steps by which the time of a crossing is refined. Each adds ten digits, or one order of derivative parts.
 pub(crate) const ROOT_ITERATIONS: u32 = 4;
@@ -77,7 +77,7 @@ pub(crate) const SETTLING_OF_DERIVATIVES: u32 = 3;
 pub(crate) const SHORT_PASSAGE: f64 = 1024.0;
 
 /// After so many short steps in a row passages accumulate. There may be as many surfaces that are crossed at once.
-pub(crate) const MOST_SHORT_PASSAGES: u32 = 64;
+pub(crate) const MAX_SHORT_PASSAGES: u32 = 64;
 
 /// The least default of the singularity tolerance, that of the other methods.
 pub(crate) const SINGULARITY_TOLERANCE: f64 = super::dormand_prince::TOLERANCE;
@@ -107,10 +107,10 @@ pub(crate) const MIN_STEP: f64 = super::dormand_prince::MIN_STEP;
 
 /// The bytes that the terms of pairs of factors may take on the stack when they are stored for each pair; a chain of
 /// 30 links needs as many. Beyond, each factor is stored once.
-pub(crate) const LARGEST_PAIRED_CONVOLUTIONS: usize = 1 << 19;
+pub(crate) const MAX_PAIRED_CONVOLUTIONS: usize = 1 << 19;
 
 /// Half of the order from which on convolutions of few pairs keep sums of several orders. By judgement: four at a time.
-pub(crate) const SMALLEST_CONVOLUTIONS: usize = 4;
+pub(crate) const MIN_CONVOLUTIONS: usize = 4;
 
 /// As for DOP853.
 pub(crate) const LANDING: f64 = super::dormand_prince::LANDING;

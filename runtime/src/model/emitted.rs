@@ -15,7 +15,7 @@ use crate::integrate::{
     BranchVisitor, Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions,
     TaylorCoefficients,
 };
-use crate::limits::taylor::{LARGEST_PAIRED_CONVOLUTIONS, SMALLEST_CONVOLUTIONS};
+use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MIN_CONVOLUTIONS};
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
@@ -234,7 +234,7 @@ fn expand<
 /// Whether the terms are stored for each pair: where vector registers hold several numbers, and the stack has room.
 const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
     let size = size_of::<PairedConvolutions<S, PAIRS, 1, HALF>>();
-    size_of::<S>() <= size_of::<f64>() && size <= LARGEST_PAIRED_CONVOLUTIONS
+    size_of::<S>() <= size_of::<f64>() && size <= MAX_PAIRED_CONVOLUTIONS
 }
 
 /// The coefficients of the motion from that of order 1, one order after the other. Where the variables are the
@@ -306,7 +306,7 @@ pub fn event_series<
     pairs: &[[usize; 2]; PAIRS],
     term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
-    if HALF < SMALLEST_CONVOLUTIONS {
+    if HALF < MIN_CONVOLUTIONS {
         let convolutions = FewConvolutions::<S, FACTORS, HALF>::new();
         series_by(convolutions, unit, motion, values, pairs, term)
     } else {

@@ -13,7 +13,7 @@ use super::lagrangian::Lagrangian;
 use super::state::State;
 use crate::limits::{
     HELD_MOMENTUM, LEGENDRE_BISECTIONS, LEGENDRE_ITERATIONS, LEGENDRE_ROUNDING, LEGENDRE_SWEEPS,
-    SHORTEST_NEWTON_STEP,
+    MIN_NEWTON_STEP,
 };
 use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
@@ -98,7 +98,7 @@ where
                 break true;
             }
             factor *= 0.5;
-            if factor < SHORTEST_NEWTON_STEP {
+            if factor < MIN_NEWTON_STEP {
                 break false;
             }
         };

@@ -10,7 +10,7 @@ use crate::algebra::dependence::Dependence;
 use crate::algebra::hashing::Table;
 use crate::algebra::index_table::PairTable;
 use crate::algebra::interner::Interner;
-use crate::limits::LONGEST_FLAT_PRODUCT_RULE;
+use crate::limits::MAX_FLAT_PRODUCT_RULE;
 use crate::{Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol};
 
 /// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
@@ -78,7 +78,7 @@ impl Graph {
                 self.sum(changes)
             }
             Node::Product(ref factors)
-                if factors.len() > LONGEST_FLAT_PRODUCT_RULE && self.passes.has(Pass::Opaque) =>
+                if factors.len() > MAX_FLAT_PRODUCT_RULE && self.passes.has(Pass::Opaque) =>
             {
                 self.derivative_of_pairs(expression, derivatives, product_rule_factors)
             }

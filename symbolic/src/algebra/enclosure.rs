@@ -3,12 +3,12 @@
 //! Bounds are exact numbers, so that a bound above zero is a proof. Nothing is assumed of a symbol: a parameter may be
 //! negative. Operands count as independent, so that an enclosure may be wider than the range; it is never narrower.
 
-use crate::limits::LEAST_REMAINDER;
+use crate::limits::MIN_REMAINDER;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 /// The least part of the magnitudes of its terms that a sum keeps.
 fn least_remainder() -> Rational {
-    let (numerator, denominator) = LEAST_REMAINDER;
+    let (numerator, denominator) = MIN_REMAINDER;
     Rational::new(numerator, denominator).unwrap_or(Rational::ONE)
 }
 
@@ -22,7 +22,7 @@ struct Interval {
 impl Graph {
     /// Whether an expression keeps away from zero while parameters keep their values, whatever real values they and all
     /// other symbols have, unless it is zero by the parameters alone; and whether so much is left of its terms that rounding
-    /// errors grow by `LEAST_REMAINDER` at most. False where that is not known.
+    /// errors grow by `MIN_REMAINDER` at most. False where that is not known.
     #[must_use]
     pub fn never_comes_to_vanish(&mut self, expression: Expression) -> bool {
         let mut inner = expression;

@@ -8,7 +8,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::limits::{HIGHEST_EXPANDED_POWER, MOST_EXPANDED_TERMS};
+use crate::limits::{HIGHEST_EXPANDED_POWER, MAX_EXPANDED_TERMS};
 use crate::{Expression, Graph, Node, Pass, Rational};
 
 /// Σ cᵢ·mᵢ with monomials (products of powers) mᵢ.
@@ -70,7 +70,7 @@ impl Graph {
                 | Node::Application(..)
                 | Node::Opaque(_) => Polynomial::from([(part, Rational::ONE)]),
             };
-            if polynomial.len() > MOST_EXPANDED_TERMS {
+            if polynomial.len() > MAX_EXPANDED_TERMS {
                 return None;
             }
             polynomials.insert(part, polynomial);
@@ -96,7 +96,7 @@ impl Graph {
         };
         let mut product = total.clone();
         for _ in 0..repeats {
-            if product.len() * inner.len() > 4 * MOST_EXPANDED_TERMS {
+            if product.len() * inner.len() > 4 * MAX_EXPANDED_TERMS {
                 return None;
             }
             product = self.multiply_polynomials(&product, inner);

@@ -5,7 +5,7 @@
 //! (−8)^⅓ has no value and stays as it is.
 
 use crate::algebra::sum::{Split, ascends, combine};
-use crate::limits::{LONGEST_MERGED_PRODUCT, LONGEST_PRODUCT};
+use crate::limits::{MAX_MERGED_PRODUCT_LENGTH, MAX_PRODUCT_LENGTH};
 use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 
 /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
@@ -43,7 +43,7 @@ impl Graph {
                 match self.node(base) {
                     // The factors of a product are already in normal form.
                     Node::Product(inner)
-                        if exponent.is_one() && inner.len() <= LONGEST_MERGED_PRODUCT =>
+                        if exponent.is_one() && inner.len() <= MAX_MERGED_PRODUCT_LENGTH =>
                     {
                         settled.extend(inner.iter().cloned());
                         continue;
@@ -88,7 +88,7 @@ impl Graph {
         match self.node(base) {
             Node::Constant(value) => Some((exact_power(value, exponent)?, Vec::new())),
             Node::Product(inner) if exponent.is_integer() => {
-                if inner.len() > LONGEST_MERGED_PRODUCT {
+                if inner.len() > MAX_MERGED_PRODUCT_LENGTH {
                     return None;
                 }
                 // (Π x^j)^k = Π x^(jk).
@@ -171,7 +171,7 @@ impl Graph {
             .into_iter()
             .map(|(x, j)| Some((x, short(&j * exponent)?)));
         let mut parts = common.collect::<Option<Factors>>()?;
-        if parts.len() > LONGEST_MERGED_PRODUCT {
+        if parts.len() > MAX_MERGED_PRODUCT_LENGTH {
             parts = vec![(self.intern_product(parts), Rational::ONE)];
         }
         parts.push((rest, exponent.clone()));
@@ -182,14 +182,15 @@ impl Graph {
     fn is_even_product(&self, expression: Expression) -> bool {
         match self.node(expression) {
             Node::Product(factors) => {
-                factors.len() <= LONGEST_MERGED_PRODUCT && factors.iter().all(|(_, k)| k.is_even())
+                factors.len() <= MAX_MERGED_PRODUCT_LENGTH
+                    && factors.iter().all(|(_, k)| k.is_even())
             }
             _ => false,
         }
     }
 
     fn intern_product(&mut self, mut factors: Factors) -> Expression {
-        if factors.len() > LONGEST_PRODUCT && self.passes.has(Pass::Opaque) {
+        if factors.len() > MAX_PRODUCT_LENGTH && self.passes.has(Pass::Opaque) {
             factors = self.paired(factors).factors;
         }
         match factors.as_slice() {

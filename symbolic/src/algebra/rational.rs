@@ -14,7 +14,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::algebra::hashing::{Mixer, mix};
-use crate::limits::{LARGEST_DECIMAL_EXPONENT, LONGEST_EXACT_BITS};
+use crate::limits::{MAX_DECIMAL_EXPONENT, MAX_EXACT_BITS};
 
 /// A rational number in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -108,7 +108,7 @@ impl Rational {
         }
         let digits: BigInt = digits.parse().ok()?;
         let scale = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-        if scale.unsigned_abs() > LARGEST_DECIMAL_EXPONENT {
+        if scale.unsigned_abs() > MAX_DECIMAL_EXPONENT {
             return None;
         }
         let power = BigInt::from(10).pow(scale.unsigned_abs());
@@ -225,7 +225,7 @@ impl Rational {
         match &self.0 {
             Fraction::Small(..) => false,
             Fraction::Large(value) => {
-                value.numer().bits().max(value.denom().bits()) > LONGEST_EXACT_BITS
+                value.numer().bits().max(value.denom().bits()) > MAX_EXACT_BITS
             }
         }
     }
@@ -273,7 +273,7 @@ impl Rational {
         let bits = value.numer().bits().max(value.denom().bits());
         let trivial =
             value.numer().magnitude().is_one() && value.denom().is_one() || self.is_zero();
-        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > LONGEST_EXACT_BITS {
+        if !trivial && bits.checked_mul(exponent.unsigned_abs())? > MAX_EXACT_BITS {
             return None;
         }
         let exponent = if trivial { 2 - exponent % 2 } else { exponent };

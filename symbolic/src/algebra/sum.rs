@@ -1,7 +1,7 @@
 //! The normal form of sums, Σ cᵢ·xᵢ.
 
 use crate::algebra::index_table::IndexTable;
-use crate::limits::LONGEST_MERGED_SUM;
+use crate::limits::MAX_MERGED_SUM_LENGTH;
 use crate::{Expression, Graph, Node, Rational};
 
 /// A sum as number · Π common · rest.
@@ -254,7 +254,7 @@ impl Graph {
 
 /// Whether a sum is merged into one that contains it.
 fn merges(terms: &[(Expression, Rational)]) -> bool {
-    terms.len() <= LONGEST_MERGED_SUM && !terms.iter().any(|(_, c)| c.is_long())
+    terms.len() <= MAX_MERGED_SUM_LENGTH && !terms.iter().any(|(_, c)| c.is_long())
 }
 
 /// Whether pairs (xᵢ, nᵢ) are sorted, each x once.

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::expansion::Polynomial;
-use crate::limits::{HIGHEST_REDUCED_POWER, MOST_REDUCED_TERMS};
+use crate::limits::{HIGHEST_REDUCED_POWER, MAX_REDUCED_TERMS};
 use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 
 impl Graph {
@@ -85,7 +85,7 @@ impl Graph {
         let mut terms = vec![(self.one(), Rational::ONE)];
         for (base, exponent) in self.powers(monomial) {
             let powers = self.power_without_squares(base, &exponent, function);
-            if terms.len() * powers.len() > MOST_REDUCED_TERMS {
+            if terms.len() * powers.len() > MAX_REDUCED_TERMS {
                 return vec![(monomial, Rational::ONE)];
             }
             let mut products = Vec::with_capacity(terms.len() * powers.len());

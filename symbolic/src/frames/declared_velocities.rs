@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 
 use crate::frames::unresolved::along;
-use crate::limits::MOST_TURNS_OF_A_BASE;
+use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
@@ -315,7 +315,7 @@ impl Graph {
             return None;
         }
         let coordinates = self.frames.unresolved.as_ref()?.coordinates;
-        for (frame, factors) in self.frames.tree.nearest(MOST_TURNS_OF_A_BASE) {
+        for (frame, factors) in self.frames.tree.nearest(MAX_TURNS_OF_A_BASE) {
             let known = self.angular_velocity_of_product(&factors, coordinates);
             if known == Ok(rate) {
                 return Some(frame);

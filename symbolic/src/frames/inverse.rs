@@ -3,7 +3,7 @@
 //! The inverse is the adjugate over the determinant, both [expanded in minors](crate::matrix::determinant), and for
 //! that reason limited in size. A larger matrix is eliminated numerically.
 
-use crate::limits::LARGEST_DETERMINANT;
+use crate::limits::MAX_DETERMINANT;
 use crate::matrix::dense::Matrix;
 use crate::matrix::determinant::determinant;
 use crate::matrix::factor::MatrixFactor;
@@ -78,7 +78,7 @@ impl Graph {
 
 /// Whether a matrix is square and small enough for a determinant in minors.
 const fn is_small_square(matrix: &Matrix) -> bool {
-    matrix.is_square() && matrix.rows() <= LARGEST_DETERMINANT
+    matrix.is_square() && matrix.rows() <= MAX_DETERMINANT
 }
 
 /// A minor of a matrix, expanded along the first of these columns.

@@ -3,7 +3,7 @@
 //! The factors of a product of rotations are known by its elements. A vector is multiplied by one factor after the other where that
 //! costs no more than the product with the elements.
 
-use crate::limits::MOST_SUCCESSIVE_FACTORS;
+use crate::limits::MAX_SUCCESSIVE_FACTORS;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
 use crate::{Expression, Graph, Rational};
@@ -127,7 +127,7 @@ impl Graph {
 
     /// The columns of a matrix, rotated by the last factor first, unless there are too many factors.
     fn rotated(&mut self, factors: &[MatrixFactor], matrix: &Matrix) -> Option<Matrix> {
-        if factors.len() > MOST_SUCCESSIVE_FACTORS {
+        if factors.len() > MAX_SUCCESSIVE_FACTORS {
             return None;
         }
         let mut elements = Vec::new();

@@ -5,7 +5,7 @@
 //! matrices that are rotations for all values of their symbols count, no parameters that are trusted to be
 //! rotations: other matrices are part of vᵢ.
 
-use crate::limits::{MOST_FACTORS, MOST_FACTORS_IN_SUM, MOST_FRAMES_IN_SUM};
+use crate::limits::{MAX_FACTORS, MAX_FACTORS_IN_SUM, MAX_FRAMES_IN_SUM};
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
@@ -28,12 +28,12 @@ impl Graph {
     /// are numbers and parameters.
     pub(crate) fn with_parts(&mut self, vector: Matrix, parts: Vec<Part>) -> Matrix {
         let most_factors = if parts.len() > 1 {
-            MOST_FACTORS_IN_SUM
+            MAX_FACTORS_IN_SUM
         } else {
-            MOST_FACTORS
+            MAX_FACTORS
         };
         let tree = &self.frames.tree;
-        let is_short = parts.len() <= MOST_FRAMES_IN_SUM
+        let is_short = parts.len() <= MAX_FRAMES_IN_SUM
             && parts
                 .iter()
                 .all(|(frame, _)| tree.depth(*frame) <= most_factors);

@@ -10,14 +10,14 @@
 //! - the claim holds with those functions uninterpreted, as arbitrary functions up to their symmetries. A false claim
 //!   passes at a point with a probability of about its degree over 2·10¹⁵, the order of the group in which exponentials
 //!   lie, and three points must agree;
-//! - at most [`MOST_BRANCHES`] of them occur, k, and the claim holds at 24·2ᵏ points with branches drawn at
+//! - at most [`MAX_BRANCHES`] of them occur, k, and the claim holds at 24·2ᵏ points with branches drawn at
 //!   random. A claim that fails for one choice of k signs passes with a probability below (1 − 2⁻ᵏ)^(24·2ᵏ) < e⁻²⁴.
 
 use std::collections::BTreeSet;
 
 use crate::identity::modular_point::ModularPoint;
 use crate::limits::{
-    AGREEMENTS, AGREEMENTS_PER_CHOICE, ATTEMPTS_PER_AGREEMENT, MODULAR_ATTEMPTS, MOST_BRANCHES,
+    AGREEMENTS, AGREEMENTS_PER_CHOICE, ATTEMPTS_PER_AGREEMENT, MAX_BRANCHES, MODULAR_ATTEMPTS,
 };
 use crate::{Binary, Expression, Graph, Node, Unary};
 
@@ -84,7 +84,7 @@ impl IdentityTest {
             uninterpreted: true,
             agreements: AGREEMENTS,
         };
-        let by_branches = (1..=MOST_BRANCHES)
+        let by_branches = (1..=MAX_BRANCHES)
             .contains(&self.branches)
             .then(|| Criterion {
                 uninterpreted: false,

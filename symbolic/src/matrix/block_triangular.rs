@@ -5,7 +5,7 @@
 //! solved by Cramer's rule. The determinants of these blocks are simplified first: for Euler angles the block is a
 //! rotation up to a factor, and its determinant is −sin θ, with no digits lost where it is small.
 
-use crate::limits::LARGEST_DIAGONAL_BLOCK;
+use crate::limits::MAX_DIAGONAL_BLOCK;
 use crate::matrix::determinant::{determinant, sign, without};
 use crate::{Expression, Graph, Rational};
 
@@ -38,7 +38,7 @@ impl BlockTriangular {
         let order = SingletonRemoval::new(&occupied).blocks();
         let mut blocks = Vec::with_capacity(order.len());
         for (rows, columns) in order {
-            if rows.len() != columns.len() || rows.len() > LARGEST_DIAGONAL_BLOCK {
+            if rows.len() != columns.len() || rows.len() > MAX_DIAGONAL_BLOCK {
                 return None;
             }
             let determinant = determinant(graph, &|i, j| matrix[i][j], &rows, &columns);

@@ -7,7 +7,7 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-use crate::limits::LARGEST_TRANSPARENT_ELIMINATION;
+use crate::limits::MAX_TRANSPARENT_ELIMINATION;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::{Expression, Graph};
 
@@ -69,7 +69,7 @@ impl Ldlt {
 /// How entries are rewritten: opaque, if the matrix is large.
 fn rewriting(rows: usize) -> impl Fn(&mut Graph, Expression) -> Expression {
     move |graph, entry| {
-        if rows > LARGEST_TRANSPARENT_ELIMINATION {
+        if rows > MAX_TRANSPARENT_ELIMINATION {
             graph.opaque(entry)
         } else {
             entry

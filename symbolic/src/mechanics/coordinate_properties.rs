@@ -6,7 +6,7 @@
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::tested_value::TestedValue;
-use crate::limits::LONGEST_PERIOD;
+use crate::limits::MAX_PERIOD;
 use crate::mechanics::defects::Defect;
 use crate::{Expression, Graph, Model, Node, Rational, Symbol, Unary};
 
@@ -134,7 +134,7 @@ impl Use {
     fn period(&self) -> u32 {
         let turns = self.factor.to_fraction().map_or(0, |fraction| fraction.1);
         let turns = u32::try_from(turns).unwrap_or(0);
-        if self.by_value || turns > LONGEST_PERIOD {
+        if self.by_value || turns > MAX_PERIOD {
             0
         } else {
             turns

@@ -5,7 +5,7 @@
 //! from the squares keep these terms. Those derived from ½ q̇ᵀ M q̇, each entry of M in its cheapest form, are free
 //! of them, and taken where they cost less. For many coordinates the expanded M swells, and is not tried.
 
-use crate::limits::MOST_EXPANDED_COORDINATES;
+use crate::limits::MAX_EXPANDED_COORDINATES;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// The quantities derived from a Lagrangian function: M, f, and the momenta.
@@ -42,7 +42,7 @@ impl LagrangeTerms {
         generalized_forces: &[Expression],
     ) -> Option<Self> {
         let graph = &mut model.graph;
-        if model.coordinates > MOST_EXPANDED_COORDINATES
+        if model.coordinates > MAX_EXPANDED_COORDINATES
             || !graph.passes.has(Pass::Expansion)
             || !is_quadratic(graph, lagrangian)
         {

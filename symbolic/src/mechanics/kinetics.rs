@@ -7,8 +7,8 @@
 use std::cell::OnceCell;
 
 use crate::limits::{
-    FEWEST_DIFFERENTIATED_ALONG_LINKS, MOST_EXPANDED_COORDINATES, MOST_PIVOT_NEIGHBOURS,
-    MOST_SOLVED_BY_COLUMNS, SCHEDULING_MARGIN,
+    MAX_EXPANDED_COORDINATES, MAX_PIVOT_NEIGHBOURS, MAX_SOLVED_BY_COLUMNS,
+    MIN_DIFFERENTIATED_ALONG_LINKS, SCHEDULING_MARGIN,
 };
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
@@ -122,8 +122,7 @@ impl Kinetics {
             unit = tree.unit;
             let scaled = tree.divided_by_unit(graph);
             system = system.scaled(graph, &scaled);
-            let articulated_bodies =
-                ArticulatedBodies::factor(graph, scaled, MOST_PIVOT_NEIGHBOURS);
+            let articulated_bodies = ArticulatedBodies::factor(graph, scaled, MAX_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
         if let Some(links) = &links {
@@ -197,7 +196,7 @@ impl Kinetics {
         let Some(solution) = self.solution.as_ref() else {
             return false;
         };
-        if n < FEWEST_DIFFERENTIATED_ALONG_LINKS {
+        if n < MIN_DIFFERENTIATED_ALONG_LINKS {
             return false;
         }
         let symbols = |of: fn(u32) -> Symbol| (0..).map(of).take(n);
@@ -206,7 +205,7 @@ impl Kinetics {
         let Some(mut columns) = solution.derivatives_along_links(graph, &symbols) else {
             return false;
         };
-        if n > MOST_SOLVED_BY_COLUMNS {
+        if n > MAX_SOLVED_BY_COLUMNS {
             return true;
         }
         columns.extend(solution.pivots.iter().chain(&solution.accelerations));
@@ -295,7 +294,7 @@ impl Kinetics {
         let costs = residuals.iter().map(|residuals| graph.cost(residuals));
         let least = costs.min().unwrap_or(0);
         residuals.retain(|residuals| graph.cost(residuals) <= SCHEDULING_MARGIN * least);
-        let in_differences = (model.coordinates <= MOST_EXPANDED_COORDINATES)
+        let in_differences = (model.coordinates <= MAX_EXPANDED_COORDINATES)
             .then(|| in_angle_differences(graph, &equations.inverse_dynamics));
         let in_differences = in_differences.flatten();
         solution.implicit_equations(graph, residuals, in_differences)
@@ -359,7 +358,7 @@ impl LinearSystem {
 
 /// The solution through the factors of M.
 fn ldlt_solver(graph: &mut Graph, system: &LinearSystem) -> Option<Solver> {
-    let ldlt = Ldlt::factor(graph, &system.mass, MOST_PIVOT_NEIGHBOURS)?;
+    let ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
     Some(Solver::Ldlt(ldlt, system.forcing.clone()))
 }
 
@@ -390,7 +389,7 @@ fn boltzmann_hamel_solvers(
         .as_ref()
         .and_then(|declared| declared.combined(&mut model.graph));
     let mut choices: Vec<_> = declared.into_iter().chain(combined).collect();
-    if model.coordinates <= MOST_EXPANDED_COORDINATES && passes.has(Pass::RecoveredForms) {
+    if model.coordinates <= MAX_EXPANDED_COORDINATES && passes.has(Pass::RecoveredForms) {
         choices.extend(QuasiVelocities::recovered(&mut model.graph, equations));
     }
     choices.dedup_by(|a, b| a.forms == b.forms && a.inertia == b.inertia);

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::expansion::Polynomial;
-use crate::limits::{LONGEST_ARRANGED_IN_FULL, MOST_ARRANGED_TERMS};
+use crate::limits::{MAX_ARRANGED_IN_FULL_LENGTH, MAX_ARRANGED_TERMS};
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
@@ -47,7 +47,7 @@ impl Graph {
         let mut spaces = vec![&names];
         let none = BTreeSet::new();
         if !names.is_empty()
-            && self.symbols_in_full(expression, letters) <= LONGEST_ARRANGED_IN_FULL
+            && self.symbols_in_full(expression, letters) <= MAX_ARRANGED_IN_FULL_LENGTH
         {
             spaces.push(&none);
         }
@@ -122,7 +122,7 @@ impl Graph {
                     polynomial.insert(part, Rational::ONE);
                 }
             }
-            if polynomial.len() > MOST_ARRANGED_TERMS {
+            if polynomial.len() > MAX_ARRANGED_TERMS {
                 return None;
             }
             polynomials.insert(part, polynomial);

@@ -9,7 +9,7 @@ pub(crate) mod token;
 
 use std::collections::BTreeMap;
 
-use crate::limits::{FEWEST_FOLDED_LINES, FEWEST_FOLDED_TERMS};
+use crate::limits::{MIN_FOLDED_LINES, MIN_FOLDED_TERMS};
 use crate::print::folding::token::{Line, Token, written};
 use crate::print::listing::as_declared::print_range;
 use crate::print::listing::index_letters::IndexLetters;
@@ -298,7 +298,7 @@ pub(crate) fn families(lines: &[Line]) -> Vec<Folded> {
 fn with_sums_of_sides(line: &[Token]) -> Line {
     let equals = [' ', '=', ' '].map(Token::Char);
     let position = line.windows(3).position(|window| window == equals);
-    let side = |line: &[Token]| with_sums(line, FEWEST_FOLDED_TERMS);
+    let side = |line: &[Token]| with_sums(line, MIN_FOLDED_TERMS);
     let folded = position.map_or_else(
         || side(line),
         |position| {
@@ -337,7 +337,7 @@ fn family(line: &[Token]) -> Option<Line> {
 
 /// The pattern of most members, and which they are.
 fn pattern(lines: &[Line], sums: &[Line], positions: &[usize]) -> Option<(Line, Vec<usize>)> {
-    if positions.len() < FEWEST_FOLDED_LINES {
+    if positions.len() < MIN_FOLDED_LINES {
         return None;
     }
     let middle = positions.len() / 2;
@@ -357,7 +357,7 @@ fn pattern(lines: &[Line], sums: &[Line], positions: &[usize]) -> Option<(Line, 
         .filter_map(|position| indices(&lines[*position]).next());
     let numbers: Vec<_> = numbers.collect();
     let consecutive = numbers.windows(2).all(|pair| pair[1] == pair[0] + 1);
-    (consecutive && covered.len() >= FEWEST_FOLDED_LINES).then_some((pattern, covered))
+    (consecutive && covered.len() >= MIN_FOLDED_LINES).then_some((pattern, covered))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::borrow::Cow;
 
-use crate::limits::LONGEST_FORMULA;
+use crate::limits::MAX_FORMULA_LENGTH;
 use crate::print::layout::{Layout, Piece};
 use crate::print::notation::Notation;
 use crate::{Expression, Graph, Letters, Names};
@@ -36,7 +36,7 @@ impl Graph {
             letters: Source::Names(names),
             root: expression,
             notation: Notation::Unicode,
-            limit: LONGEST_FORMULA,
+            limit: MAX_FORMULA_LENGTH,
         }
     }
 
@@ -52,7 +52,7 @@ impl Graph {
             letters: Source::Letters(letters),
             root: expression,
             notation: Notation::Unicode,
-            limit: LONGEST_FORMULA,
+            limit: MAX_FORMULA_LENGTH,
         }
     }
 

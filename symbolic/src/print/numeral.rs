@@ -7,7 +7,7 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use crate::Rational;
-use crate::limits::{MOST_LEADING_ZEROS, ROUND_ZEROS, SMALL_DENOMINATOR};
+use crate::limits::{MAX_LEADING_ZEROS, ROUND_ZEROS, SMALL_DENOMINATOR};
 use crate::print::notation::Notation;
 
 /// The digits of a number that is not negative.
@@ -54,7 +54,7 @@ impl Numeral {
                 Self::Decimal(digits)
             });
         }
-        if places >= digits.len() + MOST_LEADING_ZEROS {
+        if places >= digits.len() + MAX_LEADING_ZEROS {
             return Some(Self::scientific(&digits, -i64::try_from(places).ok()?));
         }
         let padded = format!("{digits:0>width$}", width = places + 1);

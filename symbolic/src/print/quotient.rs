@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::limits::MOST_COMMON_DENOMINATOR;
+use crate::limits::MAX_COMMON_DENOMINATOR;
 use crate::print::layout::{Layout, Piece, Power};
 use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
@@ -196,11 +196,11 @@ fn common_denominator(terms: &[(Expression, Rational)]) -> Rational {
         let Some((_, below)) = c.to_fraction() else {
             return Rational::ONE;
         };
-        if below > MOST_COMMON_DENOMINATOR {
+        if below > MAX_COMMON_DENOMINATOR {
             return Rational::ONE;
         }
         least = least / greatest_common_divisor(least, below) * below;
-        if least > MOST_COMMON_DENOMINATOR {
+        if least > MAX_COMMON_DENOMINATOR {
             return Rational::ONE;
         }
     }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::limits::LONGEST_ARRANGED;
+use crate::limits::MAX_ARRANGED_LENGTH;
 use crate::print::names::Letters;
 use crate::{Expression, Graph, Node};
 
@@ -89,7 +89,7 @@ impl Graph {
         let mut best = (usize::MAX, candidates[0].0);
         let mut lengths: BTreeMap<Expression, usize> = BTreeMap::new();
         for (candidate, weight) in candidates {
-            let most = best.0.min(LONGEST_ARRANGED);
+            let most = best.0.min(MAX_ARRANGED_LENGTH);
             let length = lengths
                 .entry(*candidate)
                 .or_insert_with(|| self.display_in(*candidate, letters).length(most));

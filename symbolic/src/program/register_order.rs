@@ -9,7 +9,7 @@
 //! Programs that fit registers stay as they are.
 
 use crate::algebra::hashing::Table;
-use crate::limits::LONGEST_GROUP_AS_SCHEDULED;
+use crate::limits::MAX_GROUP_AS_SCHEDULED_LENGTH;
 use crate::program::arrival::Arrivals;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 use crate::{Expression, Graph, Pass};
@@ -44,7 +44,7 @@ impl OutputGroup {
     /// Whether the values of the group do not fit registers, so that the order of its instructions matters.
     #[must_use]
     pub const fn is_long(&self) -> bool {
-        self.instructions.len() > LONGEST_GROUP_AS_SCHEDULED
+        self.instructions.len() > MAX_GROUP_AS_SCHEDULED_LENGTH
     }
 }
 

@@ -1,6 +1,6 @@
 //! Differences that should vanish.
 
-use crate::limits::{LARGEST_WITHIN_RANGE, NEGLIGIBLE_DIFFERENCE};
+use crate::limits::{MAX_WITHIN_RANGE, NEGLIGIBLE_DIFFERENCE};
 use crate::validation::programs::Method;
 use crate::validation::sum_with_size::SumWithSize;
 
@@ -66,7 +66,7 @@ impl Comparisons {
 
     /// Leaves out what has no value, where an intermediate result of this magnitude explains it.
     pub(crate) fn forgive_overflow(&mut self, largest: f64) {
-        if largest.is_nan() || largest > LARGEST_WITHIN_RANGE {
+        if largest.is_nan() || largest > MAX_WITHIN_RANGE {
             self.0
                 .retain(|comparison| comparison.difference.is_finite());
         }

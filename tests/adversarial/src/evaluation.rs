@@ -104,7 +104,7 @@ where
 }
 
 /// Motions that take more steps are not compared: those of parameters that are apart by many powers of ten.
-const MOST_STEPS: u64 = 10_000;
+const MAX_STEPS: u64 = 10_000;
 
 /// How far the reconstructed motion is from the full one a little later, relative to how far that has gone; nothing where one of
 /// them cannot be integrated.
@@ -120,7 +120,7 @@ where
     let method = Dop853::new()
         .relative_tolerance(1e-11)
         .absolute_tolerance(1e-12);
-    let driver = || method.driver().max_steps(MOST_STEPS);
+    let driver = || method.driver().max_steps(MAX_STEPS);
     let end = full.t + 0.05;
     let equations = reduced.reconstruction();
     let motions = (

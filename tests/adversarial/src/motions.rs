@@ -16,7 +16,7 @@ use crate::{At, rows};
 const DOP853_TOLERANCE: f64 = 1e-11;
 
 /// How many steps a motion may take.
-pub(crate) const MOST_STEPS: u64 = 5_000;
+pub(crate) const MAX_STEPS: u64 = 5_000;
 
 /// DOP853 as its references expect it.
 pub(crate) fn dop853() -> Dop853 {
@@ -162,7 +162,7 @@ where
     I: IntegrationMethod + Integrator<f64, D>,
     D: Dynamics<f64>,
 {
-    let driver = method.driver().max_steps(MOST_STEPS);
+    let driver = method.driver().max_steps(MAX_STEPS);
     completed(driver.run_until(dynamics, start, end))
 }
 
@@ -176,7 +176,7 @@ where
     I: IntegrationMethod + Integrator<f64, D>,
     D: EventDynamics<f64>,
 {
-    let driver = method.driver().max_steps(MOST_STEPS);
+    let driver = method.driver().max_steps(MAX_STEPS);
     let driver = driver.declared_events([(0, Event::either()), (1, Event::either())]);
     let motion = driver.sample(dynamics, start, &[end]);
     let motion = motion.map_err(|error| error.to_string())?;
@@ -209,7 +209,7 @@ where
     let starts = at.starts::<N>();
     let alone = model.dynamics();
     let lanes = <M as lagrangian::Lagrangian<N, lagrangian::Lanes<4>>>::dynamics(model);
-    let ensemble = Taylor::new().ensemble::<4>().max_steps(MOST_STEPS);
+    let ensemble = Taylor::new().ensemble::<4>().max_steps(MAX_STEPS);
     let ends = ensemble.collect(&lanes, starts.iter().copied());
     let (mut together, mut apart) = (Entries::Ok(Vec::new()), Entries::Ok(Vec::new()));
     for ((start, end), outcome) in starts.iter().zip(ends) {

@@ -11,7 +11,7 @@ use lagrangian::{
 use crate::At;
 use crate::at::Run;
 use crate::evaluation::Found;
-use crate::motions::{MOST_STEPS, dop853, list};
+use crate::motions::{MAX_STEPS, dop853, list};
 
 /// An index of those watched, and a time.
 type Seen = Vec<(usize, f64)>;
@@ -39,7 +39,7 @@ macro_rules! splits_by {
                 start: at.state::<N>(),
                 run,
             };
-            let driver = $method(run).driver().max_steps(MOST_STEPS);
+            let driver = $method(run).driver().max_steps(MAX_STEPS);
             let seen = splits_by!(driver, split, model, $declared);
             vec![("events", seen.map(|seen| list(&seen)))]
         }
@@ -122,7 +122,7 @@ where
         let (mut last, mut seen) = (self.start.clone(), Vec::new());
         for &time in &self.run.times {
             for stops in 0.. {
-                if stops > MOST_EVENTS {
+                if stops > MAX_EVENTS {
                     return Err(format!("no end of events at t = {}", last.t));
                 }
                 let outcome = driver.clone().run_until(self.dynamics, &last, time);
@@ -148,10 +148,10 @@ where
         for &time in &self.run.times {
             for runs in 0.. {
                 // A few runs of few steps: a method with short steps needs many of those.
-                let steps = if runs < MOST_EVENTS {
+                let steps = if runs < MAX_EVENTS {
                     2 + runs % 3
                 } else {
-                    MOST_STEPS
+                    MAX_STEPS
                 };
                 let driver = driver.clone().max_steps(steps);
                 let motion = driver.sample(self.dynamics, &last, &[time]);
@@ -242,7 +242,7 @@ where
 }
 
 /// Far more than any motion here has.
-const MOST_EVENTS: u64 = 200;
+const MAX_EVENTS: u64 = 200;
 
 /// Notes events.
 struct Watch<'a>(&'a mut Seen);

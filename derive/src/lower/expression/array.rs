@@ -1,13 +1,13 @@
 //! Vectors and matrices: literals, and the functions of them.
 
-use lagrangian_symbolic::{Expression, LARGEST_DETERMINANT, Matrix, Rational};
+use lagrangian_symbolic::{Expression, MAX_DETERMINANT, Matrix, Rational};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
 
 use super::repetition::stacked;
 use super::{ExpressionContext, Lowerer};
-use crate::limits::{LARGEST_ARRAY, MOST_DIAGONAL_ROWS};
+use crate::limits::{MAX_ARRAY, MAX_DIAGONAL_ROWS};
 use crate::lower::hints;
 use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
@@ -57,7 +57,7 @@ impl Lowerer<'_> {
         };
         let size = value.components().len().max(1);
         match usize::try_from(length) {
-            Ok(length) if length > 0 && length <= LARGEST_ARRAY / size => {
+            Ok(length) if length > 0 && length <= MAX_ARRAY / size => {
                 if let Ok(matrix) = stacked(&vec![value.clone(); length]) {
                     return Some(Value::Array(matrix));
                 }
@@ -65,7 +65,7 @@ impl Lowerer<'_> {
                 self.reject(&repeat.expr, message)
             }
             _ => {
-                let message = format!("an array has from 1 to {LARGEST_ARRAY} components");
+                let message = format!("an array has from 1 to {MAX_ARRAY} components");
                 self.reject(&repeat.len, message)
             }
         }
@@ -106,7 +106,7 @@ impl Lowerer<'_> {
     fn identity(&mut self, rows: &Expr) -> Option<Value> {
         let written = self.integer(rows)?;
         match usize::try_from(written) {
-            Ok(n @ 1..=MOST_DIAGONAL_ROWS) => Some(Value::Array(self.graph.identity_matrix(n))),
+            Ok(n @ 1..=MAX_DIAGONAL_ROWS) => Some(Value::Array(self.graph.identity_matrix(n))),
             _ => self.reject(
                 rows,
                 "the identity has from 1 to 100 rows: write `identity(3)`",
@@ -132,10 +132,9 @@ impl Lowerer<'_> {
         second: &Matrix,
     ) -> Option<Value> {
         let written = name.to_string();
-        if written == "outer"
-            && first.elements().len() > LARGEST_ARRAY / second.elements().len().max(1)
+        if written == "outer" && first.elements().len() > MAX_ARRAY / second.elements().len().max(1)
         {
-            let message = format!("an array has at most {LARGEST_ARRAY} components");
+            let message = format!("an array has at most {MAX_ARRAY} components");
             return self.reject(name, message);
         }
         let graph = &mut self.graph;
@@ -200,7 +199,7 @@ impl Lowerer<'_> {
         }
         let graph = &mut self.graph;
         let square = array.rows() == array.columns();
-        let few = array.rows() <= LARGEST_DETERMINANT;
+        let few = array.rows() <= MAX_DETERMINANT;
         let is_vector = array.columns() == 1;
         let wanted = match name {
             "normalize" => {
@@ -212,7 +211,7 @@ impl Lowerer<'_> {
                     return Some(Value::Array(graph.matrix_scaled(array, factor)));
                 }
             }
-            "diagonal" if is_vector && array.rows() > MOST_DIAGONAL_ROWS => {
+            "diagonal" if is_vector && array.rows() > MAX_DIAGONAL_ROWS => {
                 "a vector of at most 100 components"
             }
             "diagonal" if is_vector => {

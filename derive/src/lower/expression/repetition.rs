@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
 
 use super::{ExpressionContext, Lowerer};
-use crate::limits::MOST_REPETITIONS;
+use crate::limits::MAX_REPETITIONS;
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum, Value};
 use crate::syntax::named::ForClause;
@@ -186,9 +186,9 @@ impl Lowerer<'_> {
         }
         let length = usize::try_from(end.saturating_sub(start)).unwrap_or(0);
         self.repetitions = self.repetitions.saturating_add(length);
-        if self.repetitions > MOST_REPETITIONS {
+        if self.repetitions > MAX_REPETITIONS {
             let message = format!(
-                "with this range, {} terms would be written out, and at most {MOST_REPETITIONS} are in one \
+                "with this range, {} terms would be written out, and at most {MAX_REPETITIONS} are in one \
                  declaration",
                 self.repetitions
             );

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::{ExpressionContext, Lowerer};
-use crate::limits::MOST_ROTATIONS;
+use crate::limits::MAX_ROTATIONS;
 use crate::lower::value::Value;
 
 /// The result of a function of angles about axes.
@@ -128,11 +128,11 @@ impl Lowerer<'_> {
     /// One more rotation, unless there are too many.
     pub(crate) fn count_rotation(&mut self, tokens: impl ToTokens) -> Option<()> {
         self.rotations += 1;
-        if self.rotations <= MOST_ROTATIONS {
+        if self.rotations <= MAX_ROTATIONS {
             return Some(());
         }
         let message = format!(
-            "at most {MOST_ROTATIONS} rotations are in one declaration, and here are more: a product of them is computed for \
+            "at most {MAX_ROTATIONS} rotations are in one declaration, and here are more: a product of them is computed for \
              each; declare fewer links, or bodies of which several are one"
         );
         self.rotations = 0;

@@ -10,8 +10,8 @@ use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::derivative_apart;
 use crate::integrate::tolerance::{Tolerance, ratios, squares_over_step};
 use crate::limits::dormand_prince::{
-    LARGEST_ERROR, LEAST_ERROR, MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS,
-    NEGLIGIBLE, PROBE, SAFETY, SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
+    MAX_ERROR, MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, MIN_ERROR, NEGLIGIBLE,
+    PROBE, SAFETY, SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
@@ -120,7 +120,7 @@ impl StepControl {
             return false;
         }
         // Beyond these errors it is the bounds of growth that count.
-        let growth = SAFETY * reciprocal_root(attempt.error.clamp(LEAST_ERROR, LARGEST_ERROR));
+        let growth = SAFETY * reciprocal_root(attempt.error.clamp(MIN_ERROR, MAX_ERROR));
         if attempt.error > 1.0 {
             self.step = h * growth.max(1.0 / MAX_SHRINKAGE);
             self.rejected = true;

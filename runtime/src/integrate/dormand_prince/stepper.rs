@@ -14,7 +14,7 @@ use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, derivative_apart, remaining,
 };
-use crate::limits::dormand_prince::{self as limits, LEAST_TIME_SCALE};
+use crate::limits::dormand_prince::{self as limits, MIN_TIME_SCALE};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -157,7 +157,7 @@ impl<X> Dop853Stepper<X> {
         let tolerance = self.method.tolerance;
         let time_scale = tolerance.time_scale(dynamics, x, slope);
         let time_scale =
-            time_scale.map(|time| time.clamp(LEAST_TIME_SCALE * remaining.abs(), remaining.abs()));
+            time_scale.map(|time| time.clamp(MIN_TIME_SCALE * remaining.abs(), remaining.abs()));
         if let Some(step) = self.method.initial_step {
             return StepControl::new(step.min(longest), time_scale);
         }

@@ -73,7 +73,7 @@ where
     const COUNT: usize = {
         let count = A::COUNT + B::COUNT;
         assert!(
-            count <= MetConditions::MOST,
+            count <= MetConditions::MAX,
             "at most 64 conditions and events at a time"
         );
         count

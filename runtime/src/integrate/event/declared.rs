@@ -15,7 +15,7 @@ use super::window::{Search, Window};
 use super::{Event, EventDynamics, LastStep, Occurring, SingleNumber, sampling};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
-use crate::limits::events::LEAST_WINDOW;
+use crate::limits::events::MIN_WINDOW;
 
 /// Some of the events that the dynamics declare, by their indices, and what is watched for; made by
 /// [`Driver::declared_events`](crate::Driver::declared_events).
@@ -183,7 +183,7 @@ impl<const K: usize> DeclaredEvents<K> {
         T: Advance<S, D>,
     {
         // A window that is shorter than the resolution of time might not advance it.
-        let least = LEAST_WINDOW * (step.end() - step.begin()).abs();
+        let least = MIN_WINDOW * (step.end() - step.begin()).abs();
         let least = least.max(step.resolution(begin));
         let (mut begin, mut end) = (begin, step.end());
         let mut shift = step.resolution(begin).copysign(end - begin);

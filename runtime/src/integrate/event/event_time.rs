@@ -14,7 +14,7 @@
 use super::Detection;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::stepper::derivative_apart;
-use crate::limits::events::{DELAY_ITERATIONS, EXTRAPOLATIONS, LEAST_CHANGE};
+use crate::limits::events::{DELAY_ITERATIONS, EXTRAPOLATIONS, MIN_CHANGE};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -74,7 +74,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Located<'_, D, S> {
             value.map_or(f64::NAN, Scalar::smallest)
         };
         let [after, before] = [at(distance), at(-distance)];
-        if (after - before).abs() > LEAST_CHANGE * after.abs().max(before.abs()) {
+        if (after - before).abs() > MIN_CHANGE * after.abs().max(before.abs()) {
             2.0 * distance / (after - before)
         } else {
             f64::MAX

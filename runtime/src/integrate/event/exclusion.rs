@@ -9,7 +9,9 @@ use super::bernstein::{self, ROUNDINGS, as_number};
 use super::{DeclaredEvents, EventDynamics, SingleNumber};
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{FEW, KEPT, MOST_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::limits::events::{
+    LEADING_HALF_ORDER, MAX_COEFFICIENTS, MIN_REMAINING_PART, NEAR, UNCERTAINTY,
+};
 use crate::scalar::Scalar;
 
 /// Tells the signs of event functions that have no zero in a step.
@@ -45,8 +47,8 @@ where
         let count = as_number(1 + 2 * HALF);
         if self.middle.is_some() {
             self.signs(t, unit, motion, count)
-        } else if HALF > FEW {
-            self.signs(t, unit, &motion.leading::<FEW>(), count)
+        } else if HALF > LEADING_HALF_ORDER {
+            self.signs(t, unit, &motion.leading::<LEADING_HALF_ORDER>(), count)
         } else {
             None
         }
@@ -69,7 +71,11 @@ impl<X, D: ?Sized, const K: usize> Exclusion<'_, D, X, K> {
         let numbers = [t, unit].map(S::from_f64);
         let series = (self.dynamics).event_series(numbers[0], self.from, numbers[1], motion)?;
         let length = (self.end - t) / unit;
-        let kept = if self.middle.is_some() { 0.0 } else { KEPT };
+        let kept = if self.middle.is_some() {
+            0.0
+        } else {
+            MIN_REMAINING_PART
+        };
         let mut signs = [0.0; K];
         for (event, (index, _)) in self.events.events.into_iter().enumerate() {
             let terms = Terms::<HALF>::of(&series, index, length)?;
@@ -151,7 +157,7 @@ impl<const HALF: usize> Terms<HALF> {
         }
         // Not a number is no sign.
         let is_beyond = |value: &f64| value * self.first.signum() > least;
-        let mut all = [0.0; MOST_COEFFICIENTS];
+        let mut all = [0.0; MAX_COEFFICIENTS];
         let all = all.get_mut(..=2 * HALF)?;
         let (first, higher) = all.split_first_mut()?;
         *first = self.first;

@@ -7,7 +7,7 @@ pub struct MetConditions(u64);
 
 impl MetConditions {
     /// How many conditions there can be.
-    pub(crate) const MOST: usize = 64;
+    pub(crate) const MAX: usize = 64;
 
     /// The set of the indices at which the iterator is true.
     pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {

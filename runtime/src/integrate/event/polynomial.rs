@@ -13,16 +13,16 @@ mod tests;
 use super::bernstein::{self, Variations, as_number};
 use super::location::Bracket;
 use crate::limits::events::{
-    DISPLACEMENTS, ISOLATION_STEPS, LEAST_WIDTH, MOST_COEFFICIENTS, NEAR, UNCERTAINTY,
+    DISPLACEMENTS, ISOLATION_STEPS, MAX_COEFFICIENTS, MIN_WIDTH, NEAR, UNCERTAINTY,
 };
 use crate::scalar::DoubleDouble;
 
 /// The polynomial Σ aₖ uᵏ.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polynomial {
-    coefficients: [DoubleDouble; MOST_COEFFICIENTS],
+    coefficients: [DoubleDouble; MAX_COEFFICIENTS],
     /// By how much they may be wrong.
-    errors: [f64; MOST_COEFFICIENTS],
+    errors: [f64; MAX_COEFFICIENTS],
     /// What rounding makes of the constant: by so much the whole function may be shifted.
     shift: f64,
     /// How many of them there are.
@@ -102,8 +102,8 @@ impl Polynomial {
 
     /// The polynomial 0.
     pub(super) const ZERO: Self = Self {
-        coefficients: [DoubleDouble::ZERO; MOST_COEFFICIENTS],
-        errors: [0.0; MOST_COEFFICIENTS],
+        coefficients: [DoubleDouble::ZERO; MAX_COEFFICIENTS],
+        errors: [0.0; MAX_COEFFICIENTS],
         shift: 0.0,
         count: 0,
         epsilon: 0.0,
@@ -280,7 +280,7 @@ impl Polynomial {
         (sign, until): (f64, f64),
         may_displace: bool,
     ) -> Finding {
-        let is_least = right - left <= LEAST_WIDTH;
+        let is_least = right - left <= MIN_WIDTH;
         let [values, slopes] = self.variations(left, right);
         if values.is_uncertain {
             let settled = is_least || self.uncertainty(right) <= 2.0 * self.uncertainty(left);
@@ -362,7 +362,7 @@ impl Polynomial {
     /// are enough where their rounding errors change no sign.
     fn variations(&self, a: f64, b: f64) -> [Variations; 2] {
         let least = self.uncertainty(b);
-        let mut plain = [0.0; MOST_COEFFICIENTS];
+        let mut plain = [0.0; MAX_COEFFICIENTS];
         let plain = plain.get_mut(..self.count).unwrap_or_default();
         let mut sum = 0.0;
         for (place, a) in plain.iter_mut().zip(self.coefficients()).rev() {

@@ -32,7 +32,7 @@ impl Values for f64 {
 
 impl<const K: usize> Values for [f64; K] {
     const ZERO: Self = {
-        assert!(K <= MetConditions::MOST, "at most 64 conditions at a time");
+        assert!(K <= MetConditions::MAX, "at most 64 conditions at a time");
         [0.0; K]
     };
     const COUNT: usize = K;

@@ -5,7 +5,7 @@
 //! halved until each has one change or none. The arithmetic is that of `f64`: values below its errors have no sign.
 
 use crate::integrate::event::Bracket;
-use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{ISOLATION_STEPS, MIN_PART, SIGN_UNCERTAINTY};
 
 /// A polynomial of an argument from 0 to 1.
@@ -29,7 +29,7 @@ pub(super) struct SignChange {
 /// As many numbers as a polynomial has coefficients.
 #[derive(Clone, Copy, Debug)]
 struct Coefficients {
-    values: [f64; MOST_COEFFICIENTS],
+    values: [f64; MAX_COEFFICIENTS],
     count: usize,
 }
 
@@ -112,7 +112,7 @@ impl UnitPolynomial {
     /// method has are left out.
     pub(super) fn new(coefficients: impl Iterator<Item = f64>, epsilon: f64) -> Self {
         let mut powers = Coefficients {
-            values: [0.0; MOST_COEFFICIENTS],
+            values: [0.0; MAX_COEFFICIENTS],
             count: 0,
         };
         for (slot, coefficient) in powers.values.iter_mut().zip(coefficients) {

@@ -7,8 +7,8 @@
 //! right-hand side*, J. Comput. Appl. Math. **236** (2012) 3967–3991, section 3).
 
 use super::bernstein::UnitPolynomial;
-use crate::limits::events::MOST_COEFFICIENTS;
-use crate::limits::taylor::{CONVERGED, MOST_CROSSINGS, MOST_HALVINGS, ONE_SIGN};
+use crate::limits::events::MAX_COEFFICIENTS;
+use crate::limits::taylor::{CONVERGED, MAX_CROSSINGS, MAX_HALVINGS, ONE_SIGN};
 
 /// Visits the Taylor coefficients of each switching function in turn.
 pub type BranchVisitor<'a, S> = dyn FnMut(&mut dyn Iterator<Item = S>) + 'a;
@@ -25,7 +25,7 @@ pub(super) struct Crossing {
 /// The changes of sign of switching functions within a step, in order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BranchCrossings {
-    crossings: [Crossing; MOST_CROSSINGS],
+    crossings: [Crossing; MAX_CROSSINGS],
     count: usize,
     /// How many functions have been looked at.
     functions: usize,
@@ -58,7 +58,7 @@ impl BranchCrossings {
             crossings: [Crossing {
                 at: 1.0,
                 function: 0,
-            }; MOST_CROSSINGS],
+            }; MAX_CROSSINGS],
             count: 0,
             functions: 0,
             resolution,
@@ -77,7 +77,7 @@ impl BranchCrossings {
     ) {
         let function = self.functions;
         self.functions += 1;
-        let (mut terms, mut count) = ([0.0; MOST_COEFFICIENTS], 0);
+        let (mut terms, mut count) = ([0.0; MAX_COEFFICIENTS], 0);
         let (mut power, mut rest, mut is_finite) = (1.0, 0.0, true);
         for (term, coefficient) in terms.iter_mut().zip(coefficients) {
             is_finite &= coefficient.is_finite();
@@ -155,7 +155,7 @@ impl BranchCrossings {
             return;
         }
         let position = kept.partition_point(|other| other.at <= crossing.at);
-        if self.count == MOST_CROSSINGS {
+        if self.count == MAX_CROSSINGS {
             let last = kept.last().map_or(1.0, |last| last.at.max(crossing.at));
             self.converging = self.converging.min(last);
         } else {
@@ -184,7 +184,7 @@ impl BranchCrossings {
 /// The part of a step over which the last two terms are small in relation to the sum of all.
 fn converging_part(terms: &[f64], allowed: impl Fn() -> f64) -> f64 {
     let (mut part, mut limit) = (1.0, CONVERGED);
-    for halving in 0..MOST_HALVINGS {
+    for halving in 0..MAX_HALVINGS {
         let (mut power, mut sum, mut last) = (1.0, 0.0, [0.0; 2]);
         for term in terms {
             let size = (term * power).abs();

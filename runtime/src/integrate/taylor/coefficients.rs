@@ -67,9 +67,9 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// The terms up to the order 2·`FEW`; beyond the order of this polynomial, its last coefficients again.
+    /// The terms up to the order 2·`LEADING`; beyond the order of this polynomial, its last coefficients again.
     #[inline]
-    pub(crate) fn leading<const FEW: usize>(&self) -> TaylorCoefficients<X, FEW> {
+    pub(crate) fn leading<const LEADING: usize>(&self) -> TaylorCoefficients<X, LEADING> {
         let pairs = if let Some(pairs) = self.pairs.first_chunk() {
             pairs.clone()
         } else {

@@ -14,9 +14,9 @@ use super::branch_crossings::Crossing;
 use super::residual::moved;
 use super::{Series, TaylorCoefficients};
 use crate::integrate::compensated::Compensated;
-use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{
-    FIRST_PUSH, LARGEST_PUSH, PUSH_GROWTH, RESOLUTION, ROOT_ITERATIONS, SETTLING,
+    FIRST_PUSH, MAX_PUSH, PUSH_GROWTH, RESOLUTION, ROOT_ITERATIONS, SETTLING,
     SETTLING_OF_DERIVATIVES, UNIT_CHANGE, UNIT_CHANGES,
 };
 use crate::linalg::VectorSpace;
@@ -61,7 +61,7 @@ pub(super) enum Passage<X> {
 
 /// A switching function along a series.
 struct Along<S> {
-    coefficients: [S; MOST_COEFFICIENTS],
+    coefficients: [S; MAX_COEFFICIENTS],
 }
 
 impl<S: Scalar> Along<S> {
@@ -105,7 +105,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Junction<'_, S, D, HAL
         {
             return passage;
         }
-        let largest = first.max(LARGEST_PUSH * h.abs());
+        let largest = first.max(MAX_PUSH * h.abs());
         let mut push = first.max(f64::MIN_POSITIVE);
         while push <= largest {
             let t = time + push.copysign(h);
@@ -138,7 +138,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Junction<'_, S, D, HAL
         }
         // The root is known to many digits; only of a multiple one nothing more is found.
         let resolution = RESOLUTION * f64::EPSILON * self.read(whole).abs();
-        let largest = resolution.max(LARGEST_PUSH * self.read(root).abs());
+        let largest = resolution.max(MAX_PUSH * self.read(root).abs());
         for _ in 0..ROOT_ITERATIONS {
             let value = if last_terms <= S::machine_epsilon() {
                 along.value(root)
@@ -281,7 +281,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Junction<'_, S, D, HAL
         self.dynamics.branches(t, x, unit, motion, &mut |series| {
             if index == function {
                 let mut along = Along {
-                    coefficients: [S::zero(); MOST_COEFFICIENTS],
+                    coefficients: [S::zero(); MAX_COEFFICIENTS],
                 };
                 for (slot, coefficient) in along.coefficients.iter_mut().zip(series) {
                     *slot = coefficient;

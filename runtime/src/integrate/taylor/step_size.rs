@@ -46,7 +46,7 @@ pub(super) fn reached<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
 }
 
 /// 2⁻⁵⁰⁰.
-const LEAST_UNIT: f64 = f64::from_bits((1023 - 500) << 52);
+const MIN_UNIT: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// 3² · 5 · 7 · 11 · 13 over a power of two.
 const DIVISIBLE: f64 = 45_045.0 / 32_768.0;
@@ -60,7 +60,7 @@ const DIVISIBLE: f64 = 45_045.0 / 32_768.0;
 /// coefficients of a method). Terms of higher orders are too small for it.
 pub(super) fn unit_near(x: f64) -> f64 {
     let power = if x.is_normal() {
-        f64::from_bits(x.to_bits() & EXPONENT).clamp(LEAST_UNIT, 1.0 / LEAST_UNIT)
+        f64::from_bits(x.to_bits() & EXPONENT).clamp(MIN_UNIT, 1.0 / MIN_UNIT)
     } else {
         libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
     };

@@ -10,7 +10,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::limits::MOST_TURNS_OF_A_BASE;
+use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::matrix::frame_tree::Frame;
 use crate::matrix::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
@@ -200,7 +200,7 @@ impl Reader {
         let zero = self.graph.zero();
         for (link, frame) in self.frames.clone().into_iter().enumerate() {
             let factors = self.graph.frames.tree.factors(frame);
-            if factors.len() > MOST_TURNS_OF_A_BASE {
+            if factors.len() > MAX_TURNS_OF_A_BASE {
                 continue;
             }
             let coordinates = self.vectors.coordinates;

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use crate::identity::rational_reconstruction::rational;
 use crate::identity::row_echelon::RowEchelon;
-use crate::limits::{MODULAR_ATTEMPTS, MOST_MOTION_FUNCTIONS, MOTIONS_WITHOUT_GAIN};
+use crate::limits::{MAX_MOTION_FUNCTIONS, MODULAR_ATTEMPTS, MOTIONS_WITHOUT_GAIN};
 use crate::mechanics::regressor::NoRegressor;
 use crate::mechanics::regressor::parameter_polynomial::{Indeterminates, Monomial};
 use crate::mechanics::regressor::regrouping::regroup;
@@ -125,7 +125,7 @@ impl Parts {
                 functions.entry(part).or_default().push((j, factor.clone()));
             }
         }
-        if functions.len() > MOST_MOTION_FUNCTIONS {
+        if functions.len() > MAX_MOTION_FUNCTIONS {
             return Err(NoRegressor::TooManyMonomials);
         }
         Ok(Self {

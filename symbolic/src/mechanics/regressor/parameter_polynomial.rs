@@ -8,7 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::limits::{HIGHEST_PARAMETER_POWER, MOST_PARAMETER_MONOMIALS};
+use crate::limits::{HIGHEST_PARAMETER_POWER, MAX_PARAMETER_MONOMIALS};
 use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
 
 /// Π xᵢ^kᵢ with integer exponents that are not 0, in the order of the xᵢ.
@@ -49,7 +49,7 @@ impl Graph {
         };
         for part in expansion.graph.descendants(roots) {
             let polynomial = expansion.polynomial(part)?;
-            if polynomial.len() > MOST_PARAMETER_MONOMIALS {
+            if polynomial.len() > MAX_PARAMETER_MONOMIALS {
                 return Err(NoPolynomial::TooLong);
             }
             expansion.known.insert(part, polynomial);
@@ -211,7 +211,7 @@ impl Expansion<'_> {
         left: &ParameterPolynomial,
         right: &ParameterPolynomial,
     ) -> Result<ParameterPolynomial, NoPolynomial> {
-        if left.len() * right.len() > 4 * MOST_PARAMETER_MONOMIALS {
+        if left.len() * right.len() > 4 * MAX_PARAMETER_MONOMIALS {
             return Err(NoPolynomial::TooLong);
         }
         let mut coefficients: BTreeMap<Monomial, Vec<(Expression, Rational)>> = BTreeMap::new();

@@ -11,7 +11,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::limits::LONGEST_TRANSPARENT_INERTIA;
+use crate::limits::MAX_TRANSPARENT_INERTIA_LENGTH;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::mechanics::solvers::kinematic_tree::KinematicTree;
 use crate::mechanics::solvers::pivots::Pivot;
@@ -337,7 +337,9 @@ impl BackSubstitution<'_> {
 /// The expression, opaque unless it is a short sum.
 fn opaque_unless_short(graph: &mut Graph, expression: Expression) -> Expression {
     match graph.node(expression) {
-        Node::Sum(terms) if terms.len() > LONGEST_TRANSPARENT_INERTIA => graph.opaque(expression),
+        Node::Sum(terms) if terms.len() > MAX_TRANSPARENT_INERTIA_LENGTH => {
+            graph.opaque(expression)
+        }
         _ => expression,
     }
 }

@@ -10,7 +10,7 @@
 //! equations (3.5)–(3.7) and the kinematics of its angles, with an error that does not grow as the
 //! condition of M does.
 
-use crate::limits::MOST_QUASI_VELOCITIES;
+use crate::limits::MAX_QUASI_VELOCITIES;
 use crate::matrix::block_triangular::BlockTriangular;
 use crate::matrix::ldlt::Ldlt;
 use crate::matrix::rows::{product, transposed};
@@ -43,7 +43,7 @@ impl BoltzmannHamel {
         let coordinates = model.coordinates;
         let graph = &mut model.graph;
         let size = quasi_velocities.forms.len();
-        if size != coordinates as usize || size > MOST_QUASI_VELOCITIES {
+        if size != coordinates as usize || size > MAX_QUASI_VELOCITIES {
             return None;
         }
         let matrix = quasi_velocities.kinematics(graph, coordinates);
@@ -55,7 +55,7 @@ impl BoltzmannHamel {
             Some(Ldlt::factor(
                 graph,
                 &quasi_velocities.inertia,
-                MOST_QUASI_VELOCITIES,
+                MAX_QUASI_VELOCITIES,
             )?)
         };
         let mut found = Self {

@@ -9,7 +9,7 @@
 //!
 //! Where a joint slides and turns, it slides first, seen from the link before.
 
-use crate::limits::MOST_DIFFERENTIATED_BOTH_WAYS;
+use crate::limits::MAX_DIFFERENTIATED_BOTH_WAYS;
 use crate::mechanics::mechanism::{Inertia, Vector, cross, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
 use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
@@ -32,7 +32,7 @@ pub(crate) fn cheapest_derivatives(
         return graph.jacobian(residuals, symbols);
     };
     let along_links = links.derivatives(graph, symbols);
-    if residuals.len() > MOST_DIFFERENTIATED_BOTH_WAYS {
+    if residuals.len() > MAX_DIFFERENTIATED_BOTH_WAYS {
         return along_links;
     }
     let columns = graph.jacobian(residuals, symbols);

@@ -8,7 +8,7 @@
 
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
-use crate::limits::{MOST_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
+use crate::limits::{MAX_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
@@ -174,7 +174,7 @@ impl Solution {
         if let Solver::BoltzmannHamel(solver) = &self.solver {
             return Some(solver.derivatives(graph, symbols));
         }
-        if inverse_dynamics.len() > MOST_DIFFERENTIATED_COORDINATES {
+        if inverse_dynamics.len() > MAX_DIFFERENTIATED_COORDINATES {
             return None;
         }
         let (residuals, links) = match &self.solver {

@@ -9,7 +9,7 @@
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::{modular_matrix, residue};
-use crate::limits::LARGEST_STRUCTURE_CONSTANT;
+use crate::limits::MAX_STRUCTURE_CONSTANT;
 use crate::{Expression, Graph, Rational, Symbol};
 
 /// γᵏₐᵦ, as `constants[k][a][b]`.
@@ -81,12 +81,12 @@ impl Commutators<'_> {
 
 /// The rational with a small numerator and denominator whose residue modulo p is `value`.
 fn small_rational(value: u64, p: u64) -> Option<Rational> {
-    (1..=LARGEST_STRUCTURE_CONSTANT).find_map(|denominator| {
+    (1..=MAX_STRUCTURE_CONSTANT).find_map(|denominator| {
         let numerator = residue::multiply(value, denominator, p);
         let opposite = residue::negate(numerator, p);
-        let signed = if numerator <= LARGEST_STRUCTURE_CONSTANT {
+        let signed = if numerator <= MAX_STRUCTURE_CONSTANT {
             i64::try_from(numerator).ok()?
-        } else if opposite <= LARGEST_STRUCTURE_CONSTANT {
+        } else if opposite <= MAX_STRUCTURE_CONSTANT {
             -i64::try_from(opposite).ok()?
         } else {
             return None;

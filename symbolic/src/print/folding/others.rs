@@ -4,7 +4,7 @@ use crate::print::folding::token::{Line, Token};
 use crate::print::folding::{closing, content, sign, terms, with_sums, without_sums};
 
 /// A sum over the others is written for so many terms.
-const FEWEST_OTHERS: usize = 2;
+const MIN_OTHERS: usize = 2;
 
 /// A term, and whether it has a minus sign.
 type Term = (bool, Line);
@@ -13,7 +13,7 @@ type Term = (bool, Line);
 /// all, and no other index occurs. Whether it is the line of the other members, their values decide.
 pub(crate) fn of_any_member(line: &[Token], own: i64, [first, last]: [i64; 2]) -> Option<Line> {
     let line = sorted(line, own);
-    let folded = with_sums(&line, FEWEST_OTHERS);
+    let folded = with_sums(&line, MIN_OTHERS);
     if without_sums(&folded)? != line {
         return None;
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::limits::{
-    LONGEST_LINE, LONGEST_SKIMMED, LONGEST_UNARRANGED, SHORTEST_FOLDED_SECTION, SHORTEST_SKIMMED,
+    MAX_LINE_LENGTH, MAX_SKIMMED_LENGTH, MAX_UNARRANGED_LENGTH, MIN_FOLDED_SECTION, MIN_SKIMMED,
 };
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
@@ -74,7 +74,7 @@ impl<'a> Composer<'a> {
     /// Adds an equation to a section if there is room. What is too long is not even arranged.
     pub(crate) fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
         let symbols = self.model.graph.written_symbols(&[right], &self.letters);
-        if symbols <= LONGEST_UNARRANGED && section.has_room() {
+        if symbols <= MAX_UNARRANGED_LENGTH && section.has_room() {
             let right = Side::Expression(self.arranged(right));
             section.push(&self.model.graph, &self.letters, left, right);
         } else {
@@ -124,11 +124,11 @@ impl<'a> Composer<'a> {
             // Definitions have to be read, too; vectors need no components.
             let (least, times) = match line.mentions.len() {
                 0 if has_vectors => (0, 1),
-                0 => (SHORTEST_SKIMMED, 2),
-                _ => (LONGEST_SKIMMED, 4),
+                0 => (MIN_SKIMMED, 2),
+                _ => (MAX_SKIMMED_LENGTH, 4),
             };
             let is_shorter = written.is_none_or(|written| written > least.max(times * length));
-            length <= LONGEST_LINE && is_shorter
+            length <= MAX_LINE_LENGTH && is_shorter
         };
         let preferred: Vec<_> = lengths
             .iter()
@@ -243,7 +243,7 @@ impl<'a> Composer<'a> {
             return section;
         }
         let length = section.written_length(&self.model.graph, &self.letters);
-        if length >= SHORTEST_FOLDED_SECTION
+        if length >= MIN_FOLDED_SECTION
             && let Some(folded) = folded(self)
             && 2 * folded.written_length(&self.model.graph, &self.letters) <= length
         {
@@ -255,7 +255,7 @@ impl<'a> Composer<'a> {
     /// Whether one of these is too long to be written out.
     fn is_long(&self, expressions: &[Expression]) -> bool {
         let mut each = expressions.iter();
-        each.any(|x| self.model.graph.written_symbols(&[*x], &self.letters) > LONGEST_UNARRANGED)
+        each.any(|x| self.model.graph.written_symbols(&[*x], &self.letters) > MAX_UNARRANGED_LENGTH)
     }
 
     /// Σⱼ Mᵢⱼ q̈ⱼ + (Q − f)ᵢ = Qᵢ.
@@ -285,7 +285,7 @@ impl<'a> Composer<'a> {
     pub(crate) fn push_lagrange(&mut self, section: &mut Section, equations: &Equations, i: usize) {
         let roots = [&*equations.mass[i], &[equations.forcing[i]]].concat();
         let symbols = self.model.graph.written_symbols(&roots, &self.letters);
-        if symbols > LONGEST_UNARRANGED || !section.has_room() {
+        if symbols > MAX_UNARRANGED_LENGTH || !section.has_room() {
             section.leave_out(symbols);
             return;
         }

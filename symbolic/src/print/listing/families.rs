@@ -11,7 +11,7 @@ use std::ops::Range;
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
-use crate::limits::{FEWEST_FOLDED_LINES, LONGEST_UNARRANGED};
+use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES};
 use crate::print::listing::as_declared::print_range;
 use crate::print::listing::composer::Composer;
 use crate::print::listing::index_families::Families;
@@ -22,7 +22,7 @@ use crate::print::listing::section::Side;
 use crate::{Equations, Expression, Graph, Rational, Symbol};
 
 /// An entry of M that is folded has so many sums over the family at most; that of a chain of links has one.
-const MOST_SUMS: u64 = 3;
+const MAX_SUMS: u64 = 3;
 
 /// A family of coordinates, the place of the first one, the first and the last index, and a pair of members that is not special
 /// if there are many.
@@ -148,7 +148,7 @@ impl Composer<'_> {
         let entry = *equations.mass.get(i)?.get(j)?;
         // Sums over the family become shorter.
         let count = u64::try_from(sampling.last - sampling.first + 1).ok()?;
-        let longest = LONGEST_UNARRANGED + MOST_SUMS * count;
+        let longest = MAX_UNARRANGED_LENGTH + MAX_SUMS * count;
         let length = self.model.graph.written_symbols(&[entry], &self.letters);
         (length <= longest).then_some(sampling)
     }
@@ -369,7 +369,7 @@ impl Sampling {
         let families = Families::of(&composer.declared.names);
         let (place, [first, last]) = families.longest_run(composer.model.coordinates)?;
         let count = last - first + 1;
-        let fewest: i64 = FEWEST_FOLDED_LINES.try_into().ok()?;
+        let fewest: i64 = MIN_FOLDED_LINES.try_into().ok()?;
         let start = first + count / 4;
         let pair = [start, start + (count + 1) / 3];
         (count >= fewest && pair[1] < last).then_some(Self {

@@ -12,7 +12,7 @@ use crate::identity::homomorphic_image::{Images, KnownImages};
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::rational_reconstruction::rational;
 use crate::identity::residue;
-use crate::limits::MOST_PATTERNS;
+use crate::limits::MAX_PATTERNS;
 use crate::print::listing::index_families::Families;
 use crate::{Expression, Graph, Node, Rational, Symbol};
 
@@ -124,7 +124,7 @@ impl IndexPattern {
         }
         let choices = choices(graph, families, expression, sample);
         let count = choices.iter().map(|(_, choices)| choices.len());
-        if count.fold(1, usize::saturating_mul) > MOST_PATTERNS {
+        if count.fold(1, usize::saturating_mul) > MAX_PATTERNS {
             return Vec::new();
         }
         let mut chosen = vec![Vec::new()];

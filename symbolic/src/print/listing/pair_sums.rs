@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::identity::identity_testing::IdentityTest;
-use crate::limits::{FEWEST_FOLDED_LINES, LONGEST_UNARRANGED, SHORTEST_FOLDED_SECTION};
+use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES, MIN_FOLDED_SECTION};
 use crate::print::folding::Folded;
 use crate::print::folding::others::of_any_member;
 use crate::print::folding::token::{Line, Token, tokens};
@@ -35,7 +35,7 @@ impl Composer<'_> {
         empty: Section,
     ) -> Section {
         let length = section.written_length(&self.model.graph, &self.letters);
-        if length < SHORTEST_FOLDED_SECTION {
+        if length < MIN_FOLDED_SECTION {
             return section;
         }
         match self.by_pairs(equations, empty) {
@@ -55,7 +55,7 @@ impl Composer<'_> {
         let mut said = BTreeSet::new();
         for (first, positions) in families.of_coordinates() {
             let members = Members { first, positions };
-            if members.positions.len() >= FEWEST_FOLDED_LINES
+            if members.positions.len() >= MIN_FOLDED_LINES
                 && let Some(sides) = self.equation_of_any(equations, &families, &members)
             {
                 folded.insert(members.positions[0], (sides, members.positions.len()));
@@ -91,7 +91,7 @@ impl Composer<'_> {
                 equations.inverse_dynamics[position],
                 equations.generalized_forces[position],
             ];
-            if graph.written_symbols(&whole, &letters) > LONGEST_UNARRANGED
+            if graph.written_symbols(&whole, &letters) > MAX_UNARRANGED_LENGTH
                 || !has_plain_indices(graph, families, &whole, &letters)
             {
                 return None;

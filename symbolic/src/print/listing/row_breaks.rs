@@ -5,7 +5,7 @@
 //! Nothing is broken within braces, where there are numerators, denominators and arguments of roots, nor within the brackets
 //! around the arguments of a function.
 
-use crate::limits::LONGEST_ROW;
+use crate::limits::MAX_ROW_LENGTH;
 
 /// What begins a row that continues another one.
 const CONTINUED: &str = " \\\\\n&\\quad ";
@@ -20,13 +20,16 @@ struct Bracket {
 /// is long.
 pub(crate) fn row(equation: &str) -> String {
     let (left, right) = equation.split_once(" = ").unwrap_or((equation, ""));
-    if visible(left) + visible(right) <= LONGEST_ROW {
+    if visible(left) + visible(right) <= MAX_ROW_LENGTH {
         return format!("{left} &= {right}");
     }
-    if 2 * visible(left) <= LONGEST_ROW {
-        return format!("{left} &= {}", broken(right, LONGEST_ROW - visible(left)));
+    if 2 * visible(left) <= MAX_ROW_LENGTH {
+        return format!(
+            "{left} &= {}",
+            broken(right, MAX_ROW_LENGTH - visible(left))
+        );
     }
-    format!("&{}", broken(equation, LONGEST_ROW))
+    format!("&{}", broken(equation, MAX_ROW_LENGTH))
 }
 
 /// How many characters are seen, about: braces and names of commands are not.
@@ -59,7 +62,7 @@ fn broken(text: &str, first: usize) -> String {
     let (signs, brackets) = scan(text);
     let mut ends = Vec::new();
     let mut used = first;
-    used = LONGEST_ROW.saturating_sub(used);
+    used = MAX_ROW_LENGTH.saturating_sub(used);
     ends_within(text, (0, text.len()), (&signs, 0), &mut used, &mut ends);
     ends.sort_unstable();
     let mut changes: Vec<(usize, &str, &str)> =
@@ -140,14 +143,14 @@ fn ends_within(
     let stops = places.iter().copied().chain([end]);
     for (number, (from, to)) in starts.zip(stops).enumerate() {
         let length = visible(&text[from..to]);
-        if number > 0 && *used + length > LONGEST_ROW && *used > 0 {
+        if number > 0 && *used + length > MAX_ROW_LENGTH && *used > 0 {
             ends.push(from);
             *used = 0;
         }
         let has_more = signs
             .iter()
             .any(|(place, of)| *of > depth && (from..to).contains(place));
-        if *used + length > LONGEST_ROW && has_more {
+        if *used + length > MAX_ROW_LENGTH && has_more {
             ends_within(text, (from, to), (signs, depth + 1), used, ends);
         } else {
             *used += length;
@@ -172,7 +175,7 @@ mod tests {
         let rows: Vec<_> = row.split(CONTINUED).collect();
         assert!(rows.len() > 1);
         assert!(rows[1..].iter().all(|row| row.starts_with("+ ")));
-        assert!(rows.iter().all(|row| visible(row) <= LONGEST_ROW + 2));
+        assert!(rows.iter().all(|row| visible(row) <= MAX_ROW_LENGTH + 2));
         assert_eq!(rows.join(" "), format!("p &= {right}"));
     }
 

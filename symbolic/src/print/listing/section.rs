@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use crate::limits::{
-    LONGEST_LINE, LONGEST_SECTION, LONGEST_SKIMMED, LONGEST_UNFOLDED_LINE,
-    LONGEST_UNFOLDED_SECTION, SHORTEST_LINE,
+    MAX_LINE_LENGTH, MAX_SECTION_LENGTH, MAX_SKIMMED_LENGTH, MAX_UNFOLDED_LINE_LENGTH,
+    MAX_UNFOLDED_SECTION_LENGTH, MIN_LINE,
 };
 use crate::print::folding::token::{Line, MARKS, tokens, written};
 use crate::print::folding::{Folded, families};
@@ -53,13 +53,13 @@ impl Section {
             left_out: Vec::new(),
             said_otherwise: 0,
             sentence: [String::new(), String::new()],
-            room: LONGEST_UNFOLDED_SECTION,
+            room: MAX_UNFOLDED_SECTION_LENGTH,
         }
     }
 
     /// Whether a short equation may have room.
     pub(crate) const fn has_room(&self) -> bool {
-        self.room > SHORTEST_LINE
+        self.room > MIN_LINE
     }
 
     /// Says that a line stands for so many equations more.
@@ -78,7 +78,7 @@ impl Section {
         let [before, after] = sides.map(|side| side.unicode(graph, letters));
         let text = format!("{before} = {after}");
         let length = text.chars().count() + 1;
-        if length > self.room.min(LONGEST_UNFOLDED_LINE) {
+        if length > self.room.min(MAX_UNFOLDED_LINE_LENGTH) {
             let symbols = sides.map(|side| side.symbols(graph, letters));
             self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
         } else {
@@ -120,7 +120,7 @@ impl Section {
     /// The equations that there is room for, in both notations, and the sizes of the others.
     fn fitting(&self, graph: &Graph, letters: &Letters) -> ([Vec<String>; 2], Vec<u64>) {
         let mut left_out = self.left_out.clone();
-        let mut room = LONGEST_SECTION;
+        let mut room = MAX_SECTION_LENGTH;
         let indices = letters.index_letters();
         let [unicode, latex] = self.folded(graph, letters);
         let (mut displayed, mut displays) = (Vec::new(), Vec::new());
@@ -131,7 +131,7 @@ impl Section {
         for (unicode, latex) in unicode.iter().zip(&latex) {
             let text = unicode.written(Notation::Unicode, indices);
             let length = text.chars().count();
-            if length > room.min(LONGEST_LINE) {
+            if length > room.min(MAX_LINE_LENGTH) {
                 left_out.extend(unicode.members.iter().map(size));
                 continue;
             }
@@ -149,7 +149,7 @@ impl Section {
             return vec![None; self.left_out.len() + self.lines.len()];
         }
         let lengths = self.texts.iter().map(|text| text.chars().count());
-        if lengths.clone().all(|length| length <= LONGEST_SKIMMED) {
+        if lengths.clone().all(|length| length <= MAX_SKIMMED_LENGTH) {
             return lengths.map(Some).collect();
         }
         let ([lines, _], left_out) = self.fitting(graph, letters);
@@ -169,7 +169,7 @@ impl Section {
     pub(crate) fn written_length(&self, graph: &Graph, letters: &Letters) -> usize {
         let ([lines, _], left_out) = self.fitting(graph, letters);
         let lines = lines.iter().map(|line| line.chars().count());
-        lines.sum::<usize>() + left_out.len() * LONGEST_LINE
+        lines.sum::<usize>() + left_out.len() * MAX_LINE_LENGTH
     }
 
     pub(crate) fn write(&self, graph: &Graph, letters: &Letters, listing: &mut Listing) {
@@ -251,7 +251,7 @@ impl Side {
             Self::Text(text, _) => text.clone(),
             Self::Expression(x) => {
                 let formula = graph.display_in(*x, letters);
-                formula.limit(LONGEST_UNFOLDED_LINE + 1).to_string()
+                formula.limit(MAX_UNFOLDED_LINE_LENGTH + 1).to_string()
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::limits::{LONGEST_ACCELERATION, MOST_LISTED_ACCELERATIONS};
+use crate::limits::{MAX_ACCELERATION_LENGTH, MAX_LISTED_ACCELERATIONS};
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::composer::Composer;
 use crate::print::listing::section::{Section, Side};
@@ -78,8 +78,8 @@ impl Composer<'_> {
     fn accelerations(&mut self, accelerations: &[Expression]) -> Option<Section> {
         let graph = &self.model.graph;
         let is_short =
-            |x: &Expression| graph.written_symbols(&[*x], &self.letters) <= LONGEST_ACCELERATION;
-        let few = accelerations.len() <= MOST_LISTED_ACCELERATIONS;
+            |x: &Expression| graph.written_symbols(&[*x], &self.letters) <= MAX_ACCELERATION_LENGTH;
+        let few = accelerations.len() <= MAX_LISTED_ACCELERATIONS;
         if !few || !accelerations.iter().all(is_short) {
             return None;
         }

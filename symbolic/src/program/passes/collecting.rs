@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Rational;
 use crate::algebra::hashing::Table;
-use crate::limits::LONGEST_SEARCHED_LIST;
+use crate::limits::MAX_SEARCHED_LIST_LENGTH;
 use crate::program::dag::{Dag, DagOperation, ValueId};
 
 /// Indices of the values before anything is collected.
@@ -46,7 +46,7 @@ impl Dag {
         let DagOperation::Sum(terms) = &self.operations[value] else {
             return None;
         };
-        if terms.len() > LONGEST_SEARCHED_LIST {
+        if terms.len() > MAX_SEARCHED_LIST_LENGTH {
             return None;
         }
         let multiples = self.multiples(terms, index);
@@ -185,7 +185,9 @@ impl Index {
                 DagOperation::Quotient(numerator, denominator) if denominator.is_empty() => {
                     products.insert(numerator.clone(), value);
                 }
-                DagOperation::Sum(terms) if (2..=LONGEST_SEARCHED_LIST).contains(&terms.len()) => {
+                DagOperation::Sum(terms)
+                    if (2..=MAX_SEARCHED_LIST_LENGTH).contains(&terms.len()) =>
+                {
                     for (term, _) in terms {
                         sums[*term].push(value);
                     }

@@ -11,7 +11,7 @@ use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::algebra::hashing::Table;
-use crate::limits::LONGEST_SEARCHED_LIST;
+use crate::limits::MAX_SEARCHED_LIST_LENGTH;
 use crate::program::dag::{Dag, DagOperation, ValueId};
 use crate::{Pass, Passes, Rational};
 
@@ -236,7 +236,7 @@ impl<'a, L: Lists> Sharing<'a, L> {
     fn pairs(&self, value: ValueId, wanted: impl Fn(ValueId) -> bool) -> Vec<Pair> {
         let length = L::length(self.dag, value).unwrap_or(0);
         let mut pairs = Vec::new();
-        if length > LONGEST_SEARCHED_LIST {
+        if length > MAX_SEARCHED_LIST_LENGTH {
             return pairs;
         }
         for i in 0..length {
@@ -322,7 +322,7 @@ fn unshared<L: Lists>(dag: &Dag) -> Vec<bool> {
     let mut uses = vec![0_usize; dag.operations.len()];
     for value in 0..dag.operations.len() {
         let length = L::length(dag, value).unwrap_or(0);
-        if length > LONGEST_SEARCHED_LIST {
+        if length > MAX_SEARCHED_LIST_LENGTH {
             continue;
         }
         for position in 0..length {

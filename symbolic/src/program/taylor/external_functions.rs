@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use super::builder::{Builder, Factor, Series, ZERO};
 use super::{NoSeries, needed_for, quotients::with_quotients};
-use crate::limits::MOST_APPLICATIONS_IN_A_SERIES;
+use crate::limits::MAX_APPLICATIONS_IN_A_SERIES;
 use crate::program::straight_line::{Instruction, Operand, Operation, Program};
 use crate::{ExternalFunction, Symbol, Unary};
 
@@ -72,7 +72,7 @@ impl Builder<'_> {
         arguments: &[Series],
     ) -> Result<Operand, NoSeries> {
         self.applications += 1;
-        if self.applications > MOST_APPLICATIONS_IN_A_SERIES {
+        if self.applications > MAX_APPLICATIONS_IN_A_SERIES {
             return Err(NoSeries {
                 function,
                 undeclared: None,

@@ -6,7 +6,7 @@ use super::DeclaredEvents;
 use crate::integrate::event::memory::Memory;
 use crate::integrate::event::polynomial::{Polynomial, Root};
 use crate::integrate::event::window::Window;
-use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::events::MAX_COEFFICIENTS;
 
 impl<const K: usize> DeclaredEvents<K> {
     /// The first root of an event's polynomial that is one of its event, and the first one of all.
@@ -45,7 +45,7 @@ impl<const K: usize> DeclaredEvents<K> {
             };
         }
         let first = next;
-        for _ in 0..MOST_COEFFICIENTS {
+        for _ in 0..MAX_COEFFICIENTS {
             let Some(root) = next.map(|root| window.behind(event, root)) else {
                 break;
             };

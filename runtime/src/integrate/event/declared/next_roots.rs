@@ -9,7 +9,7 @@ use crate::integrate::event::{
     Bracket, EventDynamics, LastStep, MetConditions, Occurring, SingleNumber,
 };
 use crate::integrate::stepper::Advance;
-use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::events::MAX_COEFFICIENTS;
 
 impl<const K: usize> DeclaredEvents<K> {
     /// The next events at roots of these polynomials of the fraction of the step.
@@ -186,7 +186,7 @@ fn note_others<const K: usize>(
     for event in (0..K).filter(|event| !events.contains(*event)) {
         let mut next = first_of_all[event];
         let last = found[event].map_or(f64::INFINITY, |root| root.at);
-        for _ in 0..MOST_COEFFICIENTS {
+        for _ in 0..MAX_COEFFICIENTS {
             let Some(root) = next.filter(|root| root.at <= behind && root.at < last) else {
                 break;
             };

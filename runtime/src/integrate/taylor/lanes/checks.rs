@@ -5,7 +5,7 @@ use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::step_size::power;
-use crate::limits::events::MOST_COEFFICIENTS;
+use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{
     INNER_CHECKS, LONG_STEP, NEGLIGIBLE_TERM, RESIDUAL_ROUNDING, RESOLUTION,
 };
@@ -150,7 +150,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let motion = &self.coefficients;
         let from = self.state.reduced(dynamics);
         dynamics.branches(t, &from, unit, motion, &mut |function| {
-            let mut coefficients = [Lanes::from_f64(0.0); MOST_COEFFICIENTS];
+            let mut coefficients = [Lanes::from_f64(0.0); MAX_COEFFICIENTS];
             let mut count = 0;
             for (slot, coefficient) in coefficients.iter_mut().zip(function) {
                 *slot = coefficient;

@@ -11,7 +11,7 @@ use crate::integrate::taylor::interpolant::difference;
 use crate::integrate::taylor::junction::{Junction, Passage, surface_at};
 use crate::integrate::taylor::step_size::{limiting_component, too_small};
 use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{BEFORE, MOST_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE, SHORTENING};
+use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE, SHORTENING};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
@@ -126,7 +126,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         } else {
             self.short_passages[lane] = 0;
         }
-        let is_stuck = arrivals.slides[lane] || self.short_passages[lane] > MOST_SHORT_PASSAGES;
+        let is_stuck = arrivals.slides[lane] || self.short_passages[lane] > MAX_SHORT_PASSAGES;
         self.sliding[lane] = is_stuck.then_some(arrivals.function[lane]);
         self.time_scale[lane] = self.time_scale[lane].max(length);
         self.time[lane] = time;

@@ -6,7 +6,7 @@ use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::Crossing;
 use crate::integrate::taylor::junction::{Junction, Passage, surface_at};
 use crate::integrate::taylor::step_size::{Proposal, too_small};
-use crate::limits::taylor::{BEFORE, MOST_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE};
+use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -59,7 +59,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         } else {
             self.short_passages = 0;
         }
-        let is_stuck = slides || self.short_passages > MOST_SHORT_PASSAGES;
+        let is_stuck = slides || self.short_passages > MAX_SHORT_PASSAGES;
         self.sliding = is_stuck.then_some(crossing.function);
         self.accept(length);
         Ok(())
