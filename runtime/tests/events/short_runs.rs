@@ -1,7 +1,7 @@
 //! Runs of some roundings of the time, one after the other, of which the last ends at an event or next to it.
 
-use lagrangian::EquationsOfMotion;
 use lagrangian::prelude::*;
+use lagrangian::{EquationsOfMotion, ObservationKind, Progress};
 
 /// An oscillator beside a clock.
 #[derive(Lagrangian, Clone, Copy, Debug)]
@@ -160,5 +160,91 @@ fn a_reaction_leaves_no_event_in_the_other_direction() {
             }
             assert_eq!(seen, [1], "from {from} to {to}");
         }
+    }
+}
+
+/// Both directions of one function, in runs that stop at each event.
+#[test]
+fn where_a_run_stops_its_event_is_not_one_of_the_other_direction() {
+    let zero = 5.0_f64.cbrt();
+    let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
+    let model = Oscillator { k: 1.0 };
+    let equations = model.dynamics();
+    let watched = [Event::falling(), Event::rising()];
+    let watched = watched.map(|event| (Oscillator::CUBE, event.terminal()));
+    for from in -13..=0 {
+        for to in 1..=13 {
+            let (mut last, mut seen) = (State::new(0.2, [0.3], [0.4]), Vec::new());
+            for time in [near(from), near(to), 2.5] {
+                while last.t < time {
+                    let driver = Taylor::new().driver().declared_events(watched);
+                    let outcome = driver.run_until(&equations, &last, time).unwrap();
+                    seen.extend(outcome.met.indices());
+                    last = outcome.last;
+                }
+            }
+            assert_eq!(seen, [1], "from {from} to {to}");
+        }
+    }
+}
+
+/// A function whose own rounding exceeds what it changes by in a short run.
+#[test]
+fn a_resumed_run_does_not_repeat_the_event_at_its_beginning() {
+    let model = Pendulum {};
+    let equations = model.dynamics();
+    let start = State::new(0.0, [-1.0474877091787331], [0.8359583815790192]);
+    let watched = [Event::rising(), Event::falling()].map(|event| (Pendulum::GROWTH, event));
+    let whole = Taylor::new().driver().declared_events(watched);
+    let whole = whole.sample(&equations, start, &[4.0]).unwrap();
+    let times: Vec<f64> = whole.events().iter().map(|event| event.t).collect();
+    assert!(times.len() > 1);
+    for time in times {
+        for from in -9..=1 {
+            for to in from + 1..=9 {
+                let near = |ulps: i64| f64::from_bits(time.to_bits().wrapping_add_signed(ulps));
+                let mut seen = 0;
+                let mut checkpoint = None;
+                for end in [near(from), near(to), 4.0] {
+                    let driver = Taylor::new().driver().declared_events(watched);
+                    let driver = driver.observe(|progress: &Progress<'_, _>| {
+                        seen += usize::from(matches!(progress.kind, ObservationKind::Event(_)));
+                        core::ops::ControlFlow::Continue(())
+                    });
+                    let mut running = match checkpoint.take() {
+                        Some(checkpoint) => driver.resume(&equations, checkpoint).unwrap(),
+                        None => driver.start(&equations, start).unwrap(),
+                    };
+                    running.advance_to(end).unwrap();
+                    checkpoint = Some(running.checkpoint());
+                }
+                assert_eq!(seen, whole.events().len(), "{time} from {from} to {to}");
+            }
+        }
+    }
+}
+
+/// A pendulum.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(theta),
+    kinetic = 0.5 * dot(theta).powi(2),
+    potential = -1.5 * cos(theta),
+    event(growth = exp(theta) - 1.2),
+)]
+struct Pendulum {}
+
+/// No step is so short that the time does not change.
+#[test]
+fn a_short_run_is_one_step() {
+    let model = Oscillator { k: 1.0 };
+    for (t, ulps) in [(0.3_f64, 1), (0.3, 7), (1e3, 3), (-1e-5, 9)] {
+        let end = f64::from_bits(t.to_bits() + ulps);
+        let start = State::new(t, [0.3], [0.4]);
+        let outcome = Dop853::new()
+            .driver()
+            .run_until(&model.dynamics(), start, end);
+        assert_eq!(outcome.unwrap().statistics.steps, 1, "{ulps} from {t}");
     }
 }

@@ -162,10 +162,17 @@ impl<X> Dop853Stepper<X> {
             return StepControl::new(step.min(longest), time_scale);
         }
         self.statistics.evaluations += 1;
-        let longest = longest.copysign(remaining);
         let from = (self.clock, x, slope);
-        let step = initial_step(dynamics, from, longest, time_scale, tolerance);
+        let signed = longest.copysign(remaining);
+        let step = initial_step(dynamics, from, signed, time_scale, tolerance);
+        let step = step.max(self.rounding()).min(longest);
         StepControl::new(step, time_scale)
+    }
+
+    /// Steps that are not longer may be lost in the rounding of times.
+    fn rounding(&self) -> f64 {
+        let rounding = limits::MIN_STEP * f64::EPSILON * self.clock.time().abs();
+        rounding.max(f64::MIN_POSITIVE)
     }
 
     /// The step size nearest to `step` within the limits that are set.
@@ -177,9 +184,7 @@ impl<X> Dop853Stepper<X> {
     /// Whether a rejected step of size `h` cannot be shortened to the next one: it was the smallest that is allowed, or
     /// the next one would be lost in the rounding of times.
     fn is_smallest(&self, h: f64, next: f64) -> bool {
-        let rounding = limits::MIN_STEP * f64::EPSILON * self.clock.time().abs();
-        next <= rounding.max(f64::MIN_POSITIVE)
-            || self.method.min_step.is_some_and(|min| h.abs() <= min)
+        next <= self.rounding() || self.method.min_step.is_some_and(|min| h.abs() <= min)
     }
 }
 

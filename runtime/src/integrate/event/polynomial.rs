@@ -204,10 +204,10 @@ impl Polynomial {
         errors.iter().rev().fold(0.0, |sum, error| sum * u + error)
     }
 
-    /// The sign at `u`, if it has one.
+    /// The sign at `u`, if it has one that no shift of the function changes.
     pub(super) fn certain_sign(&self, u: f64) -> Option<f64> {
         let value = self.value(u);
-        (value.abs() > self.uncertainty(u)).then(|| value.signum())
+        (value.abs() > self.uncertainty(u) + 2.0 * self.shift).then(|| value.signum())
     }
 
     /// Whether the value at `u` has no sign.
@@ -231,15 +231,16 @@ impl Polynomial {
 
     /// The sign at 1, or next to it where it is not certain there; `otherwise` if it is not certain behind `from`.
     pub(super) fn last_sign(&self, from: f64, otherwise: f64) -> f64 {
-        let is_certain = |u: &f64| self.value(*u).abs() > self.uncertainty(*u) + 2.0 * self.shift;
         let parts = (0..f64::MANTISSA_DIGITS).scan(f64::EPSILON, |part, _| {
             let u = 1.0 - *part;
             *part *= 2.0;
             Some(u)
         });
         let before = parts.take_while(|u| *u > from);
-        let last = core::iter::once(1.0).chain(before).find(is_certain);
-        last.map_or(otherwise, |u| self.value(u).signum())
+        let mut signs = core::iter::once(1.0)
+            .chain(before)
+            .filter_map(|u| self.certain_sign(u));
+        signs.next().unwrap_or(otherwise)
     }
 
     /// The first root behind `from`, up to 1. The sign behind `from` is given where it is that behind another root.

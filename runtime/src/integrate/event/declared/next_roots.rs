@@ -42,7 +42,13 @@ impl<const K: usize> DeclaredEvents<K> {
             }
         };
         let Some(t) = times.into_iter().flatten().min_by(in_order) else {
-            arrive_at_end(memory, &window, polynomials, [from, near], late);
+            arrive_at_end(
+                memory,
+                &window,
+                (polynomials, &first_of_all),
+                [from, near],
+                late,
+            );
             return None;
         };
         let behind = step.after(t);
@@ -58,7 +64,7 @@ impl<const K: usize> DeclaredEvents<K> {
         let events = MetConditions::of((0..K).map(occurs));
         note_occurring(memory, &found, events);
         let others = (polynomials, &first_of_all, &found);
-        note_others(memory, others, events, window.fraction(behind));
+        note_others(memory, &window, others, events, window.fraction(behind));
         let still = stay_at_zero(memory, polynomials, [from, near], window.fraction(t));
         memory.arrive(behind);
         memory.left = still.without(events);
@@ -176,25 +182,42 @@ fn note_occurring<const K: usize>(
 }
 
 /// Notes the signs of the other events' functions up to their next roots behind a part of the window, whether or not these are
-/// events; a root of an event that was found is not passed.
+/// events, and the times of those that are passed; a root of an event that was found is not.
 fn note_others<const K: usize>(
     memory: &mut Memory<[f64; K]>,
+    window: &Window<K>,
     (polynomials, first_of_all, found): (&[Polynomial; K], &[Option<Root>; K], &[Option<Root>; K]),
     events: MetConditions,
     behind: f64,
 ) {
     for event in (0..K).filter(|event| !events.contains(*event)) {
-        let mut next = first_of_all[event];
-        let last = found[event].map_or(f64::INFINITY, |root| root.at);
-        for _ in 0..MAX_COEFFICIENTS {
-            let Some(root) = next.filter(|root| root.at <= behind && root.at < last) else {
-                break;
-            };
+        let end = found[event].map_or(f64::INFINITY, |root| root.at);
+        let is_passed = |root: &Root| root.at <= behind && root.at < end;
+        let roots = roots_from(&polynomials[event], first_of_all[event], is_passed);
+        let [last, next] = roots;
+        if let Some(root) = last {
             (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
-            next = polynomials[event].next_root(root.until, root.behind);
+            memory.zero_at[event] = window.time(root.at);
         }
         memory.ahead[event] = next.map_or(0.0, |root| root.before);
     }
+}
+
+/// The last root of those from one on that are passed, and the one behind it.
+fn roots_from(
+    polynomial: &Polynomial,
+    first: Option<Root>,
+    is_passed: impl Fn(&Root) -> bool,
+) -> [Option<Root>; 2] {
+    let (mut last, mut next) = (None, first);
+    for _ in 0..MAX_COEFFICIENTS {
+        let Some(root) = next.filter(&is_passed) else {
+            break;
+        };
+        last = Some(root);
+        next = polynomial.next_root(root.until, root.behind);
+    }
+    [last, next]
 }
 
 /// The events whose functions have not left zero up to a part of the window.
@@ -216,7 +239,7 @@ fn stay_at_zero<const K: usize>(
 fn arrive_at_end<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     window: &Window<K>,
-    polynomials: &[Polynomial; K],
+    (polynomials, first_of_all): (&[Polynomial; K], &[Option<Root>; K]),
     [from, near]: [f64; 2],
     late: MetConditions,
 ) {
@@ -224,6 +247,10 @@ fn arrive_at_end<const K: usize>(
     for (event, polynomial) in polynomials.iter().enumerate() {
         if late.contains(event) || still.contains(event) {
             continue;
+        }
+        let [last, _] = roots_from(polynomial, first_of_all[event], |root| root.at <= 1.0);
+        if let Some(root) = last {
+            memory.zero_at[event] = window.time(root.at);
         }
         let known = (from, memory.resume[event]);
         memory.signs[event] = window.last_sign(polynomial, known, memory.signs[event]);
