@@ -10,6 +10,7 @@ from derivatives import NoValue
 WAYS = ("runs", "advanced", "resumed", "stopped", "limited", "unchanged", "changed", "samples")
 APART = 1e-6  # Events of different functions, and the ends of a motion, are apart by this.
 RUNGE_KUTTA_STEP = 0.01
+SAMPLED_GAP = 0.5  # Zeros of one function that are closer may lie between two samples of a step of the Taylor method.
 LEAST = 1e-200  # Runs as short as a unit in the last place of less have no steps.
 ULPS = (0, 0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 13, -40)
 
@@ -36,6 +37,8 @@ def one(at, reference, asked, rng, direction):
         turns = rng.choice(([1, -1], [-1, 1]))
     watched = list(zip((first, second), turns))
     step = 0.0
+    if method == "taylor" and not declared and least_gap(reference.events, watched) < SAMPLED_GAP:
+        declared = True
     if method != "taylor":
         step = least_gap(reference.events, watched)
         if step < 3 * RUNGE_KUTTA_STEP:
