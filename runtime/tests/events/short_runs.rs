@@ -10,7 +10,7 @@ use lagrangian::{EquationsOfMotion, ObservationKind, Progress};
     coordinates(x),
     kinetic = 0.5 * dot(x).powi(2),
     potential = 0.5 * k * x.powi(2),
-    event(cube = t.powi(3) - 5, early = t - 0.37, both = (t - 1) * (t - 2.5), pair = (t - 1).powi(2) - 1e-10),
+    event(cube = t.powi(3) - 5, early = t - 0.37, both = (t - 1) * (t - 2.5), pair = (t - 1).powi(2) - 1e-10, wave = sin(1.7 * t)),
 )]
 struct Oscillator {
     k: f64,
@@ -185,6 +185,25 @@ fn where_a_run_stops_its_event_is_not_one_of_the_other_direction() {
             }
             assert_eq!(seen, [1], "from {from} to {to}");
         }
+    }
+}
+
+/// At the time 0, where rounding is exact.
+#[test]
+fn a_zero_at_the_time_zero_is_an_event_in_one_direction() {
+    let model = Oscillator { k: 1.0 };
+    let equations = model.dynamics();
+    let watched = [Event::falling(), Event::rising()];
+    let watched = watched.map(|event| (Oscillator::WAVE, event.terminal()));
+    for begin in [0.33, 0.7, 1.1] {
+        let (mut last, mut seen) = (State::new(begin, [0.3], [0.4]), Vec::new());
+        while last.t > -1.0 {
+            let driver = Taylor::new().driver().declared_events(watched);
+            let outcome = driver.run_until(&equations, &last, -1.0).unwrap();
+            seen.extend(outcome.met.indices());
+            last = outcome.last;
+        }
+        assert_eq!(seen, [0], "from {begin}");
     }
 }
 

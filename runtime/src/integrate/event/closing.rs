@@ -185,7 +185,7 @@ impl<V: Values> Memory<V> {
     }
 }
 
-/// Whether an event's function that is zero at two times is zero between them.
+/// Whether an event's function that is zero at two times is zero between them, or they cannot be told apart.
 fn is_zero_between<S, D, G, T>(
     source: &mut G,
     step: &mut LastStep<'_, S, D, T>,
@@ -198,7 +198,7 @@ where
     G: EventFunctions<S, D>,
     T: Advance<S, D>,
 {
-    if !step.comes_before(from, to) {
+    if !step.comes_before(step.after(from), to) {
         return true;
     }
     // Not in the middle, where a periodic function is zero between two of its zeros.
