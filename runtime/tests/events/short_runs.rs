@@ -195,7 +195,7 @@ fn a_zero_at_the_time_zero_is_an_event_in_one_direction() {
     let equations = model.dynamics();
     let watched = [Event::falling(), Event::rising()];
     let watched = watched.map(|event| (Oscillator::WAVE, event.terminal()));
-    for begin in [0.33, 0.7, 1.1] {
+    for begin in (0..100).map(|k| 0.1 + 0.0137 * f64::from(k)) {
         let (mut last, mut seen) = (State::new(begin, [0.3], [0.4]), Vec::new());
         while last.t > -1.0 {
             let driver = Taylor::new().driver().declared_events(watched);
