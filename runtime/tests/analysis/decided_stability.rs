@@ -195,7 +195,18 @@ struct Random {
 
 /// By Sylvester's law of inertia the signs of D are those of K, for each L that is triangular with ones.
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn random_potentials_with_known_signs() {
+    decide(700);
+}
+
+#[test]
+fn some_random_potentials_with_known_signs() {
+    decide(100);
+}
+
+/// Decides the stability of so many equilibria.
+fn decide(count: i32) {
     let mut seed = 5_u64;
     let mut below = |count: u64| {
         seed = seed
@@ -204,7 +215,7 @@ fn random_potentials_with_known_signs() {
         (seed >> 33) % count
     };
     let mut counts = [0; 4];
-    for _ in 0..700 {
+    for _ in 0..count {
         let mut pick =
             |choices: &[f64]| choices[usize::try_from(below(choices.len() as u64)).unwrap()];
         let unit = pick(&[1.0, 1e-8, 1e8]);
@@ -267,7 +278,8 @@ fn random_potentials_with_known_signs() {
         );
     }
     assert!(
-        counts.iter().sum::<i32>() > 500 && counts.iter().all(|count| *count > 50),
+        counts.iter().sum::<i32>() > count / 7 * 5
+            && counts.iter().all(|of_one| *of_one > count / 14),
         "{counts:?}"
     );
 }

@@ -71,10 +71,21 @@ fn symmetry(round: i32, ascending: &[f64; 3]) -> Symmetry {
 }
 
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn a_hundred_thousand_tensors() {
+    find_axes(100_000);
+}
+
+#[test]
+fn eight_thousand_tensors() {
+    find_axes(8_000);
+}
+
+/// Finds the principal axes of so many tensors, half of which have equal moments.
+fn find_axes(count: i32) {
     let mut random = Random(7);
-    let mut counts = [0_u32; 3];
-    for round in 0..100_000 {
+    let mut counts = [0; 3];
+    for round in 0..count {
         let moments = moments(round, &mut random);
         let rotation = random.rotation();
         let tensor = InertiaTensor::principal(moments).rotated(&rotation);
@@ -105,7 +116,7 @@ fn a_hundred_thousand_tensors() {
             }
         }
     }
-    assert_eq!(counts, [50_000, 37_500, 12_500]);
+    assert_eq!(counts, [count / 2, count / 8 * 3, count / 8]);
 }
 
 #[test]

@@ -102,9 +102,19 @@ fn compare(what: &str, model: &Particle, found: &[f64], expected: &[f64], error:
 
 /// The numbers of the grid are exact, and zeros without a change of sign are left out by a shift off the grid.
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn corners_have_neither_false_zeros_nor_missed_ones() {
+    cross_corners(120);
+}
+
+#[test]
+fn some_corners_have_neither_false_zeros_nor_missed_ones() {
+    cross_corners(15);
+}
+
+fn cross_corners(cases: usize) {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
-    for case in 0..120 {
+    for case in 0..cases {
         let mut model = Particle {
             a: [0.0; 5].map(|_| random.dyadic()),
             b: [0.0; 4].map(|_| 4.0 * random.dyadic()),
@@ -243,9 +253,19 @@ fn a_start_at_a_corner_is_no_obstacle() {
 
 /// Jumps of a product of signs are changes of sign; the inverse sine tells where a bent wave has its zeros.
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn jumps_and_bent_waves() {
+    cross_jumps(30);
+}
+
+#[test]
+fn some_jumps_and_bent_waves() {
+    cross_jumps(5);
+}
+
+fn cross_jumps(cases: usize) {
     let mut random = Random(7);
-    for case in 0..30 {
+    for case in 0..cases {
         let mut c = [0.0; 4].map(|_| 0.05 + 0.9 * random.uniform());
         c[2] = 0.5;
         let model = Particle {
@@ -301,9 +321,19 @@ fn jumps_and_bent_waves() {
 /// Four zeros in clusters of every kind: apart, close, and of higher multiplicity. A zero of even multiplicity counts as
 /// reached, and clusters within rounding are one zero.
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn clusters_of_zeros_are_counted_with_their_multiplicities() {
+    count_clusters(120);
+}
+
+#[test]
+fn some_clusters_of_zeros_are_counted_with_their_multiplicities() {
+    count_clusters(15);
+}
+
+fn count_clusters(cases: usize) {
     let mut random = Random(99);
-    for case in 0..120 {
+    for case in 0..cases {
         let mut roots = Vec::new();
         while roots.len() < 4 {
             let root: f64 = (8.0 + 48.0 * random.uniform()).round() / 64.0;

@@ -267,3 +267,65 @@ fn a_short_run_is_one_step() {
         assert_eq!(outcome.unwrap().statistics.steps, 1, "{ulps} from {t}");
     }
 }
+
+/// A stone whose event function is zero twice at nearly one place, where x² and x cancel to some roundings.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = g * x,
+    event(near = x.powi(2) + x - height),
+)]
+struct Passing {
+    g: f64,
+    height: f64,
+}
+
+#[test]
+fn zeros_of_a_pair_that_are_known_to_roundings_are_reported_once() {
+    for (gap, from) in [(1e-3, -0.6), (3e-5, -0.53), (2e-4, -0.2)] {
+        let height = 0.25 * gap * gap - 0.25;
+        let model = Passing { g: 0.77, height };
+        let (equations, start) = (
+            model.dynamics(),
+            State::new(-0.14, [from], [-1.8 * (from + 0.5).signum()]),
+        );
+        let both = [Event::falling(), Event::rising()];
+        let driver = |event: fn(Event) -> Event| {
+            let watched = both.map(|both| (Passing::NEAR, event(both)));
+            Taylor::new().driver().declared_events(watched)
+        };
+        let whole = driver(|event| event).sample(&equations, start, &[0.9]);
+        let whole = whole.unwrap();
+        let events: Vec<usize> = whole.events().iter().map(|event| event.event).collect();
+        assert_eq!(events[..2], [0, 1]);
+        for time in whole.events().iter().map(|event| event.t) {
+            for from in (-30..=2).step_by(8) {
+                for to in (from + 1..=40).step_by(9) {
+                    let near =
+                        |ulps: i64| f64::from_bits(f64::to_bits(time).wrapping_add_signed(ulps));
+                    let mut ends = [near(from), near(to), 0.9];
+                    ends.sort_by(f64::total_cmp);
+                    let [mut last, mut stopped] = [start; 2];
+                    let [mut seen, mut stops] = [const { Vec::new() }; 2];
+                    for end in ends {
+                        let motion = driver(|event| event).sample(&equations, last, &[end]);
+                        let motion = motion.unwrap();
+                        seen.extend(motion.events().iter().map(|event| event.event));
+                        last = *motion.last();
+                        while stopped.t < end {
+                            let driver = driver(Event::terminal);
+                            let outcome = driver.run_until(&equations, stopped, end).unwrap();
+                            stops.extend(outcome.met.indices());
+                            stopped = outcome.last;
+                        }
+                    }
+                    let what = format!("gap {gap}, around {time} from {from} to {to}");
+                    assert_eq!(seen, events, "{what}");
+                    assert_eq!(stops, events, "{what}, stopped");
+                }
+            }
+        }
+    }
+}

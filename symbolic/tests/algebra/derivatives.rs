@@ -122,7 +122,7 @@ fn closed_under_differentiation_where_it_jumps() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn derivatives_are_those_of_dual_numbers(tree in trees(), point in points(), which in 0..SYMBOLS.len()) {

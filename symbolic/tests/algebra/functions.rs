@@ -30,7 +30,7 @@ fn known(function: ExternalFunction, arguments: &[f64]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(500) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn values_are_those_of_what_was_written(tree in applications(), point in points()) {

@@ -7,7 +7,7 @@ use lagrangian_symbolic_testing::tree::{at, points, trees};
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn normal_forms_keep_values(tree in trees(), point in points()) {

@@ -32,7 +32,7 @@ fn hash(value: &Rational) -> u64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn arithmetic_is_that_of_num_rational((x, a) in fractions(), (y, b) in fractions(), k in -40_i64..40) {

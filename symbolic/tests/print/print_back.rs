@@ -30,7 +30,7 @@ fn symbol(name: &str) -> Symbol {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn what_is_printed_means_what_it_should(tree in trees(), point in points()) {

@@ -12,7 +12,7 @@ use lagrangian_symbolic_testing::evaluate;
 /// Deep enough: a frame of a hundred bytes a link would overflow the stack four times over.
 const DEPTH: usize = 10_000;
 /// Exact numbers that grow with every link cost more than nodes do.
-const NUMBERS: usize = 1_600;
+const NUMBERS: usize = 800;
 const X: Symbol = Symbol::Coordinate(0);
 
 /// Builds a chain, each link from the one before and x, and puts it through every pass.

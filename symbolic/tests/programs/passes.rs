@@ -45,7 +45,7 @@ fn is_verified(program: &Program, graph: &Graph, groups: &[&[Expression]]) -> bo
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn multiplying_out_keeps_values(trees in pairs(), point in points()) {

@@ -161,6 +161,7 @@ fn fixed_steps_have_small_rounding_errors_after_many_turns() {
 /// chance: the root of its mean square over ten ends is compared, with three units in the last place of ψ̇, which is 20.
 /// Series in quasi-velocities need ψ for the kinematics alone, and lose less than a digit without the reduction.
 #[test]
+#[ignore = "a long motion; run with `--include-ignored`"]
 fn a_top_that_spins_for_long_keeps_its_digits() {
     let ends: Vec<f64> = (0..10).map(|i| 50.0 + f64::from(i)).collect();
     let exact = TOP.dynamics();

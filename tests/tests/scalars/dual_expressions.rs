@@ -126,7 +126,7 @@ fn independent_twice(tree: &Tree, symbol: Symbol, point: &[f64; SYMBOLS.len()]) 
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1_000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn gradients_are_symbolic_derivatives(tree in trees(), point in points()) {

@@ -202,15 +202,24 @@ where
         return true;
     }
     // Not in the middle, where a periodic function is zero between two of its zeros.
-    BETWEEN.into_iter().all(|part| {
-        let between = from + part * (to - from);
-        let between = if step.comes_before(between, step.begin()) {
+    let [first, second, third] = BETWEEN;
+    let [start, end, between @ ..] = [0.0, 1.0, first, second, third].map(|part| {
+        let there = from + part * (to - from);
+        let there = step.at(if step.comes_before(there, step.begin()) {
             step.begin()
         } else {
-            between
-        };
-        let there = step.at(between);
+            there
+        });
         let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
-        junction.zeros.contains(event)
-    })
+        let is_zero = junction.zeros.contains(event);
+        (is_zero, junction.value(event), junction.noise(event))
+    });
+    // What rounding makes of one value may be nothing by chance: of all together it is not, and zeros are no larger.
+    let zeros = [start, end].into_iter().filter(|(is_zero, ..)| *is_zero);
+    let zeros = zeros.map(|(_, value, _)| value.abs());
+    let noises = between.iter().map(|(_, _, noise)| *noise);
+    let noise = zeros.chain(noises).fold(0.0, f64::max);
+    // One of them may be rounded away from zero.
+    let are_zero = between.map(|(is_zero, value, _)| is_zero || value.abs() <= 2.0 * noise);
+    are_zero.iter().filter(|is_zero| **is_zero).count() > 1
 }

@@ -52,10 +52,15 @@ impl<const K: usize> Window<K> {
         }
     }
 
+    /// Whether a root of a polynomial is one of the function.
+    pub(super) fn trusts(&self, root: &Root) -> bool {
+        root.at < self.trusted()
+    }
+
     /// A root of an event's polynomial with the sign that the function has behind it: at a corner it may turn back.
     pub(super) fn behind(&self, event: usize, root: Root) -> Root {
         let value = self.last.get(event).copied().unwrap_or(f64::NAN);
-        if root.at < self.trusted() || value.is_nan() {
+        if self.trusts(&root) || value.is_nan() {
             return root;
         }
         let behind = if value == 0.0 { 0.0 } else { value.signum() };

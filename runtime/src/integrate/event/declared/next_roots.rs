@@ -64,7 +64,13 @@ impl<const K: usize> DeclaredEvents<K> {
         let events = MetConditions::of((0..K).map(occurs));
         note_occurring(memory, &found, events);
         let others = (polynomials, &first_of_all, &found);
-        note_others(memory, &window, others, events, window.fraction(behind));
+        note_others(
+            memory,
+            &window,
+            others,
+            events,
+            (t, window.fraction(behind)),
+        );
         let still = stay_at_zero(memory, polynomials, [from, near], window.fraction(t));
         memory.arrive(behind);
         memory.left = still.without(events);
@@ -188,16 +194,22 @@ fn note_others<const K: usize>(
     window: &Window<K>,
     (polynomials, first_of_all, found): (&[Polynomial; K], &[Option<Root>; K], &[Option<Root>; K]),
     events: MetConditions,
-    behind: f64,
+    (t, behind): (f64, f64),
 ) {
+    let here = window.fraction(t);
     for event in (0..K).filter(|event| !events.contains(*event)) {
         let end = found[event].map_or(f64::INFINITY, |root| root.at);
-        let is_passed = |root: &Root| root.at <= behind && root.at < end;
+        let is_passed = |root: &Root| root.at <= behind && root.at < end && window.trusts(root);
         let roots = roots_from(&polynomials[event], first_of_all[event], is_passed);
         let [last, next] = roots;
         if let Some(root) = last {
             (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
-            memory.zero_at[event] = window.time(root.at);
+            // What has had no certain sign until now, or cannot be told from it, is zero here.
+            memory.zero_at[event] = if root.until > here - (behind - here) {
+                t
+            } else {
+                window.time(root.at)
+            };
         }
         memory.ahead[event] = next.map_or(0.0, |root| root.before);
     }
@@ -248,7 +260,8 @@ fn arrive_at_end<const K: usize>(
         if late.contains(event) || still.contains(event) {
             continue;
         }
-        let [last, _] = roots_from(polynomial, first_of_all[event], |root| root.at <= 1.0);
+        let is_passed = |root: &Root| root.at <= 1.0 && window.trusts(root);
+        let [last, _] = roots_from(polynomial, first_of_all[event], is_passed);
         if let Some(root) = last {
             memory.zero_at[event] = window.time(root.at);
         }
