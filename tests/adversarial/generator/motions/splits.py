@@ -10,7 +10,7 @@ from derivatives import NoValue
 WAYS = ("runs", "advanced", "resumed", "stopped", "limited", "unchanged", "changed", "samples")
 APART = 1e-6  # Events of different functions, and the ends of a motion, are apart by this.
 RUNGE_KUTTA_STEP = 0.01
-SAMPLED_GAP = 0.5  # Zeros of one function that are closer may lie between two samples of a step of the Taylor method.
+SAMPLED_GAP = 1.0  # Zeros of one function that are closer may lie between two samples of a step of the Taylor method, which has no limit on falls.
 LEAST = 1e-200  # Runs as short as a unit in the last place of less have no steps.
 ULPS = (0, 0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 13, -40)
 
