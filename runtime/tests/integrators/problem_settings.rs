@@ -3,6 +3,7 @@
 use core::cell::Cell;
 use core::ops::ControlFlow;
 
+use lagrangian::EquationsOfMotion;
 use lagrangian::prelude::*;
 
 use crate::problem::{LEDGE, STONE, Stone, start};
@@ -33,19 +34,50 @@ macro_rules! effects {
     };
 }
 
+type At1 = At<f64, Phase<f64, 1>>;
+
+// Functions and not closures: each closure is a type of its own, and so would be each problem that has one.
+fn is_below(x: &At1) -> bool {
+    x.q[0] < -0.5
+}
+
+fn height(x: &At1) -> f64 {
+    x.q[0] - 2.0
+}
+
+fn clock(x: &At1) -> f64 {
+    x.t - 0.25
+}
+
+fn nothing(_: &mut At1) {}
+
+fn nothing_to_dynamics(_: &mut At1, _: &mut EquationsOfMotion<'_, Stone, f64, 1>) {}
+
+fn stop_late(progress: &Progress<'_, Phase<f64, 1>>) -> ControlFlow<()> {
+    if progress.t > 0.9 {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}
+
+fn count(_: &Progress<'_, Phase<f64, 1>>) {
+    CALLS.set(CALLS.get() + 1);
+}
+
 /// Settings by their numbers: what is set, and its effects.
 macro_rules! set {
     (0, $problem:expr) => {
-        $problem.stop_when(|x| x.q[0] < -0.5)
+        $problem.stop_when(is_below)
     };
     (1, $problem:expr) => {
-        $problem.when(|x| x.q[0] - 2.0).stop()
+        $problem.when(height).stop()
     };
     (2, $problem:expr) => {
-        $problem.when(|x| x.q[0] - 2.0).falling().record()
+        $problem.when(height).falling().record()
     };
     (3, $problem:expr) => {
-        $problem.when(|x| x.t - 0.25).then(|_| ())
+        $problem.when(clock).then(nothing)
     };
     (4, $problem:expr) => {
         $problem.on(Stone::FLOOR).falling().stop()
@@ -54,19 +86,13 @@ macro_rules! set {
         $problem.on([Stone::FLOOR, Stone::LEDGE]).record()
     };
     (6, $problem:expr) => {
-        $problem.on(Stone::LEDGE).then_with(|_, _| ())
+        $problem.on(Stone::LEDGE).then_with(nothing_to_dynamics)
     };
     (7, $problem:expr) => {
-        $problem.each_step(|progress| {
-            if progress.t > 0.9 {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        })
+        $problem.each_step(stop_late)
     };
     (8, $problem:expr) => {
-        $problem.each_step(|_| CALLS.set(CALLS.get() + 1))
+        $problem.each_step(count)
     };
     (9, $problem:expr) => {
         $problem.max_steps(6)
@@ -165,22 +191,24 @@ fn check(what: &str, found: Found, both: [usize; 2]) {
     assert_eq!(CALLS.get() > 2, is_called, "{what}: {}", CALLS.get());
 }
 
-/// Pairs of settings: each of the first list with each of the second, in both orders.
+/// Pairs of settings: each of the first list with each of the second, in both orders or in one.
 macro_rules! pairs {
-    ($method:expr, $kind:ident, [$($first:tt)*], $second:tt) => {
+    ($method:tt, $kind:ident, [$($first:tt)*], $second:tt) => {
         $(pairs!(one $method, $kind, $first, $second);)*
     };
-    (one $method:expr, $kind:ident, $first:tt, $second:tt) => {
+    (one (both, $method:expr), $kind:ident, $first:tt, $second:tt) => {
+        pairs!(one (first, $method), $kind, $first, $second);
+        pairs!(one (first, $method), $kind, $second, $first);
+    };
+    (one (first, $method:expr), $kind:ident, $first:tt, $second:tt) => {
         let what = concat!(stringify!($first), " and ", stringify!($second));
         let found = found!(set!($second, set!($first, Problem::new(&STONE, start()))), $method, $kind);
         check(what, found, [$first, $second]);
-        let found = found!(set!($first, set!($second, Problem::new(&STONE, start()))), $method, $kind);
-        check(what, found, [$second, $first]);
     };
 }
 
 macro_rules! all_pairs {
-    ($method:expr) => {
+    ($method:tt) => {
         pairs!($method, end, [0 1 2 3 4 5 6 7 8 9 10], 0);
         pairs!($method, end, [1 2 3 4 5 6 7 8 9 10], 1);
         pairs!($method, end, [2 3 4 5 6 7 8 9 10], 2);
@@ -200,15 +228,15 @@ macro_rules! all_pairs {
 
 #[test]
 fn all_pairs_of_settings_count_under_taylor() {
-    all_pairs!(Taylor::new().max_step(0.05));
+    all_pairs!((first, Taylor::new().max_step(0.05)));
 }
 
 #[test]
 fn all_pairs_of_settings_count_under_dop853() {
-    all_pairs!(Dop853::new().max_step(0.05));
+    all_pairs!((first, Dop853::new().max_step(0.05)));
 }
 
 #[test]
 fn all_pairs_of_settings_count_under_runge_kutta() {
-    all_pairs!(RungeKutta::classical(0.05));
+    all_pairs!((both, RungeKutta::classical(0.05)));
 }
