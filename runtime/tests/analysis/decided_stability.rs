@@ -197,16 +197,16 @@ struct Random {
 #[test]
 #[ignore = "a long sweep; run with `--include-ignored`"]
 fn random_potentials_with_known_signs() {
-    decide(700);
+    decide(700, 50);
 }
 
 #[test]
 fn some_random_potentials_with_known_signs() {
-    decide(100);
+    decide(100, 4);
 }
 
-/// Decides the stability of so many equilibria.
-fn decide(count: i32) {
+/// Decides the stability of so many equilibria, of which there are more than the least number of each kind.
+fn decide(count: i32, least: i32) {
     let mut seed = 5_u64;
     let mut below = |count: u64| {
         seed = seed
@@ -278,8 +278,7 @@ fn decide(count: i32) {
         );
     }
     assert!(
-        counts.iter().sum::<i32>() > count / 7 * 5
-            && counts.iter().all(|of_one| *of_one > count / 14),
+        counts.iter().sum::<i32>() > count / 7 * 5 && counts.iter().all(|of_one| *of_one > least),
         "{counts:?}"
     );
 }
