@@ -199,7 +199,7 @@ pub(crate) fn list(events: &[(usize, f64)]) -> Vec<f64> {
     core::iter::once(events.len() as f64).chain(each).collect()
 }
 
-/// Motions in lanes beside references, and their distance from those that are integrated alone; of one that slides along a jump, the
+/// Motions in lanes beside references, and their distance from those that have all lanes for themselves; of one that slides along a jump, the
 /// time from which on it does.
 #[must_use]
 pub fn lanes<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
@@ -207,14 +207,14 @@ where
     M: MotionSeries<N> + MotionSeries<N, lagrangian::Lanes<4>>,
 {
     let starts = at.starts::<N>();
-    let alone = model.dynamics();
     let lanes = <M as lagrangian::Lagrangian<N, lagrangian::Lanes<4>>>::dynamics(model);
     let ensemble = Taylor::new().ensemble::<4>().max_steps(MAX_STEPS);
     let ends = ensemble.collect(&lanes, starts.iter().copied());
     let (mut together, mut apart) = (Entries::Ok(Vec::new()), Entries::Ok(Vec::new()));
     for ((start, end), outcome) in starts.iter().zip(ends) {
         let found = state_or_slide(completed(outcome));
-        let expected = state_or_slide(last(&Taylor::new(), &alone, *start, *end));
+        let alone = ensemble.collect(&lanes, [(*start, *end)]).remove(0);
+        let expected = state_or_slide(completed(alone));
         let differences = match (&found, expected) {
             (Ok(found), Ok(expected)) if found.len() == expected.len() => {
                 Ok(found.iter().zip(&expected).map(|(x, y)| x - y).collect())
