@@ -40,6 +40,16 @@ impl Graph {
         let mut coefficient = Rational::ONE;
         while !pending.is_empty() {
             while let Some((base, exponent)) = pending.pop() {
+                // What divides by one of the factors cancels it, before either is taken apart: a factor that vanishes somewhere
+                // is no divisor in what is left.
+                if !self.is_zero(base)
+                    && let Some(rest) = cancel(&mut settled, base, &exponent)
+                {
+                    if !rest.is_zero() {
+                        pending.push((base, rest));
+                    }
+                    continue;
+                }
                 match self.node(base) {
                     // The factors of a product are already in normal form.
                     Node::Product(inner)
@@ -249,6 +259,16 @@ impl Graph {
         let product = self.intern(Node::Product(powers));
         (self.opaque(product), sign)
     }
+}
+
+/// Takes the factor with this base out of the others, if its exponent has the other sign; what is left of both exponents.
+fn cancel(factors: &mut Factors, base: Expression, exponent: &Rational) -> Option<Rational> {
+    let cancels = |(other, power): &(Expression, Rational)| {
+        *other == base && power.is_negative() != exponent.is_negative()
+    };
+    let position = factors.iter().position(cancels)?;
+    let (_, power) = factors.remove(position);
+    Some(&power + exponent)
 }
 
 /// Sorts the factors, and removes those with equal bases, which are returned as one power each.

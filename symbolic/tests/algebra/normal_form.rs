@@ -324,3 +324,33 @@ fn inverse_functions_undo_one_another_only_where_that_is_true_everywhere() {
     let power = graph.binary(Binary::Power, x, y);
     assert!(matches!(graph.node(power), Node::Binary(Binary::Power, ..)));
 }
+
+/// √(cosh²x − 1) − sinh x and its derivative are zero for x > 0, which the normal form does not see: what both are factors of
+/// is divided by neither.
+#[test]
+fn factors_that_vanish_unseen_divide_nothing() {
+    let (mut graph, x, y) = start();
+    let cosh = graph.unary(Unary::Cosh, x);
+    let sinh = graph.unary(Unary::Sinh, x);
+    let square = graph.square(cosh);
+    let below = graph.add_constant(square, &Rational::MINUS_ONE);
+    let root = graph.power(below, &ratio(1, 2));
+    let zero = graph.subtract(root, sinh);
+    let slope = graph.derivative(zero, Symbol::Coordinate(0));
+    let product = graph.multiply(zero, slope);
+    let [first, second] = [graph.multiply(product, y), graph.multiply(slope, x)];
+    let sum = graph.add(first, second);
+    let quotient = graph.divide(sum, y);
+    let found = evaluate(&graph, quotient, |symbol| {
+        Bounded::exact(if symbol == Symbol::Coordinate(0) {
+            1.0726003241799242
+        } else {
+            0.7
+        })
+    });
+    assert!(
+        !found.value.is_nan(),
+        "{}",
+        graph.display(quotient, &lagrangian_symbolic::Names::default())
+    );
+}
