@@ -166,6 +166,15 @@ fn a_reaction_leaves_no_event_in_the_other_direction() {
 /// Both directions of one function, in runs that stop at each event.
 #[test]
 fn where_a_run_stops_its_event_is_not_one_of_the_other_direction() {
+    stop_around_a_zero(&Taylor::new());
+    stop_around_a_zero(&Dop853::new());
+    stop_around_a_zero(&RungeKutta::classical(0.2));
+}
+
+fn stop_around_a_zero<I>(method: &I)
+where
+    I: IntegrationMethod + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
+{
     let zero = 5.0_f64.cbrt();
     let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
     let model = Oscillator { k: 1.0 };
@@ -177,13 +186,47 @@ fn where_a_run_stops_its_event_is_not_one_of_the_other_direction() {
             let (mut last, mut seen) = (State::new(0.2, [0.3], [0.4]), Vec::new());
             for time in [near(from), near(to), 2.5] {
                 while last.t < time {
-                    let driver = Taylor::new().driver().declared_events(watched);
+                    let driver = method.driver().declared_events(watched);
                     let outcome = driver.run_until(&equations, &last, time).unwrap();
                     seen.extend(outcome.met.indices());
                     last = outcome.last;
                 }
             }
             assert_eq!(seen, [1], "from {from} to {to}");
+        }
+    }
+}
+
+/// A run in progress that is advanced by some roundings, to a zero.
+#[test]
+fn an_advance_of_some_roundings_to_a_zero_has_its_event() {
+    let model = Oscillator { k: 1.0 };
+    let equations = model.dynamics();
+    let start = State::new(0.2, [0.3], [0.4]);
+    let wave = |t: f64, _: &Phase<f64, 1>| [(3.0 * t).cos() - 0.12751145782990958];
+    for event in [Event::falling(), Event::either()] {
+        let method = || Dop853::new().max_step(0.5);
+        let whole = method().driver().events([event], wave);
+        let whole = whole.sample(&equations, start, &[7.0]).unwrap();
+        for time in whole.events().iter().map(|event| event.t) {
+            for from in (-40..=1).step_by(2) {
+                for to in from + 1..=3 {
+                    let near =
+                        |ulps: i64| f64::from_bits(f64::to_bits(time).wrapping_add_signed(ulps));
+                    let mut seen = 0;
+                    let driver = method().driver().events([event], wave);
+                    let driver = driver.observe(|progress: &Progress<'_, _>| {
+                        seen += usize::from(matches!(progress.kind, ObservationKind::Event(_)));
+                        core::ops::ControlFlow::Continue(())
+                    });
+                    let mut running = driver.start(&equations, start).unwrap();
+                    for end in [near(from), near(to), 7.0] {
+                        running.advance_to(end).unwrap();
+                    }
+                    drop(running);
+                    assert_eq!(seen, whole.events().len(), "{time} from {from} to {to}");
+                }
+            }
         }
     }
 }

@@ -201,19 +201,20 @@ where
     if !step.comes_before(step.after(from), to) {
         return true;
     }
+    // Of an earlier step nothing is known: then the function has to be zero where this one begins.
+    let is_earlier = step.comes_before(from, step.begin());
+    let from = if is_earlier { step.begin() } else { from };
     // Not in the middle, where a periodic function is zero between two of its zeros.
     let [first, second, third] = BETWEEN;
     let [start, end, between @ ..] = [0.0, 1.0, first, second, third].map(|part| {
-        let there = from + part * (to - from);
-        let there = step.at(if step.comes_before(there, step.begin()) {
-            step.begin()
-        } else {
-            there
-        });
+        let there = step.at(from + part * (to - from));
         let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
         let is_zero = junction.zeros.contains(event);
         (is_zero, junction.value(event), junction.noise(event))
     });
+    if is_earlier && !start.0 {
+        return false;
+    }
     // What rounding makes of one value may be nothing by chance: of all together it is not, and zeros are no larger.
     let zeros = [start, end].into_iter().filter(|(is_zero, ..)| *is_zero);
     let zeros = zeros.map(|(_, value, _)| value.abs());

@@ -122,8 +122,9 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advanc
         );
     }
     memory.at_event = values;
-    memory.note_zeros(events, time);
     let noise = rounding(source, step.dynamics(), (sample.t, &sample.x), &after);
+    // A zero that is crossed here in the direction that is not watched for is none of what follows, either.
+    memory.note_zeros(events.or(sign_changes(memory, &after)), time);
     let hysteresis = memory.hysteresis.as_slice().iter();
     memory.within_rounding = MetConditions::of(hysteresis.map(|least| *least > 0.0));
     memory.pass(sample.t, &after);
