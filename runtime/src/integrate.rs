@@ -8,6 +8,7 @@ mod dynamics;
 mod singularity;
 mod error;
 mod at;
+mod bernstein;
 mod step_polynomial;
 mod stepper;
 mod dense_output;

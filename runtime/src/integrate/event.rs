@@ -19,7 +19,6 @@ mod values;
 mod functions;
 mod state_function;
 mod event_dynamics;
-mod bernstein;
 mod polynomial;
 mod window;
 mod exclusion;

@@ -3,13 +3,12 @@
 //! R. E. Moore, *Interval Analysis* (1966), chapter 11; À. Jorba & M. Zou, *A Software Package for the Numerical
 //! Integration of ODEs by Means of High-Order Taylor Methods*, Experimental Mathematics **14** (2005) 99–117.
 
-mod bernstein;
 mod branch_crossings;
 pub(super) mod coefficients;
 mod convolutions;
-mod interpolant;
-mod junction;
+mod discontinuity;
 mod ensemble;
+mod interpolant;
 mod lanes;
 mod paired_convolutions;
 mod residual;
@@ -17,6 +16,7 @@ pub mod recurrences;
 mod series;
 mod step_size;
 mod stepper;
+mod unit_polynomial;
 
 pub use branch_crossings::BranchVisitor;
 pub use coefficients::TaylorCoefficients;

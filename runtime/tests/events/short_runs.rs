@@ -1,4 +1,5 @@
 //! Runs of some roundings of the time, one after the other, of which the last ends at an event or next to it.
+#![allow(clippy::unreadable_literal)] // Numbers of generated motions.
 
 use lagrangian::prelude::*;
 use lagrangian::{EquationsOfMotion, ObservationKind, Progress};
@@ -223,7 +224,6 @@ fn an_advance_of_some_roundings_to_a_zero_has_its_event() {
                     for end in [near(from), near(to), 7.0] {
                         running.advance_to(end).unwrap();
                     }
-                    drop(running);
                     assert_eq!(seen, whole.events().len(), "{time} from {from} to {to}");
                 }
             }

@@ -343,7 +343,7 @@ fn factors_that_vanish_unseen_divide_nothing() {
     let quotient = graph.divide(sum, y);
     let found = evaluate(&graph, quotient, |symbol| {
         Bounded::exact(if symbol == Symbol::Coordinate(0) {
-            1.0726003241799242
+            1.072_600_324_179_924_2
         } else {
             0.7
         })

@@ -5,8 +5,8 @@
 //! are far from any zero, and need nothing more than a few terms of the event functions and a sum: those of high order, which are
 //! sums of many products, are computed where these do not decide.
 
-use super::bernstein::{self, ROUNDINGS, as_number};
 use super::{DeclaredEvents, EventDynamics, SingleNumber};
+use crate::integrate::bernstein::{self, ROUNDINGS, as_number};
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
 use crate::limits::events::{

@@ -10,8 +10,8 @@ mod leaving;
 #[cfg(test)]
 mod tests;
 
-use super::bernstein::{self, Variations, as_number};
 use super::location::Bracket;
+use crate::integrate::bernstein::{self, Variations, as_number};
 use crate::limits::events::{
     DISPLACEMENTS, ISOLATION_STEPS, MAX_COEFFICIENTS, MIN_WIDTH, NEAR, UNCERTAINTY,
 };

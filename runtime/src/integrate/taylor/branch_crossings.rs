@@ -6,7 +6,7 @@
 //! step ends at that change (L. Dieci & L. Lopez, *A survey of numerical methods for IVPs of ODEs with discontinuous
 //! right-hand side*, J. Comput. Appl. Math. **236** (2012) 3967–3991, section 3).
 
-use super::bernstein::UnitPolynomial;
+use super::unit_polynomial::UnitPolynomial;
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{CONVERGED, MAX_CROSSINGS, MAX_HALVINGS, ONE_SIGN};
 

@@ -7,8 +7,8 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::Crossing;
 use crate::integrate::taylor::coefficients::TaylorCoefficients;
+use crate::integrate::taylor::discontinuity::{Passage, StepToSurface, surface_at};
 use crate::integrate::taylor::interpolant::difference;
-use crate::integrate::taylor::junction::{Junction, Passage, surface_at};
 use crate::integrate::taylor::step_size::{limiting_component, too_small};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE, SHORTENING};
@@ -77,7 +77,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let (begin, unit) = (self.time, Lanes(self.unit));
         let at_lane =
             |t: f64| core::array::from_fn(|other| if other == lane { t } else { begin[other] });
-        let junction = Junction {
+        let junction = StepToSurface {
             dynamics,
             from: &self.state,
             coefficients: &self.coefficients,

@@ -4,7 +4,7 @@ use super::TaylorStepper;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::Crossing;
-use crate::integrate::taylor::junction::{Junction, Passage, surface_at};
+use crate::integrate::taylor::discontinuity::{Passage, StepToSurface, surface_at};
 use crate::integrate::taylor::step_size::{Proposal, too_small};
 use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE};
 use crate::linalg::VectorSpace;
@@ -29,7 +29,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         } else {
             (first, second)
         };
-        let junction = Junction {
+        let junction = StepToSurface {
             dynamics,
             from: &present.from,
             coefficients: &present.coefficients,

@@ -4,6 +4,7 @@
 //! often as its Bernstein coefficients do, and those of a part of the interval follow by subdivision (de Casteljau). Parts are
 //! halved until each has one change or none. The arithmetic is that of `f64`: values below its errors have no sign.
 
+use crate::integrate::bernstein::{self, Variations, as_number};
 use crate::integrate::event::Bracket;
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{ISOLATION_STEPS, MIN_PART, SIGN_UNCERTAINTY};
@@ -42,20 +43,9 @@ impl Coefficients {
         self.values.get_mut(..self.count).unwrap_or_default()
     }
 
-    /// The Bernstein coefficients on the unit interval from those of powers: bⱼ = Σ C(j, k)/C(n, k) cₖ.
+    /// The Bernstein coefficients on the unit interval from those of powers.
     fn to_bernstein(mut self) -> Self {
-        let degree = self.count.saturating_sub(1);
-        let all = self.get_mut();
-        let mut factor = 1.0;
-        for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
-            factor *= number(k) / number(degree + 1 - k);
-            *coefficient *= factor;
-        }
-        for i in 1..=degree {
-            for j in (i..=degree).rev() {
-                all[j] += all[j - 1];
-            }
-        }
+        bernstein::between(self.get_mut(), 0.0, 1.0);
         self
     }
 
@@ -84,27 +74,9 @@ impl Coefficients {
     }
 
     /// The first and the last sign that is certain, and how often the sign changes.
-    fn signs(&self, uncertainty: f64) -> Signs {
-        let mut signs = Signs::default();
-        for value in self.get() {
-            if value.abs() > uncertainty {
-                let sign = value.signum();
-                signs.changes += u32::from(signs.last * sign < 0.0);
-                if signs.last == 0.0 {
-                    signs.first = sign;
-                }
-                signs.last = sign;
-            }
-        }
-        signs
+    fn signs(&self, uncertainty: f64) -> Variations {
+        Variations::of(self.get().iter().copied(), uncertainty)
     }
-}
-
-#[derive(Clone, Copy, Default)]
-struct Signs {
-    first: f64,
-    last: f64,
-    changes: u32,
 }
 
 impl UnitPolynomial {
@@ -145,7 +117,7 @@ impl UnitPolynomial {
     /// The derivative at `u`.
     pub(super) fn slope(&self, u: f64) -> f64 {
         let coefficients = self.coefficients().iter().enumerate().skip(1).rev();
-        coefficients.fold(0.0, |sum, (k, a)| sum * u + a * number(k))
+        coefficients.fold(0.0, |sum, (k, a)| sum * u + a * as_number(k))
     }
 
     /// The changes of sign, in order. Arguments that differ by `resolution` are not distinguished.
@@ -221,7 +193,7 @@ impl Iterator for SignChanges<'_> {
             };
             let signs = part.signs(self.polynomial.uncertainty(right));
             let from_before = self.sign * signs.first < 0.0;
-            let changes = signs.changes + u32::from(from_before);
+            let changes = signs.count + u32::from(from_before);
             let least = self.resolution.max(MIN_PART * self.left);
             if changes > 1 && right - self.left > least {
                 self.width = 0.5 * (right - self.left);
@@ -232,19 +204,13 @@ impl Iterator for SignChanges<'_> {
                 continue;
             }
             let start = self.sign;
-            if changes > 0 && start * signs.last <= 0.0 && (start != 0.0 || signs.changes % 2 == 1)
-            {
+            if changes > 0 && start * signs.last <= 0.0 && (start != 0.0 || signs.count % 2 == 1) {
                 return Some(self.change(signs.last, right));
             }
             (self.sign, self.certain) = (signs.last, right);
         }
         None
     }
-}
-
-/// A small number.
-fn number(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 /// A step that leads to a discontinuity surface, of one motion or of one in a lane.
-pub(super) struct Junction<'a, S: Scalar, D: Series<S> + ?Sized, const HALF: usize> {
+pub(super) struct StepToSurface<'a, S: Scalar, D: Series<S> + ?Sized, const HALF: usize> {
     pub(super) dynamics: &'a D,
     /// The state at its beginning.
     pub(super) from: &'a Compensated<D::State>,
@@ -78,7 +78,7 @@ impl<S: Scalar> Along<S> {
     }
 }
 
-impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Junction<'_, S, D, HALF> {
+impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D, HALF> {
     /// What becomes of the motion. `behind` is where series are computed; the number of evaluations is added.
     pub(super) fn pass(
         &self,

@@ -4,10 +4,10 @@ use core::ops::{AddAssign, Div, Mul, MulAssign};
 
 /// The rounding errors of a coefficient are at most as many machine epsilons of the sum of the magnitudes of all terms, times their
 /// number: a shift, a scaling and a sum of positive multiples, each of which adds one for each term.
-pub(super) const ROUNDINGS: f64 = 4.0;
+pub(crate) const ROUNDINGS: f64 = 4.0;
 
 /// Replaces the coefficients of p by bᵢ = Σ C(i, k)/C(n, k) cₖ, where p(a + (b − a) s) = Σ cₖ sᵏ.
-pub(super) fn between<T>(all: &mut [T], a: f64, b: f64)
+pub(crate) fn between<T>(all: &mut [T], a: f64, b: f64)
 where
     T: Copy + From<f64> + AddAssign + Mul<Output = T> + MulAssign + Div<Output = T>,
 {
@@ -37,16 +37,16 @@ where
 
 /// The changes of sign in a sequence.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Variations {
-    pub(super) first: f64,
-    pub(super) last: f64,
-    pub(super) count: u32,
+pub(crate) struct Variations {
+    pub(crate) first: f64,
+    pub(crate) last: f64,
+    pub(crate) count: u32,
     /// Whether some terms have no certain sign.
-    pub(super) is_uncertain: bool,
+    pub(crate) is_uncertain: bool,
 }
 
 impl Variations {
-    pub(super) fn of(values: impl Iterator<Item = f64>, least: f64) -> Self {
+    pub(crate) fn of(values: impl Iterator<Item = f64>, least: f64) -> Self {
         let mut variations = Self::default();
         for value in values {
             variations.push(value, least);
@@ -69,6 +69,6 @@ impl Variations {
 }
 
 /// A small number.
-pub(super) fn as_number(n: usize) -> f64 {
+pub(crate) fn as_number(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
