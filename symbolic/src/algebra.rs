@@ -8,6 +8,7 @@ pub(crate) mod contents;
 pub(crate) mod enclosure;
 pub(crate) mod interner;
 pub(crate) mod graph;
+pub(crate) mod node;
 pub(crate) mod sum;
 pub(crate) mod pythagoras;
 pub(crate) mod product;

@@ -1,0 +1,283 @@
+//! The loops over the orders of Taylor series, which emitted code calls with its recurrences.
+
+use nalgebra::SVector;
+
+use crate::integrate::{
+    BranchVisitor, Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions,
+    TaylorCoefficients,
+};
+use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MIN_CONVOLUTIONS};
+use crate::model::{Phase, State};
+use crate::scalar::Scalar;
+
+/// The coefficients of inputs of order 0, and those of order 1 and more in turn. Those that are not given are 0.
+#[inline]
+pub fn orders<S: Scalar, const U: usize>(
+    series: &[SVector<S, U>],
+) -> (SVector<S, U>, HigherOrders<'_, S, U>) {
+    let zero = SVector::from_element(S::zero());
+    let (initial, higher) = series.split_first().unwrap_or((&zero, &[]));
+    (*initial, HigherOrders(higher.iter()))
+}
+
+/// The coefficients of inputs from some order on.
+#[derive(Clone, Debug)]
+pub struct HigherOrders<'a, S: Scalar, const U: usize>(core::slice::Iter<'a, SVector<S, U>>);
+
+impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
+    /// Those of the next order.
+    #[inline]
+    #[allow(clippy::should_implement_trait)] // It has no end.
+    pub fn next(&mut self) -> SVector<S, U> {
+        let next = self.0.next().copied();
+        next.unwrap_or_else(|| SVector::from_element(S::zero()))
+    }
+}
+
+/// What the recurrence for the Taylor coefficients of order k reads.
+#[derive(Clone, Copy, Debug)]
+pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
+    /// The coefficient k of the coordinates.
+    pub q: SVector<S, N>,
+    /// That of the velocities, or of `W` quasi-velocities or other variables.
+    pub v: SVector<S, W>,
+    /// That of the time.
+    pub t: S,
+    /// k.
+    pub order: S,
+    /// 1/k.
+    pub reciprocal_order: S,
+    /// Sums of products of terms of lower orders.
+    pub convolutions: [S; PAIRS],
+}
+
+/// The Taylor polynomial of a motion: from `term`, which computes the accelerations of order k and the factors of the
+/// convolutions, and from the accelerations of order 0. `arrange` says what `pairs` say: the factors of each pair.
+#[inline]
+pub fn taylor_series<
+    S: Scalar,
+    const N: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const LANES: usize,
+    const HALF: usize,
+>(
+    state: &State<S, N>,
+    unit: S,
+    accelerations: SVector<S, N>,
+    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    pairs: &[[usize; 2]; PAIRS],
+    arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
+    mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
+) {
+    let term = |order: &Term<S, N, N, PAIRS>| {
+        let (rates, factors) = term(order);
+        (order.v, rates, factors)
+    };
+    expand::<_, _, _, _, _, LANES, HALF>(
+        (state, unit, accelerations),
+        coefficients,
+        (pairs, arrange),
+        Some,
+        term,
+    );
+}
+
+/// The same from the rates of `W` quasi-velocities or other variables of order 0, and from `term`, which computes the
+/// velocities and those rates of order k and the factors of the convolutions.
+#[inline]
+pub fn taylor_series_in_quasi_velocities<
+    S: Scalar,
+    const N: usize,
+    const W: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const LANES: usize,
+    const HALF: usize,
+>(
+    state: &State<S, N>,
+    unit: S,
+    rates: SVector<S, W>,
+    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    pairs: &[[usize; 2]; PAIRS],
+    arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
+    term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
+) {
+    expand::<_, _, _, _, _, LANES, HALF>(
+        (state, unit, rates),
+        coefficients,
+        (pairs, arrange),
+        |_| None,
+        term,
+    );
+}
+
+/// The coefficients of a motion from the rates of order 0, in the layout of the convolutions that suits the scalar.
+#[inline]
+fn expand<
+    S: Scalar,
+    const N: usize,
+    const W: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const LANES: usize,
+    const HALF: usize,
+>(
+    (state, unit, rates): (&State<S, N>, S, SVector<S, W>),
+    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    (pairs, arrange): (
+        &[[usize; 2]; PAIRS],
+        impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
+    ),
+    velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
+    term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
+) {
+    *coefficients.initial_mut() = state.x;
+    let first = (state.v * unit, rates * unit);
+    let higher = coefficients.higher_mut();
+    if const { pair_by_pair::<S, PAIRS, HALF>() } {
+        let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF, _>::new(arrange);
+        orders_of(unit, first, higher, pairs, convolutions, velocities, term);
+    } else {
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
+        orders_of(unit, first, higher, pairs, convolutions, velocities, term);
+    }
+}
+
+/// Whether the terms are stored for each pair: where vector registers hold several numbers, and the stack has room.
+const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
+    let size = size_of::<PairedConvolutions<S, PAIRS, 1, HALF>>();
+    size_of::<S>() <= size_of::<f64>() && size <= MAX_PAIRED_CONVOLUTIONS
+}
+
+/// The coefficients of the motion from that of order 1, one order after the other. Where the variables are the
+/// `velocities`, these are known before their term, which the last order then does not need.
+#[inline]
+fn orders_of<
+    S: Scalar,
+    const N: usize,
+    const W: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+>(
+    unit: S,
+    first: (SVector<S, N>, SVector<S, W>),
+    higher: &mut [Phase<S, N>],
+    pairs: &[[usize; 2]; PAIRS],
+    mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
+    velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
+    mut term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
+) {
+    let (mut q, mut v) = first;
+    let mut sums = [S::zero(); PAIRS];
+    let mut order = S::one();
+    let mut reciprocal_order = S::one();
+    let mut t = unit;
+    let last = higher.len().saturating_sub(1);
+    for (index, coefficient) in higher.iter_mut().enumerate() {
+        if index == last
+            && let Some(velocities) = velocities(v)
+        {
+            *coefficient = Phase { q, v: velocities };
+            return;
+        }
+        let (velocities, rates, factors) = term(&Term {
+            q,
+            v,
+            t,
+            order,
+            reciprocal_order,
+            convolutions: sums,
+        });
+        *coefficient = Phase { q, v: velocities };
+        if index == last {
+            return;
+        }
+        sums = convolutions.advance(&factors, pairs);
+        order += S::one();
+        reciprocal_order = S::one() / order;
+        t = S::zero();
+        let step = unit / order;
+        (q, v) = (velocities * step, rates * step);
+    }
+}
+
+/// The Taylor coefficients of event functions along a motion: from `term`, which computes the terms of order k and the
+/// factors of the convolutions, and from the values. Their sums are few, and have one layout on all scalars.
+#[inline]
+pub fn event_series<
+    S: Scalar,
+    const N: usize,
+    const EVENTS: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const HALF: usize,
+>(
+    unit: S,
+    motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    values: [S; EVENTS],
+    pairs: &[[usize; 2]; PAIRS],
+    term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
+) -> TaylorCoefficients<[S; EVENTS], HALF> {
+    if HALF < MIN_CONVOLUTIONS {
+        let convolutions = FewConvolutions::<S, FACTORS, HALF>::new();
+        series_by(convolutions, unit, motion, values, pairs, term)
+    } else {
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
+        series_by(convolutions, unit, motion, values, pairs, term)
+    }
+}
+
+/// The Taylor coefficients of event functions, with the convolutions.
+#[inline]
+fn series_by<
+    S: Scalar,
+    const N: usize,
+    const EVENTS: usize,
+    const FACTORS: usize,
+    const PAIRS: usize,
+    const HALF: usize,
+>(
+    mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
+    unit: S,
+    motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    values: [S; EVENTS],
+    pairs: &[[usize; 2]; PAIRS],
+    mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
+) -> TaylorCoefficients<[S; EVENTS], HALF> {
+    let mut series = TaylorCoefficients::new(values);
+    let mut factors = None;
+    let mut order = S::zero();
+    let mut t = unit;
+    for (coefficient, of_motion) in series.higher_mut().iter_mut().zip(motion.higher()) {
+        let sums = match &factors {
+            Some(factors) => convolutions.advance(factors, pairs),
+            None => [S::zero(); PAIRS],
+        };
+        order += S::one();
+        let (terms, next_factors) = term(&Term {
+            q: of_motion.q,
+            v: of_motion.v,
+            t,
+            order,
+            reciprocal_order: S::one() / order,
+            convolutions: sums,
+        });
+        *coefficient = terms;
+        factors = Some(next_factors);
+        t = S::zero();
+    }
+    series
+}
+
+/// Visits the series of arguments of branches.
+#[inline]
+pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
+    series: &TaylorCoefficients<[S; B], HALF>,
+    visit: &mut BranchVisitor<'_, S>,
+) {
+    for index in 0..B {
+        let values = core::iter::once(series.initial()).chain(series.higher());
+        visit(&mut values.map(|values| values[index]));
+    }
+}
