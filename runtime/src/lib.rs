@@ -15,11 +15,7 @@
 //!
 //! let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
 //! let start = State::new(0.0, [0.5], [0.0]);
-//! let end = Dop853::new()
-//!     .relative_tolerance(1e-10)
-//!     .absolute_tolerance(1e-12)
-//!     .integrate_to(&pendulum.dynamics(), start, 10.0)?
-//!     .state();
+//! let end = Problem::new(&pendulum, start).solve(10.0, Dop853::new())?;
 //! assert!((pendulum.energy(&end) - pendulum.energy(&start)).abs() < 1e-8);
 //! # Ok::<(), IntegrationError>(())
 //! ```
@@ -28,9 +24,9 @@
 //! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy,
 //!   inverse dynamics, derivatives. [`GeneralizedCoordinates`], [`Inputs`], [`Outputs`], [`Energies`] and
 //!   [`ExternalFunctions`] have the rest. A [`Plant`] is closed by static or dynamic feedback.
-//! - [`Dynamics`] is a system ẋ = f(t, x), which an [`Integrator`] steps; that of a model is
-//!   [`Lagrangian::dynamics`](trait@Lagrangian). A [`Driver`] adds stop conditions and observers.
-//!   [`Taylor`] steps what has a [`Series`]: models with the clause `taylor` do ([`MotionSeries`]).
+//! - [`Problem`] integrates a model from a state: what is watched and kept is said in any order, the method last. [`Taylor`]
+//!   takes what has a [`Series`]: models with the clause `taylor` do ([`MotionSeries`]); [`Dop853`] and [`RungeKutta`] take any
+//!   [`Dynamics`] ẋ = f(t, x).
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
 //!   [`DoubleDouble`], and [`Dual`] numbers, which have derivatives.
 //! - [`rigid_body`] has bodies, their momenta and Euler's equations, [`rotation`] Euler angles and quaternions, [`elliptic`]
