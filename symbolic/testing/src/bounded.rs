@@ -28,6 +28,10 @@ impl Bounded {
     /// f of this, for an f that is monotonic or even within the bound.
     fn through(self, f: impl Fn(f64) -> f64) -> Self {
         let value = f(self.value);
+        if !self.error.is_finite() {
+            // It may have no value, as a quotient by what may be zero: then nothing of it has one.
+            return Self::unbounded(value);
+        }
         let error = [self.value - self.error, self.value + self.error]
             .map(|end| (f(end) - value).abs())
             .into_iter()
