@@ -17,6 +17,7 @@ mod reactions;
 mod rounding;
 mod series_of_events;
 mod short_runs;
+mod functions_of_roundings;
 mod settings_compose;
 mod switch_derivatives;
 mod touches;

@@ -162,6 +162,9 @@ impl<V: Values> Memory<V> {
     }
 }
 
+/// The fractions of its multiples are as far from each other as they can be.
+const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_8;
+
 /// By how much the values change when the time and the state are moved by some rounding errors.
 pub(super) fn rounding<S, D, G>(
     source: &mut G,
@@ -178,10 +181,12 @@ where
     let epsilon = S::from_f64(part);
     let mut noise = G::Values::ZERO;
     for alternation in [1.0, -1.0] {
-        let mut sign = S::one();
+        // No two components by as much, so that no sum of them is moved by nothing.
+        let (mut sign, mut fraction) = (1.0, 0.0);
         let moved = x.map(|component| {
-            sign *= S::from_f64(alternation);
-            component + component * sign * epsilon
+            sign *= alternation;
+            fraction = (fraction + GOLDEN_RATIO) % 1.0;
+            component + component * S::from_f64(sign * (0.5 + fraction)) * epsilon
         });
         let time = t - alternation * t * MOVED_EPSILONS * f64::EPSILON.min(part);
         let there = source.values(dynamics, time, &moved);

@@ -1,0 +1,138 @@
+//! Event functions that rounding makes zero, or not zero, near the ends of runs.
+
+#![allow(clippy::unreadable_literal)] // Numbers of generated motions.
+
+use lagrangian::prelude::*;
+
+/// A stone whose event function is zero twice at nearly one place, where x² and x cancel to some roundings.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    potential = k * x,
+    event(near = x.powi(2) + x - height),
+)]
+struct Passing {
+    m: f64,
+    k: f64,
+    height: f64,
+}
+
+/// A motion, the ends of its runs, and which of a falling and a rising event occur in them.
+type Passes = (Passing, State<f64, 1>, &'static [f64], &'static [usize]);
+
+/// Made by a generator of motions.
+fn passes() -> [Passes; 3] {
+    let passing = |m, k, height| Passing { m, k, height };
+    [
+        (
+            passing(2.7, 2.087024555069434, -0.24999944019260698),
+            State::new(
+                -0.13906214945047823,
+                [-0.6028319240392666],
+                [1.7778838839658762],
+            ),
+            &[
+                -0.0809083143566686,
+                -0.08004463746006124,
+                -0.08004463746003676,
+                -0.08004463746003673,
+                3.1998268153397795,
+            ],
+            &[0, 1],
+        ),
+        (
+            passing(2.094979057031792, 1.5, -0.2499758541695797),
+            State::new(-1.8212595611993856, [-0.060215903728384035], [0.0]),
+            &[
+                -0.7191137281690557,
+                -0.7191137281690515,
+                -0.7191137281690512,
+                -0.70,
+            ],
+            &[0, 1],
+        ),
+        (
+            passing(2.074596697954788, 0.6478584632433317, -0.2499998971645968),
+            State::new(
+                -0.5681254972032801,
+                [0.08164259134833918],
+                [-1.5731558205617167],
+            ),
+            &[
+                -0.21086037205015792,
+                0.12400835322563453,
+                2.5927552232514666,
+            ],
+            &[0, 1],
+        ),
+    ]
+}
+
+#[test]
+fn zeros_of_a_pair_that_are_known_to_roundings_are_reported_once() {
+    for (model, start, ends, events) in passes() {
+        let equations = model.dynamics();
+        let watched = [Event::falling(), Event::rising()].map(|event| (Passing::NEAR, event));
+        let [mut last, mut stopped] = [start; 2];
+        let [mut seen, mut stops] = [const { Vec::new() }; 2];
+        for end in ends.iter().copied() {
+            let driver = Taylor::new().driver().declared_events(watched);
+            let motion = driver.sample(&equations, last, &[end]).unwrap();
+            seen.extend(motion.events().iter().map(|event| event.event));
+            last = *motion.last();
+            while stopped.t < end {
+                let watched = watched.map(|(index, event)| (index, event.terminal()));
+                let driver = Taylor::new().driver().declared_events(watched);
+                let outcome = driver.run_until(&equations, stopped, end).unwrap();
+                stops.extend(outcome.met.indices());
+                stopped = outcome.last;
+            }
+        }
+        assert_eq!(seen, events, "{model:?}");
+        assert_eq!(stops, events, "{model:?}, stopped");
+    }
+}
+
+/// A sum of two components that are rounded alike.
+#[derive(Lagrangian, Clone, Copy, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x, y),
+    kinetic = 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = wind * x,
+    event(turning = dot(x) + x),
+)]
+struct Blown {
+    wind: f64,
+}
+
+#[test]
+fn a_reaction_one_rounding_before_the_end_is_made_once() {
+    let blown = Blown {
+        wind: 0.7580517238909138,
+    };
+    let mut equations = blown.dynamics();
+    let start = State::new(
+        -1.8215684452999041,
+        [-2.211245056756958, 0.0],
+        [1.6669904174939725, 0.0],
+    );
+    let (mut last, mut seen) = (start, 0);
+    for end in [-0.6647199681899555, -0.5803254335133545, 3.2753344787038894] {
+        let driver = Dop853::new()
+            .relative_tolerance(1e-11)
+            .absolute_tolerance(1e-11)
+            .max_step(0.08439453467659974)
+            .driver()
+            .declared_events([(Blown::TURNING, Event::either())]);
+        let react = |_, _, _: &mut Phase<f64, 2>, _: &mut _| {
+            seen += 1;
+            Reaction::Changed
+        };
+        let outcome = driver.run_reacting(&mut equations, &last, end, react);
+        last = outcome.unwrap().last;
+    }
+    assert_eq!(seen, 2);
+}
