@@ -185,7 +185,7 @@ impl<V: Values> Memory<V> {
     }
 }
 
-/// Whether an event's function that is zero at two times is zero between them, or they cannot be told apart.
+/// Whether an event's function that is zero at two times is zero between them. Times that cannot be told apart are one.
 fn is_zero_between<S, D, G, T>(
     source: &mut G,
     step: &mut LastStep<'_, S, D, T>,
@@ -205,17 +205,18 @@ where
     let is_earlier = step.comes_before(from, step.begin());
     let from = if is_earlier { step.begin() } else { from };
     // Not in the middle, where a periodic function is zero between two of its zeros.
-    let [first, second, third] = BETWEEN;
-    let [start, end, between @ ..] = [0.0, 1.0, first, second, third].map(|part| {
+    let mut at = |part: f64| {
         let there = step.at(from + part * (to - from));
         let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
         let is_zero = junction.zeros.contains(event);
         (is_zero, junction.value(event), junction.noise(event))
-    });
+    };
+    let start = at(0.0);
     if is_earlier && !start.0 {
         return false;
     }
-    // What rounding makes of one value may be nothing by chance: of all together it is not, and zeros are no larger.
+    let (end, between) = (at(1.0), BETWEEN.map(&mut at));
+    // The rounding error of a single value may happen to be zero. So the largest of all counts, and values at zeros are such errors, too.
     let zeros = [start, end].into_iter().filter(|(is_zero, ..)| *is_zero);
     let zeros = zeros.map(|(_, value, _)| value.abs());
     let noises = between.iter().map(|(_, _, noise)| *noise);

@@ -162,8 +162,9 @@ impl<V: Values> Memory<V> {
     }
 }
 
-/// The fractions of its multiples are as far from each other as they can be.
-const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_8;
+/// 1/φ = φ − 1, the conjugate of the golden ratio: the fractional parts of its multiples differ, and are spread evenly (D. E. Knuth,
+/// *The Art of Computer Programming*, volume 3, 2nd edition 1998, section 6.4, theorem S).
+const GOLDEN_RATIO_CONJUGATE: f64 = 0.618_033_988_749_894_8;
 
 /// By how much the values change when the time and the state are moved by some rounding errors.
 pub(super) fn rounding<S, D, G>(
@@ -181,11 +182,11 @@ where
     let epsilon = S::from_f64(part);
     let mut noise = G::Values::ZERO;
     for alternation in [1.0, -1.0] {
-        // No two components by as much, so that no sum of them is moved by nothing.
+        // No two components by the same part of themselves: that would not change the sum of two opposite ones.
         let (mut sign, mut fraction) = (1.0, 0.0);
         let moved = x.map(|component| {
             sign *= alternation;
-            fraction = (fraction + GOLDEN_RATIO) % 1.0;
+            fraction = (fraction + GOLDEN_RATIO_CONJUGATE) % 1.0;
             component + component * S::from_f64(sign * (0.5 + fraction)) * epsilon
         });
         let time = t - alternation * t * MOVED_EPSILONS * f64::EPSILON.min(part);

@@ -43,7 +43,7 @@ impl Coefficients {
         self.values.get_mut(..self.count).unwrap_or_default()
     }
 
-    /// The Bernstein coefficients on the unit interval from those of powers.
+    /// The Bernstein coefficients on the unit interval, from the coefficients of powers.
     fn to_bernstein(mut self) -> Self {
         bernstein::between(self.get_mut(), 0.0, 1.0);
         self

@@ -10,7 +10,7 @@ use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MIN_CONVOLUTIONS};
 use crate::model::{Phase, State};
 use crate::scalar::Scalar;
 
-/// The coefficients of inputs of order 0, and those of order 1 and more in turn. Those that are not given are 0.
+/// The coefficients of inputs: of order 0, and one after the other from order 1 on. Missing ones are 0.
 #[inline]
 pub fn orders<S: Scalar, const U: usize>(
     series: &[SVector<S, U>],
@@ -25,7 +25,7 @@ pub fn orders<S: Scalar, const U: usize>(
 pub struct HigherOrders<'a, S: Scalar, const U: usize>(core::slice::Iter<'a, SVector<S, U>>);
 
 impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
-    /// Those of the next order.
+    /// The coefficients of the next order.
     #[inline]
     #[allow(clippy::should_implement_trait)] // It has no end.
     pub fn next(&mut self) -> SVector<S, U> {
@@ -39,9 +39,9 @@ impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
 pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
     /// The coefficient k of the coordinates.
     pub q: SVector<S, N>,
-    /// That of the velocities, or of `W` quasi-velocities or other variables.
+    /// The coefficient k of the velocities, or of `W` quasi-velocities or other variables.
     pub v: SVector<S, W>,
-    /// That of the time.
+    /// The coefficient k of the time.
     pub t: S,
     /// k.
     pub order: S,
@@ -83,8 +83,8 @@ pub fn taylor_series<
     );
 }
 
-/// The same from the rates of `W` quasi-velocities or other variables of order 0, and from `term`, which computes the
-/// velocities and those rates of order k and the factors of the convolutions.
+/// The Taylor polynomial of a motion in `W` quasi-velocities or other variables: from their rates of order 0, and from `term`, which
+/// computes the velocities and the rates of order k and the factors of the convolutions.
 #[inline]
 pub fn taylor_series_in_quasi_velocities<
     S: Scalar,
@@ -150,7 +150,7 @@ const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
     size_of::<S>() <= size_of::<f64>() && size <= MAX_PAIRED_CONVOLUTIONS
 }
 
-/// The coefficients of the motion from that of order 1, one order after the other. Where the variables are the
+/// The coefficients of the motion, one order after the other, from order 1 on. Where the variables are the
 /// `velocities`, these are known before their term, which the last order then does not need.
 #[inline]
 fn orders_of<

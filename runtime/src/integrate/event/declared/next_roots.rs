@@ -114,9 +114,8 @@ impl<const K: usize> DeclaredEvents<K> {
         (times, late)
     }
 
-    /// The time of an event at a root, moved by rounding errors until its function is not before its zero any more. Those of the
-    /// polynomial may be larger than those of the function, where terms of it cancel: then the zero is one of the function.
-    /// None if that is behind the window.
+    /// The time of an event at a root, moved by rounding errors until its function has reached zero: where terms of the polynomial cancel,
+    /// its rounding errors are larger than the function's, whose zero counts. None if that is behind the window.
     fn time_of<S, D, T>(
         &mut self,
         event: usize,
