@@ -19,11 +19,12 @@ struct Passing {
     height: f64,
 }
 
-/// A motion, the ends of its runs, and which of a falling and a rising event occur in them.
-type Passes = (Passing, State<f64, 1>, &'static [f64], &'static [usize]);
+/// A motion, the ends of its runs, and whether they stop at events, too: where the function is rounded between its zero and the stop,
+/// it is zero once more behind that.
+type Passes = (Passing, State<f64, 1>, &'static [f64], bool);
 
 /// Made by a generator of motions.
-fn passes() -> [Passes; 3] {
+fn passes() -> [Passes; 4] {
     let passing = |m, k, height| Passing { m, k, height };
     [
         (
@@ -33,14 +34,23 @@ fn passes() -> [Passes; 3] {
                 [-0.6028319240392666],
                 [1.7778838839658762],
             ),
+            &[-0.08004463746006124, 3.1998268153397795],
+            true,
+        ),
+        (
+            passing(2.7, 2.087024555069434, -0.24999944019260698),
+            State::new(
+                -0.13906214945047823,
+                [-0.6028319240392666],
+                [1.7778838839658762],
+            ),
             &[
                 -0.0809083143566686,
-                -0.08004463746006124,
                 -0.08004463746003676,
                 -0.08004463746003673,
                 3.1998268153397795,
             ],
-            &[0, 1],
+            false,
         ),
         (
             passing(2.094979057031792, 1.5, -0.2499758541695797),
@@ -51,7 +61,7 @@ fn passes() -> [Passes; 3] {
                 -0.7191137281690512,
                 -0.70,
             ],
-            &[0, 1],
+            true,
         ),
         (
             passing(2.074596697954788, 0.6478584632433317, -0.2499998971645968),
@@ -65,14 +75,14 @@ fn passes() -> [Passes; 3] {
                 0.12400835322563453,
                 2.5927552232514666,
             ],
-            &[0, 1],
+            true,
         ),
     ]
 }
 
 #[test]
 fn zeros_of_a_pair_that_are_known_to_roundings_are_reported_once() {
-    for (model, start, ends, events) in passes() {
+    for (model, start, ends, is_stopped) in passes() {
         let equations = model.dynamics();
         let watched = [Event::falling(), Event::rising()].map(|event| (Passing::NEAR, event));
         let [mut last, mut stopped] = [start; 2];
@@ -90,8 +100,10 @@ fn zeros_of_a_pair_that_are_known_to_roundings_are_reported_once() {
                 stopped = outcome.last;
             }
         }
-        assert_eq!(seen, events, "{model:?}");
-        assert_eq!(stops, events, "{model:?}, stopped");
+        assert_eq!(seen, [0, 1], "{model:?}");
+        if is_stopped {
+            assert_eq!(stops, [0, 1], "{model:?}, stopped");
+        }
     }
 }
 

@@ -204,24 +204,14 @@ where
     // Of an earlier step nothing is known: then the function has to be zero where this one begins.
     let is_earlier = step.comes_before(from, step.begin());
     let from = if is_earlier { step.begin() } else { from };
-    // Not in the middle, where a periodic function is zero between two of its zeros.
-    let mut at = |part: f64| {
+    let mut is_zero = |part: f64| {
         let there = step.at(from + part * (to - from));
         let junction = Junction::at(source, step.dynamics(), there.t, &there.x);
-        let is_zero = junction.zeros.contains(event);
-        (is_zero, junction.value(event), junction.noise(event))
+        junction.zeros.contains(event)
     };
-    let start = at(0.0);
-    if is_earlier && !start.0 {
+    if is_earlier && !is_zero(0.0) {
         return false;
     }
-    let (end, between) = (at(1.0), BETWEEN.map(&mut at));
-    // The rounding error of a single value may happen to be zero. So the largest of all counts, and values at zeros are such errors, too.
-    let zeros = [start, end].into_iter().filter(|(is_zero, ..)| *is_zero);
-    let zeros = zeros.map(|(_, value, _)| value.abs());
-    let noises = between.iter().map(|(_, _, noise)| *noise);
-    let noise = zeros.chain(noises).fold(0.0, f64::max);
-    // One of them may be rounded away from zero.
-    let are_zero = between.map(|(is_zero, value, _)| is_zero || value.abs() <= 2.0 * noise);
-    are_zero.iter().filter(|is_zero| **is_zero).count() > 1
+    // Not in the middle, where a periodic function is zero between two of its zeros. Rounding may move one of the values from zero.
+    BETWEEN.into_iter().filter(|part| is_zero(*part)).count() > 1
 }

@@ -105,14 +105,10 @@ impl<V: Values> Junction<V> {
         value.unwrap_or(f64::NAN)
     }
 
-    /// What rounding makes of a function.
-    pub(super) fn noise(&self, event: usize) -> f64 {
-        self.noise.as_slice().get(event).copied().unwrap_or(0.0)
-    }
-
     /// What a value has to exceed to show that a function has left its zero.
     fn hysteresis(&self, event: usize) -> f64 {
-        self.noise(event).max(self.value(event).abs())
+        let noise = self.noise.as_slice().get(event).copied().unwrap_or(0.0);
+        noise.max(self.value(event).abs())
     }
 }
 
