@@ -1,8 +1,7 @@
 //! Numerical integration of ordinary differential equations ẋ = f(t, x).
 //!
 //! Nothing here knows of mass matrices or angles: a [`Dynamics`] has a derivative, an error scale and
-//! singularities. A method ([`Integrator`]) starts a [`Stepper`]; a [`Driver`] takes its steps, locates
-//! the stop conditions and samples.
+//! singularities. A method ([`Integrator`]) starts a [`Stepper`]; a [`Problem`] says what is integrated, watched and kept.
 
 mod dynamics;
 mod singularity;
@@ -20,41 +19,32 @@ mod binary_logarithm;
 mod typical_sizes;
 mod taylor;
 mod event;
-mod stop_condition;
-mod reacting;
 mod observer;
 mod outcome;
 mod partial;
 #[cfg(feature = "alloc")]
 mod dense_solution;
-#[cfg(feature = "alloc")]
-mod trajectory;
 mod collector;
 mod integration;
 mod checkpoint;
-mod running_integration;
 mod driver;
 mod integrator;
 mod problem;
 #[cfg(test)]
 mod order_conditions;
 
-pub use at::{At, InitialValue};
+pub use at::At;
 pub use checkpoint::{Checkpoint, Resume};
 pub use dense_output::{DenseOutput, Interpolant};
 #[cfg(feature = "alloc")]
 pub use dense_solution::DenseSolution;
 pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
-pub use driver::Driver;
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
-pub use event::{
-    Both, Crossing, DeclaredEvents, Event, EventDynamics, EventValues, MetConditions, Occurrence,
-    Reaction, SingleNumber, Watched, ZeroCrossing,
-};
-pub use integrator::{IntegrationMethod, Integrator};
-pub use observer::{ObservationKind, Observer, Observers, Progress, Unobserved};
-pub use outcome::{Outcome, StopReason};
+pub use event::{EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber};
+pub use integrator::Integrator;
+pub use observer::{ObservationKind, Progress};
+pub use outcome::StopReason;
 pub use partial::Partial;
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
@@ -62,11 +52,9 @@ pub use problem::{End, Keep, Problem, Run, Solution, System, When};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };
-pub use running_integration::{RunningIntegration, Step, Steps};
 pub use singularity::Singularity;
 pub use step_polynomial::StepPolynomial;
 pub use stepper::{Advance, Statistics, Stepper};
-pub use stop_condition::{Predicate, StopCondition, Unconditional};
 pub(crate) use taylor::Running;
 pub use taylor::recurrences;
 pub use taylor::{
@@ -75,6 +63,4 @@ pub use taylor::{
 };
 pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
 pub use taylor::{Ensemble, TaylorLanes};
-#[cfg(feature = "alloc")]
-pub use trajectory::{PartialSolution, PartialTrajectory, Trajectory};
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};

@@ -63,18 +63,13 @@ pub use model::emitted as __private;
 #[cfg(feature = "derivative-checks")]
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
-    Advance, At, Both, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint,
-    ComponentName, Crossing, DeclaredEvents, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper,
-    Driver, Dynamics, Event, EventDynamics, EventValues, InitialValue, IntegrationError,
-    IntegrationMethod, Integrator, Interpolant, MetConditions, ObservationKind, Observer,
-    Observers, Occurrence, Outcome, Predicate, Progress, Reaction, Resume, RungeKutta,
-    RungeKuttaMemory, RungeKuttaStepper, RunningIntegration, Series, SetTypicalSizes, SingleNumber,
-    Singularity, Statistics, Step, StepPolynomial, Stepper, Steps, StopCondition, StopReason,
-    SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
-    Unconditional, Unobserved, Watched, WithSizes, ZeroCrossing,
+    Advance, At, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint, ComponentName,
+    DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Dynamics, EventDynamics, EventValues,
+    IntegrationError, Integrator, Interpolant, MetConditions, ObservationKind, Occurrence,
+    Progress, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper, Series, SetTypicalSizes,
+    SingleNumber, Singularity, Statistics, StepPolynomial, Stepper, StopReason, SwitchingFunction,
+    Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes, WithSizes,
 };
-#[cfg(feature = "alloc")]
-pub use integrate::{DenseSolution, PartialSolution, PartialTrajectory, Trajectory};
 pub use integrate::{Ensemble, TaylorLanes, recurrences};
 pub use integrate::{Partial, Problem, Solution};
 #[doc = include_str!("declaration.md")]

@@ -4,13 +4,12 @@
 
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
-    Advance, At, AugmentedPhase, ConstantsOfMotion, ControlledBy, Crossing, Dop853, Driver,
-    Dynamics, Energies, Event, Events, EventsWith, ExternalFunctions, GeneralizedCoordinates,
-    Inputs, IntegrationError, IntegrationMethod, Integrator, Interpolant, Lagrangian,
-    Linearization, ObservationKind, Observer, Occurrence, Outcome, Outputs, OutputsWith, Phase,
-    Plant, Progress, Reaction, RouthReduction, Routhian, RungeKutta, RunningIntegration, Scalar,
-    SetTypicalSizes, State, Statistics, Step, Stepper, StopReason, Taylor, VectorSpace,
-    WithController, WithInputs,
+    Advance, At, AugmentedPhase, ConstantsOfMotion, ControlledBy, Dop853, Dynamics, Energies,
+    Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError,
+    Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Occurrence, Outputs,
+    OutputsWith, Phase, Plant, Progress, RouthReduction, Routhian, RungeKutta, Scalar,
+    SetTypicalSizes, State, Statistics, Stepper, StopReason, Taylor, VectorSpace, WithController,
+    WithInputs,
 };
 pub use crate::{
     EnergyBalance, EnergyBalanceWith, Hamiltonian, HamiltonianWith, Regressor, RegressorWith,
@@ -29,6 +28,4 @@ pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
 pub use crate::problem::{Dense, Every, StepEnds};
-#[cfg(feature = "alloc")]
-pub use crate::{DenseSolution, PartialSolution, PartialTrajectory, Trajectory};
 pub use crate::{Problem, Solution};

@@ -3,6 +3,6 @@
 //! Programs name few of these: [`Every`], [`StepEnds`] and [`Dense`] for what is saved.
 
 #[cfg(feature = "alloc")]
-pub use crate::integrate::{Dense, Every, StepEnds};
+pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
 pub use crate::integrate::{End, Keep, Run, System, When};
 pub use crate::model::{SampledFeedback, SampledPhase};

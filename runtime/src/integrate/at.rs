@@ -54,6 +54,15 @@ impl<X> At<f64, X> {
     }
 }
 
+impl<S: Scalar, X> At<S, X> {
+    /// At a time that is one number: NaN where the lanes of a time differ.
+    pub(crate) fn at_one_time(self) -> At<f64, X> {
+        let (least, most) = (self.t.smallest(), self.t.largest());
+        let t = if least < most { f64::NAN } else { least };
+        At { t, x: self.x }
+    }
+}
+
 impl<S, X> From<(S, X)> for At<S, X> {
     fn from((t, x): (S, X)) -> Self {
         Self { t, x }
@@ -63,40 +72,5 @@ impl<S, X> From<(S, X)> for At<S, X> {
 impl<S: Clone, X: Clone> From<&At<S, X>> for At<S, X> {
     fn from(state: &Self) -> Self {
         state.clone()
-    }
-}
-
-/// The initial value of an integration: a state at a time ([`At`], [`State`](crate::State)), or a pair of a time and a
-/// state.
-#[diagnostic::on_unimplemented(
-    message = "an integration of `{X}` does not begin at `{Self}`",
-    label = "this is no state of the system",
-    note = "a mechanical system with `N` coordinates begins at a `State<S, N>`, of `N` coordinates and as many \
-            velocities, and under `with_controller` at a pair with the states of the controller, `(state, [0.0])`; \
-            under a control law `S` is `f64`, unless the struct has a type parameter or its declaration `scalar = f32`; \
-            other dynamics begin at a pair `(t, x)`"
-)]
-pub trait InitialValue<X> {
-    /// The state at a time that is one number: NaN where the lanes of a time differ.
-    fn into_initial(self) -> At<f64, X>;
-}
-
-impl<S: Scalar, X> InitialValue<X> for At<S, X> {
-    fn into_initial(self) -> At<f64, X> {
-        let (least, most) = (self.t.smallest(), self.t.largest());
-        let t = if least < most { f64::NAN } else { least };
-        At { t, x: self.x }
-    }
-}
-
-impl<S: Scalar, X: Clone> InitialValue<X> for &At<S, X> {
-    fn into_initial(self) -> At<f64, X> {
-        self.clone().into_initial()
-    }
-}
-
-impl<X> InitialValue<X> for (f64, X) {
-    fn into_initial(self) -> At<f64, X> {
-        self.into()
     }
 }

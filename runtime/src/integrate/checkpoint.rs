@@ -7,9 +7,9 @@ use super::integrator::Integrator;
 use crate::scalar::Scalar;
 
 /// The whole state of an integration in progress: time, state, what rounding has removed from them, and what the method
-/// remembers. Made by [`RunningIntegration::checkpoint`](crate::RunningIntegration::checkpoint); the integration goes on
-/// from it by [`Driver::resume`](crate::Driver::resume), to the last bit as if it had not stopped. The driver then has to
-/// watch for the same events in the same order, since their signs are stored, too: a zero at the time of the checkpoint is
+/// remembers. Made by [`Run::checkpoint`](crate::problem::Run::checkpoint); the integration goes on from it by
+/// [`Problem::resume`](crate::Problem::resume), to the last bit as if it had not stopped. The problem then has to watch for the
+/// same events in the same order, since their signs are stored, too: a zero at the time of the checkpoint is
 /// reported once.
 ///
 /// With the feature `serde` it is stored in any format that keeps the digits of numbers, where the components of the state
@@ -28,17 +28,15 @@ use crate::scalar::Scalar;
 /// struct Pendulum { m: f64, g: f64, l: f64 }
 ///
 /// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
-/// let (dynamics, driver) = (pendulum.dynamics(), Dop853::new().driver());
-/// let mut integration = driver.clone().start(&dynamics, State::new(0.0, [0.5], [0.0]))?;
+/// let problem = Problem::new(&pendulum, State::new(0.0, [0.5], [0.0]));
+/// let whole = problem.clone().solve(10.0, Dop853::new())?;
 /// // A step limit or a cancellation ends an integration where nothing is lost.
-/// let mut part = driver.clone().max_steps(7).start(&dynamics, State::new(0.0, [0.5], [0.0]))?;
-/// assert_eq!(part.advance_to(10.0)?.reason, StopReason::StepLimit);
+/// let mut part = problem.clone().max_steps(7).start(Dop853::new())?;
+/// assert_eq!(part.advance(10.0)?.reason, StopReason::StepLimit);
 /// let checkpoint = part.checkpoint();
 ///
-/// let mut resumed = driver.resume(&dynamics, checkpoint)?;
-/// integration.advance_to(10.0)?;
-/// resumed.advance_to(10.0)?;
-/// assert_eq!(resumed.state(), integration.state());
+/// let mut resumed = problem.resume(checkpoint, Dop853::new())?;
+/// assert_eq!(resumed.advance(10.0)?.last, whole.last);
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Clone, Debug)]

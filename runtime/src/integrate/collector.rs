@@ -1,9 +1,7 @@
-//! What a driver collects on the way.
+//! What is collected on the way.
 
 use super::at::At;
 use super::dynamics::Dynamics;
-#[cfg(feature = "alloc")]
-use super::event::Occurrence;
 use crate::scalar::Scalar;
 
 /// What is told of each sample and each step, in the order of time.
@@ -28,22 +26,3 @@ pub trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
 pub struct Uncollected;
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Uncollected {}
-
-/// The samples and the events.
-#[cfg(feature = "alloc")]
-pub(crate) struct Samples<X, S> {
-    pub(crate) samples: alloc::vec::Vec<At<f64, X>>,
-    pub(crate) events: alloc::vec::Vec<Occurrence<X, S>>,
-}
-
-#[cfg(feature = "alloc")]
-impl<S: Scalar, D: Dynamics<S> + ?Sized, T> Collector<S, D, T> for Samples<D::State, S> {
-    fn sample(&mut self, sample: &At<f64, D::State>) {
-        self.samples.push(sample.clone());
-    }
-
-    fn event(&mut self, event: usize, t: S, x: &D::State) {
-        let x = x.clone();
-        self.events.push(Occurrence { event, t, x });
-    }
-}

@@ -8,11 +8,10 @@ use super::collector::Collector;
 use super::dense_output::{DenseOutput, Interpolant};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::outcome::Outcome;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// A motion with the dense output of each of its steps, made by [`Driver::solve`](crate::Driver::solve).
+/// A motion with the dense output of each of its steps, kept by [`Dense`](crate::problem::Dense).
 ///
 /// It is as accurate between the ends of steps as the dense output of the method: of order 7 for
 /// [`Dop853`](crate::Dop853); for [`Taylor`](crate::Taylor) it is the polynomial of the step itself.
@@ -20,7 +19,7 @@ use crate::scalar::Scalar;
 pub struct DenseSolution<X, P, S = f64> {
     initial: At<f64, X>,
     segments: Vec<Segment<P>>,
-    outcome: Outcome<X>,
+    last: At<f64, X>,
     scalar: PhantomData<S>,
 }
 
@@ -32,31 +31,13 @@ struct Segment<P> {
 }
 
 impl<X, P, S> DenseSolution<X, P, S> {
-    pub(super) fn new(initial: At<f64, X>, segments: Segments<P>, outcome: Outcome<X>) -> Self {
+    pub(super) fn new(initial: At<f64, X>, segments: Segments<P>, last: At<f64, X>) -> Self {
         Self {
             initial,
             segments: segments.0,
-            outcome,
+            last,
             scalar: PhantomData,
         }
-    }
-
-    /// The state from which the motion begins.
-    #[must_use]
-    pub fn initial(&self) -> &At<f64, X> {
-        &self.initial
-    }
-
-    /// The state at which it ends.
-    #[must_use]
-    pub fn last(&self) -> &At<f64, X> {
-        &self.outcome.last
-    }
-
-    /// Why it ends there, and at what cost.
-    #[must_use]
-    pub fn outcome(&self) -> &Outcome<X> {
-        &self.outcome
     }
 
     /// The times at the ends of its steps and at events, the initial time first.
@@ -84,8 +65,8 @@ where
     ///
     /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
     pub fn at(&self, t: f64) -> Result<X, IntegrationError> {
-        if t - self.outcome.last.t == 0.0 {
-            return Ok(self.outcome.last.x.clone());
+        if t - self.last.t == 0.0 {
+            return Ok(self.last.x.clone());
         }
         let found = self.segment(t, |end, t| end <= t)?;
         Ok(found.map_or_else(

@@ -17,7 +17,7 @@ pub use stepper::Dop853Stepper;
 use super::checkpoint::Resume;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::integrator::{IntegrationMethod, Integrator};
+use super::integrator::Integrator;
 use super::stepper::Advance;
 use super::tolerance::Tolerance;
 use crate::limits::dormand_prince as limits;
@@ -53,7 +53,7 @@ const ALL_STAGES: usize = 16;
 /// integration may start from rest, but steps become ever smaller where a component comes near to zero and is not
 /// exactly zero. The integration ends near a singularity of the
 /// mass matrix where the estimated relative error of the accelerations exceeds the relative
-/// tolerance ([`Driver::singularity_tolerance`](crate::Driver::singularity_tolerance)).
+/// tolerance ([`Problem::singularity_tolerance`](crate::Problem::singularity_tolerance)).
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -164,8 +164,6 @@ impl Default for Dop853 {
         Self::new()
     }
 }
-
-impl IntegrationMethod for Dop853 {}
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Integrator<S, D> for Dop853 {
     type Stepper = Dop853Stepper<D::State>;

@@ -1,378 +1,323 @@
-//! The driver of an integration: limits, stop conditions, samples.
-//!
-//! Input: a method, the dynamics, the initial value, sample times and the final time. Output: samples to an
-//! observer, and the outcome. Nothing here allocates but [`Driver::sample`], which collects. Errors are values; the
-//! sample times are visited in order, each once.
+//! The driver of an integration: what it does before the first step, and how it goes on.
 
-mod events;
-mod run;
-
-pub(crate) use run::check_times;
-
-use super::at::InitialValue;
-#[cfg(feature = "alloc")]
-use super::collector::Samples;
-use super::collector::Uncollected;
-#[cfg(feature = "alloc")]
-use super::dense_output::DenseOutput;
-#[cfg(feature = "alloc")]
-use super::dense_solution::{DenseSolution, Segments};
+use super::at::At;
+use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
+use super::event::{
+    Detection, LastStep, Located, MetConditions, Occurring, Reaction, differs, moved,
+};
+use super::integration::{Beginning, Integration, Interruption, check_singularity};
 use super::integrator::Integrator;
-use super::observer::{Observer, Observers, Unobserved};
-use super::outcome::Outcome;
-#[cfg(feature = "alloc")]
-use super::reacting::{React, Unreacting};
-use super::stop_condition::{Extensible, Predicate, StopCondition, Unconditional};
-#[cfg(feature = "alloc")]
-use super::trajectory::{PartialSolution, PartialTrajectory, Trajectory};
-use crate::limits::MAX_STEPS;
+use super::observer::Observer;
+use super::outcome::{Outcome, StopReason};
+use super::problem::Reactions;
+use super::stepper::{Advance, Stepper as _, checked_state};
+use crate::limits::MIN_SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
 
-/// A method of integration with limits, a stop condition and an observer.
-///
-/// ```
-/// use core::ops::ControlFlow;
-/// use lagrangian::prelude::*;
-/// use lagrangian::nalgebra::SVector;
-///
-/// /// A stone: height and velocity.
-/// struct Stone;
-///
-/// impl Dynamics for Stone {
-///     type State = SVector<f64, 2>;
-///
-///     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
-///         SVector::from([x[1], -10.0])
-///     }
-/// }
-///
-/// let mut fastest = 0.0_f64;
-/// let outcome = Dop853::new()
-///     .driver()
-///     .max_steps(1000)
-///     .stop_at_zero(|_, x: &SVector<f64, 2>| x[0])
-///     .observe(|progress: &Progress<'_, SVector<f64, 2>>| {
-///         fastest = fastest.max(progress.x[1].abs());
-///         ControlFlow::Continue(())
-///     })
-///     .run_until(&Stone, (0.0, SVector::from([20.0, 0.0])), 10.0)?;
-/// assert_eq!(outcome.reason, StopReason::Condition);
-/// assert!((outcome.last.t - 2.0).abs() < 1e-9);
-/// assert!((fastest - 20.0).abs() < 1e-9);
-/// # Ok::<(), IntegrationError>(())
-/// ```
-///
-/// # Events and reactions
-///
-/// An event has a function, whose zeros are located within a step, and the direction in which it crosses zero. A reaction
-/// changes the state or the model there, and the integration goes on: a ball bounces where its height falls through zero.
-///
-/// ```
-/// use lagrangian::prelude::*;
-///
-/// #[derive(Lagrangian)]
-/// #[lagrangian(
-///     coordinates(height),
-///     kinetic = 0.5 * m * dot(height).powi(2),
-///     potential = m * g * height,
-/// )]
-/// struct Ball { m: f64, g: f64 }
-///
-/// let ball = Ball { m: 0.1, g: 10.0 };
-/// let start = State::new(0.0, [5.0], [0.0]);
-/// let driver = Dop853::new()
-///     .driver()
-///     .events(Event::falling(), |_, x: &Phase<f64, 1>| x.q[Ball::HEIGHT]);
-/// let bounce = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
-///     x.v[Ball::HEIGHT] *= -0.5;
-///     Reaction::Changed
-/// };
-/// let motion = driver.sample_reacting(&mut ball.dynamics(), start, &[2.995, 10.0], bounce)?;
-/// // It falls for 1 s and flies for 1 s, ½ s, ¼ s, …: the ninth bounce is at t = 3 − 2⁻⁷.
-/// assert_eq!(motion.events().iter().filter(|event| event.t < 2.995).count(), 9);
-/// // Then it is at rest.
-/// assert_eq!(motion.reason(), StopReason::Zeno);
-/// assert!((motion.last().t - 3.0).abs() < 1e-8);
-/// # Ok::<(), IntegrationError>(())
-/// ```
-///
-/// The flights become ever shorter here (Zeno behaviour), which ends the integration. A reaction to an event that is to
-/// hold the ball on the floor changes the model.
-///
-/// An integration consumes its driver; one with the same settings is a `clone()`.
+/// A method, what is watched, and limits: it takes steps until there is a reason to stop.
 #[derive(Clone, Debug)]
-pub struct Driver<I, C = Unconditional, O = Unobserved> {
+pub(crate) struct Driver<I, C, O> {
     pub(crate) integrator: I,
-    max_steps: u64,
-    singularity_tolerance: Option<f64>,
-    condition: C,
-    observer: O,
+    pub(crate) conditions: C,
+    pub(crate) observer: O,
+    pub(crate) singularity_tolerance: Option<f64>,
 }
 
-impl<I> Driver<I> {
-    /// The driver of a method, without stop condition and observer, and with at most 10⁸ steps.
-    #[must_use]
-    pub fn new(integrator: I) -> Self {
-        Self {
-            integrator,
-            max_steps: MAX_STEPS,
-            singularity_tolerance: None,
-            condition: Unconditional,
-            observer: Unobserved,
+/// What is asked of an integration from where it is.
+#[derive(Clone, Copy)]
+pub(crate) struct Course<'t> {
+    /// The times of samples.
+    pub(crate) samples: &'t [f64],
+    pub(crate) end: f64,
+    /// The largest number of steps, rejected ones included.
+    pub(crate) max_steps: u64,
+}
+
+impl Course<'_> {
+    /// An error unless the times are finite and advance in the direction from `start` to the end.
+    pub(crate) fn check(&self, start: f64) -> Result<(), IntegrationError> {
+        let times = self.samples.iter().chain([&self.end]);
+        if let Some(&time) = times.clone().find(|time| !time.is_finite()) {
+            return Err(IntegrationError::NonFiniteTime { time });
         }
+        let backwards = self.end < start;
+        let mut previous = start;
+        for (index, &time) in times.enumerate() {
+            if (time < previous && !backwards) || (time > previous && backwards) {
+                return Err(IntegrationError::UnorderedTimes {
+                    index,
+                    time,
+                    previous,
+                });
+            }
+            previous = time;
+        }
+        Ok(())
     }
 }
 
 impl<I, C, O> Driver<I, C, O> {
-    pub(crate) fn of_parts(
-        (integrator, condition, observer): (I, C, O),
-        (max_steps, singularity_tolerance): (u64, Option<f64>),
-    ) -> Self {
-        Self {
-            integrator,
-            max_steps,
-            singularity_tolerance,
-            condition,
-            observer,
-        }
-    }
-
-    /// Limits the number of steps, rejected ones included, of one call. Then the integration stops by
-    /// [`StopReason::StepLimit`](crate::StopReason::StepLimit), and can go on: from the last state, or, as if it had not stopped, as a
-    /// [`RunningIntegration`](crate::RunningIntegration).
-    #[must_use]
-    pub fn max_steps(mut self, steps: u64) -> Self {
-        self.max_steps = steps;
-        self
-    }
-
-    pub(crate) fn condition_mut(&mut self) -> &mut C {
-        &mut self.condition
-    }
-
-    /// The steps that are allowed at a time.
-    pub(crate) fn steps_at_a_time(&self) -> u64 {
-        self.max_steps
-    }
-
-    /// Sets the relative error of the accelerations at which the integration ends near a
-    /// singularity of the mass matrix. The error is estimated as the machine epsilon over the smallest relative
-    /// pivot. Infinity turns the check off.
-    ///
-    /// The default is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps, but not below 4096
-    /// machine epsilons, since the pivots of regular models are small, too.
-    #[must_use]
-    pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
-        self.singularity_tolerance = Some(tolerance);
-        self
-    }
-
-    /// Stops after the first step at whose end `condition(t, x)` holds. A closure names the type of the state, which is
-    /// that of the dynamics: `|t, x: &Phase<f64, N>|` of a mechanical system, `|t, x: &AugmentedPhase<f64, N, K>|`
-    /// under a controller with states.
-    ///
-    /// Conditions and [events](Self::events) all count, in whatever order they are set. In that order they are numbered: a
-    /// condition is one, and events as many as there are.
-    #[must_use]
-    pub fn stop_when<F>(self, condition: F) -> Driver<I, C::With<Predicate<F>>, O>
-    where
-        C: Extensible,
-    {
-        self.with_condition(Predicate(condition))
-    }
-
-    /// Adds conditions behind those that there are.
-    fn with_condition<E>(self, conditions: E) -> Driver<I, C::With<E>, O>
-    where
-        C: Extensible,
-    {
-        Driver {
-            integrator: self.integrator,
-            max_steps: self.max_steps,
-            singularity_tolerance: self.singularity_tolerance,
-            condition: self.condition.with(conditions),
-            observer: self.observer,
-        }
-    }
-
-    /// Calls `observer` at every sample, at every event and at the end of every step; it may stop the integration. Of several
-    /// observers each is called, in the order in which they are set, also where one before it stops.
-    #[must_use]
-    pub fn observe<E>(self, observer: E) -> Driver<I, C, Observers<O, E>> {
-        Driver {
-            integrator: self.integrator,
-            max_steps: self.max_steps,
-            singularity_tolerance: self.singularity_tolerance,
-            condition: self.condition,
-            observer: Observers(self.observer, observer),
-        }
-    }
-
-    /// Integrates from `initial` until the time `end`, which may lie before it, or until a condition or the observer
-    /// stops.
-    ///
-    /// # Errors
-    ///
-    /// Any of [`IntegrationError`].
-    pub fn run_until<S: Scalar, D: Dynamics<S> + ?Sized>(
-        self,
-        dynamics: &D,
-        initial: impl InitialValue<D::State>,
-        end: f64,
-    ) -> Result<Outcome<D::State>, IntegrationError>
-    where
-        I: Integrator<S, D>,
-        C: StopCondition<S, D>,
-        O: Observer<D::State>,
-    {
-        self.run_through(dynamics, initial, &[end])
-    }
-
-    /// Integrates through each of `times`, which advance in one direction from the initial time.
-    /// The observer sees the samples; nothing is collected.
-    ///
-    /// # Errors
-    ///
-    /// Any of [`IntegrationError`].
-    pub fn run_through<S: Scalar, D: Dynamics<S> + ?Sized>(
-        mut self,
-        dynamics: &D,
-        initial: impl InitialValue<D::State>,
-        times: &[f64],
-    ) -> Result<Outcome<D::State>, IntegrationError>
-    where
-        I: Integrator<S, D>,
-        C: StopCondition<S, D>,
-        O: Observer<D::State>,
-    {
-        let initial = initial.into_initial();
-        let (outcome, result) = self.run(dynamics, &initial, times, &mut Uncollected);
-        result.map(|()| outcome)
-    }
-
-    /// The motion from `initial` at each of `times`, which advance in one direction. An empty list
-    /// gives an empty trajectory.
-    ///
-    /// # Errors
-    ///
-    /// Any of [`IntegrationError`], with the samples up to then.
-    #[cfg(feature = "alloc")]
-    pub fn sample<S: Scalar, D: Dynamics<S> + ?Sized>(
-        mut self,
-        dynamics: &D,
-        initial: impl InitialValue<D::State>,
-        times: &[f64],
-    ) -> Result<Trajectory<D::State, S>, PartialTrajectory<D::State, S>>
-    where
-        I: Integrator<S, D>,
-        C: StopCondition<S, D>,
-        O: Observer<D::State>,
-    {
-        self.collect(&mut Unreacting(dynamics), initial, times)
-    }
-
-    #[cfg(feature = "alloc")]
-    fn collect<S: Scalar, D: Dynamics<S> + ?Sized>(
+    /// Integrates, and passes each sample and each step to the collector. The outcome is known after an error, too.
+    pub(crate) fn run<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
-        system: &mut impl React<S, D>,
-        initial: impl InitialValue<D::State>,
-        times: &[f64],
-    ) -> Result<Trajectory<D::State, S>, PartialTrajectory<D::State, S>>
+        (dynamics, reactions): (&mut D, &mut R),
+        initial: &At<f64, D::State>,
+        course: Course<'_>,
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
         I: Integrator<S, D>,
-        C: StopCondition<S, D>,
+        C: Detection<S, D>,
         O: Observer<D::State>,
     {
-        let mut samples = Samples {
-            samples: alloc::vec::Vec::with_capacity(times.len()),
-            events: alloc::vec::Vec::new(),
-        };
-        let initial = initial.into_initial();
-        let (outcome, result) = self.run_parts(system, &initial, times, &mut samples);
-        let Samples { samples, events } = samples;
-        let trajectory = Trajectory {
-            samples,
-            events,
-            outcome,
-        };
-        match result {
-            Ok(()) => Ok(trajectory),
-            Err(error) => Err(PartialTrajectory::new(error, trajectory)),
+        let checked = course.check(initial.t);
+        match checked.and_then(|()| self.begin(dynamics, initial)) {
+            Ok(mut stepper) => {
+                let parts = (&mut stepper, &mut None);
+                self.advance((dynamics, reactions), parts, course, collector)
+            }
+            Err(error) => (Outcome::at(initial.clone()), Err(error)),
         }
     }
 
-    /// The motion from `initial` until the time `end`, or until a condition or the observer stops, as a solution that can
-    /// be asked at any time.
-    ///
-    /// ```
-    /// use lagrangian::prelude::*;
-    /// # use lagrangian::nalgebra::SVector;
-    /// # struct Oscillator;
-    /// # impl Dynamics for Oscillator {
-    /// #     type State = SVector<f64, 2>;
-    /// #     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
-    /// #         SVector::from([x[1], -x[0]])
-    /// #     }
-    /// # }
-    /// // ẍ = −x.
-    /// let start = (0.0, SVector::from([0.0, 1.0]));
-    /// let solution = Dop853::new().driver().solve(&Oscillator, start, 10.0)?;
-    /// for t in [0.0, 0.3, 7.77, 10.0] {
-    ///     assert!((solution.at(t)?[0] - t.sin()).abs() < 1e-8);
-    /// }
-    /// assert!(solution.at(10.5).is_err());
-    /// # Ok::<(), IntegrationError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// Any of [`IntegrationError`], with the solution up to then.
-    #[cfg(feature = "alloc")]
-    #[allow(clippy::type_complexity)] // The interpolant is that of the method's stepper.
-    pub fn solve<S: Scalar, D: Dynamics<S> + ?Sized, T>(
-        mut self,
-        dynamics: &D,
-        initial: impl InitialValue<D::State>,
-        end: f64,
-    ) -> Result<
-        DenseSolution<D::State, T::Interpolant, S>,
-        PartialSolution<D::State, T::Interpolant, S>,
-    >
-    where
-        I: Integrator<S, D, Stepper = T>,
-        T: DenseOutput<S, D>,
-        C: StopCondition<S, D>,
-        O: Observer<D::State>,
-    {
-        self.collect_steps(&mut Unreacting(dynamics), initial, end)
-    }
-
-    #[cfg(feature = "alloc")]
-    #[allow(clippy::type_complexity)] // The interpolant is that of the method's stepper.
-    fn collect_steps<S: Scalar, D: Dynamics<S> + ?Sized, T>(
+    /// Goes on along a course, which is checked.
+    pub(crate) fn advance<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
-        system: &mut impl React<S, D>,
-        initial: impl InitialValue<D::State>,
-        end: f64,
-    ) -> Result<
-        DenseSolution<D::State, T::Interpolant, S>,
-        PartialSolution<D::State, T::Interpolant, S>,
-    >
+        (dynamics, reactions): (&mut D, &mut R),
+        (stepper, memory): (&mut I::Stepper, &mut Option<C::Memory>),
+        course: Course<'_>,
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
-        I: Integrator<S, D, Stepper = T>,
-        T: DenseOutput<S, D>,
-        C: StopCondition<S, D>,
+        I: Integrator<S, D>,
+        C: Detection<S, D>,
         O: Observer<D::State>,
     {
-        let mut segments = Segments::new();
-        let initial = initial.into_initial();
-        let (outcome, result) = self.run_parts(system, &initial, &[end], &mut segments);
-        let solution = DenseSolution::new(initial, segments, outcome);
-        match result {
-            Ok(()) => Ok(solution),
-            Err(error) => Err(PartialSolution::new(error, solution)),
+        let (t, x) = (stepper.time(), stepper.state().clone());
+        let mut outcome = Outcome::at(At { t, x });
+        let begun = memory.take();
+        let mut known =
+            begun.unwrap_or_else(|| self.conditions.begin(dynamics, t, &outcome.last.x));
+        let result = self.advance_parts(
+            (dynamics, reactions),
+            (&mut *stepper, &mut known),
+            course,
+            collector,
+            &mut outcome,
+        );
+        *memory = Some(known);
+        let result = result.map(|reason| outcome.reason = reason);
+        (outcome, result)
+    }
+
+    /// One part after the other, with a reaction between them.
+    fn advance_parts<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
+        &mut self,
+        (dynamics, reactions): (&mut D, &mut R),
+        (stepper, memory): (&mut I::Stepper, &mut C::Memory),
+        mut course: Course<'_>,
+        collector: &mut dyn Collector<S, D, I::Stepper>,
+        outcome: &mut Outcome<D::State>,
+    ) -> Result<StopReason, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: Detection<S, D>,
+        O: Observer<D::State>,
+    {
+        let start = outcome.last.t;
+        let end = course.end;
+        let min_pivot = self.min_pivot::<S, D>();
+        let step_limit = stepper
+            .statistics()
+            .attempts()
+            .saturating_add(course.max_steps);
+        let (mut beginning, mut is_visited) = (Beginning::Initial, true);
+        loop {
+            let next = update(dynamics, stepper, end)?;
+            let mut part = Integration {
+                dynamics: &*dynamics,
+                stepper: &mut *stepper,
+                start,
+                end,
+                waiting: &mut course.samples,
+                min_pivot,
+                step_limit,
+                condition: &mut self.conditions,
+                memory: &mut *memory,
+                update: next,
+                reacts: R::REACTS,
+                is_visited,
+                pending: None,
+                observer: &mut self.observer,
+                collector: &mut *collector,
+                outcome: &mut *outcome,
+            };
+            let (occurring, stop) = match part.run(beginning)? {
+                Interruption::Stop(reason) => return Ok(reason),
+                Interruption::Reaction(occurring, stop) => (occurring, stop),
+                Interruption::Update => {
+                    (is_visited, beginning) = (true, Beginning::Unchanged);
+                    continue;
+                }
+            };
+            is_visited = part.is_visited;
+            let (reaction, x) = self.react((&mut *dynamics, &mut *reactions), stepper, occurring);
+            match reaction {
+                Reaction::Unchanged => beginning = Beginning::Unchanged,
+                Reaction::Stop => {
+                    outcome.last.x = x;
+                    outcome.met = occurring.events;
+                    return Ok(StopReason::Condition);
+                }
+                Reaction::Changed => {
+                    outcome.met = self.begin_anew(dynamics, stepper, memory, occurring, &x)?;
+                    outcome.last.x = x;
+                    outcome.statistics = stepper.statistics();
+                    if outcome.met.any() {
+                        return Ok(StopReason::Zeno);
+                    }
+                    (is_visited, beginning) = (true, Beginning::Changed);
+                }
+            }
+            if let Some(reason) = stop {
+                return Ok(reason);
+            }
         }
+    }
+
+    /// The reactions to events of one time, in the order of their indices, and the state at that time of the stepper.
+    fn react<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
+        &mut self,
+        (dynamics, reactions): (&mut D, &mut R),
+        stepper: &mut I::Stepper,
+        occurring: Occurring,
+    ) -> (Reaction, D::State)
+    where
+        I: Integrator<S, D>,
+        C: Detection<S, D>,
+    {
+        let step = stepper.time() - stepper.previous_time();
+        let At { t, mut x } = LastStep::new(&*dynamics, stepper).at(occurring.t);
+        let here = S::from_f64(t);
+        let mut all = Reaction::Unchanged;
+        for event in occurring.events.indices() {
+            let located = Located {
+                dynamics: &*dynamics,
+                t,
+                x: &x,
+                step,
+            };
+            let delay = located.delay(&mut self.conditions, event);
+            let before = moved(&*dynamics, here, &x, delay);
+            let mut there = before.clone();
+            match reactions.react(event, here + delay, &mut there, dynamics) {
+                Reaction::Unchanged if !differs(&before, &there) => {}
+                Reaction::Unchanged | Reaction::Changed => {
+                    all = Reaction::Changed;
+                    x = moved(&*dynamics, here + delay, &there, -delay);
+                }
+                Reaction::Stop => return (Reaction::Stop, there),
+            }
+        }
+        (all, x)
+    }
+
+    /// Begins anew from the state that a reaction has left. The events that occur again and again in too short a time.
+    fn begin_anew<S: Scalar, D: Dynamics<S>>(
+        &mut self,
+        dynamics: &D,
+        stepper: &mut I::Stepper,
+        memory: &mut C::Memory,
+        occurring: Occurring,
+        x: &D::State,
+    ) -> Result<MetConditions, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: Detection<S, D>,
+    {
+        let step = stepper.time() - stepper.previous_time();
+        let (t, x) = (occurring.t, x.clone());
+        self.check_state(dynamics, &At { t, x: x.clone() })?;
+        stepper.restart_at(dynamics, t, x.clone())?;
+        let condition = &mut self.conditions;
+        Ok(condition.restart(memory, dynamics, occurring, &x, step))
+    }
+
+    /// Checks the settings and the initial value. The singularity comes before the derivative: where M is
+    /// singular, the accelerations are not finite, and an error about them would say less.
+    pub(crate) fn begin<S: Scalar, D: Dynamics<S>>(
+        &self,
+        dynamics: &D,
+        initial: &At<f64, D::State>,
+    ) -> Result<I::Stepper, IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: Detection<S, D>,
+    {
+        self.check_state(dynamics, initial)?;
+        self.integrator
+            .start(dynamics, initial.t, initial.x.clone())
+    }
+
+    /// An error unless the settings are valid and the state is finite and regular.
+    pub(crate) fn check_state<S: Scalar, D: Dynamics<S>>(
+        &self,
+        dynamics: &D,
+        initial: &At<f64, D::State>,
+    ) -> Result<(), IntegrationError>
+    where
+        I: Integrator<S, D>,
+        C: Detection<S, D>,
+    {
+        self.conditions.check(dynamics)?;
+        if let Some(tolerance) = self
+            .singularity_tolerance
+            .filter(|&tolerance| tolerance.is_nan() || tolerance <= 0.0)
+        {
+            return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
+        }
+        checked_state(dynamics, initial.t, &initial.x)?;
+        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())
+    }
+
+    /// The smallest relative pivot that does not end the integration.
+    fn min_pivot<S: Scalar, D: Dynamics<S>>(&self) -> f64
+    where
+        I: Integrator<S, D>,
+    {
+        let epsilon = S::machine_epsilon();
+        let allowed = self.singularity_tolerance.unwrap_or_else(|| {
+            self.integrator
+                .singularity_tolerance()
+                .max(MIN_SINGULARITY_TOLERANCE * epsilon)
+        });
+        epsilon / allowed
+    }
+}
+
+/// Updates the state, if it is time to, and tells when the next update is, if the motion comes there: updates are of a motion
+/// forwards in time.
+fn update<S: Scalar, D: Dynamics<S>>(
+    dynamics: &D,
+    stepper: &mut impl Advance<S, D>,
+    end: f64,
+) -> Result<Option<f64>, IntegrationError> {
+    let t = stepper.time();
+    let Some(mut next) = dynamics.next_update(stepper.state()) else {
+        return Ok(None);
+    };
+    if next <= t && t <= end {
+        let mut x = stepper.state().clone();
+        dynamics.update(S::from_f64(t), &mut x);
+        next = dynamics.next_update(&x).unwrap_or(f64::INFINITY);
+        checked_state(dynamics, t, &x)?;
+        stepper.restart_at(dynamics, t, x)?;
+    }
+    if next > t || t > end {
+        Ok(Some(next).filter(|next| *next < end))
+    } else {
+        Err(IntegrationError::InvalidUpdate { time: t, next })
     }
 }

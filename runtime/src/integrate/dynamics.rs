@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 /// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
 ///
 /// ```
-/// use lagrangian::{Dop853, Dynamics, Integrator};
+/// use lagrangian::{At, Dop853, Dynamics, Problem};
 /// use lagrangian::nalgebra::SVector;
 ///
 /// /// ẋ = −x.
@@ -26,14 +26,14 @@ use crate::scalar::Scalar;
 ///     }
 /// }
 ///
-/// let end = Dop853::new().integrate_to(&Decay, (0.0, SVector::from([1.0])), 1.0)?;
-/// assert!((end.x[0] - (-1.0_f64).exp()).abs() < 1e-9);
+/// let start = At { t: 0.0, x: SVector::from([1.0]) };
+/// let end = Problem::new(&Decay, start).solve(1.0, Dop853::new())?;
+/// assert!((end[0] - (-1.0_f64).exp()).abs() < 1e-9);
 /// # Ok::<(), lagrangian::IntegrationError>(())
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not something that an integrator steps",
-    note = "a model enters as `&model.dynamics()`, or under a control law as `&model.controlled_by(…)` or \
-            `&model.with_controller(…)`, whose law returns as many numbers as there are inputs"
+    note = "a model enters by reference, `Problem::new(&model, start)`; a control law returns as many numbers as there are inputs"
 )]
 pub trait Dynamics<S: Scalar = f64> {
     /// The state x.

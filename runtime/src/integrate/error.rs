@@ -9,7 +9,7 @@ use crate::number_format::Readable;
 
 /// Why an integration could not start or could not continue.
 ///
-/// Errors are values; an integrator never panics. The samples before the error are in `PartialTrajectory`.
+/// Errors are values; an integrator never panics. The solution before the error is in [`Partial`](crate::Partial).
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError {
@@ -85,8 +85,9 @@ pub enum IntegrationError {
         /// The switching function that is zero there, such as ẋ for `signum(dot(x))`.
         function: &'static str,
     },
-    /// So many steps were taken before the end that the integration gave up. A [`Driver`](crate::Driver) stops without
-    /// an error instead, by [`StopReason::StepLimit`](crate::StopReason::StepLimit).
+    /// So many steps were taken before the end that the integration gave up. With a limit that
+    /// is set by [`Problem::max_steps`](crate::Problem::max_steps) it stops without an error instead, by
+    /// [`StopReason::StepLimit`](crate::StopReason::StepLimit).
     TooManySteps {
         /// The time reached.
         time: f64,

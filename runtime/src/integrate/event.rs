@@ -1,7 +1,7 @@
 //! Events: zeros of functions of time and state within the steps of an integration.
 //!
 //! Comes in: the last step of any method. Goes out: where in it which events occur, in the order of time. What happens
-//! then is the driver's business. Nothing here allocates.
+//! then is decided elsewhere. Nothing here allocates.
 //!
 //! L. F. Shampine & S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000)
 //! 43–54, show that the error of an integration which restarts at an event is of the order of the method.
@@ -17,7 +17,6 @@ mod sampling;
 mod sides;
 mod values;
 mod functions;
-mod state_function;
 mod event_dynamics;
 mod polynomial;
 mod window;
@@ -26,17 +25,16 @@ mod declared;
 mod event_time;
 mod met_conditions;
 
-pub use both::Both;
-pub use declared::DeclaredEvents;
+pub(crate) use declared::DeclaredEvents;
 pub(crate) use detection::{Detection, EventFunctions, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
 pub(crate) use event_time::{Located, differs, moved};
-pub use functions::{EventValues, Watched, ZeroCrossing};
+pub use functions::EventValues;
+pub(crate) use functions::{FunctionOfState, PredicateOfState};
 pub(crate) use last_step::LastStep;
 pub(crate) use location::Bracket;
 pub(crate) use memory::{Memory, Remembers};
 pub use met_conditions::MetConditions;
-pub(crate) use state_function::{FunctionOfState, PredicateOfState};
 
 /// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +130,7 @@ impl Event {
     }
 }
 
-/// What is to happen after the reaction to an event ([`Driver::run_reacting`](crate::Driver::run_reacting)).
+/// What is to happen after the reaction to an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reaction {
     /// Nothing was changed: the integration goes on as if nothing had happened. A state that was changed all the same counts as

@@ -1,4 +1,4 @@
-//! The loop of the driver: steps, samples, events and observations.
+//! The loop of an integration: steps, samples, events and observations.
 
 use super::at::At;
 use super::collector::Collector;
@@ -9,12 +9,10 @@ use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::singularity::Singularity;
 use super::stepper::Advance;
-use super::stop_condition::StopCondition;
 use crate::scalar::Scalar;
 
 /// An integration in progress, with the same dynamics.
-pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S> + ?Sized, T, C: Detection<S, D>, O>
-{
+pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S>, T, C: Detection<S, D>, O> {
     pub(crate) dynamics: &'a D,
     pub(crate) stepper: &'a mut T,
     pub(crate) start: f64,
@@ -69,9 +67,9 @@ impl From<StopReason> for Interruption {
 impl<S, D, T, C, O> Integration<'_, '_, S, D, T, C, O>
 where
     S: Scalar,
-    D: Dynamics<S> + ?Sized,
+    D: Dynamics<S>,
     T: Advance<S, D>,
-    C: StopCondition<S, D>,
+    C: Detection<S, D>,
     O: Observer<D::State>,
 {
     /// Steps until there is a reason to stop or to react, and counts the cost.
@@ -281,7 +279,6 @@ where
         events: MetConditions,
         there: &At<f64, D::State>,
     ) -> Result<(), StopReason> {
-        self.outcome.occurred = self.outcome.occurred.or(events);
         let mut told = Ok(());
         let mut stopping = MetConditions::default();
         for event in events.indices() {
@@ -349,7 +346,7 @@ where
             end: self.end,
             statistics: self.stepper.statistics(),
         };
-        let stopping = self.observer.stopping(&progress);
+        let stopping = self.observer.observe(&progress);
         if stopping.any() {
             self.outcome.met = stopping;
             return Err(StopReason::Observer);

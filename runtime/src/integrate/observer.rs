@@ -1,34 +1,17 @@
 //! Observers of an integration.
 
 use core::ops::ControlFlow;
-use core::sync::atomic::{AtomicBool, Ordering};
 
 use super::event::MetConditions;
 use super::stepper::Statistics;
 
-/// What a [`Driver`](crate::Driver) calls at every sample, at every event and at the end of every step: a closure that
-/// takes a [`Progress`], or a type of your own.
+/// Functions that are called on the way.
 pub trait Observer<X> {
-    /// Called with the present state; [`ControlFlow::Break`] stops the integration.
-    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()>;
+    /// How many there are.
+    const COUNT: usize;
 
-    /// Which of the observers that this one is made of stop the integration, in [`Outcome::met`](crate::Outcome::met).
-    #[doc(hidden)]
-    fn stopping(&mut self, progress: &Progress<'_, X>) -> MetConditions {
-        MetConditions::of(core::iter::once(self.observe(progress).is_break()))
-    }
-
-    /// How many observers this one is made of.
-    #[doc(hidden)]
-    fn count(&self) -> usize {
-        1
-    }
-}
-
-impl<X, F: FnMut(&Progress<'_, X>) -> ControlFlow<()>> Observer<X> for F {
-    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
-        self(progress)
-    }
+    /// Calls each. Those that stop the integration.
+    fn observe(&mut self, progress: &Progress<'_, X>) -> MetConditions;
 }
 
 /// What a function that is called on the way returns: nothing, or whether the integration goes on.
@@ -58,86 +41,29 @@ impl Flow for ControlFlow<()> {
 pub struct EachStep<F>(pub(super) F);
 
 impl<X, A: Flow, F: FnMut(&Progress<'_, X>) -> A> Observer<X> for EachStep<F> {
-    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
-        (self.0)(progress).flow()
+    const COUNT: usize = 1;
+
+    fn observe(&mut self, progress: &Progress<'_, X>) -> MetConditions {
+        MetConditions::of(core::iter::once((self.0)(progress).flow().is_break()))
     }
 }
 
-/// Cancellation, from another thread too: the integration stops at the end of the step in which the flag becomes true.
-///
-/// ```
-/// use core::sync::atomic::{AtomicBool, Ordering};
-/// use lagrangian::prelude::*;
-/// # use lagrangian::nalgebra::SVector;
-/// # struct Oscillator;
-/// # impl Dynamics for Oscillator {
-/// #     type State = SVector<f64, 2>;
-/// #     fn derivative(&self, _: f64, x: &Self::State) -> Self::State {
-/// #         SVector::from([x[1], -x[0]])
-/// #     }
-/// # }
-///
-/// let cancelled = AtomicBool::new(false);
-/// let outcome = std::thread::scope(|scope| {
-///     scope.spawn(|| cancelled.store(true, Ordering::Relaxed));
-///     let start = (0.0, SVector::from([1.0, 0.0]));
-///     let driver = RungeKutta::classical(1e-9).driver().observe(&cancelled);
-///     driver.run_until(&Oscillator, start, 1e6)
-/// })?;
-/// assert_eq!(outcome.reason, StopReason::Observer);
-/// # Ok::<(), IntegrationError>(())
-/// ```
-///
-/// An observer that does more asks the flag itself.
-impl<X> Observer<X> for &AtomicBool {
+impl<X> Observer<X> for () {
+    const COUNT: usize = 0;
+
     #[inline]
-    fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
-        if self.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+    fn observe(&mut self, _: &Progress<'_, X>) -> MetConditions {
+        MetConditions::default()
     }
 }
 
-/// No observer.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Unobserved;
-
-impl<X> Observer<X> for Unobserved {
-    #[inline]
-    fn observe(&mut self, _: &Progress<'_, X>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn count(&self) -> usize {
-        0
-    }
-}
-
-/// The observers of a [`Driver`](crate::Driver), each of which is called; made by
-/// [`Driver::observe`](crate::Driver::observe).
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Observers<A, B>(pub(crate) A, pub(crate) B);
-
-impl<X, A: Observer<X>, B: Observer<X>> Observer<X> for Observers<A, B> {
-    #[inline]
-    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
-        if self.stopping(progress).any() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
+impl<X, A: Observer<X>, B: Observer<X>> Observer<X> for (A, B) {
+    const COUNT: usize = A::COUNT + B::COUNT;
 
     #[inline]
-    fn stopping(&mut self, progress: &Progress<'_, X>) -> MetConditions {
-        let first = self.0.stopping(progress);
-        first.or(self.1.stopping(progress).shifted(self.0.count()))
-    }
-
-    fn count(&self) -> usize {
-        self.0.count() + self.1.count()
+    fn observe(&mut self, progress: &Progress<'_, X>) -> MetConditions {
+        let first = self.0.observe(progress);
+        first.or(self.1.observe(progress).shifted(A::COUNT))
     }
 }
 

@@ -18,8 +18,8 @@ pub enum StopReason {
     Zeno,
     /// An observer stopped it.
     Observer,
-    /// The steps that the driver allows at a time were taken ([`Driver::max_steps`](crate::Driver::max_steps)). It can go
-    /// on from there.
+    /// As many steps were taken as are allowed at a time ([`Problem::max_steps`](crate::Problem::max_steps)). It can go on from
+    /// there.
     StepLimit,
     /// An error stopped it.
     Error,
@@ -35,8 +35,6 @@ pub struct Outcome<X> {
     /// Which stop conditions were met there, or which events occurred, or which observers stopped: those that are the reason,
     /// numbered in the order in which they were set, and none for another reason.
     pub met: MetConditions,
-    /// Which events have occurred at any time. An observer sees each of them, and a trajectory lists them.
-    pub occurred: MetConditions,
     /// Its cost.
     pub statistics: Statistics,
 }
@@ -48,7 +46,6 @@ impl<X> Outcome<X> {
             last,
             reason: StopReason::Error,
             met: MetConditions::default(),
-            occurred: MetConditions::default(),
             statistics: Statistics::default(),
         }
     }

@@ -16,26 +16,27 @@ mod watch;
 pub use keep::{Dense, Every, StepEnds};
 pub use keep::{End, Keep};
 pub use run::Run;
+pub(crate) use solution::Events;
 pub use solution::Solution;
 pub use system::System;
 pub use watch::When;
 
 use core::marker::PhantomData;
 
-use super::at::{At, InitialValue as _};
+use super::at::At;
 use super::collector::Collector;
-use super::driver::Driver;
+use super::driver::{Course, Driver};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
+use super::event::Detection;
 use super::integrator::Integrator;
-use super::observer::{EachStep, Flow, Observer, Observers, Progress, Unobserved};
+use super::observer::{EachStep, Flow, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::partial::Partial;
-use super::stop_condition::{Extensible, StopCondition, Unconditional};
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 use keep::{Begun, Collecting};
-use reaction::{Changing, Reactions};
+pub(crate) use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
 ///
@@ -74,7 +75,7 @@ use reaction::{Changing, Reactions};
 /// ```
 #[must_use = "a problem is integrated by `solve`"]
 #[derive(Clone, Debug)]
-pub struct Problem<S, D, K = End, C = Unconditional, R = (), O = Unobserved>
+pub struct Problem<S, D, K = End, C = (), R = (), O = ()>
 where
     S: Scalar,
     D: Dynamics<S>,
@@ -105,12 +106,23 @@ struct Limits {
 }
 
 impl Limits {
+    /// A method with what is watched, and these limits.
     fn driver<I, C, O>(self, method: I, conditions: C, observer: O) -> Driver<I, C, O> {
-        let max_steps = self.max_steps.unwrap_or(MAX_STEPS);
-        Driver::of_parts(
-            (method, conditions, observer),
-            (max_steps, self.singularity_tolerance),
-        )
+        Driver {
+            integrator: method,
+            conditions,
+            observer,
+            singularity_tolerance: self.singularity_tolerance,
+        }
+    }
+
+    /// The way to an end within these limits.
+    fn course(self, samples: &[f64], end: f64) -> Course<'_> {
+        Course {
+            samples,
+            end,
+            max_steps: self.max_steps.unwrap_or(MAX_STEPS),
+        }
     }
 
     /// An error at the largest number of steps, unless a limit is set.
@@ -134,13 +146,13 @@ impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
     {
         Self {
             dynamics: system.into_dynamics(),
-            start: start.into_initial(),
+            start: start.at_one_time(),
             keep: End,
             watch: Watch {
-                conditions: Unconditional,
+                conditions: (),
                 count: 0,
                 reactions: (),
-                observer: Unobserved,
+                observer: (),
             },
             limits: Limits::default(),
             scalar: PhantomData,
@@ -188,7 +200,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// Calls `observer` at every sample, at every event and at the end of every step. It returns nothing, or
     /// `ControlFlow::Break(())` where the integration is to end. Of several observers each is called, in the order in which they
     /// are set, also where one before it stops.
-    pub fn each_step<F, A>(self, observer: F) -> Problem<S, D, K, C, R, Observers<O, EachStep<F>>>
+    pub fn each_step<F, A>(self, observer: F) -> Problem<S, D, K, C, R, (O, EachStep<F>)>
     where
         F: FnMut(&Progress<'_, D::State>) -> A,
         A: Flow,
@@ -197,7 +209,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             conditions: watch.conditions,
             count: watch.count,
             reactions: watch.reactions,
-            observer: Observers(watch.observer, EachStep(observer)),
+            observer: (watch.observer, EachStep(observer)),
         })
     }
 
@@ -206,13 +218,12 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         self,
         conditions: E,
         reaction: impl FnOnce(R, usize) -> A,
-    ) -> Problem<S, D, K, C::With<E>, A, O>
+    ) -> Problem<S, D, K, (C, E), A, O>
     where
-        C: Extensible,
-        E: StopCondition<S, D>,
+        E: Detection<S, D>,
     {
         self.watching(|watch| Watch {
-            conditions: watch.conditions.with(conditions),
+            conditions: (watch.conditions, conditions),
             count: watch.count + E::COUNT,
             reactions: reaction(watch.reactions, watch.count),
             observer: watch.observer,
@@ -246,7 +257,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>>
     where
         I: Integrator<S, D>,
-        C: StopCondition<S, D>,
+        C: Detection<S, D>,
         R: Reactions<S, D>,
         O: Observer<D::State>,
         K: Keep<S, D, I::Stepper>,
@@ -254,12 +265,10 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         let (limits, start, mut watch) = (self.limits, self.start, self.watch);
         let mut driver = limits.driver(method, watch.conditions, watch.observer);
         let begun = self.keep.begin(&start, end);
-        let mut system = Changing {
-            dynamics: &mut self.dynamics,
-            reactions: &mut watch.reactions,
-        };
-        collected::<_, _, _, K>(begun, start, limits, |start, times, collector| {
-            driver.run_parts(&mut system, start, times, collector)
+        let system = (&mut self.dynamics, &mut watch.reactions);
+        collected::<_, _, _, K>(begun, start, limits, |start, samples, collector| {
+            let course = limits.course(samples, end);
+            driver.run(system, start, course, collector)
         })
     }
 }

@@ -8,7 +8,7 @@ use super::checkpoint::Resume;
 use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::integrator::{IntegrationMethod, Integrator};
+use super::integrator::Integrator;
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stepper::{checked_derivative, checked_state, remaining};
 use crate::limits::{FIXED_STEP_SINGULARITY_TOLERANCE, fixed_steps};
@@ -80,7 +80,7 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
 /// the integration ends where the estimated relative error of the accelerations exceeds 10⁻⁶.
 ///
 /// ```
-/// use lagrangian::{Dynamics, Integrator, RungeKutta};
+/// use lagrangian::{At, Dynamics, Problem, RungeKutta};
 /// use lagrangian::nalgebra::SVector;
 ///
 /// /// ẍ = −x.
@@ -94,9 +94,9 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
 ///     }
 /// }
 ///
-/// let initial = (0.0, SVector::from([1.0, 0.0]));
-/// let end = RungeKutta::classical(0.01).integrate_to(&Oscillator, initial, 1.0)?;
-/// assert!((end.x[0] - 1.0_f64.cos()).abs() < 1e-9);
+/// let start = At { t: 0.0, x: SVector::from([1.0, 0.0]) };
+/// let end = Problem::new(&Oscillator, start).solve(1.0, RungeKutta::classical(0.01))?;
+/// assert!((end[0] - 1.0_f64.cos()).abs() < 1e-9);
 /// # Ok::<(), lagrangian::IntegrationError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,8 +150,6 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
         combination(&self.tableau.weights, &derivatives, &zero).map(|slope| slope * S::from_f64(h))
     }
 }
-
-impl<const STAGES: usize> IntegrationMethod for RungeKutta<STAGES> {}
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
     for RungeKutta<STAGES>

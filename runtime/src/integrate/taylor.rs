@@ -31,7 +31,7 @@ pub use stepper::TaylorStepper;
 
 use super::checkpoint::Resume;
 use super::error::IntegrationError;
-use super::integrator::{IntegrationMethod, Integrator};
+use super::integrator::Integrator;
 use super::stepper::Advance;
 use super::tolerance::Tolerance;
 use crate::limits::taylor::SINGULARITY_TOLERANCE;
@@ -70,8 +70,8 @@ use crate::scalar::Scalar;
 ///
 /// // Parabolas between x = 1 and x = −1, with the period 4√2.
 /// let start = State::new(0.0, [1.0], [0.0]);
-/// let end = Taylor::new().integrate_to(&Relay.dynamics(), start, 40.0 * 2.0_f64.sqrt())?;
-/// assert!((end.x.q[0] - 1.0).abs() < 1e-12);
+/// let end = Problem::new(&Relay, start).solve(40.0 * 2.0_f64.sqrt(), Taylor::new())?;
+/// assert!((end.q[0] - 1.0).abs() < 1e-12);
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
@@ -94,7 +94,7 @@ use crate::scalar::Scalar;
 ///
 /// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
 /// let start = State::new(0.0, [3.0], [0.0]);
-/// let end = Taylor::new().integrate_to(&pendulum.dynamics(), start, 100.0)?.state();
+/// let end = Problem::new(&pendulum, start).solve(100.0, Taylor::new())?;
 /// assert!((pendulum.energy(&end) - pendulum.energy(&start)).abs() < 1e-13);
 /// # Ok::<(), IntegrationError>(())
 /// ```
@@ -201,8 +201,6 @@ impl Default for Taylor {
         Self::new()
     }
 }
-
-impl<const HALF: usize> IntegrationMethod for Taylor<HALF> {}
 
 impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Integrator<S, D> for Taylor<HALF> {
     type Stepper = TaylorStepper<D::State, HALF>;

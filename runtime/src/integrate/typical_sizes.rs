@@ -38,9 +38,8 @@ pub trait SetTypicalSizes<S: Scalar = f64>: Dynamics<S> {
     /// let mut sizes = [1.0; 2];
     /// sizes[Cart::X] = 1000.0;
     /// let dynamics = cart.dynamics();
-    /// let dynamics = dynamics.with_sizes(sizes);
     /// let start = State::new(0.0, [700.0, 0.1], [0.0, 0.0]);
-    /// Dop853::new().integrate_to(&dynamics, start, 10.0)?;
+    /// Problem::new(dynamics.with_sizes(sizes), start).solve(10.0, Dop853::new())?;
     /// # Ok::<(), IntegrationError>(())
     /// ```
     fn with_sizes(

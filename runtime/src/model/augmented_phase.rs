@@ -4,22 +4,20 @@ use nalgebra::SVector;
 
 use super::phase::Phase;
 use super::state::State;
-#[cfg(feature = "alloc")]
-use crate::integrate::Trajectory;
-use crate::integrate::{At, InitialValue, TypicalSizes};
+use crate::integrate::{At, TypicalSizes};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
 /// controller: the state that an integrator steps under [`WithController`](crate::WithController).
 ///
-/// The initial value is a pair of a [`State`] and z:
+/// At a time, it is made from a pair of a [`State`] and z:
 ///
 /// ```
-/// use lagrangian::{At, AugmentedPhase, InitialValue, State};
+/// use lagrangian::{At, AugmentedPhase, State};
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: At<f64, AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_initial();
+/// let start: At<f64, AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into();
 /// assert_eq!(start.state(), state);
 /// assert_eq!(start.x.controller[1], 0.25);
 /// ```
@@ -141,29 +139,26 @@ macro_rules! further_components {
             }
         }
 
-        impl<S: Scalar, const N: usize, const K: usize> At<f64, $phase<S, N, K>> {
-            /// The sample as a state of the mechanical system.
+        impl<S: Scalar, const N: usize, const K: usize> At<S, $phase<S, N, K>> {
+            /// The state of the mechanical system alone.
             #[inline]
             #[must_use]
             pub fn state(&self) -> State<S, N> {
-                self.x.at(S::from_f64(self.t))
+                self.x.at(self.t)
             }
         }
 
         /// The state of the mechanical system, and the further components.
-        impl<S, C, const N: usize, const K: usize> InitialValue<$phase<S, N, K>>
-            for (State<S, N>, C)
+        impl<S, C, const N: usize, const K: usize> From<(State<S, N>, C)> for At<S, $phase<S, N, K>>
         where
             S: Scalar,
             C: IntoVector<S, K>,
         {
-            fn into_initial(self) -> At<f64, $phase<S, N, K>> {
-                let (state, $more) = self;
-                let At { t, x } = state.into_initial();
-                let Phase { q, v } = x;
+            fn from((state, $more): (State<S, N>, C)) -> Self {
+                let Phase { q, v } = state.x;
                 let $more = $more.into_vector();
                 let x = $phase { q, v, $more };
-                At { t, x }
+                Self { t: state.t, x }
             }
         }
 
@@ -178,17 +173,6 @@ macro_rules! further_components {
                     v: sizes,
                     $more: SVector::from(self.1.map(S::from_f64)),
                 }
-            }
-        }
-
-        #[cfg(feature = "alloc")]
-        impl<S: Scalar, const N: usize, const K: usize> Trajectory<$phase<S, N, K>, S> {
-            /// The samples as states of the mechanical system; the further components are in
-            /// [`samples`](Self::samples).
-            pub fn states(
-                &self,
-            ) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
-                self.samples().iter().map(At::<f64, $phase<S, N, K>>::state)
             }
         }
     };

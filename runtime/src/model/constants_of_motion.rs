@@ -1,14 +1,12 @@
 //! Constants of motion that follow from the declaration (Goldstein, Poole and Safko, Classical Mechanics, 3rd edition
-//! 2002, sections 2.6 and 2.7), and an observer that watches them.
-
-use core::ops::ControlFlow;
+//! 2002, sections 2.6 and 2.7), and their changes along a motion.
 
 use nalgebra::SVector;
 
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{Observer, Progress};
+use crate::integrate::Progress;
 use crate::scalar::Scalar;
 
 /// A model of which `C` constants of motion are known at compile time: the momenta pᵢ = ∂L/∂q̇ᵢ of its ignorable
@@ -64,7 +62,7 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     /// Their values at a state.
     fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C>;
 
-    /// An observer of the changes of the constants since this state, for a [`Driver`](crate::Driver) of any method.
+    /// The changes of the constants since this state, to be observed in the course of an integration by any method.
     fn watch_constants(&self, start: &State<S, N>) -> ConstantsWatch<'_, Self, S, N, C>
     where
         Self: Sized,
@@ -83,9 +81,9 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     }
 }
 
-/// An observer of how constants of motion change in the course of an integration, at the ends of steps, samples and
-/// events. It is given to a driver by reference: `driver.observe(&mut watch)`. A reaction that changes the state, such as an
-/// impact, changes constants, too.
+/// How constants of motion change in the course of an integration, at the ends of steps, samples and events:
+/// `problem.each_step(|progress| watch.observe(progress))`. A reaction that changes the state, such as an impact, changes
+/// constants, too.
 #[derive(Clone, Debug)]
 pub struct ConstantsWatch<'a, M, S: Scalar, const N: usize, const C: usize> {
     model: &'a M,
@@ -113,13 +111,13 @@ impl<M, S: Scalar, const N: usize, const C: usize> ConstantsWatch<'_, M, S, N, C
     }
 }
 
-impl<M, S, const N: usize, const C: usize> Observer<Phase<S, N>>
-    for &mut ConstantsWatch<'_, M, S, N, C>
+impl<M, S, const N: usize, const C: usize> ConstantsWatch<'_, M, S, N, C>
 where
     M: ConstantsOfMotion<N, C, S>,
     S: Scalar,
 {
-    fn observe(&mut self, progress: &Progress<'_, Phase<S, N>>) -> ControlFlow<()> {
+    /// Compares the constants with their initial values.
+    pub fn observe(&mut self, progress: &Progress<'_, Phase<S, N>>) {
         let state = progress.x.at(S::from_f64(progress.t));
         let constants = self.model.constants_of_motion(&state);
         for (largest, value) in self.largest.iter_mut().zip(constants.iter()) {
@@ -131,6 +129,5 @@ where
                 largest.t = progress.t;
             }
         }
-        ControlFlow::Continue(())
     }
 }

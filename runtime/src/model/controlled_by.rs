@@ -25,6 +25,21 @@ where
     law: C,
 }
 
+impl<M, C, S, const N: usize, const U: usize> Clone for ControlledBy<'_, M, C, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    C: Clone,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+            law: self.law.clone(),
+        }
+    }
+}
+
 impl<'a, M, C, S, const N: usize, const U: usize> ControlledBy<'a, M, C, S, N, U>
 where
     M: Inputs<N, U, S> + ?Sized,

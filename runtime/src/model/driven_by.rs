@@ -25,6 +25,21 @@ where
     pub(super) signals: I,
 }
 
+impl<M, I, S, const N: usize, const U: usize> Clone for DrivenBy<'_, M, I, S, N, U>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    I: Clone,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+            signals: self.signals.clone(),
+        }
+    }
+}
+
 impl<'a, M, I, S, const N: usize, const U: usize> DrivenBy<'a, M, I, S, N, U>
 where
     M: Inputs<N, U, S> + ?Sized,

@@ -4,9 +4,9 @@
 //! table 25.4), step by step.
 
 #[cfg(feature = "alloc")]
-use super::{energy_balance::EnergyBalance, phase::Phase, state::State};
+use super::{energy_balance::EnergyBalance, phase::Phase};
 #[cfg(feature = "alloc")]
-use crate::integrate::{DenseSolution, IntegrationError, Interpolant};
+use crate::integrate::{DenseSolution, IntegrationError, Interpolant, Solution};
 
 /// The residual of the balance of energy along a motion, h(t) − h(0) − ∫ (Q·q̇ − ∂L/∂t) dt: 0 but for the errors of the
 /// method.
@@ -71,7 +71,7 @@ impl EnergyResidual {
     #[cfg(feature = "alloc")]
     pub fn along<M, P, const N: usize>(
         model: &M,
-        solution: &DenseSolution<Phase<f64, N>, P>,
+        solution: &Solution<f64, Phase<f64, N>, DenseSolution<Phase<f64, N>, P>>,
     ) -> Result<Self, IntegrationError>
     where
         M: EnergyBalance<N>,
@@ -81,11 +81,10 @@ impl EnergyResidual {
         let mut start = None;
         for end in solution.times() {
             if let Some(start) = start {
-                let before: State<f64, N> = solution.before(end)?.at(end);
-                let after = solution.at(start)?.at(start);
+                let (before, after) = (solution.before(end)?, solution.at(start)?);
                 let change = model.energy(&before) - model.energy(&after);
                 residual.add_step((start, end), change, |t| {
-                    Ok::<_, IntegrationError>(model.energy_rate(&solution.at(t)?.at(t)))
+                    Ok::<_, IntegrationError>(model.energy_rate(&solution.at(t)?))
                 })?;
             }
             start = Some(end);

@@ -3,7 +3,7 @@
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{Ensemble, IntegrationError, Outcome, Running};
+use crate::integrate::{Ensemble, IntegrationError, Running, Solution};
 use crate::scalar::Lanes;
 
 impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
@@ -19,7 +19,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
         model: &mut M,
         motions: impl IntoIterator<Item = P>,
         mut begin: impl FnMut(&mut M, usize, P) -> (State<f64, N>, f64),
-        report: impl FnMut(usize, Result<Outcome<Phase<f64, N>>, IntegrationError>),
+        report: impl FnMut(usize, Result<Solution<f64, Phase<f64, N>>, IntegrationError>),
     ) where
         M: MotionSeries<N, Lanes<L>>,
     {

@@ -4,8 +4,6 @@ use nalgebra::SVector;
 
 use super::state::State;
 use super::vector_pair::vector_pair;
-#[cfg(feature = "alloc")]
-use crate::integrate::Trajectory;
 use crate::integrate::{At, TypicalSizes};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
@@ -97,26 +95,9 @@ fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>
     largest(&derivative.q).max(largest(&derivative.v).sqrt())
 }
 
-impl<S: Scalar, const N: usize> At<f64, Phase<S, N>> {
-    /// The sample as a state of the mechanical system.
-    #[inline]
-    #[must_use]
-    pub fn state(&self) -> State<S, N> {
-        self.x.at(S::from_f64(self.t))
-    }
-}
-
 impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {
     fn into_state(self) -> Phase<S, N> {
         let sizes = SVector::from(self.map(S::from_f64));
         Phase { q: sizes, v: sizes }
-    }
-}
-
-#[cfg(feature = "alloc")]
-impl<S: Scalar, const N: usize> Trajectory<Phase<S, N>, S> {
-    /// The samples as states of the mechanical system.
-    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<S, N>> + ExactSizeIterator + '_ {
-        self.samples().iter().map(At::<f64, Phase<S, N>>::state)
     }
 }

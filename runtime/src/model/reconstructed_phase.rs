@@ -5,22 +5,20 @@ use nalgebra::SVector;
 use super::augmented_phase::further_components;
 use super::phase::Phase;
 use super::state::State;
-#[cfg(feature = "alloc")]
-use crate::integrate::Trajectory;
-use crate::integrate::{At, InitialValue, TypicalSizes};
+use crate::integrate::{At, TypicalSizes};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a reduced model with `N` degrees of freedom, and the `K` ignorable coordinates of the
 /// full one: the state that an integrator steps under [`Reconstruction`](crate::Reconstruction).
 ///
-/// The initial value is a pair of a [`State`] of the reduced model and the ignorable coordinates:
+/// At a time, it is made from a pair of a [`State`] of the reduced model and the ignorable coordinates:
 ///
 /// ```
-/// use lagrangian::{At, InitialValue, ReconstructedPhase, State};
+/// use lagrangian::{At, ReconstructedPhase, State};
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: At<f64, ReconstructedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_initial();
+/// let start: At<f64, ReconstructedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into();
 /// assert_eq!(start.state(), state);
 /// assert_eq!(start.x.ignorable[1], 0.25);
 /// ```

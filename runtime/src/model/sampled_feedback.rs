@@ -32,6 +32,24 @@ where
     period: f64,
 }
 
+impl<M, F, S, const N: usize, const U: usize, const J: usize> Clone
+    for SampledFeedback<'_, M, F, S, N, U, J>
+where
+    M: Inputs<N, U, S>,
+    F: Clone,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+            law: self.law.clone(),
+            start: self.start,
+            period: self.period,
+        }
+    }
+}
+
 impl<'a, M, F, S, const N: usize, const U: usize, const J: usize>
     SampledFeedback<'a, M, F, S, N, U, J>
 where

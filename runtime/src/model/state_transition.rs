@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::phase::Phase;
 use super::state::State;
-use crate::integrate::{At, Dynamics, IntegrationError, Integrator};
+use crate::integrate::{Dynamics, IntegrationError, Integrator, Problem};
 use crate::scalar::Dual;
 
 /// The derivatives of a motion at a time by the `K` variables of its [dual numbers](Dual): by the initial coordinates and
@@ -60,17 +60,17 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
     /// # Errors
     ///
     /// Any of [`IntegrationError`].
-    pub fn over<I, D>(
+    pub fn over<'d, I, D>(
         method: &I,
-        dynamics: &D,
+        dynamics: &'d D,
         initial: &State<f64, N>,
         end: f64,
     ) -> Result<Self, IntegrationError>
     where
         D: Dynamics<Dual<f64, K>, State = Phase<Dual<f64, K>, N>> + ?Sized,
-        I: Integrator<Dual<f64, K>, D> + Clone,
+        I: Integrator<Dual<f64, K>, &'d D> + Clone,
     {
-        let end = method.integrate_to(dynamics, Self::initial(initial), end)?;
+        let end = Problem::new(dynamics, Self::initial(initial)).solve(end, method.clone())?;
         Ok(Self::of(&end))
     }
 
@@ -83,7 +83,7 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
     /// let initial = StateTransition::<1, 1>::initial(&State::new(0.0, [1.0], [0.0]));
     /// ```
     #[must_use]
-    pub fn initial(state: &State<f64, N>) -> At<f64, Phase<Dual<f64, K>, N>> {
+    pub fn initial(state: &State<f64, N>) -> State<Dual<f64, K>, N> {
         const {
             assert!(
                 K >= 2 * N,
@@ -94,18 +94,18 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
             q: SVector::from_fn(|i, _| Dual::variable(state.q[i], i)),
             v: SVector::from_fn(|i, _| Dual::variable(state.v[i], N + i)),
         };
-        At { t: state.t, x }
+        x.at(Dual::constant(state.t))
     }
 
     /// The derivatives at a sample.
     #[must_use]
-    pub fn of(sample: &At<f64, Phase<Dual<f64, K>, N>>) -> Self {
+    pub fn of(sample: &State<Dual<f64, K>, N>) -> Self {
         let Phase { q, v } = sample.x;
         let gradients =
             |of: &SVector<Dual<f64, K>, N>| SMatrix::from_fn(|i, j| of[i].derivative[j]);
         Self {
             state: State::new(
-                sample.t,
+                sample.t.value,
                 q.map(|coordinate| coordinate.value),
                 v.map(|velocity| velocity.value),
             ),

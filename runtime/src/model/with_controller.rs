@@ -27,6 +27,22 @@ where
     law: C,
 }
 
+impl<M, C, S, const N: usize, const U: usize, const K: usize> Clone
+    for WithController<'_, M, C, S, N, U, K>
+where
+    M: Inputs<N, U, S> + ?Sized,
+    C: Clone,
+    S: Scalar,
+{
+    fn clone(&self) -> Self {
+        Self {
+            model: self.model,
+            prepared: self.prepared.clone(),
+            law: self.law.clone(),
+        }
+    }
+}
+
 impl<'a, M, C, S, const N: usize, const U: usize, const K: usize>
     WithController<'a, M, C, S, N, U, K>
 where

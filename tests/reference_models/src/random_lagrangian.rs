@@ -6,17 +6,17 @@ use serde_json::Value;
 
 use crate::{declaration::Declaration, expression::Spelling};
 
-/// A struct for every case, and the macro `public_cases!` that lists them.
+/// A struct for every case of which the position is a multiple of `stride`, and the macro `public_cases!` that lists them.
 ///
 /// # Panics
 ///
 /// If the document is of another form.
 #[must_use]
-pub fn source(document: &Value) -> String {
+pub fn source(document: &Value, stride: usize) -> String {
     let cases = document["cases"].as_array().expect("a list of cases");
     let mut structs = String::new();
     let mut rows = String::new();
-    for (index, case) in cases.iter().enumerate() {
+    for (index, case) in cases.iter().enumerate().step_by(stride) {
         let id = case["id"].as_str().expect("a case has an id");
         // Both spellings of functions are covered: one by the even cases, one by the odd.
         let spelling = if index % 2 == 0 {
@@ -40,6 +40,9 @@ pub fn source(document: &Value) -> String {
     }
     format!(
         "{structs}
+/// Of so many cases one is here.
+pub const STRIDE: usize = {stride};
+
 /// The cases in order: the identifier, and the function `free::<Model, N>` or, of a model with
 /// inputs, `driven::<Model, N, U>`.
 #[macro_export]

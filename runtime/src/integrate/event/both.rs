@@ -1,4 +1,4 @@
-//! Two lists of conditions and events that count together.
+//! Two lists of conditions and events that count together, numbered through: those of the second come after those of the first.
 
 use super::memory::Remembers;
 use super::met_conditions::MetConditions;
@@ -9,11 +9,6 @@ use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
-
-/// The conditions and events of two settings of a [`Driver`](crate::Driver), numbered through: those of the second come after
-/// those of the first.
-#[derive(Clone, Copy, Debug)]
-pub struct Both<A, B>(pub(crate) A, pub(crate) B);
 
 /// What is known of the events of both.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +56,7 @@ impl Occurring {
     }
 }
 
-impl<S, D, A, B> Detection<S, D> for Both<A, B>
+impl<S, D, A, B> Detection<S, D> for (A, B)
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,

@@ -17,8 +17,7 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::MIN_WINDOW;
 
-/// Some of the events that the dynamics declare, by their indices, and what is watched for; made by
-/// [`Driver::declared_events`](crate::Driver::declared_events).
+/// Some of the events that the dynamics declare, by their indices, and what is watched for.
 #[derive(Clone, Copy, Debug)]
 pub struct DeclaredEvents<const K: usize> {
     pub(crate) events: [(usize, Event); K],

@@ -1,4 +1,4 @@
-//! What a driver asks of conditions and events.
+//! What an integration asks of conditions and events.
 
 use super::memory::{Memory, Remembers};
 use super::met_conditions::MetConditions;
@@ -90,6 +90,15 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         let _ = (memory, dynamics, occurring, x, step);
         MetConditions::default()
     }
+}
+
+/// Nothing is watched.
+impl<S: Scalar, D: Dynamics<S> + ?Sized> Detection<S, D> for () {
+    type Memory = ();
+
+    const COUNT: usize = 0;
+
+    fn begin(&mut self, _: &D, _: f64, _: &D::State) {}
 }
 
 /// The functions of which the zeros are events, and what is watched for.

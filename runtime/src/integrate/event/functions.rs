@@ -1,9 +1,10 @@
-//! Event functions that are closures.
+//! Event functions and conditions that are closures.
 
 use super::detection::detection_by_functions;
 use super::event_dynamics::SingleNumber;
 use super::values::Values;
-use super::{Crossing, Detection, Event, EventFunctions};
+use super::{Crossing, Detection, Event, EventFunctions, MetConditions};
+use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::{Lanes, Scalar};
 
@@ -74,75 +75,49 @@ impl<const L: usize, const K: usize> EventValues<Lanes<L>> for [f64; K] {
     }
 }
 
-/// What is watched for: a direction or an [`Event`], or an array of them for an array of values.
-pub trait Watched {
-    /// The numbers of which the signs are watched.
-    type Values: Values;
-
-    /// The event of an index; the last one beyond it.
-    fn event(&self, index: usize) -> Event;
-}
-
-impl Watched for Event {
-    type Values = f64;
-
-    fn event(&self, _: usize) -> Event {
-        *self
-    }
-}
-
-impl Watched for Crossing {
-    type Values = f64;
-
-    fn event(&self, _: usize) -> Event {
-        Event::new(*self)
-    }
-}
-
-impl<W: Watched<Values = f64>, const K: usize> Watched for [W; K] {
-    type Values = [f64; K];
-
-    fn event(&self, index: usize) -> Event {
-        let watched = self.get(index).or(self.last());
-        watched.map_or(Event::either(), |watched| watched.event(0))
-    }
-}
-
-/// The condition that an event function of time and state crosses zero, or one of several: `events` is a
-/// [`Crossing`] or an [`Event`] for one value, or an array of them for an array of values.
+/// The condition that a function of the state at a time crosses zero.
 #[derive(Clone, Copy, Debug)]
-pub struct ZeroCrossing<F, W = Crossing> {
-    /// The event function.
+pub struct FunctionOfState<F> {
     pub(crate) function: F,
-    /// What is watched for.
-    pub(crate) events: W,
-    /// Whether the integration stops at each of them, whatever it says itself.
-    pub(crate) stops: bool,
-    /// The parts of a step at whose ends the function is evaluated, if it is set.
+    pub(crate) event: Event,
     pub(crate) parts: Option<u32>,
 }
 
-impl<S, D, F, W, R> EventFunctions<S, D> for ZeroCrossing<F, W>
+impl<F> FunctionOfState<F> {
+    /// The event that the function crosses zero in either direction.
+    pub(crate) fn new(function: F) -> Self {
+        Self {
+            function,
+            event: Event::new(Crossing::Either),
+            parts: None,
+        }
+    }
+}
+
+impl<S, D, F, R> EventFunctions<S, D> for FunctionOfState<F>
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
-    W: Watched,
-    F: FnMut(S, &D::State) -> R,
-    R: EventValues<S, Numbers = W::Values>,
+    F: FnMut(&At<S, D::State>) -> R,
+    R: EventValues<S>,
 {
-    type Values = W::Values;
+    type Values = R::Numbers;
 
-    fn values(&mut self, _: &D, t: f64, x: &D::State) -> W::Values {
-        (self.function)(S::from_f64(t), x).numbers()
+    fn values(&mut self, _: &D, t: f64, x: &D::State) -> R::Numbers {
+        let x = x.clone();
+        (self.function)(&At {
+            t: S::from_f64(t),
+            x,
+        })
+        .numbers()
     }
 
     fn function(&mut self, _: &D, t: S, x: &D::State, event: usize) -> Option<S> {
-        (self.function)(t, x).value(event)
+        (self.function)(&At { t, x: x.clone() }).value(event)
     }
 
-    fn event(&self, index: usize) -> Event {
-        let event = self.events.event(index);
-        if self.stops { event.terminal() } else { event }
+    fn event(&self, _: usize) -> Event {
+        self.event
     }
 
     fn parts(&self) -> Option<u32> {
@@ -150,13 +125,34 @@ where
     }
 }
 
-impl<S, D, F, W, R> Detection<S, D> for ZeroCrossing<F, W>
+impl<S, D, F, R> Detection<S, D> for FunctionOfState<F>
 where
     S: Scalar,
     D: Dynamics<S> + ?Sized,
-    W: Watched,
-    F: FnMut(S, &D::State) -> R,
-    R: EventValues<S, Numbers = W::Values>,
+    F: FnMut(&At<S, D::State>) -> R,
+    R: EventValues<S>,
 {
     detection_by_functions!(S, D);
+}
+
+/// The condition that a predicate of the state at a time holds at the end of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct PredicateOfState<F>(pub(crate) F);
+
+impl<S, D, F> Detection<S, D> for PredicateOfState<F>
+where
+    S: Scalar,
+    D: Dynamics<S> + ?Sized,
+    F: FnMut(&At<S, D::State>) -> bool,
+{
+    type Memory = ();
+
+    const COUNT: usize = 1;
+
+    fn begin(&mut self, _: &D, _: f64, _: &D::State) {}
+
+    fn holding(&mut self, t: f64, x: &D::State) -> MetConditions {
+        let (t, x) = (S::from_f64(t), x.clone());
+        MetConditions::of(core::iter::once((self.0)(&At { t, x })))
+    }
 }

@@ -27,13 +27,13 @@ use crate::scalar::Scalar;
 pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Sized {
     /// What is kept.
     type Kept;
-    /// The times of samples, and the end.
+    /// The times of samples.
     #[doc(hidden)]
     type Times: AsRef<[f64]>;
     #[doc(hidden)]
     type Collection: Collector<S, D, T>;
 
-    /// The times up to the end, and what collects.
+    /// The times of samples up to the end, and what collects.
     #[doc(hidden)]
     fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Self::Times, Self::Collection>;
 
@@ -44,7 +44,7 @@ pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Sized {
 /// How a collection begins.
 #[derive(Debug)]
 pub struct Begun<T, C> {
-    /// The times of samples, and the end.
+    /// The times of samples.
     pub(super) times: T,
     pub(super) collection: C,
     /// An error if the settings are invalid.
@@ -67,11 +67,11 @@ pub struct End;
 
 impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for End {
     type Kept = ();
-    type Times = [f64; 1];
+    type Times = [f64; 0];
     type Collection = Uncollected;
 
-    fn begin(self, _: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Uncollected> {
-        Begun::valid([end], Uncollected)
+    fn begin(self, _: &At<f64, D::State>, _: f64) -> Begun<[f64; 0], Uncollected> {
+        Begun::valid([], Uncollected)
     }
 
     fn finish(_: Uncollected, _: &Outcome<D::State>) {}
@@ -92,20 +92,15 @@ pub struct StepEnds;
 #[derive(Clone, Copy, Debug)]
 pub struct Dense;
 
-/// Samples, of which so many are asked for.
+/// The states at the times of samples.
 #[cfg(feature = "alloc")]
 #[derive(Debug)]
-pub struct Samples<S, X> {
-    samples: Vec<At<S, X>>,
-    wanted: usize,
-}
+pub struct Samples<S, X>(Vec<At<S, X>>);
 
 #[cfg(feature = "alloc")]
 impl<S: Scalar, D: Dynamics<S>, T> Collector<S, D, T> for Samples<S, D::State> {
     fn sample(&mut self, sample: &At<f64, D::State>) {
-        if self.samples.len() < self.wanted {
-            self.samples.push(sample.clone().on_scalar());
-        }
+        self.0.push(sample.clone().on_scalar());
     }
 }
 
@@ -119,7 +114,7 @@ where
     type Times = Self;
     type Collection = Samples<S, D::State>;
 
-    fn begin(mut self, start: &At<f64, D::State>, end: f64) -> Begun<Self, Samples<S, D::State>> {
+    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Self, Samples<S, D::State>> {
         let span = start.t.min(end)..=start.t.max(end);
         let outside = self.iter().find(|time| !span.contains(*time));
         let checked = match outside {
@@ -130,11 +125,7 @@ where
             }),
             _ => Ok(()),
         };
-        let samples = Samples {
-            samples: Vec::with_capacity(self.len()),
-            wanted: self.len(),
-        };
-        self.push(end);
+        let samples = Samples(Vec::with_capacity(self.len()));
         Begun {
             times: self,
             collection: samples,
@@ -143,7 +134,7 @@ where
     }
 
     fn finish(collection: Samples<S, D::State>, _: &Outcome<D::State>) -> Self::Kept {
-        collection.samples
+        collection.0
     }
 }
 
@@ -161,7 +152,7 @@ macro_rules! lists_of_times {
             }
 
             fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
-                collection.samples
+                collection.0
             }
         }
     )*};
@@ -201,7 +192,7 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
     }
 
     fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
-        collection.samples
+        collection.0
     }
 }
 
@@ -257,12 +248,12 @@ where
     T: Advance<S, D>,
 {
     type Kept = Vec<At<S, D::State>>;
-    type Times = [f64; 1];
+    type Times = [f64; 0];
     type Collection = CollectedSteps<S, D::State>;
 
-    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Self::Collection> {
+    fn begin(self, start: &At<f64, D::State>, _: f64) -> Begun<[f64; 0], Self::Collection> {
         let first = start.clone().on_scalar();
-        Begun::valid([end], CollectedSteps(alloc::vec![first]))
+        Begun::valid([], CollectedSteps(alloc::vec![first]))
     }
 
     fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
@@ -297,19 +288,23 @@ where
     T: DenseOutput<S, D>,
 {
     type Kept = DenseSolution<D::State, T::Interpolant, S>;
-    type Times = [f64; 1];
+    type Times = [f64; 0];
     type Collection = Whole<D::State, T::Interpolant>;
 
-    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<[f64; 1], Self::Collection> {
+    fn begin(self, start: &At<f64, D::State>, _: f64) -> Begun<[f64; 0], Self::Collection> {
         let whole = Whole {
             initial: start.clone(),
             segments: Segments::new(),
         };
-        Begun::valid([end], whole)
+        Begun::valid([], whole)
     }
 
     fn finish(collection: Self::Collection, outcome: &Outcome<D::State>) -> Self::Kept {
-        DenseSolution::new(collection.initial, collection.segments, outcome.clone())
+        DenseSolution::new(
+            collection.initial,
+            collection.segments,
+            outcome.last.clone(),
+        )
     }
 }
 

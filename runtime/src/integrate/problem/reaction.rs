@@ -6,7 +6,6 @@ use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::event::Reaction;
 use crate::integrate::observer::Flow;
-use crate::integrate::reacting::React as Reacting;
 use crate::scalar::Scalar;
 
 /// The reactions to the events of a problem.
@@ -99,23 +98,5 @@ fn reaction(flow: impl Flow, otherwise: Reaction) -> Reaction {
     match flow.flow() {
         ControlFlow::Continue(()) => otherwise,
         ControlFlow::Break(()) => Reaction::Stop,
-    }
-}
-
-/// Dynamics with reactions that may change them.
-pub(super) struct Changing<'a, D, R> {
-    pub(super) dynamics: &'a mut D,
-    pub(super) reactions: &'a mut R,
-}
-
-impl<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>> Reacting<S, D> for Changing<'_, D, R> {
-    const REACTS: bool = R::REACTS;
-
-    fn dynamics(&self) -> &D {
-        self.dynamics
-    }
-
-    fn react(&mut self, event: usize, t: S, x: &mut D::State) -> Reaction {
-        self.reactions.react(event, t, x, self.dynamics)
     }
 }

@@ -3,22 +3,21 @@
 use core::marker::PhantomData;
 
 use super::keep::Keep;
-use super::reaction::{Changing, Reactions};
+use super::reaction::Reactions;
 use super::solution::Solution;
 use super::{End, Limits, Problem, Watch, collected};
 use crate::integrate::at::At;
 use crate::integrate::checkpoint::{Checkpoint, EventSigns, Resume};
 use crate::integrate::collector::Collector;
-use crate::integrate::driver::{Driver, check_times};
+use crate::integrate::driver::{Course, Driver};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::Remembers as _;
+use crate::integrate::event::{Detection, Remembers as _};
 use crate::integrate::integrator::Integrator;
-use crate::integrate::observer::{Observer, Unobserved};
+use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::partial::Partial;
 use crate::integrate::stepper::{Advance as _, Statistics, Stepper as _};
-use crate::integrate::stop_condition::{StopCondition, Unconditional};
 use crate::scalar::Scalar;
 
 /// An integration in progress, from [`Problem::start`] or [`Problem::resume`] on: it is advanced, asked and changed by hand.
@@ -45,12 +44,12 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Debug)]
-pub struct Run<S, D, I, K = End, C = Unconditional, R = (), O = Unobserved>
+pub struct Run<S, D, I, K = End, C = (), R = (), O = ()>
 where
     S: Scalar,
     D: Dynamics<S>,
     I: Integrator<S, D>,
-    C: StopCondition<S, D>,
+    C: Detection<S, D>,
 {
     driver: Driver<I, C, O>,
     dynamics: D,
@@ -74,7 +73,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     pub fn start<I>(self, method: I) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Integrator<S, D>,
-        C: StopCondition<S, D>,
+        C: Detection<S, D>,
     {
         self.begin(method, |driver, dynamics, start| {
             Ok((driver.begin(dynamics, start)?, None))
@@ -94,7 +93,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Resume<S, D>,
-        C: StopCondition<S, D>,
+        C: Detection<S, D>,
     {
         self.begin(method, |driver, dynamics, _| {
             let Checkpoint { memory, events } = checkpoint;
@@ -116,7 +115,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Integrator<S, D>,
-        C: StopCondition<S, D>,
+        C: Detection<S, D>,
     {
         let Watch {
             conditions,
@@ -145,7 +144,7 @@ where
     S: Scalar,
     D: Dynamics<S>,
     I: Integrator<S, D>,
-    C: StopCondition<S, D>,
+    C: Detection<S, D>,
 {
     fn forget_events(&mut self) {
         (self.memory, self.events) = (None, None);
@@ -154,7 +153,7 @@ where
     /// What is known of the events, if it serves to go on from here to `end`.
     fn recall_events(&mut self, end: f64) -> Option<C::Memory> {
         let (t, x) = (self.stepper.time(), self.stepper.state());
-        let condition = self.driver.condition_mut();
+        let condition = &mut self.driver.conditions;
         let known = match (self.memory.take(), self.events.take()) {
             (Some(memory), _) => Some(memory),
             (None, Some(signs)) => Some(condition.begin(&self.dynamics, t, x).recalled(signs)),
@@ -232,7 +231,7 @@ where
     ///
     /// # Errors
     ///
-    /// If the state is not finite or singular then.
+    /// If the state is not finite or singular then. The state is as before, and the dynamics stay changed.
     pub fn change(
         &mut self,
         change: impl FnOnce(&mut At<S, D::State>, &mut D),
@@ -252,7 +251,7 @@ where
     S: Scalar,
     D: Dynamics<S>,
     I: Integrator<S, D>,
-    C: StopCondition<S, D>,
+    C: Detection<S, D>,
     R: Reactions<S, D>,
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper> + Clone,
@@ -266,7 +265,7 @@ where
         &mut self,
         end: f64,
     ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>> {
-        self.advance_by(end, self.driver.steps_at_a_time(), self.limits)
+        self.advance_by(end, self.limits)
     }
 
     /// Takes one step towards the time `end`; none at the end. A step that was rejected, or ended at an event, counts.
@@ -284,21 +283,20 @@ where
             max_steps: Some(1),
             ..self.limits
         };
-        let solution = self.advance_by(end, 1, one)?;
+        let solution = self.advance_by(end, one)?;
         Ok(Some(solution).filter(|_| self.statistics().steps > steps))
     }
 
     fn advance_by(
         &mut self,
         end: f64,
-        steps: u64,
         limits: Limits,
     ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>> {
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
         let begun = self.keep.clone().begin(&start, end);
-        let solved = collected::<_, _, _, K>(begun, start, limits, |_, times, collector| {
-            self.go_on(times, steps, collector)
+        let solved = collected::<_, _, _, K>(begun, start, limits, |_, samples, collector| {
+            self.go_on(limits.course(samples, end), collector)
         });
         if solved.is_err() {
             self.forget_events();
@@ -306,29 +304,23 @@ where
         solved
     }
 
-    /// Goes on through `times`, and from where that stops.
+    /// Goes on, and from where that stops.
     fn go_on(
         &mut self,
-        times: &[f64],
-        steps: u64,
+        course: Course<'_>,
         collector: &mut dyn Collector<S, D, I::Stepper>,
     ) -> (Outcome<D::State>, Result<(), IntegrationError>) {
         let start = At {
             t: self.stepper.time(),
             x: self.stepper.state().clone(),
         };
-        if let Err(error) = check_times(start.t, times) {
+        if let Err(error) = course.check(start.t) {
             return (Outcome::at(start), Err(error));
         }
-        let end = times.last().copied().unwrap_or(start.t);
-        self.memory = self.recall_events(end);
-        let mut system = Changing {
-            dynamics: &mut self.dynamics,
-            reactions: &mut self.reactions,
-        };
+        self.memory = self.recall_events(course.end);
+        let system = (&mut self.dynamics, &mut self.reactions);
         let parts = (&mut self.stepper, &mut self.memory);
-        let (outcome, mut result) =
-            (self.driver).advance(&mut system, parts, times, steps, collector);
+        let (outcome, mut result) = (self.driver).advance(system, parts, course, collector);
         let t = outcome.last.t;
         if t - self.stepper.time() != 0.0 {
             // The derivative parts of the state at an event are those at a time that moves.

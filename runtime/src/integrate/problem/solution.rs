@@ -10,6 +10,7 @@ use crate::integrate::at::At;
 use crate::integrate::dense_output::Interpolant;
 #[cfg(feature = "alloc")]
 use crate::integrate::dense_solution::DenseSolution;
+#[cfg(feature = "alloc")]
 use crate::integrate::error::IntegrationError;
 use crate::integrate::event::MetConditions;
 #[cfg(feature = "alloc")]
@@ -43,12 +44,12 @@ pub struct Solution<S, X, K = ()> {
 
 /// The events that occurred; nothing without memory for them.
 #[cfg(feature = "alloc")]
-pub(super) type Events<S, X> = Vec<Occurrence<X, S>>;
+pub(crate) type Events<S, X> = Vec<Occurrence<X, S>>;
 #[cfg(not(feature = "alloc"))]
-pub(super) type Events<S, X> = core::marker::PhantomData<(X, S)>;
+pub(crate) type Events<S, X> = core::marker::PhantomData<(X, S)>;
 
 impl<S: Scalar, X, K> Solution<S, X, K> {
-    pub(super) fn new(kept: K, events: Events<S, X>, outcome: Outcome<X>) -> Self {
+    pub(crate) fn new(kept: K, events: Events<S, X>, outcome: Outcome<X>) -> Self {
         Self {
             last: outcome.last.on_scalar(),
             reason: outcome.reason,

@@ -5,11 +5,10 @@ use super::reaction::{OfDynamics, OfState, Then};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::event::{
-    Crossing, DeclaredEvents, Event, EventDynamics, EventValues, FunctionOfState, PredicateOfState,
-    SingleNumber,
+    Crossing, DeclaredEvents, Detection, Event, EventDynamics, EventValues, FunctionOfState,
+    PredicateOfState, SingleNumber,
 };
 use crate::integrate::observer::Flow;
-use crate::integrate::stop_condition::{Extensible, StopCondition};
 use crate::scalar::Scalar;
 
 /// An event of a problem, before it is said what happens there: [`record`](Self::record), [`stop`](Self::stop) or
@@ -111,9 +110,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     }
 
     /// Stops after the first step at whose end the condition holds.
-    pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, C::With<PredicateOfState<F>>, R, O>
+    pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, (C, PredicateOfState<F>), R, O>
     where
-        C: Extensible,
         F: FnMut(&At<S, D::State>) -> bool,
     {
         self.with(PredicateOfState(condition), |others, _| others)
@@ -147,23 +145,22 @@ impl<S, D, K, C, R, O, E> When<Problem<S, D, K, C, R, O>, E>
 where
     S: Scalar,
     D: Dynamics<S>,
-    C: Extensible,
-    E: Directed + StopCondition<S, D>,
+    E: Directed + Detection<S, D>,
 {
     /// The integration stops there.
-    pub fn stop(mut self) -> Problem<S, D, K, C::With<E>, R, O> {
+    pub fn stop(mut self) -> Problem<S, D, K, (C, E), R, O> {
         self.events.direct(Event::terminal);
         self.problem.with(self.events, |others, _| others)
     }
 
     /// The event is recorded: it is one of [`Solution::events`](crate::Solution::events).
-    pub fn record(self) -> Problem<S, D, K, C::With<E>, R, O> {
+    pub fn record(self) -> Problem<S, D, K, (C, E), R, O> {
         self.problem.with(self.events, |others, _| others)
     }
 
     /// The event is recorded, and the state changes: a ball bounces, a stage separates. The function changes the state in place
     /// and returns nothing, or `ControlFlow::Break(())` where the integration is to end.
-    pub fn then<F, A>(self, reaction: F) -> Problem<S, D, K, C::With<E>, Then<R, OfState<F>>, O>
+    pub fn then<F, A>(self, reaction: F) -> Problem<S, D, K, (C, E), Then<R, OfState<F>>, O>
     where
         F: FnMut(&mut At<S, D::State>) -> A,
         A: Flow,
@@ -173,10 +170,7 @@ where
 
     /// The event is recorded, and the state or the dynamics change: a spring breaks, a load is picked up. The dynamics of an
     /// owned model, `Problem::new(model, start)`, change by [`OwnedEquations::change`](crate::OwnedEquations::change).
-    pub fn then_with<F, A>(
-        self,
-        reaction: F,
-    ) -> Problem<S, D, K, C::With<E>, Then<R, OfDynamics<F>>, O>
+    pub fn then_with<F, A>(self, reaction: F) -> Problem<S, D, K, (C, E), Then<R, OfDynamics<F>>, O>
     where
         F: FnMut(&mut At<S, D::State>, &mut D) -> A,
         A: Flow,
@@ -184,7 +178,7 @@ where
         self.reacting(OfDynamics(reaction))
     }
 
-    fn reacting<F>(self, reaction: F) -> Problem<S, D, K, C::With<E>, Then<R, F>, O> {
+    fn reacting<F>(self, reaction: F) -> Problem<S, D, K, (C, E), Then<R, F>, O> {
         self.problem.with(self.events, |others, first| Then {
             others,
             first,

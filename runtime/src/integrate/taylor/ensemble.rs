@@ -5,9 +5,9 @@ mod running;
 pub(crate) use running::Running;
 
 use super::{Series, Taylor};
-use crate::integrate::at::InitialValue;
+use crate::integrate::at::At;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::outcome::Outcome;
+use crate::integrate::problem::Solution;
 use crate::limits::taylor::SINGULARITY_TOLERANCE;
 use crate::limits::{MAX_STEPS, MIN_SINGULARITY_TOLERANCE};
 use crate::linalg::LaneStates;
@@ -22,8 +22,8 @@ use crate::scalar::{Lanes, Scalar};
 /// by [`collect`](Self::collect).
 ///
 /// An ensemble goes from each start to its end: it has no events, samples, reactions, stop conditions or observers. A
-/// motion that needs them is integrated through [`driver`](crate::IntegrationMethod::driver), and many such motions
-/// on all cores, since equations of motion are `Sync`.
+/// motion that needs them is a [`Problem`](crate::Problem), and many such motions are integrated on all cores, since
+/// equations of motion are `Sync`.
 ///
 /// A thousand initial values:
 ///
@@ -45,8 +45,8 @@ use crate::scalar::{Lanes, Scalar};
 /// let ends = ensemble.collect(&pendulum.dynamics(), starts.map(|start| (start, 10.0)));
 ///
 /// let start = State::new(0.0, [0.999], [0.0]);
-/// let end = ends[999].as_ref().map_err(|error| *error)?.last.state();
-/// assert!((pendulum.energy(&end) - pendulum.energy(&start)).abs() < 1e-13);
+/// let end = ends[999].as_ref().map_err(|error| *error)?;
+/// assert!((pendulum.energy(end) - pendulum.energy(&start)).abs() < 1e-13);
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
@@ -76,8 +76,8 @@ use crate::scalar::{Lanes, Scalar};
 ///         (State::new(0.0, [1.0], [0.0]), 10.0)
 ///     },
 ///     |_, result| {
-///         let end = result.expect("a pendulum has no singularities").last;
-///         highest = highest.max(end.x.q[0]);
+///         let end = result.expect("a pendulum has no singularities");
+///         highest = highest.max(end.q[0]);
 ///     },
 /// );
 /// assert!(highest > 0.99 && highest < 1.0 + 1e-13);
@@ -112,7 +112,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
     }
 
     /// Sets the relative error of the accelerations at which a motion ends near a singularity of the mass matrix, as
-    /// [`Driver::singularity_tolerance`](crate::Driver::singularity_tolerance) does.
+    /// [`Problem::singularity_tolerance`](crate::Problem::singularity_tolerance) does.
     #[must_use]
     pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
         self.singularity_tolerance = Some(tolerance);
@@ -124,31 +124,29 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
     ///
     /// All motions have the same parameters, which have the same value in all lanes. An invalid setting is an error of
     /// every motion.
-    pub fn run<D, I>(
+    pub fn run<D>(
         &self,
         dynamics: &D,
-        motions: impl IntoIterator<Item = (I, f64)>,
-        report: impl FnMut(usize, Result<Outcome<Lane<D, L>>, IntegrationError>),
+        motions: impl IntoIterator<Item = (At<f64, Lane<D, L>>, f64)>,
+        report: impl FnMut(usize, Result<Solution<f64, Lane<D, L>>, IntegrationError>),
     ) where
         D: Series<Lanes<L>, State: LaneStates<L>> + ?Sized,
-        I: InitialValue<Lane<D, L>>,
     {
         let mut running = Running::new(self, motions.into_iter(), report);
-        while running.fill(|_, (initial, end)| (initial.into_initial(), end)) {
+        while running.fill(|_, motion| motion) {
             running.advance(dynamics);
         }
     }
 
     /// The outcome or the error of each motion, in their order.
     #[cfg(feature = "alloc")]
-    pub fn collect<D, I>(
+    pub fn collect<D>(
         &self,
         dynamics: &D,
-        motions: impl IntoIterator<Item = (I, f64)>,
-    ) -> alloc::vec::Vec<Result<Outcome<Lane<D, L>>, IntegrationError>>
+        motions: impl IntoIterator<Item = (At<f64, Lane<D, L>>, f64)>,
+    ) -> alloc::vec::Vec<Result<Solution<f64, Lane<D, L>>, IntegrationError>>
     where
         D: Series<Lanes<L>, State: LaneStates<L>> + ?Sized,
-        I: InitialValue<Lane<D, L>>,
     {
         let mut ends = alloc::vec::Vec::new();
         self.run(dynamics, motions, |index, result| {

@@ -50,9 +50,9 @@
 //! }
 //!
 //! // An ellipse of eccentricity 0.6 and period 2π.
-//! let start = (0.0, SVector::from([0.4, 0.0, 0.0, 2.0]));
-//! let end = Taylor::new().integrate_to(&Kepler, start, 20.0 * core::f64::consts::PI)?;
-//! assert!((end.x - start.1).norm() < 1e-12);
+//! let start = At { t: 0.0, x: SVector::from([0.4, 0.0, 0.0, 2.0]) };
+//! let end = Problem::new(&Kepler, start).solve(20.0 * core::f64::consts::PI, Taylor::new())?;
+//! assert!((end.x - start.x).norm() < 1e-12);
 //! # Ok::<(), IntegrationError>(())
 //! ```
 

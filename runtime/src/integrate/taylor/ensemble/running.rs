@@ -7,6 +7,7 @@ use crate::integrate::at::At;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::event::MetConditions;
 use crate::integrate::outcome::{Outcome, StopReason};
+use crate::integrate::problem::{Events, Solution};
 use crate::integrate::taylor::{Series, TaylorLanes};
 use crate::linalg::{LaneStates, VectorSpace};
 use crate::scalar::Lanes;
@@ -30,7 +31,7 @@ impl<'a, X, I, R, const L: usize, const HALF: usize> Running<'a, X, I, R, L, HAL
 where
     X: LaneStates<L>,
     I: Iterator,
-    R: FnMut(usize, Result<Outcome<X::Lane>, IntegrationError>),
+    R: FnMut(usize, Result<Solution<f64, X::Lane>, IntegrationError>),
 {
     pub(crate) fn new(ensemble: &'a Ensemble<L, HALF>, motions: I, report: R) -> Self {
         Self {
@@ -121,7 +122,7 @@ where
         &self,
         lane: usize,
         stepper: &TaylorLanes<X, L, HALF>,
-    ) -> Option<Result<Outcome<X::Lane>, IntegrationError>> {
+    ) -> Option<Result<Solution<f64, X::Lane>, IntegrationError>> {
         if let Some(error) = stepper.error(lane) {
             return Some(Err(error));
         }
@@ -138,13 +139,13 @@ where
             return None;
         };
         let x = stepper.state(lane);
-        Some(Ok(Outcome {
+        let outcome = Outcome {
             last: At { t, x },
             reason,
             met: MetConditions::default(),
-            occurred: MetConditions::default(),
             statistics,
-        }))
+        };
+        Some(Ok(Solution::new((), Events::default(), outcome)))
     }
 
     /// Puts a free lane where a busy one is, so that it is at no singularity; it stays there.
