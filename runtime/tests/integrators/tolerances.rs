@@ -24,11 +24,8 @@ const FALLING: Falling = Falling {
 };
 
 /// The error with which an integration ends.
-fn error<X, K>(
-    solved: Result<Solution<f64, X, K>, Partial<Solution<f64, X, K>>>,
-) -> IntegrationError {
-    let solved = solved.map(|_| ());
-    solved.unwrap_err().error()
+fn error<T>(solved: Result<T, Partial<T>>) -> IntegrationError {
+    solved.map(|_| ()).unwrap_err().error()
 }
 
 /// From rest at the origin, where every component is zero, and from near it.
