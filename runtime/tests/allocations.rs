@@ -20,17 +20,81 @@ fn allocations<T>(mut work: impl FnMut() -> T) -> u64 {
 
 type X = SVector<f64, 2>;
 
-fn start() -> (f64, X) {
-    (0.0, SVector::from([1.0, 0.0]))
+fn problem() -> Problem<f64, Oscillator> {
+    let x = SVector::from([1.0, 0.0]);
+    Problem::new(Oscillator, At { t: 0.0, x })
 }
 
-fn does_not_allocate<I>(method: &I)
+fn does_not_allocate<I>(method: I)
 where
-    I: Integrator<f64, Oscillator> + Resume<f64, Oscillator> + IntegrationMethod,
+    I: Integrator<f64, Oscillator> + Resume<f64, Oscillator> + Copy,
 {
-    let run = || method.integrate_to(&Oscillator, start(), 30.0).unwrap();
+    let run = || problem().solve(30.0, method).unwrap();
     assert_eq!(allocations(run), 0);
 
+    let run = || {
+        let mut run = problem().start(method).unwrap();
+        while run.step(5.0).unwrap().is_some() {}
+        let middle = 0.5 * (run.previous_time() + run.state().t);
+        let middle = run.at(middle).unwrap();
+        run.change(|state, _| state.x = middle.x).unwrap();
+        run.advance(9.0).unwrap();
+        let mut resumed = problem().resume(run.checkpoint(), method).unwrap();
+        resumed.advance(11.0).unwrap()
+    };
+    assert_eq!(allocations(run), 0);
+
+    // Errors: one without a solution, and one that owns it.
+    let x = SVector::from([1.0, 0.0]);
+    let run = || {
+        let never = Problem::new(Oscillator, At { t: f64::NAN, x });
+        never.start(method).err().unwrap()
+    };
+    assert_eq!(allocations(run), 0);
+    let run = || problem().solve(f64::NAN, method).unwrap_err();
+    assert_eq!(allocations(run), 1);
+}
+
+/// The list of the events of a step is allocated where there are any, and nothing else.
+fn lists_events_alone<I: Integrator<f64, Oscillator> + Copy>(method: I) {
+    let (mut observed, mut events) = (0_u32, 0);
+    let watched = problem()
+        .when(|x| x[0])
+        .rising()
+        .record()
+        .when(|x| x[1])
+        .falling()
+        .record()
+        .when(|x| x.t - 20.0)
+        .stop()
+        .each_step(|_| observed += 1);
+    let mut run = watched.start(method).unwrap();
+    loop {
+        let mut step = None;
+        let count = allocations(|| {
+            step = run.step(30.0).unwrap();
+            let part = run.state().t - run.previous_time();
+            [0.3, 0.75].map(|k| run.at(run.previous_time() + k * part).unwrap())
+        });
+        let step = step.unwrap();
+        assert_eq!(count, u64::from(!step.events().is_empty()));
+        events += step.events().len();
+        if step.reason != StopReason::StepLimit {
+            assert_eq!(step.reason, StopReason::Condition);
+            break;
+        }
+    }
+    drop(run);
+    assert_eq!(events, 7);
+    assert!(observed > 0);
+}
+
+/// Events that are seen and not listed, and an error without a box.
+fn does_not_allocate_for_events_and_errors<I>(method: &I)
+where
+    I: Integrator<f64, Oscillator> + IntegrationMethod,
+{
+    let start = || (0.0, SVector::from([1.0, 0.0]));
     let mut crossings = 0_u32;
     let run = || {
         let watched = [
@@ -52,21 +116,6 @@ where
     assert_eq!(allocations(run), 0);
     assert!(crossings > 0);
 
-    let run = || {
-        let mut running = method.driver().start(&Oscillator, start()).unwrap();
-        for step in running.steps_to(5.0) {
-            step.unwrap();
-        }
-        let middle = 0.5 * (running.previous_time() + running.time());
-        let x = running.at(middle).unwrap();
-        running.restart(x).unwrap();
-        running.advance_to(9.0).unwrap();
-        let checkpoint = running.checkpoint();
-        let mut resumed = method.driver().resume(&Oscillator, checkpoint).unwrap();
-        resumed.advance_to(11.0).unwrap()
-    };
-    assert_eq!(allocations(run), 0);
-
     // Errors, too.
     let run = || {
         method
@@ -82,11 +131,20 @@ fn no_step_allocates() {
         allocations(|| vec![0_u8; 64]) > 0,
         "allocations are counted"
     );
-    does_not_allocate(&RungeKutta::classical(0.01));
-    does_not_allocate(&Dop853::new());
-    does_not_allocate(&Taylor::new());
-    does_not_allocate(&Taylor::order_12());
-    does_not_allocate(&Taylor::order_40());
+    macro_rules! check {
+        ($($method:expr),+ $(,)?) => {$(
+            does_not_allocate($method);
+            lists_events_alone($method);
+            does_not_allocate_for_events_and_errors(&$method);
+        )+};
+    }
+    check!(
+        RungeKutta::classical(0.01),
+        Dop853::new(),
+        Taylor::new(),
+        Taylor::order_12(),
+        Taylor::order_40(),
+    );
 }
 
 /// A model with its pivots, angles and events.
@@ -119,18 +177,22 @@ fn no_step_of_a_model_allocates() {
         driver.run_until(&top.dynamics(), start, 9.0).unwrap()
     };
     assert_eq!(allocations(one), 0);
-    let other = || {
-        Taylor::new()
-            .integrate_to(&top.dynamics(), start, 9.0)
-            .unwrap()
+    // The event at which it stops is listed.
+    let listed = || {
+        let until = Problem::new(&top, start).when(|x| x.v[1] - 0.1);
+        let end = until.falling().stop().solve(9.0, Dop853::new()).unwrap();
+        assert_eq!(end.events().len(), 1);
+        end
     };
+    assert_eq!(allocations(listed), 1);
+    let other = || Problem::new(&top, start).solve(9.0, Taylor::new()).unwrap();
     assert_eq!(allocations(other), 0);
     // The dense output of a step is a value.
     let last = || {
-        let dynamics = top.dynamics();
-        let mut running = Taylor::new().driver().start(&dynamics, start).unwrap();
-        running.step_towards(9.0).unwrap();
-        running.stepper_mut().interpolant(&dynamics).unwrap()
+        let mut run = Problem::new(&top, start).start(Taylor::new()).unwrap();
+        run.step(9.0).unwrap();
+        let mut stepper = run.stepper().clone();
+        stepper.interpolant(run.dynamics()).unwrap()
     };
     assert_eq!(allocations(last), 0);
 }

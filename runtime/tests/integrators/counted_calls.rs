@@ -85,13 +85,13 @@ fn lanes_make_no_more_calls_than_their_motions_alone() {
     let motions = (0..18).map(|i| {
         let i = f64::from(i);
         let start = SVector::from([0.6 - 0.07 * i, 0.3 + 0.05 * i]);
-        ((0.1 * i, start), 3.0 + 2.5 * i)
+        (At::from((0.1 * i, start)), 3.0 + 2.5 * i)
     });
     let alone = Counted::default();
     let mut ends = Vec::new();
     for (start, end) in motions.clone() {
-        let outcome = Taylor::new().driver().run_until(&alone, start, end);
-        ends.push(outcome.unwrap());
+        let end = Problem::new(&alone, start).solve(end, Taylor::new());
+        ends.push(end.unwrap());
     }
     let together = Counted::default();
     let in_lanes = Taylor::new().ensemble::<4>().collect(&together, motions);

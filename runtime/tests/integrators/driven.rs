@@ -76,75 +76,62 @@ fn start<S: Scalar>(t: f64) -> State<S, 2> {
 
 #[test]
 fn signals_are_expressions_of_time() {
-    let driven = CRANE.driven_by(signals());
     let written = Written { m: 1.3, l: 0.8 };
     for t in [0.0, -3.0] {
-        let driven = Taylor::new().integrate_to(&driven, start(t), 10.0).unwrap();
-        let written = Taylor::new()
-            .integrate_to(&written.dynamics(), start(t), 10.0)
-            .unwrap();
+        let driven = Problem::new(&CRANE, start(t)).driven_by(signals());
+        let driven = driven.solve(10.0, Taylor::new()).unwrap();
+        let written = Problem::new(&written, start(t)).solve(10.0, Taylor::new());
+        let written = written.unwrap();
         for i in 0..2 {
-            assert_close(driven.x.q[i], written.x.q[i], 1e-12);
-            assert_close(driven.x.v[i], written.x.v[i], 1e-12);
+            assert_close(driven.q[i], written.q[i], 1e-12);
+            assert_close(driven.v[i], written.v[i], 1e-12);
         }
     }
 }
 
-#[test]
-fn all_methods_integrate_driven_models() {
-    let driven = CRANE.driven_by(signals());
-    let series = Taylor::new()
-        .integrate_to(&driven, start(0.0), 10.0)
-        .unwrap();
-    let explicit = Dop853::new()
+fn explicit() -> Dop853 {
+    Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13)
-        .integrate_to(&driven, start(0.0), 10.0)
-        .unwrap();
-    assert_close(series.x.q[0], explicit.x.q[0], 1e-10);
-    assert_close(series.x.q[1], explicit.x.q[1], 1e-10);
+}
+
+#[test]
+fn all_methods_integrate_driven_models() {
+    let driven = || Problem::new(&CRANE, start(0.0)).driven_by(signals());
+    let series = driven().solve(10.0, Taylor::new()).unwrap();
+    let explicit = driven().solve(10.0, explicit()).unwrap();
+    assert_close(series.q[0], explicit.q[0], 1e-10);
+    assert_close(series.q[1], explicit.q[1], 1e-10);
 }
 
 #[test]
 fn signals_are_on_all_scalars() {
-    let alone = CRANE.driven_by(signals());
-    let alone = Taylor::new().integrate_to(&alone, start(0.0), 3.0).unwrap();
-    let precise = CRANE.driven_by(signals());
-    let precise = Taylor::order_40()
-        .integrate_to(&precise, start::<DoubleDouble>(0.0), 3.0)
-        .unwrap();
-    let lanes = CRANE.driven_by(signals());
-    let lanes = Taylor::new()
-        .integrate_to(&lanes, start::<Lanes<4>>(0.0), 3.0)
-        .unwrap();
+    let alone = Problem::new(&CRANE, start(0.0)).driven_by(signals());
+    let alone = alone.solve(3.0, Taylor::new()).unwrap();
+    let precise = Problem::new(&CRANE, start::<DoubleDouble>(0.0)).driven_by(signals());
+    let precise = precise.solve(3.0, Taylor::order_40()).unwrap();
+    let lanes = Problem::new(&CRANE, start::<Lanes<4>>(0.0)).driven_by(signals());
+    let lanes = lanes.solve(3.0, Taylor::new()).unwrap();
     for i in 0..2 {
-        assert_close(alone.x.q[i], precise.x.q[i].to_f64(), 1e-13);
-        assert_close(alone.x.q[i], lanes.x.q[i].lane(2), 1e-13);
+        assert_close(alone.q[i], precise.q[i].to_f64(), 1e-13);
+        assert_close(alone.q[i], lanes.q[i].lane(2), 1e-13);
     }
 }
 
 /// Held for the whole motion, by the fields and by `with_inputs`, and held from sample to sample.
 #[test]
 fn inputs_that_are_held() {
-    let explicit = Dop853::new()
-        .relative_tolerance(1e-13)
-        .absolute_tolerance(1e-13);
-    let by_field = Taylor::new()
-        .integrate_to(&CRANE.dynamics(), start(0.0), 5.0)
-        .unwrap();
-    let expected = explicit
-        .integrate_to(&CRANE.dynamics(), start(0.0), 5.0)
-        .unwrap();
-    assert_close(by_field.x.q[1], expected.x.q[1], 1e-10);
+    let free = Problem::new(&CRANE, start(0.0));
+    let by_field = free.clone().solve(5.0, Taylor::new()).unwrap().last;
+    let expected = free.clone().solve(5.0, explicit()).unwrap();
+    assert_close(by_field.q[1], expected.q[1], 1e-10);
 
     let held = CRANE.with_inputs([0.1, 3.0, 9.81]);
-    let found = Taylor::new()
-        .integrate_to(&held.dynamics(), start(0.0), 5.0)
-        .unwrap();
-    assert_eq!(found, by_field);
-    let held = CRANE.driven_by([0.1, 3.0, 9.81].map(Constant));
-    let found = Taylor::new().integrate_to(&held, start(0.0), 5.0).unwrap();
-    assert_eq!(found, by_field);
+    let found = Problem::new(&held, start(0.0)).solve(5.0, Taylor::new());
+    assert_eq!(found.unwrap().last, by_field);
+    let held = free.driven_by([0.1, 3.0, 9.81].map(Constant));
+    let found = held.solve(5.0, Taylor::new()).unwrap();
+    assert_eq!(found.last, by_field);
 
     // A sampled controller, ten times a second.
     let law = |state: &State<f64, 2>| [-2.0 * state.q[0] - state.v[0], 3.0, 9.81];
@@ -152,13 +139,11 @@ fn inputs_that_are_held() {
     for period in 1..=30 {
         let end = 0.1 * f64::from(period);
         let under = CRANE.with_inputs(law(&series));
-        series = Taylor::new()
-            .integrate_to(&under.dynamics(), series, end)
-            .unwrap()
-            .state();
+        let next = Problem::new(&under, series).solve(end, Taylor::new());
+        series = next.unwrap().last;
         let under = CRANE.with_inputs(law(&steps));
-        let next = explicit.integrate_to(&under.dynamics(), steps, end);
-        steps = next.unwrap().state();
+        let next = Problem::new(&under, steps).solve(end, explicit());
+        steps = next.unwrap().last;
     }
     assert_close(series.q[0], steps.q[0], 1e-10);
     assert_close(series.q[1], steps.q[1], 1e-10);

@@ -13,29 +13,35 @@ const TOP: SymmetricTop = SymmetricTop {
     weight: 2.0,
 };
 
-const START: (f64, Plain) = (0.0, Plain::new(1.0, 0.0));
+const START: At<f64, Plain> = At {
+    t: 0.0,
+    x: Plain::new(1.0, 0.0),
+};
+
+/// The errors of a problem under each of the methods.
+macro_rules! errors {
+    ($problem:expr, $end:expr, [$($method:expr),+ $(,)?]) => {
+        [$($problem.solve($end, $method).unwrap_err().error()),+]
+    };
+}
 
 /// ẋ = x², which is infinite at t = 1 from x = 1.
-fn blows_up() -> impl Dynamics<State = SVector<f64, 1>> {
-    equation::<1, _>(|_, x| SVector::from([x[0] * x[0]]))
+fn blows_up() -> Problem<f64, impl Dynamics<State = SVector<f64, 1>>> {
+    let square = equation::<1, _>(|_, x| SVector::from([x[0] * x[0]]));
+    let start = At::from((0.0, SVector::from([1.0])));
+    Problem::new(square, start)
 }
 
 #[test]
 fn an_initial_state_that_is_not_finite_is_named() {
     let state = State::new(0.5, [0.0, f64::NAN, 0.0], [0.0, 0.0, 1.0]);
-    let error = Dop853::new()
-        .integrate_to(&TOP.dynamics(), state, 1.0)
-        .unwrap_err();
+    let [error] = errors!(Problem::new(&TOP, state), 1.0, [Dop853::new()]);
     assert_eq!(error.to_string(), "the coordinate theta is NaN at t = 0.5");
     let state = State::new(0.5, [0.0, 1.0, 0.0], [0.0, 0.0, f64::INFINITY]);
-    let error = RungeKutta::classical(0.1)
-        .integrate_to(&TOP.dynamics(), state, 1.0)
-        .unwrap_err();
+    let [error] = errors!(Problem::new(&TOP, state), 1.0, [RungeKutta::classical(0.1)]);
     assert_eq!(error.to_string(), "the velocity of psi is inf at t = 0.5");
-    let start = (0.0, Plain::new(0.0, f64::NAN));
-    let error = Dop853::new()
-        .integrate_to(&Oscillator, start, 1.0)
-        .unwrap_err();
+    let start = At::from((0.0, Plain::new(0.0, f64::NAN)));
+    let [error] = errors!(Problem::new(Oscillator, start), 1.0, [Dop853::new()]);
     let IntegrationError::NonFiniteState { component, .. } = error else {
         panic!("{error}")
     };
@@ -45,14 +51,11 @@ fn an_initial_state_that_is_not_finite_is_named() {
 #[test]
 fn a_derivative_that_is_not_finite_is_an_error_at_once() {
     let dynamics = equation::<2, _>(|_, x| Plain::new(1.0, (-x[0]).sqrt()));
-    for error in [
-        Dop853::new()
-            .integrate_to(&dynamics, START, 1.0)
-            .unwrap_err(),
-        RungeKutta::classical(0.1)
-            .integrate_to(&dynamics, START, 1.0)
-            .unwrap_err(),
-    ] {
+    for error in errors!(
+        Problem::new(&dynamics, START),
+        1.0,
+        [Dop853::new(), RungeKutta::classical(0.1)]
+    ) {
         let IntegrationError::NonFiniteDerivative {
             time,
             component,
@@ -68,22 +71,23 @@ fn a_derivative_that_is_not_finite_is_an_error_at_once() {
 #[test]
 fn times_that_are_not_finite_are_errors() {
     for time in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let results = [
-            Dop853::new().integrate_to(&Oscillator, START, time),
-            Dop853::new().integrate_to(&Oscillator, (time, START.1), 1.0),
-            RungeKutta::classical(0.1).integrate_to(&Oscillator, START, time),
-        ];
-        for result in results {
-            let error = result.unwrap_err();
+        let [adaptive, fixed] = errors!(
+            Problem::new(Oscillator, START),
+            time,
+            [Dop853::new(), RungeKutta::classical(0.1)]
+        );
+        let start = At { t: time, ..START };
+        let [begun] = errors!(Problem::new(Oscillator, start), 1.0, [Dop853::new()]);
+        for error in [adaptive, begun, fixed] {
             assert!(
                 matches!(error, IntegrationError::NonFiniteTime { .. }),
                 "{error}"
             );
         }
-        let mut stepper = Dop853::new().start(&Oscillator, START.0, START.1).unwrap();
+        let mut stepper = Dop853::new().start(&Oscillator, START.t, START.x).unwrap();
         assert!(stepper.step(&Oscillator, time).is_err());
         let mut stepper = RungeKutta::classical(0.1)
-            .start(&Oscillator, START.0, START.1)
+            .start(&Oscillator, START.t, START.x)
             .unwrap();
         assert!(stepper.step(&Oscillator, time).is_err());
     }
@@ -91,39 +95,37 @@ fn times_that_are_not_finite_are_errors() {
 
 #[test]
 fn sample_times_must_advance() {
-    let index_of = |times: &[f64]| {
-        let error = Dop853::new()
-            .sample(&Oscillator, START, times)
-            .unwrap_err()
-            .error();
-        let IntegrationError::UnorderedTimes { index, .. } = error else {
-            panic!("{error}")
-        };
-        index
+    let index_of = |times: &[f64], end: f64| {
+        let problem = Problem::new(Oscillator, START).save(times);
+        match problem.solve(end, Dop853::new()).unwrap_err().error() {
+            IntegrationError::UnorderedTimes { index, .. } => index,
+            // On the other side of the start.
+            IntegrationError::OutsideSpan { time, .. } => {
+                assert!((time < 0.0) != (end < 0.0));
+                times.iter().position(|t| *t - time == 0.0).unwrap()
+            }
+            error => panic!("{error}"),
+        }
     };
-    assert_eq!(index_of(&[1.0, 0.5, 2.0]), 1);
-    assert_eq!(index_of(&[-1.0, 2.0]), 0);
-    assert_eq!(index_of(&[1.0, -2.0]), 0);
-    assert_eq!(index_of(&[-1.0, -0.5, -2.0]), 1);
-    assert_eq!(index_of(&[1.0, 2.0, 0.0]), 2);
+    assert_eq!(index_of(&[1.0, 0.5, 2.0], 2.0), 1);
+    assert_eq!(index_of(&[-1.0, 2.0], 2.0), 0);
+    assert_eq!(index_of(&[1.0, -2.0], -2.0), 0);
+    assert_eq!(index_of(&[-1.0, -0.5, -2.0], -2.0), 1);
+    assert_eq!(index_of(&[1.0, 2.0, 0.0], 2.0), 2);
 }
 
 #[test]
 fn steps_and_tolerances_are_checked() {
     for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
-        for error in [
-            RungeKutta::classical(step)
-                .integrate_to(&Oscillator, START, 1.0)
-                .unwrap_err(),
-            Dop853::new()
-                .max_step(step)
-                .integrate_to(&Oscillator, START, 1.0)
-                .unwrap_err(),
-            Dop853::new()
-                .initial_step(step)
-                .integrate_to(&Oscillator, START, 1.0)
-                .unwrap_err(),
-        ] {
+        for error in errors!(
+            Problem::new(Oscillator, START),
+            1.0,
+            [
+                RungeKutta::classical(step),
+                Dop853::new().max_step(step),
+                Dop853::new().initial_step(step),
+            ]
+        ) {
             assert!(
                 matches!(error, IntegrationError::InvalidStep { .. }),
                 "{error}"
@@ -140,66 +142,69 @@ fn steps_and_tolerances_are_checked() {
         let method = Dop853::new()
             .relative_tolerance(relative)
             .absolute_tolerance(absolute);
-        let error = method.integrate_to(&Oscillator, START, 1.0).unwrap_err();
+        let [error] = errors!(Problem::new(Oscillator, START), 1.0, [method]);
         assert!(
             matches!(error, IntegrationError::InvalidTolerance { .. }),
             "{error}"
         );
     }
     // One of the tolerances may be zero.
+    let start = At::from((0.0, Plain::new(1.0, 1.0)));
     let relative = Dop853::new().absolute_tolerance(0.0);
-    assert!(
-        relative
-            .integrate_to(&Oscillator, (0.0, Plain::new(1.0, 1.0)), 1.0)
-            .is_ok()
-    );
+    assert!(Problem::new(Oscillator, start).solve(1.0, relative).is_ok());
 }
 
 #[test]
 fn a_step_that_is_too_small_keeps_the_samples_before_it() {
-    let start = (0.0, SVector::from([1.0]));
-    let times = [0.25, 0.5, 0.75, 1.5];
-    let interrupted = Dop853::new()
-        .sample(&blows_up(), start, &times)
+    let interrupted = blows_up()
+        .save([0.25, 0.5, 0.75, 1.5])
+        .solve(1.5, Dop853::new())
         .unwrap_err();
     let error = interrupted.error();
     let IntegrationError::StepTooSmall { time, .. } = error else {
         panic!("{error}")
     };
     assert_close(time, 1.0, 1e-6);
-    assert_eq!(interrupted.trajectory().len(), 3);
     assert!(
-        interrupted.to_string().ends_with("(after 3 samples)"),
+        interrupted
+            .to_string()
+            .contains("(the solution is known until t = "),
         "{interrupted}"
     );
-    assert_eq!(interrupted.trajectory().reason(), StopReason::Error);
-    let trajectory = interrupted.into_trajectory();
-    for sample in trajectory.samples() {
-        assert_close(sample.x[0] * (1.0 - sample.t), 1.0, 1e-8);
+    let known = interrupted.into_solution();
+    assert_eq!(
+        (known.samples().len(), known.reason),
+        (3, StopReason::Error)
+    );
+    for sample in known.samples() {
+        assert_close(sample[0] * (1.0 - sample.t), 1.0, 1e-8);
     }
-    assert_close(trajectory.last().t, 1.0, 1e-6);
-    assert!(trajectory.statistics().steps > 10);
+    assert_close(known.t, 1.0, 1e-6);
+    assert!(known.statistics.steps > 10);
 }
 
 #[test]
 fn a_state_that_becomes_infinite_ends_fixed_steps() {
-    let start = (0.0, SVector::from([1.0]));
-    let method = RungeKutta::classical(0.1);
-    let interrupted = method.sample(&blows_up(), start, &[0.5, 5.0]).unwrap_err();
+    let interrupted = blows_up()
+        .save([0.5, 5.0])
+        .solve(5.0, RungeKutta::classical(0.1))
+        .unwrap_err();
     let error = interrupted.error();
     assert!(
         matches!(error, IntegrationError::NonFiniteState { .. }),
         "{error}"
     );
-    assert_eq!(interrupted.trajectory().len(), 1);
+    assert_eq!(interrupted.solution().samples().len(), 1);
 }
 
 /// ẋ = 1 for x < ½, and NaN beyond: the step shrinks to the limit.
 #[test]
 fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
     let bounded = equation::<2, _>(|_, x| Plain::new(0.0, 1.0 + 0.0 * (0.5 - x[1]).sqrt()));
-    let result = Dop853::new().sample(&bounded, START, &[0.25, 1.0]);
-    let interrupted = result.unwrap_err();
+    let interrupted = Problem::new(bounded, START)
+        .save([0.25, 1.0])
+        .solve(1.0, Dop853::new())
+        .unwrap_err();
     let IntegrationError::NonFiniteState {
         time, component, ..
     } = interrupted.error()
@@ -208,7 +213,7 @@ fn a_motion_out_of_the_domain_of_its_equations_names_the_component() {
     };
     assert_eq!(component, ComponentName::Index(1));
     assert_close(time, 0.5, 1e-9);
-    assert_eq!(interrupted.trajectory().len(), 1);
+    assert_eq!(interrupted.solution().samples().len(), 1);
 }
 
 /// With a tolerance near the machine epsilon a coupled system is still regular: at
@@ -219,20 +224,20 @@ fn a_regular_configuration_is_none_to_a_tight_tolerance() {
     let tight = Dop853::new()
         .relative_tolerance(1e-15)
         .absolute_tolerance(1e-12);
-    assert!(tight.integrate_to(&TOP.dynamics(), state, 0.01).is_ok());
-    let driver = tight.driver().singularity_tolerance(1e-15);
-    let error = driver.run_until(&TOP.dynamics(), state, 0.01);
+    let problem = Problem::new(&TOP, state);
+    assert!(problem.clone().solve(0.01, tight).is_ok());
+    let error = problem.singularity_tolerance(1e-15).solve(0.01, tight);
     assert!(error.is_err(), "unless it is asked for");
     let single = State::new(0.0, [0.0, 0.1, 0.0], [1.0, 0.0, 2.0_f32]);
     let fixed = RungeKutta::classical(0.001);
-    assert!(fixed.integrate_to(&TOP.dynamics(), single, 0.01).is_ok());
+    assert!(Problem::new(&TOP, single).solve(0.01, fixed).is_ok());
 }
 
 #[test]
 fn the_singularity_tolerance_must_be_positive() {
     for tolerance in [0.0, -1.0, f64::NAN] {
-        let driver = Dop853::new().driver().singularity_tolerance(tolerance);
-        let error = driver.run_until(&Oscillator, START, 1.0).unwrap_err();
+        let problem = Problem::new(Oscillator, START).singularity_tolerance(tolerance);
+        let [error] = errors!(problem, 1.0, [Dop853::new()]);
         assert!(
             matches!(error, IntegrationError::InvalidSingularityTolerance { .. }),
             "{error}"
@@ -244,7 +249,7 @@ fn the_singularity_tolerance_must_be_positive() {
 #[test]
 fn a_partial_trajectory_converts_to_its_error() {
     fn fails() -> Result<(), IntegrationError> {
-        Dop853::new().sample(&blows_up(), (0.0, SVector::from([1.0])), &[2.0])?;
+        blows_up().save([2.0]).solve(2.0, Dop853::new())?;
         Ok(())
     }
     fails().unwrap_err();
@@ -252,19 +257,18 @@ fn a_partial_trajectory_converts_to_its_error() {
 
 #[test]
 fn the_number_of_steps_is_limited() {
-    let adaptive = Dop853::new().driver().max_steps(3);
-    let fixed = RungeKutta::classical(0.1).driver().max_steps(3);
-    for outcome in [
-        adaptive.run_until(&Oscillator, START, 1e3).unwrap(),
-        fixed.run_until(&Oscillator, START, 1e3).unwrap(),
+    let limited = |steps| Problem::new(Oscillator, START).max_steps(steps);
+    for end in [
+        limited(3).solve(1e3, Dop853::new()).unwrap(),
+        limited(3).solve(1e3, RungeKutta::classical(0.1)).unwrap(),
     ] {
-        assert_eq!(outcome.reason, StopReason::StepLimit);
-        assert_eq!(outcome.statistics.attempts(), 3);
-        assert!(outcome.last.t > 0.0 && outcome.last.t < 1e3);
+        assert_eq!(end.reason, StopReason::StepLimit);
+        assert_eq!(end.statistics.attempts(), 3);
+        assert!(end.t > 0.0 && end.t < 1e3);
     }
     let reason = |step| {
-        let driver = RungeKutta::classical(step).driver().max_steps(4);
-        driver.run_until(&Oscillator, START, 1.0).unwrap().reason
+        let end = limited(4).solve(1.0, RungeKutta::classical(step));
+        end.unwrap().reason
     };
     assert_eq!(reason(0.2), StopReason::StepLimit);
     assert_eq!(reason(0.25), StopReason::Completed);
@@ -272,8 +276,12 @@ fn the_number_of_steps_is_limited() {
 
 #[test]
 fn a_fixed_step_below_the_spacing_of_time_is_an_error() {
-    let error = RungeKutta::classical(1e-9).integrate_to(&Oscillator, (1e9, START.1), 1e9 + 1.0);
-    let error = error.unwrap_err();
+    let start = At { t: 1e9, ..START };
+    let [error] = errors!(
+        Problem::new(Oscillator, start),
+        1e9 + 1.0,
+        [RungeKutta::classical(1e-9)]
+    );
     assert!(
         matches!(error, IntegrationError::StepTooSmall { .. }),
         "{error}"
@@ -283,14 +291,11 @@ fn a_fixed_step_below_the_spacing_of_time_is_an_error() {
 #[test]
 fn an_upright_top_is_a_singular_configuration() {
     let state = State::new(0.0, [0.0, 0.0, 0.0], [1.0, 0.0, 2.0]);
-    for error in [
-        Dop853::new()
-            .integrate_to(&TOP.dynamics(), state, 1.0)
-            .unwrap_err(),
-        RungeKutta::classical(0.01)
-            .integrate_to(&TOP.dynamics(), state, 1.0)
-            .unwrap_err(),
-    ] {
+    for error in errors!(
+        Problem::new(&TOP, state),
+        1.0,
+        [Dop853::new(), RungeKutta::classical(0.01)]
+    ) {
         let IntegrationError::SingularConfiguration {
             time,
             estimated_error,
@@ -313,8 +318,10 @@ fn an_upright_top_is_a_singular_configuration() {
 fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);
     let times: Vec<f64> = (0..100).map(|i| f64::from(i) * 0.01).collect();
-    let method = Dop853::new().max_step(1e-3);
-    let interrupted = method.sample(&TOP.dynamics(), state, &times).unwrap_err();
+    let interrupted = Problem::new(&TOP, state)
+        .save(&times)
+        .solve(0.99, Dop853::new().max_step(1e-3))
+        .unwrap_err();
     let error = interrupted.error();
     let IntegrationError::SingularConfiguration {
         time,
@@ -329,18 +336,16 @@ fn a_motion_into_a_singularity_ends_there_with_its_samples() {
     // The relative pivot of ψ is I sin²θ / (I sin²θ + Iₛ cos²θ), ε = 2⁻⁵².
     let pivot = theta.sin().powi(2) / (theta.sin().powi(2) + 0.6 * theta.cos().powi(2));
     assert_close(estimated_error * pivot / f64::EPSILON, 1.0, 1e-6);
-    let trajectory = interrupted.trajectory();
-    assert!(trajectory.len() > 10);
-    assert!(trajectory.samples().iter().all(|sample| sample.t <= time));
+    let known = interrupted.solution();
+    assert!(known.samples().len() > 10);
+    assert!(known.samples().iter().all(|sample| sample.t <= time));
     // The last state is the last accurate one, a step before.
-    let late = time - trajectory.last().t;
+    let late = time - known.t;
     assert!(late > 0.0 && late < 1.001e-3);
 
     // Without the check it passes within a step.
-    let driver = RungeKutta::classical(1e-3)
-        .driver()
-        .singularity_tolerance(f64::INFINITY);
-    assert!(driver.run_until(&TOP.dynamics(), state, 0.1).is_ok());
+    let unchecked = Problem::new(&TOP, state).singularity_tolerance(f64::INFINITY);
+    assert!(unchecked.solve(0.1, RungeKutta::classical(1e-3)).is_ok());
 }
 
 #[test]
@@ -352,14 +357,11 @@ fn a_zero_inertia_is_an_error_at_the_start() {
         ..TOP
     };
     for model in [rod, needle] {
-        for error in [
-            Dop853::new()
-                .integrate_to(&model.dynamics(), state, 1.0)
-                .unwrap_err(),
-            RungeKutta::classical(0.01)
-                .integrate_to(&model.dynamics(), state, 1.0)
-                .unwrap_err(),
-        ] {
+        for error in errors!(
+            Problem::new(&model, state),
+            1.0,
+            [Dop853::new(), RungeKutta::classical(0.01)]
+        ) {
             let IntegrationError::SingularConfiguration {
                 time,
                 estimated_error,
@@ -377,9 +379,7 @@ fn a_zero_inertia_is_an_error_at_the_start() {
         l: 1.0,
     };
     let state = State::new(0.0, [0.5], [0.0]);
-    let error = Dop853::new()
-        .integrate_to(&massless.dynamics(), state, 1.0)
-        .unwrap_err();
+    let [error] = errors!(Problem::new(&massless, state), 1.0, [Dop853::new()]);
     assert!(
         error.to_string().contains("whatever the coordinates are"),
         "{error}"
@@ -393,9 +393,9 @@ fn what_stays_exactly_zero_needs_no_tolerance() {
     let method = Dop853::new()
         .relative_tolerance(1e-10)
         .absolute_tolerance(0.0);
-    let start = (0.0, SVector::from([1.0, 1.0, 0.0]));
-    let end = method.integrate_to(&turning, start, 0.5).unwrap();
-    assert_close(end.x[0], 0.5_f64.cos() + 0.5_f64.sin(), 1e-9);
+    let start = At::from((0.0, SVector::from([1.0, 1.0, 0.0])));
+    let end = Problem::new(turning, start).solve(0.5, method).unwrap();
+    assert_close(end[0], 0.5_f64.cos() + 0.5_f64.sin(), 1e-9);
 }
 
 /// Samples within the step that comes too near to the pole are kept.
@@ -403,11 +403,13 @@ fn what_stays_exactly_zero_needs_no_tolerance() {
 fn the_samples_within_the_last_step_are_kept() {
     let state = State::new(0.0, [0.1, 1.0, 0.2], [0.0, -4.0, 0.0]);
     let times: Vec<f64> = (0..30_000).map(|i| f64::from(i) * 1e-5).collect();
-    let method = Dop853::new().max_step(1e-3);
-    let interrupted = method.sample(&TOP.dynamics(), state, &times).unwrap_err();
+    let interrupted = Problem::new(&TOP, state)
+        .save(&times)
+        .solve(0.3, Dop853::new().max_step(1e-3))
+        .unwrap_err();
     let IntegrationError::SingularConfiguration { time, .. } = interrupted.error() else {
         panic!("{interrupted}")
     };
     let before = times.iter().filter(|t| **t < time).count();
-    assert_eq!(interrupted.trajectory().len(), before);
+    assert_eq!(interrupted.solution().samples().len(), before);
 }

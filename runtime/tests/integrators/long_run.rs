@@ -27,8 +27,8 @@ fn compensation_stops_the_growth_of_rounding_errors() {
         plain = plain_step(plain, h);
     }
     let end = f64::from(steps) * h;
-    let carried = RungeKutta::classical(h)
-        .integrate_to(&Oscillator, (0.0, start), end)
+    let carried = Problem::new(Oscillator, At { t: 0.0, x: start })
+        .solve(end, RungeKutta::classical(h))
         .unwrap();
     // The amplification factor is |1 + z + z²/2 + z³/6 + z⁴/24|² at z = ih: 1 − h⁶/72 + h⁸/576.
     let factor = -h.powi(6) / 72.0 + h.powi(8) / 576.0;
@@ -57,14 +57,13 @@ fn the_adaptive_method_keeps_the_energy_over_ten_thousand_radians() {
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    let driver = method.driver();
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let outcome = driver.run_until(&Oscillator, start, 1e4).unwrap();
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
+    let end = Problem::new(Oscillator, start).solve(1e4, method).unwrap();
     println!(
         "energy drift {:e} in {:?}",
-        outcome.last.x.norm_squared() - 1.0,
-        outcome.statistics
+        end.x.norm_squared() - 1.0,
+        end.statistics
     );
-    let steps = f64::from(u32::try_from(outcome.statistics.steps).unwrap());
-    assert_close(outcome.last.x.norm_squared(), 1.0, 2.0 * steps * 1e-13);
+    let steps = f64::from(u32::try_from(end.statistics.steps).unwrap());
+    assert_close(end.x.norm_squared(), 1.0, 2.0 * steps * 1e-13);
 }

@@ -1,4 +1,4 @@
-//! Integrators, and how they are driven: methods, orders, tolerances, inputs, ensembles.
+//! Integrators, and problems that they solve: methods, orders, tolerances, inputs, ensembles.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -7,7 +7,6 @@ mod beyond_many_turns;
 mod branches;
 mod counted_calls;
 mod driven;
-mod driver;
 mod ensemble;
 mod ensemble_errors;
 mod errors;
@@ -27,4 +26,5 @@ mod series_by_hand;
 mod sliding;
 mod taylor;
 mod tolerances;
+mod trajectories;
 mod units;

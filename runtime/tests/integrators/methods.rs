@@ -72,23 +72,25 @@ fn distance<S: Scalar>(x: &X<S>, y: &X<S>) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
+/// The oscillator from t = 0 on.
+fn oscillator<S: Scalar>() -> Problem<S, Oscillator> {
+    let (t, x) = (S::zero(), exact(0.0));
+    Problem::new(Oscillator, At { t, x })
+}
+
 /// The error of the oscillator after two steps of this size, or at t = 2.
-fn error<S: Scalar, I>(method: &I, step: f64) -> f64
-where
-    I: Integrator<S, Oscillator> + IntegrationMethod,
-{
+fn error<S: Scalar>(method: impl Integrator<S, Oscillator>, step: f64) -> f64 {
     let end = f64::max(2.0, 2.0 * step);
-    let start = (0.0, exact::<S>(0.0));
-    let found = method.integrate_to(&Oscillator, start, end).unwrap();
+    let found = oscillator().solve(end, method).unwrap();
     distance(&found.x, &exact(end))
 }
 
 /// The order is the slope of log error over log step.
 fn order<S: Scalar, I>(method: impl Fn(f64) -> I, order: u16, step: f64)
 where
-    I: Integrator<S, Oscillator> + Integrator<S, Power> + IntegrationMethod,
+    I: Integrator<S, Oscillator> + Integrator<S, Power>,
 {
-    let errors = [step, 0.5 * step].map(|h| error::<S, I>(&method(h), step));
+    let errors = [step, 0.5 * step].map(|h| error::<S>(method(h), step));
     assert_close(
         (errors[0] / errors[1]).log2(),
         order.into(),
@@ -96,45 +98,45 @@ where
     );
 
     for degree in 0..order {
-        let start = (0.0, SVector::from([S::zero(), S::one()]));
-        let end = method(1.0)
-            .integrate_to(&Power(degree), start, 1.0)
-            .unwrap();
+        let (t, x) = (S::zero(), SVector::from([S::zero(), S::one()]));
+        let end = Problem::new(Power(degree), At { t, x }).solve(1.0, method(1.0));
         let expected = SVector::from([S::one(); 2]);
-        assert!(distance(&end.x, &expected) <= 64.0 * S::machine_epsilon());
+        assert!(distance(&end.unwrap().x, &expected) <= 64.0 * S::machine_epsilon());
     }
 }
 
 /// Forwards and back, dense output, events and the energy at small steps.
-fn motion<S: SingleNumber, I>(method: &I, accuracy: f64)
+fn motion<S: SingleNumber, I>(method: I, accuracy: f64)
 where
-    I: Integrator<S, Oscillator> + IntegrationMethod,
+    I: Integrator<S, Oscillator> + Copy,
 {
-    let start = (0.0, exact::<S>(0.0));
-    let there = method.integrate_to(&Oscillator, start, 7.0).unwrap();
-    let back = method.integrate_to(&Oscillator, there, 0.0).unwrap();
-    assert!(distance(&back.x, &start.1) < accuracy, "reversibility");
-    let energy = there.x[0] * there.x[0] + there.x[1] * there.x[1];
+    let there = oscillator().solve(7.0, method).unwrap().last;
+    let back = Problem::new(Oscillator, there).solve(0.0, method).unwrap();
+    assert!(distance(&back.x, &exact(0.0)) < accuracy, "reversibility");
+    let energy = there[0] * there[0] + there[1] * there[1];
     assert!(
         (energy - S::one()).abs().largest() < accuracy,
         "conservation"
     );
 
     let times: Vec<f64> = (1..=70).map(|i| 0.1 * f64::from(i)).collect();
-    let samples = method.sample(&Oscillator, start, &times).unwrap();
-    for sample in samples.samples() {
-        let error = distance(&sample.x, &exact(sample.t));
-        assert!(error <= accuracy, "at {}: {error:e}", sample.t);
+    let sampled = oscillator::<S>().save(&times).solve(7.0, method).unwrap();
+    for (sample, t) in sampled.samples().iter().zip(times) {
+        let error = distance(&sample.x, &exact(t));
+        assert!(error <= accuracy, "at {t}: {error:e}");
     }
 
-    let mut at = At::from(start);
+    let mut at = At {
+        t: S::zero(),
+        x: exact(0.0),
+    };
     for n in 0..4 {
-        let driver = method.driver().stop_at_zero(|_, x: &X<S>| x[0]);
-        let outcome = driver.run_until(&Oscillator, at, 100.0).unwrap();
-        assert_eq!(outcome.reason, StopReason::Condition);
-        at = outcome.last;
+        let until_zero = Problem::new(Oscillator, at).when(|x| x[0]).stop();
+        let end = until_zero.solve(100.0, method).unwrap();
+        assert_eq!(end.reason, StopReason::Condition);
+        at = end.last;
         assert_close(
-            at.t,
+            at.t.largest(),
             std::f64::consts::PI * (f64::from(n) + 0.5),
             f64::max(2.0 * accuracy, 1e-14),
         );
@@ -142,10 +144,11 @@ where
 }
 
 /// Bad tolerances, times and states are values, whatever the method.
-fn bad_input<I: Integrator<f64, Oscillator> + IntegrationMethod>(method: &I) {
+fn bad_input(method: impl Integrator<f64, Oscillator> + Copy) {
     let run = |t: f64, x: f64, end: f64| {
-        let start = (t, SVector::from([x, 0.0]));
-        method.integrate_to(&Oscillator, start, end).unwrap_err()
+        let x = SVector::from([x, 0.0]);
+        let solved = Problem::new(Oscillator, At { t, x }).solve(end, method);
+        solved.unwrap_err().error()
     };
     for wrong in [f64::NAN, f64::INFINITY] {
         assert!(matches!(
@@ -179,8 +182,8 @@ macro_rules! table {
         $(#[test]
         fn $name() {
             order::<$scalar, _>($method, $order, $step);
-            motion::<$scalar, _>(&$fine, $accuracy);
-            bad_input(&$fine);
+            motion::<$scalar, _>($fine, $accuracy);
+            bad_input($fine);
         })*
     };
 }
@@ -202,17 +205,13 @@ table! {
 /// Tolerances of zero, NaN, or beyond the digits of the scalar are values: an error, a stop, or the digits that there are.
 #[test]
 fn tolerances_beyond_the_digits_end() {
-    fn ends<I>(method: &I)
-    where
-        I: Integrator<f64, Oscillator> + IntegrationMethod,
-    {
-        let start = (0.0, exact::<f64>(0.0));
-        let driver = method.driver().max_steps(5000);
-        match driver.run_until(&Oscillator, start, 5.0) {
-            Ok(outcome) if outcome.reason == StopReason::Completed => {
-                assert_close(outcome.last.x[0], 5.0_f64.cos(), 1e-14);
+    fn ends(method: impl Integrator<f64, Oscillator>) {
+        let solved = oscillator().max_steps(5000).solve(5.0, method);
+        match solved.map_err(IntegrationError::from) {
+            Ok(end) if end.reason == StopReason::Completed => {
+                assert_close(end[0], 5.0_f64.cos(), 1e-14);
             }
-            Ok(outcome) => assert_eq!(outcome.reason, StopReason::StepLimit),
+            Ok(end) => assert_eq!(end.reason, StopReason::StepLimit),
             Err(error) => assert!(
                 matches!(error, IntegrationError::StepTooSmall { .. }),
                 "{error}"
@@ -221,12 +220,12 @@ fn tolerances_beyond_the_digits_end() {
     }
     for tolerance in [1e-17, 1e-30, 1e-300] {
         ends(
-            &Dop853::new()
+            Dop853::new()
                 .relative_tolerance(tolerance)
                 .absolute_tolerance(tolerance),
         );
-        ends(&Taylor::new().relative_tolerance(tolerance));
-        ends(&Taylor::order_12().absolute_tolerance(tolerance));
+        ends(Taylor::new().relative_tolerance(tolerance));
+        ends(Taylor::order_12().absolute_tolerance(tolerance));
     }
     for (relative, absolute) in [
         (0.0, 0.0),
@@ -234,11 +233,11 @@ fn tolerances_beyond_the_digits_end() {
         (-1.0, 1e-9),
         (1e-9, f64::INFINITY),
     ] {
-        let start = (0.0, exact::<f64>(0.0));
         let taylor = Taylor::new()
             .relative_tolerance(relative)
             .absolute_tolerance(absolute);
-        let error = taylor.integrate_to(&Oscillator, start, 1.0).unwrap_err();
+        let solved = oscillator::<f64>().solve(1.0, taylor);
+        let error = solved.unwrap_err().error();
         assert!(
             matches!(error, IntegrationError::InvalidTolerance { .. }),
             "{error}"

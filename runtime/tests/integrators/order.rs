@@ -4,12 +4,16 @@ use crate::common::{Oscillator, assert_close, equation};
 use lagrangian::prelude::*;
 use nalgebra::SVector;
 
+/// ẍ = −x from (1, 0) on.
+fn oscillator() -> Problem<f64, Oscillator> {
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
+    Problem::new(Oscillator, start)
+}
+
 /// The error at t = 1 of ẍ = −x in `steps` equal steps of a method given by its step.
-fn error<I: Integrator<f64, Oscillator> + Clone>(method: impl Fn(f64) -> I, steps: u32) -> f64 {
-    let initial = (0.0, SVector::from([1.0, 0.0]));
-    let end = method(1.0 / f64::from(steps))
-        .integrate_to(&Oscillator, initial, 1.0)
-        .unwrap();
+fn error<I: Integrator<f64, Oscillator>>(method: impl Fn(f64) -> I, steps: u32) -> f64 {
+    let method = method(1.0 / f64::from(steps));
+    let end = oscillator().solve(1.0, method).unwrap();
     (end.x - SVector::from([1.0_f64.cos(), -1.0_f64.sin()])).norm()
 }
 
@@ -23,10 +27,7 @@ fn fixed_dop853(step: f64) -> Dop853 {
 }
 
 /// The slope of log error over log step between two numbers of steps.
-fn slope<I: Integrator<f64, Oscillator> + Clone>(
-    method: impl Fn(f64) -> I,
-    steps: [u32; 2],
-) -> f64 {
+fn slope<I: Integrator<f64, Oscillator>>(method: impl Fn(f64) -> I, steps: [u32; 2]) -> f64 {
     let [coarse, fine] = steps.map(|n| error(&method, n).ln());
     (coarse - fine) / (f64::from(steps[1]) / f64::from(steps[0])).ln()
 }
@@ -82,45 +83,36 @@ fn dormand_prince_reaches_a_roundoff_plateau() {
 /// ẋ = (p + 1) t^p is integrated exactly by a method of order p + 1.
 #[test]
 fn polynomials_are_exact_up_to_the_order() {
-    let power =
-        |p: i32| equation::<1, _>(move |t, _| SVector::from([f64::from(p + 1) * t.powi(p)]));
-    let start = (0.0, SVector::from([0.0]));
+    let power = |p: i32| {
+        let power = equation::<1, _>(move |t, _| SVector::from([f64::from(p + 1) * t.powi(p)]));
+        Problem::new(power, At::from((0.0, SVector::from([0.0]))))
+    };
+    let fixed = RungeKutta::classical(1.0);
     for p in 0..8 {
-        let end = fixed_dop853(1.0)
-            .integrate_to(&power(p), start, 1.0)
-            .unwrap();
+        let end = power(p).solve(1.0, fixed_dop853(1.0)).unwrap();
         // The weights of the stages are up to 6, their sum times ε.
-        assert_close(end.x[0], 1.0, 50.0 * f64::EPSILON);
+        assert_close(end[0], 1.0, 50.0 * f64::EPSILON);
     }
     for p in 0..4 {
-        let end = RungeKutta::classical(1.0)
-            .integrate_to(&power(p), start, 1.0)
-            .unwrap();
-        assert_close(end.x[0], 1.0, 4.0 * f64::EPSILON);
+        let end = power(p).solve(1.0, fixed).unwrap();
+        assert_close(end[0], 1.0, 4.0 * f64::EPSILON);
     }
-    let end = RungeKutta::classical(1.0)
-        .integrate_to(&power(4), start, 1.0)
-        .unwrap();
-    assert!((end.x[0] - 1.0).abs() > 1e-3, "order 4 is not 5");
-    let end = fixed_dop853(1.0)
-        .integrate_to(&power(8), start, 1.0)
-        .unwrap();
-    assert!((end.x[0] - 1.0).abs() > 1e-6, "order 8 is not 9");
+    let end = power(4).solve(1.0, fixed).unwrap();
+    assert!((end[0] - 1.0).abs() > 1e-3, "order 4 is not 5");
+    let end = power(8).solve(1.0, fixed_dop853(1.0)).unwrap();
+    assert!((end[0] - 1.0).abs() > 1e-6, "order 8 is not 9");
 }
 
 /// The largest error of the dense output within steps of one size.
 fn dense_error(steps: u32) -> f64 {
     let step = 2.0 / f64::from(steps);
     let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.02).collect();
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let trajectory = fixed_dop853(step)
-        .sample(&Oscillator, start, &times)
+    let motion = oscillator()
+        .save(&times)
+        .solve(2.0, fixed_dop853(step))
         .unwrap();
-    assert_eq!(trajectory.statistics().steps, u64::from(steps));
-    let errors = trajectory
-        .samples()
-        .iter()
-        .map(|s| (s.x[0] - s.t.cos()).abs());
+    assert_eq!(motion.statistics.steps, u64::from(steps));
+    let errors = motion.samples().iter().map(|x| (x[0] - x.t.cos()).abs());
     errors.fold(0.0, f64::max)
 }
 
@@ -136,23 +128,22 @@ fn dense_output_is_of_order_seven() {
 #[test]
 fn dense_output_is_exact_for_polynomials_of_degree_seven() {
     let power = equation::<1, _>(|t, _| SVector::from([7.0 * t.powi(6)]));
-    let start = (0.0, SVector::from([0.0]));
-    let times = [0.1, 0.35, 0.5, 0.8, 1.0];
-    let trajectory = fixed_dop853(1.0).sample(&power, start, &times).unwrap();
-    assert_eq!(trajectory.statistics().steps, 1);
-    for sample in trajectory.samples() {
+    let motion = Problem::new(power, At::from((0.0, SVector::from([0.0]))))
+        .save([0.1, 0.35, 0.5, 0.8, 1.0])
+        .solve(1.0, fixed_dop853(1.0))
+        .unwrap();
+    assert_eq!((motion.statistics.steps, motion.samples().len()), (1, 5));
+    for sample in motion {
         // The coefficients of the dense output are up to 500.
-        assert_close(sample.x[0], sample.t.powi(7), 1000.0 * f64::EPSILON);
+        assert_close(sample[0], sample.t.powi(7), 1000.0 * f64::EPSILON);
     }
 }
 
 #[test]
 fn dense_output_costs_three_evaluations_only_in_steps_that_are_sampled() {
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let method = fixed_dop853(0.25);
     let cost = |times: &[f64]| {
-        let trajectory = method.sample(&Oscillator, start, times).unwrap();
-        trajectory.statistics().evaluations
+        let motion = oscillator().save(times).solve(1.0, fixed_dop853(0.25));
+        motion.unwrap().statistics.evaluations
     };
     // One evaluation at the start, twelve a step.
     assert_eq!(cost(&[1.0]), 49);
@@ -164,12 +155,12 @@ fn dense_output_costs_three_evaluations_only_in_steps_that_are_sampled() {
 
 #[test]
 fn single_precision_is_integrated_too() {
-    let start = (0.0, SVector::from([1.0_f32, 0.0]));
+    let start = At::from((0.0_f32, SVector::from([1.0, 0.0])));
     let method = Dop853::new()
         .relative_tolerance(1e-6)
         .absolute_tolerance(1e-6);
-    let end = method.integrate_to(&Oscillator, start, 1.0).unwrap();
-    assert_close(f64::from(end.x[0]), 1.0_f64.cos(), 1e-5);
+    let end = Problem::new(Oscillator, start).solve(1.0, method).unwrap();
+    assert_close(f64::from(end[0]), 1.0_f64.cos(), 1e-5);
 }
 
 /// What the published code DOP853 counts with its default settings for the same equations, start
@@ -180,13 +171,13 @@ fn the_steps_are_those_of_the_reference_code() {
         let method = Dop853::new()
             .relative_tolerance(tolerance)
             .absolute_tolerance(tolerance);
-        let start = (0.0, SVector::from([2.0, 0.0]));
-        let outcome = method.driver().run_until(dynamics, start, end).unwrap();
+        let start = At::from((0.0, SVector::from([2.0, 0.0])));
+        let end = Problem::new(dynamics, start).solve(end, method).unwrap();
         let Statistics {
             steps,
             rejected,
             evaluations,
-        } = outcome.statistics;
+        } = end.statistics;
         (steps, rejected, evaluations)
     };
     let van_der_pol = |stiffness: f64| {

@@ -1,9 +1,8 @@
 //! The precision of the scalar is that of the motion: order and tolerance of the Taylor method by default, for `f32`, `f64`
 //! and double-doubles, against closed forms.
 
-use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
-use nalgebra::SVector;
+use lagrangian::{DoubleDouble, EquationsOfMotion};
 
 /// The Kepler problem in the plane.
 #[derive(Lagrangian)]
@@ -22,16 +21,16 @@ struct Cubic;
 
 /// The largest error of a motion of eccentricity ½ after the time 8, at which Kepler's equation is solved in
 /// double-doubles: t = E − ½ sin E.
-fn kepler<S: Scalar, I, D>(method: &I, dynamics: &D, number: impl Fn(DoubleDouble) -> S) -> f64
+fn kepler<S: Scalar, I>(method: I, number: impl Fn(DoubleDouble) -> S) -> f64
 where
-    D: Dynamics<S, State = Phase<S, 2>>,
-    I: Integrator<S, D> + Clone,
+    I: Integrator<S, EquationsOfMotion<'static, Kepler, S, 2>>,
 {
     let [time, eccentricity, one] = [8.0, 0.5, 1.0].map(DoubleDouble::from_f64);
-    let start = Phase {
-        q: SVector::from([number(one - eccentricity), S::zero()]),
-        v: SVector::from([S::zero(), number(DoubleDouble::from_f64(3.0).sqrt())]),
-    };
+    let start = State::new(
+        S::zero(),
+        [number(one - eccentricity), S::zero()],
+        [S::zero(), number(DoubleDouble::from_f64(3.0).sqrt())],
+    );
     let mut anomaly = time;
     for _ in 0..60 {
         let defect = anomaly - eccentricity * anomaly.sin() - time;
@@ -39,8 +38,8 @@ where
     }
     let minor = (one - eccentricity * eccentricity).sqrt();
     let expected = [anomaly.cos() - eccentricity, minor * anomaly.sin()].map(number);
-    let end = method.integrate_to(dynamics, (0.0, start), 8.0).unwrap();
-    let errors = [end.x.q[0] - expected[0], end.x.q[1] - expected[1]];
+    let end = Problem::new(&Kepler, start).solve(8.0, method).unwrap();
+    let errors = [end.q[0] - expected[0], end.q[1] - expected[1]];
     errors
         .map(|error| error.abs().largest())
         .into_iter()
@@ -50,17 +49,17 @@ where
 #[test]
 fn each_scalar_has_its_digits() {
     let single = |x: DoubleDouble| <f32 as Scalar>::from_f64(x.to_f64());
-    let error = kepler(&Taylor::order_12(), &Kepler.dynamics(), single);
+    let error = kepler(Taylor::order_12(), single);
     assert!(error < 5e-6, "f32: {error:e}");
-    let error = kepler(&Taylor::new(), &Kepler.dynamics(), single);
+    let error = kepler(Taylor::new(), single);
     assert!(error < 5e-6, "f32: {error:e}");
 
-    let error = kepler(&Taylor::new(), &Kepler.dynamics(), DoubleDouble::to_f64);
+    let error = kepler(Taylor::new(), DoubleDouble::to_f64);
     assert!(error < 1e-14, "f64: {error:e}");
 
     for error in [
-        kepler(&Taylor::order_40(), &Kepler.dynamics(), |x| x),
-        kepler(&Taylor::new(), &Kepler.dynamics(), |x| x),
+        kepler(Taylor::order_40(), |x| x),
+        kepler(Taylor::new(), |x| x),
     ] {
         assert!(error < 1e-29, "double-double: {error:e}");
     }
@@ -70,7 +69,7 @@ fn each_scalar_has_its_digits() {
 fn a_tolerance_is_met_by_all_scalars() {
     for tolerance in [1e-8, 1e-16, 1e-24] {
         let method = Taylor::order_40().relative_tolerance(tolerance);
-        let error = kepler(&method, &Kepler.dynamics(), |x| x);
+        let error = kepler(method, |x| x);
         assert!(error < 100.0 * tolerance, "{tolerance:e}: {error:e}");
     }
 }
@@ -79,9 +78,7 @@ fn a_tolerance_is_met_by_all_scalars() {
 fn many_digits_near_a_pole() {
     let number = DoubleDouble::from_f64;
     let start = State::new(number(-4.0), [number(0.0625)], [number(0.03125)]);
-    let end = Taylor::order_40()
-        .integrate_to(&Cubic.dynamics(), start, -0.25)
-        .unwrap();
-    let error = (end.x.q[0] - number(16.0)).abs().to_f64();
+    let end = Problem::new(&Cubic, start).solve(-0.25, Taylor::order_40());
+    let error = (end.unwrap().q[0] - number(16.0)).abs().to_f64();
     assert!(error < 1e-25, "{error:e}");
 }

@@ -19,11 +19,8 @@ fn sensitivities_jump_with_the_force() {
         let [a, b, c] = parameters;
         let model = Switched { a, b, c };
         let start = State::new(0.0, [x], [0.0]);
-        Taylor::new()
-            .integrate_to(&model.dynamics(), start, t)
-            .unwrap()
-            .x
-            .q[0]
+        let end = Problem::new(&model, start).solve(t, Taylor::new());
+        end.unwrap().q[0]
     };
     let (at, h) = ([0.3, 1.1, 0.2], 1e-5);
     for t in [0.5, 2.0, 5.0, 9.0] {
@@ -34,7 +31,8 @@ fn sensitivities_jump_with_the_force() {
             let [a, b, c] = [0, 1, 2].map(|i| dual(i, at[i]));
             let zero = Dual::constant(0.0);
             let start = State::new(zero, [dual(3, 1.0)], [zero]);
-            let end = Taylor::new().integrate_to(&Switched { a, b, c }.dynamics(), start, t);
+            let model = Switched { a, b, c };
+            let end = Problem::new(&model, start).solve(t, Taylor::new());
             let moved = |h: f64| {
                 let (mut parameters, mut x) = (at, 1.0);
                 match parameters.get_mut(which) {
@@ -44,7 +42,7 @@ fn sensitivities_jump_with_the_force() {
                 run(parameters, x, t)
             };
             let expected = (moved(h) - moved(-h)) / (2.0 * h);
-            let found = end.unwrap().x.q[0];
+            let found = end.unwrap().q[0];
             assert!((found.value - run(at, 1.0, t)).abs() < 1e-12);
             assert!(
                 (found.derivative[0] - expected).abs() < 1e-8,

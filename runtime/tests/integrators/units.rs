@@ -1,6 +1,7 @@
 //! Steps do not depend on units: of time, of length where sizes are given, nor on where an ignorable coordinate is.
 
 use crate::common::assert_close;
+use lagrangian::EquationsOfMotion;
 use lagrangian::prelude::*;
 
 /// A bead on a spring that carries a pendulum, with a wheel that nothing acts upon.
@@ -46,26 +47,19 @@ fn faster(faster: f64) -> (Bead, State<f64, 3>, f64) {
     )
 }
 
-type Ends = Vec<At<f64, Phase<f64, 3>>>;
+type Ends = Vec<State<f64, 3>>;
 
 /// The ends of all steps.
-fn ends<I, D>(method: &I, dynamics: &D, start: State<f64, 3>, end: f64) -> Ends
+fn ends<I, D>(problem: Problem<f64, D>, end: f64, method: I) -> Ends
 where
     D: Dynamics<State = Phase<f64, 3>>,
-    I: Integrator<f64, D> + IntegrationMethod,
+    I: Integrator<f64, D>,
 {
-    let mut running = method.driver().start(dynamics, start).unwrap();
-    running
-        .steps_to(end)
-        .map(|step| step.unwrap().end)
-        .collect()
+    let motion = problem.save(StepEnds).solve(end, method).unwrap();
+    motion.into_iter().skip(1).collect()
 }
 
-fn assert_same_bits(
-    found: &Ends,
-    expected: &Ends,
-    unit: impl Fn(&At<f64, Phase<f64, 3>>) -> At<f64, Phase<f64, 3>>,
-) {
+fn assert_same_bits(found: &Ends, expected: &Ends, unit: impl Fn(&State<f64, 3>) -> State<f64, 3>) {
     assert_eq!(found.len(), expected.len());
     assert!(expected.len() > 10);
     for (found, expected) in found.iter().zip(expected) {
@@ -73,16 +67,16 @@ fn assert_same_bits(
     }
 }
 
-fn time_has_no_unit<I>(method: &I)
+fn time_has_no_unit<I>(method: I)
 where
-    I: for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Bead, f64, 3>> + IntegrationMethod,
+    I: for<'a> Integrator<f64, EquationsOfMotion<'a, Bead, f64, 3>> + Copy,
 {
     let (bead, start, end) = faster(1.0);
-    let expected = ends(method, &bead.dynamics(), start, end);
+    let expected = ends(Problem::new(&bead, start), end, method);
     for exponent in [-30, -7, 3, 20] {
         let factor = f64::powi(2.0, exponent);
         let (bead, start, end) = faster(factor);
-        let found = ends(method, &bead.dynamics(), start, end);
+        let found = ends(Problem::new(&bead, start), end, method);
         assert_same_bits(&found, &expected, |sample| At {
             t: sample.t * factor,
             x: Phase::new(sample.x.q, sample.x.v / factor),
@@ -91,7 +85,7 @@ where
     // Other factors are rounded.
     for factor in [1e-3, 0.3, 1000.0, 31_557_600.0] {
         let (bead, start, end) = faster(factor);
-        let found = ends(method, &bead.dynamics(), start, end);
+        let found = ends(Problem::new(&bead, start), end, method);
         assert_eq!(found.len(), expected.len(), "{factor}");
         for (found, expected) in found.iter().zip(&expected) {
             assert_close(found.t * factor, expected.t, 1e-5);
@@ -103,16 +97,16 @@ where
 
 #[test]
 fn steps_do_not_depend_on_the_unit_of_time() {
-    time_has_no_unit(&Dop853::new());
+    time_has_no_unit(Dop853::new());
     time_has_no_unit(
-        &Dop853::new()
+        Dop853::new()
             .relative_tolerance(1e-6)
             .absolute_tolerance(1e-9),
     );
-    time_has_no_unit(&Dop853::new().relative_tolerance(0.0));
-    time_has_no_unit(&Taylor::new());
-    time_has_no_unit(&Taylor::order_12().relative_tolerance(1e-7));
-    time_has_no_unit(&Taylor::order_16().absolute_tolerance(1e-11));
+    time_has_no_unit(Dop853::new().relative_tolerance(0.0));
+    time_has_no_unit(Taylor::new());
+    time_has_no_unit(Taylor::order_12().relative_tolerance(1e-7));
+    time_has_no_unit(Taylor::order_16().absolute_tolerance(1e-11));
 }
 
 /// The motion from a start of which the bead is at rest where its coordinate is zero.
@@ -124,9 +118,9 @@ fn the_first_step_from_rest_does_not_depend_on_the_unit_of_time() {
     };
     let method = Dop853::new();
     let (bead, at_rest, end) = start(1.0);
-    let expected = ends(&method, &bead.dynamics(), at_rest, end);
+    let expected = ends(Problem::new(&bead, at_rest), end, method);
     let (bead, at_rest, end) = start(4096.0);
-    let found = ends(&method, &bead.dynamics(), at_rest, end);
+    let found = ends(Problem::new(&bead, at_rest), end, method);
     assert_same_bits(&found, &expected, |sample| At {
         t: sample.t * 4096.0,
         x: Phase::new(sample.x.q, sample.x.v / 4096.0),
@@ -147,11 +141,11 @@ fn steps_do_not_depend_on_the_unit_of_length() {
         let start = State::new(0.0, scaled(q), scaled(v));
         let sizes = [if sized { length } else { 1.0 }, 1.0, 1.0];
         let dynamics = bead.dynamics();
-        let dynamics = dynamics.with_sizes(sizes);
+        let problem = Problem::new(dynamics.with_sizes(sizes), start);
         if taylor {
-            ends(&Taylor::new(), &dynamics, start, 12.0)
+            ends(problem, 12.0, Taylor::new())
         } else {
-            ends(&Dop853::new(), &dynamics, start, 12.0)
+            ends(problem, 12.0, Dop853::new())
         }
     };
     for taylor in [false, true] {
@@ -179,7 +173,7 @@ fn where_an_ignorable_coordinate_is_does_not_matter() {
     let (q, v) = START;
     let run = |psi: f64| {
         let start = State::new(0.0, [q[0], q[1], psi], v);
-        ends(&Dop853::new(), &BEAD.dynamics(), start, 12.0)
+        ends(Problem::new(&BEAD, start), 12.0, Dop853::new())
     };
     let (near, far) = (run(0.0), run(1e9));
     assert_eq!(near.len(), far.len());
@@ -201,7 +195,8 @@ fn sizes_are_set_by_coordinate() {
         let method = Dop853::new()
             .absolute_tolerance(1e-9)
             .relative_tolerance(relative);
-        ends(&method, &dynamics.with_sizes(sizes), start, 12.0).len()
+        let problem = Problem::new(dynamics.with_sizes(sizes), start);
+        ends(problem, 12.0, method).len()
     };
     let both = count(1.0, 1.0, 0.0);
     assert!(count(1e3, 1e3, 0.0) * 3 < both * 2);

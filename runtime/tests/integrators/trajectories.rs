@@ -16,6 +16,12 @@ fn top_state(psi: f64) -> State<f64, 3> {
     State::new(0.0, [0.2, 0.7, psi], [0.4, -0.3, 6.0])
 }
 
+/// The oscillator from a time and a state on.
+fn oscillator(t: f64, x: [f64; 2]) -> Problem<f64, Oscillator> {
+    let x = SVector::from(x);
+    Problem::new(Oscillator, At { t, x })
+}
+
 fn tight() -> Dop853 {
     Dop853::new()
         .relative_tolerance(1e-12)
@@ -26,12 +32,15 @@ fn tight() -> Dop853 {
 fn the_symmetric_top_conserves_energy_and_momenta() {
     let initial = top_state(0.0);
     let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.1).collect();
-    let trajectory = tight().sample(&TOP.dynamics(), initial, &times).unwrap();
-    assert_eq!(trajectory.len(), 101);
-    assert_eq!(trajectory.reason(), StopReason::Completed);
-    let steps = f64::from(u32::try_from(trajectory.statistics().steps).unwrap());
+    let motion = Problem::new(&TOP, initial)
+        .save(&times)
+        .solve(10.0, tight())
+        .unwrap();
+    assert_eq!(motion.samples().len(), 101);
+    assert_eq!(motion.reason, StopReason::Completed);
+    let steps = f64::from(u32::try_from(motion.statistics.steps).unwrap());
     let momenta = TOP.momenta(&initial);
-    for state in trajectory.states() {
+    for state in motion {
         // Each step has an error up to the tolerance, and M has entries of about 1.
         let tolerance = 1e-12 * steps * 10.0;
         assert_close(TOP.energy(&state), TOP.energy(&initial), tolerance);
@@ -42,12 +51,9 @@ fn the_symmetric_top_conserves_energy_and_momenta() {
 
 #[test]
 fn two_methods_agree() {
-    let initial = top_state(0.0);
-    let dynamics = TOP.dynamics();
-    let adaptive = tight().integrate_to(&dynamics, initial, 3.0).unwrap();
-    let fixed = RungeKutta::classical(1e-3)
-        .integrate_to(&dynamics, initial, 3.0)
-        .unwrap();
+    let top = Problem::new(&TOP, top_state(0.0));
+    let adaptive = top.clone().solve(3.0, tight()).unwrap();
+    let fixed = top.solve(3.0, RungeKutta::classical(1e-3)).unwrap();
     for (a, b) in adaptive.x.components().zip(fixed.x.components()) {
         // (6 h)⁴/120 over three seconds at a frequency of 6.
         assert_close(a, b, 1e-10);
@@ -57,10 +63,7 @@ fn two_methods_agree() {
 #[test]
 fn an_indefinite_mass_matrix_is_solved() {
     let initial = State::new(0.0, [1.0, 2.0], [0.0, 0.0]);
-    let end = tight()
-        .integrate_to(&Crossed.dynamics(), initial, 1.0)
-        .unwrap()
-        .state();
+    let end = Problem::new(&Crossed, initial).solve(1.0, tight()).unwrap();
     assert_close(end.q[0], 1.0_f64.cos(), 1e-11);
     assert_close(end.q[1], 2.0 * 1.0_f64.cos(), 1e-11);
 }
@@ -68,36 +71,31 @@ fn an_indefinite_mass_matrix_is_solved() {
 #[test]
 fn backward_integration_returns() {
     let initial = top_state(0.0);
-    let dynamics = TOP.dynamics();
-    let there = tight().integrate_to(&dynamics, initial, 5.0).unwrap();
-    let back = tight().integrate_to(&dynamics, there, 0.0).unwrap();
-    for (a, b) in back.x.components().zip(Phase::from(initial).components()) {
+    let there = Problem::new(&TOP, initial).solve(5.0, tight()).unwrap();
+    let back = Problem::new(&TOP, there.last).solve(0.0, tight()).unwrap();
+    for (a, b) in back.x.components().zip(initial.x.components()) {
         assert_close(a, b, 1e-9);
     }
     let fixed = RungeKutta::classical(1e-3);
-    let there = fixed.integrate_to(&dynamics, initial, 1.0).unwrap();
-    let back = fixed.integrate_to(&dynamics, there, 0.0).unwrap();
-    for (a, b) in back.x.components().zip(Phase::from(initial).components()) {
+    let there = Problem::new(&TOP, initial).solve(1.0, fixed).unwrap();
+    let back = Problem::new(&TOP, there.last).solve(0.0, fixed).unwrap();
+    for (a, b) in back.x.components().zip(initial.x.components()) {
         assert_close(a, b, 1e-10);
     }
 }
 
 #[test]
 fn samples_are_taken_backwards_too() {
-    let initial = (1.0, SVector::from([1.0_f64.cos(), -1.0_f64.sin()]));
     let times = [1.0, 0.5, 0.5, -0.25, -1.0];
-    let dense = tight().sample(&Oscillator, initial, &times).unwrap();
-    let fixed = RungeKutta::classical(1e-3)
-        .sample(&Oscillator, initial, &times)
-        .unwrap();
-    for (sample, t) in dense
-        .samples()
-        .iter()
-        .chain(fixed.samples())
-        .zip(times.iter().cycle())
-    {
-        assert_eq!(sample.t.to_bits(), t.to_bits());
-        assert_close(sample.x[0], t.cos(), 1e-11);
+    let sampled = || oscillator(1.0, [1.0_f64.cos(), -1.0_f64.sin()]).save(times);
+    let dense = sampled().solve(-1.0, tight()).unwrap();
+    let fixed = sampled().solve(-1.0, RungeKutta::classical(1e-3)).unwrap();
+    for motion in [dense, fixed] {
+        assert_eq!(motion.samples().len(), times.len());
+        for (sample, t) in motion.samples().iter().zip(times) {
+            assert_eq!(sample.t.to_bits(), t.to_bits());
+            assert_close(sample[0], t.cos(), 1e-11);
+        }
     }
 }
 
@@ -105,13 +103,10 @@ fn samples_are_taken_backwards_too() {
 #[test]
 fn the_size_of_an_angle_does_not_change_the_steps() {
     let run = |psi| {
-        let driver = tight().driver();
-        let outcome = driver.run_until(&TOP.dynamics(), top_state(psi), 5.0);
-        let Outcome {
-            last, statistics, ..
-        } = outcome.unwrap();
+        let end = Problem::new(&TOP, top_state(psi)).solve(5.0, tight());
+        let end = end.unwrap();
         // φ and ψ are ignorable: no other component depends on them, to the last bit.
-        (statistics, last.x.q[0], last.x.q[1], last.x.v)
+        (end.statistics, end.q[0], end.q[1], end.v)
     };
     assert_eq!(run(0.0), run(1e6));
     assert_eq!(run(0.0), run(-1e3));
@@ -122,13 +117,9 @@ fn the_size_of_an_angle_does_not_change_the_steps() {
         let method = Dop853::new()
             .relative_tolerance(1e-10)
             .absolute_tolerance(1e-10);
-        let initial = (0.0, SVector::from([x, x]));
-        method
-            .driver()
-            .run_until(&shifted, initial, 20.0)
-            .unwrap()
-            .statistics
-            .steps
+        let initial = At::from((0.0, SVector::from([x, x])));
+        let end = Problem::new(shifted, initial).solve(20.0, method);
+        end.unwrap().statistics.steps
     };
     assert!(steps(1e6) < steps(0.0));
 }
@@ -136,78 +127,71 @@ fn the_size_of_an_angle_does_not_change_the_steps() {
 #[test]
 fn an_empty_list_of_times_gives_an_empty_trajectory() {
     let initial = top_state(0.0);
-    let trajectory = tight().sample(&TOP.dynamics(), initial, &[]).unwrap();
-    assert!(trajectory.is_empty());
-    assert_eq!(trajectory.last().state(), initial);
-    assert_eq!(trajectory.statistics().steps, 0);
-    let trajectory = tight()
-        .sample(&TOP.dynamics(), initial, &[0.0, -0.0, 0.0])
-        .unwrap();
-    assert_eq!(trajectory.len(), 3);
+    let top = Problem::new(&TOP, initial);
+    let motion = top.clone().save([]).solve(0.0, tight()).unwrap();
+    assert!(motion.samples().is_empty());
+    assert_eq!(motion.last, initial);
+    assert_eq!(motion.statistics.steps, 0);
+    let motion = top.save([0.0, -0.0, 0.0]).solve(0.0, tight()).unwrap();
+    assert_eq!(motion.samples().len(), 3);
 }
 
 #[test]
 fn a_condition_stops_at_the_end_of_a_step() {
-    let driver = tight().driver().stop_when(|t, _: &SVector<f64, 2>| t > 1.0);
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let trajectory = driver
-        .sample(&Oscillator, start, &[0.5, 1.0, 100.0])
+    let motion = oscillator(0.0, [1.0, 0.0])
+        .stop_when(|x| x.t > 1.0)
+        .save([0.5, 1.0, 100.0])
+        .solve(100.0, tight())
         .unwrap();
-    assert_eq!(trajectory.reason(), StopReason::Condition);
-    assert_eq!(trajectory.len(), 2);
-    assert!(trajectory.last().t > 1.0 && trajectory.last().t < 10.0);
-    assert_close(trajectory.last().x[0], trajectory.last().t.cos(), 1e-11);
+    assert_eq!(motion.reason, StopReason::Condition);
+    assert_eq!(motion.samples().len(), 2);
+    assert!(motion.t > 1.0 && motion.t < 10.0);
+    assert_close(motion[0], motion.t.cos(), 1e-11);
 
-    let driver = tight().driver().stop_when(|_, _: &SVector<f64, 2>| true);
-    let outcome = driver.run_until(&Oscillator, start, 1.0).unwrap();
-    assert_eq!(
-        (outcome.reason, outcome.last.t),
-        (StopReason::Condition, 0.0)
-    );
+    let stopped = oscillator(0.0, [1.0, 0.0]).stop_when(|_| true);
+    let end = stopped.solve(1.0, tight()).unwrap();
+    assert_eq!((end.reason, end.t), (StopReason::Condition, 0.0));
 }
 
 #[test]
 fn a_zero_is_located_within_a_step() {
     let quarter = core::f64::consts::FRAC_PI_2;
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let height = |_, x: &SVector<f64, 2>| x[0];
-    let driver = tight().driver().stop_at_zero(height);
-    let outcome = driver.run_until(&Oscillator, start, 10.0).unwrap();
-    assert_eq!(outcome.reason, StopReason::Condition);
-    assert_close(outcome.last.t, quarter, 1e-11);
+    let until_zero = |t, x| oscillator(t, x).when(|x| x[0]).stop();
+    let end = until_zero(0.0, [1.0, 0.0]).solve(10.0, tight()).unwrap();
+    assert_eq!(end.reason, StopReason::Condition);
+    assert_close(end.t, quarter, 1e-11);
 
-    let driver = RungeKutta::classical(0.01).driver().stop_at_zero(height);
-    let trajectory = driver
-        .sample(&Oscillator, start, &[1.5, 1.571, 10.0])
+    let motion = until_zero(0.0, [1.0, 0.0])
+        .save([1.5, 1.571, 10.0])
+        .solve(10.0, RungeKutta::classical(0.01))
         .unwrap();
-    assert_eq!(trajectory.len(), 1, "the second time is after the zero");
+    let count = motion.samples().len();
+    assert_eq!(count, 1, "the second time is after the zero");
     // h⁴/120 over the way.
-    assert_close(trajectory.last().t, quarter, 1e-9);
+    assert_close(motion.t, quarter, 1e-9);
 
     // Backwards, and from a start at zero, which is no crossing.
-    let driver = tight().driver().stop_at_zero(height);
-    let begin = (quarter, SVector::from([0.0, -1.0]));
-    let outcome = driver.run_until(&Oscillator, begin, -10.0).unwrap();
-    assert_close(outcome.last.t, -quarter, 1e-11);
+    let end = until_zero(quarter, [0.0, -1.0]).solve(-10.0, tight());
+    assert_close(end.unwrap().t, -quarter, 1e-11);
 }
 
 #[test]
 fn an_observer_sees_samples_and_steps_in_order_and_can_stop() {
-    let start = (0.0, SVector::from([1.0, 0.0]));
     let mut seen: Vec<(f64, f64, ObservationKind)> = Vec::new();
-    let observer = |progress: &Progress<'_, SVector<f64, 2>>| {
-        seen.push((progress.t, progress.fraction(), progress.kind));
-        if progress.t < 4.0 {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    };
-    let times = [0.0, 1.0, 1.1, 5.0, 10.0];
-    let driver = tight().driver().observe(observer);
-    let outcome = driver.run_through(&Oscillator, start, &times).unwrap();
-    assert_eq!(outcome.reason, StopReason::Observer);
-    assert!(outcome.last.t >= 4.0 && outcome.last.t <= 5.0);
+    let end = oscillator(0.0, [1.0, 0.0])
+        .save([0.0, 1.0, 1.1, 5.0, 10.0])
+        .each_step(|progress| {
+            seen.push((progress.t, progress.fraction(), progress.kind));
+            if progress.t < 4.0 {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        })
+        .solve(10.0, tight())
+        .unwrap();
+    assert_eq!(end.reason, StopReason::Observer);
+    assert!(end.t >= 4.0 && end.t <= 5.0);
     assert!(seen.is_sorted_by(|a, b| a.0 <= b.0));
     let samples: Vec<f64> = seen
         .iter()
@@ -216,7 +200,7 @@ fn an_observer_sees_samples_and_steps_in_order_and_can_stop() {
         .collect();
     assert_eq!(samples, [0.0, 1.0, 1.1]);
     let steps = seen.len() - samples.len();
-    assert_eq!(steps as u64, outcome.statistics.steps);
+    assert_eq!(steps as u64, end.statistics.steps);
     assert!(
         seen.iter()
             .all(|(t, fraction, _)| (fraction * 10.0 - t).abs() < 1e-12)
@@ -261,11 +245,9 @@ fn a_restart_forgets_the_derivative() {
 #[test]
 fn a_multiple_of_the_step_takes_that_many_steps() {
     for steps in [3_u32, 6, 7, 11, 23] {
-        let driver = RungeKutta::classical(0.1).driver();
         let end = f64::from(steps) / 10.0;
-        let start = (0.0, SVector::from([1.0, 0.0]));
-        let outcome = driver.run_until(&Oscillator, start, end).unwrap();
-        assert_eq!(outcome.statistics.steps, u64::from(steps));
+        let end = oscillator(0.0, [1.0, 0.0]).solve(end, RungeKutta::classical(0.1));
+        assert_eq!(end.unwrap().statistics.steps, u64::from(steps));
     }
 }
 
@@ -281,9 +263,8 @@ fn landing_often_does_not_shorten_the_steps() {
             stepper.step(&dynamics, target).unwrap();
         }
     }
-    let straight = tight()
-        .driver()
-        .run_until(&dynamics, top_state(0.0), 2.0)
+    let straight = Problem::new(&TOP, top_state(0.0))
+        .solve(2.0, tight())
         .unwrap();
     assert!(stepper.statistics().steps <= straight.statistics.steps + 3);
 }
@@ -303,9 +284,9 @@ fn a_pendulum_has_the_period_of_the_elliptic_integral() {
     };
     let period = 2.0 * core::f64::consts::PI / a * (pendulum.l / pendulum.g).sqrt();
     let initial = State::new(0.0, [amplitude], [0.0]);
-    let end = tight()
-        .integrate_to(&pendulum.dynamics(), initial, 3.0 * period)
+    let end = Problem::new(&pendulum, initial)
+        .solve(3.0 * period, tight())
         .unwrap();
-    assert_close(end.x.q[0], amplitude, 1e-10);
-    assert_close(end.x.v[0], 0.0, 1e-9);
+    assert_close(end.q[0], amplitude, 1e-10);
+    assert_close(end.v[0], 0.0, 1e-9);
 }
