@@ -1,4 +1,4 @@
-//! Integrators, and how they are driven: methods, orders, tolerances, inputs, ensembles.
+//! Integrators, and the problems that they solve: methods, orders, tolerances, inputs, ensembles.
 
 #[path = "../common/mod.rs"]
 mod common;
