@@ -58,10 +58,8 @@ where
             index + 1
         );
     }
-    let trajectory = Taylor::<HALF>::new()
-        .sample(dynamics, state, &[1.0])
-        .unwrap();
-    let steps = trajectory.statistics().steps;
+    let motion = Problem::new(dynamics, state).solve(1.0, Taylor::<HALF>::new());
+    let steps = motion.unwrap().statistics.steps;
     assert!(steps <= MAX_STEPS, "{name}: {steps} steps");
 }
 

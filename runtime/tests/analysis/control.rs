@@ -109,25 +109,20 @@ fn initial() -> State<f64, 1> {
 #[test]
 fn open_loop_control_equals_a_force_in_the_model() {
     let law = |state: &State<f64, 1>| SVector::from([(3.0 * state.t).sin()]);
-    let controlled = SPRING.controlled_by(law);
+    let controlled = || Problem::new(&SPRING, initial()).feedback(law);
+    let forced = || Problem::new(Forced(SPRING), initial());
     let fixed = RungeKutta::classical(0.05);
-    let a = fixed.integrate_to(&controlled, initial(), 2.0).unwrap();
-    let b = fixed.integrate_to(&Forced(SPRING), initial(), 2.0).unwrap();
+    let [a, b] = [controlled().solve(2.0, fixed), forced().solve(2.0, fixed)];
     assert_eq!(
-        a, b,
+        a.unwrap().last,
+        b.unwrap().last,
         "the law is evaluated at the same times to the last bit"
     );
     let times = [0.3, 1.1, 2.0];
-    let a = Dop853::new()
-        .sample(&controlled, initial(), &times)
-        .unwrap();
-    let b = Dop853::new()
-        .sample(&Forced(SPRING), initial(), &times)
-        .unwrap();
-    for (a, b) in a.states().zip(b.states()) {
-        // The error scales are the same, and so are the steps.
-        assert_eq!(a, b);
-    }
+    let a = controlled().save(times).solve(2.0, Dop853::new()).unwrap();
+    let b = forced().save(times).solve(2.0, Dop853::new()).unwrap();
+    // The error scales are the same, and so are the steps.
+    assert_eq!(a.samples(), b.samples());
 }
 
 #[test]
@@ -137,21 +132,14 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
         calls.set(calls.get() + 1);
         SVector::from([0.0])
     };
-    let controlled = SPRING.controlled_by(law);
-    let driver = RungeKutta::classical(0.1).driver();
-    let statistics = driver
-        .run_until(&controlled, initial(), 1.0)
-        .unwrap()
-        .statistics;
+    let controlled = || Problem::new(&SPRING, initial()).feedback(law);
+    let end = controlled().solve(1.0, RungeKutta::classical(0.1)).unwrap();
+    let statistics = end.statistics;
     assert_eq!(statistics.steps, 10);
     // Four stages a step, and one evaluation at the start.
     assert_eq!((calls.get(), statistics.evaluations), (41, 41));
     calls.set(0);
-    let driver = Dop853::new().driver();
-    let statistics = driver
-        .run_until(&controlled, initial(), 1.0)
-        .unwrap()
-        .statistics;
+    let statistics = controlled().solve(1.0, Dop853::new()).unwrap().statistics;
     assert_eq!(calls.get(), statistics.evaluations);
     // Twelve evaluations an accepted step, eleven a rejected one, two at the start.
     let Statistics {
@@ -165,36 +153,44 @@ fn the_law_is_evaluated_at_every_stage_of_every_step() {
 fn state_feedback_closes_the_loop() {
     // m ẍ = −k x − d ẋ with d = 2 m δ, ω² = k/m − δ²: x = e^(−δt)(cos ωt + (δ/ω) sin ωt).
     let delta = 0.5;
-    let controlled = SPRING.controlled_by(|state| -2.0 * SPRING.m * delta * state.v[0]);
-    let end = Dop853::new()
-        .integrate_to(&controlled, initial(), 1.7)
+    let end = Problem::new(&SPRING, initial())
+        .feedback(|state| -2.0 * SPRING.m * delta * state.v[0])
+        .solve(1.7, Dop853::new())
         .unwrap();
     let omega = (SPRING.k / SPRING.m - delta * delta).sqrt();
     let (s, c) = (omega * end.t).sin_cos();
     let exact = (-delta * end.t).exp() * (c + delta / omega * s);
-    assert_close(end.x.q[0], exact, 1e-9);
+    assert_close(end.q[0], exact, 1e-9);
 }
 
 #[test]
 fn a_law_returns_a_number_an_array_or_a_vector() {
-    let end = |controlled: &dyn Dynamics<State = Phase<f64, 1>>| {
-        let fixed = RungeKutta::classical(0.05);
-        fixed.integrate_to(controlled, initial(), 1.0).unwrap()
-    };
-    let number = SPRING.controlled_by(|state| (3.0 * state.t).sin());
-    let array = SPRING.controlled_by(|state| [(3.0 * state.t).sin()]);
-    let vector = SPRING.controlled_by(|state| SVector::from([(3.0 * state.t).sin()]));
-    let expected = end(&Forced(SPRING));
-    assert_eq!([end(&number), end(&array), end(&vector)], [expected; 3]);
+    let problem = || Problem::new(&SPRING, initial());
+    let number = |state: &State<f64, 1>| (3.0 * state.t).sin();
+    let fixed = RungeKutta::classical(0.05);
+    let expected = Problem::new(Forced(SPRING), initial()).solve(1.0, fixed);
+    let ends = [
+        expected,
+        problem().feedback(number).solve(1.0, fixed),
+        problem()
+            .feedback(|state| [number(state)])
+            .solve(1.0, fixed),
+        problem()
+            .feedback(|state| SVector::from([number(state)]))
+            .solve(1.0, fixed),
+    ];
+    let [expected, ends @ ..] = ends.map(|end| end.unwrap().last);
+    assert_eq!(ends, [expected; 3]);
     let state = State::new(0.5, [1.0], [0.0]);
-    assert_eq!(number.inputs(&state), SVector::from([1.5_f64.sin()]));
+    let controlled = SPRING.controlled_by(number);
+    assert_eq!(controlled.inputs(&state), SVector::from([1.5_f64.sin()]));
 }
 
 #[test]
 fn constant_inputs_equal_those_of_the_fields() {
     let held = SPRING.with_inputs([8.0]);
-    let end = Dop853::new()
-        .integrate_to(&held.dynamics(), initial(), 1.0)
+    let end = Problem::new(&held, initial())
+        .solve(1.0, Dop853::new())
         .unwrap();
-    assert_close(end.x.q[0], 1.0, 1e-12);
+    assert_close(end.q[0], 1.0, 1e-12);
 }

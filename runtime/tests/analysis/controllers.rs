@@ -1,8 +1,8 @@
 //! Dynamic feedback, against motions in closed form.
 
 use crate::common::assert_close;
+use lagrangian::ComponentName;
 use lagrangian::prelude::*;
-use lagrangian::{ComponentName, PartialTrajectory};
 use nalgebra::Matrix4;
 
 /// A mass on a spring: m ẍ = force − k x.
@@ -69,34 +69,36 @@ fn under_pid(t: f64) -> [f64; 3] {
 fn a_pid_controller_moves_the_spring_as_the_matrix_exponential() -> Result<(), IntegrationError> {
     let controlled = SPRING.with_controller(pid);
     let times = [0.1, 0.75, 1.3, 4.0, 20.0];
-    let motion = precise().sample(&controlled, (rest(), [0.0]), &times)?;
+    let motion = Problem::new(&SPRING, rest())
+        .feedback_with_states([0.0], pid)
+        .save(times)
+        .solve(20.0, precise())?;
     assert!(
-        motion.statistics().steps > times.len() as u64,
+        motion.statistics.steps > times.len() as u64,
         "some times are within a step"
     );
-    for (sample, state) in motion.samples().iter().zip(motion.states()) {
+    for sample in motion.samples() {
         let [x, v, z] = under_pid(sample.t);
+        let state = sample.state();
         assert_close(state.q[0], x, 1e-10);
         assert_close(state.v[0], v, 1e-10);
-        assert_close(sample.x.controller[0], z, 1e-10);
-        assert_eq!(sample.state(), state);
-        let force = controlled.inputs(&state, &sample.x.controller)[Spring::FORCE];
+        assert_close(sample.controller[0], z, 1e-10);
+        assert_eq!(state, State::new(sample.t, sample.q, sample.v));
+        let force = controlled.inputs(&state, &sample.controller)[Spring::FORCE];
         let exact = PROPORTIONAL * (WANTED - x) + INTEGRAL * z - DERIVATIVE * v;
         assert_close(force, exact, 1e-9);
     }
     // The integral balances the spring.
-    let end = motion.last();
-    assert_close(end.x.q[0], WANTED, 1e-3);
+    assert_close(motion.q[0], WANTED, 1e-3);
     Ok(())
 }
 
 #[test]
 fn fixed_steps_integrate_the_states_of_the_controller() -> Result<(), IntegrationError> {
-    let controlled = SPRING.with_controller(pid);
     let [coarse, fine] = [0.02, 0.01].map(|step| -> Result<f64, IntegrationError> {
-        let method = RungeKutta::classical(step);
-        let end = method.integrate_to(&controlled, (rest(), [0.0]), 2.0)?;
-        Ok(end.x.controller[0] - under_pid(2.0)[2])
+        let controlled = Problem::new(&SPRING, rest()).feedback_with_states([0.0], pid);
+        let end = controlled.solve(2.0, RungeKutta::classical(step))?;
+        Ok(end.controller[0] - under_pid(2.0)[2])
     });
     // Order 4: half the step has a sixteenth of the error.
     let ratio = coarse? / fine?;
@@ -109,14 +111,16 @@ fn an_actuator_follows_its_command_with_a_lag() -> Result<(), IntegrationError> 
     // z = c (1 − e^(−t/τ)) pushes a free mass.
     const LAG: f64 = 0.3;
     const COMMAND: f64 = 4.0;
-    let controlled = FREE.with_controller(|_, z| (*z, (SVector::from([COMMAND]) - z) / LAG));
+    let law = |_: &State<f64, 1>, z: &SVector<f64, 1>| (*z, (SVector::from([COMMAND]) - z) / LAG);
     for end in [0.4, 2.0, -0.5] {
-        let found = precise().integrate_to(&controlled, (rest(), [0.0]), end)?;
+        let found = Problem::new(&FREE, rest())
+            .feedback_with_states([0.0], law)
+            .solve(end, precise())?;
         let risen = 1.0 - (-end / LAG).exp();
         let position = end * end / 2.0 - LAG * end + LAG * LAG * risen;
-        assert_close(found.x.controller[0], COMMAND * risen, 1e-10);
-        assert_close(found.x.v[0], COMMAND / FREE.m * (end - LAG * risen), 1e-10);
-        assert_close(found.x.q[0], COMMAND / FREE.m * position, 1e-10);
+        assert_close(found.controller[0], COMMAND * risen, 1e-10);
+        assert_close(found.v[0], COMMAND / FREE.m * (end - LAG * risen), 1e-10);
+        assert_close(found.q[0], COMMAND / FREE.m * position, 1e-10);
     }
     Ok(())
 }
@@ -124,32 +128,35 @@ fn an_actuator_follows_its_command_with_a_lag() -> Result<(), IntegrationError> 
 #[test]
 fn errors_of_the_controllers_states_control_the_steps() -> Result<(), IntegrationError> {
     // A controller that oscillates at 50 rad/s and exerts no force.
-    let oscillator = FREE.with_controller(|_, z| (0.0, [z[1], -2500.0 * z[0]]));
     let times = [0.33, 1.0, 3.0];
-    let motion = precise().sample(&oscillator, (rest(), [1.0, 0.0]), &times)?;
-    for sample in motion.samples() {
+    let motion = Problem::new(&FREE, rest())
+        .feedback_with_states([1.0, 0.0], |_, z| (0.0, [z[1], -2500.0 * z[0]]))
+        .save(times)
+        .solve(3.0, precise())?;
+    for sample in motion {
         let [cosine, sine] = [(50.0 * sample.t).cos(), (50.0 * sample.t).sin()];
-        assert_close(sample.x.controller[0], cosine, 1e-8);
-        assert_close(sample.x.controller[1], -50.0 * sine, 1e-6);
-        assert_eq!(sample.x.phase(), Phase::new([0.0], [0.0]));
+        assert_close(sample.controller[0], cosine, 1e-8);
+        assert_close(sample.controller[1], -50.0 * sine, 1e-6);
+        assert_eq!(sample.phase(), Phase::new([0.0], [0.0]));
     }
     Ok(())
 }
 
 #[test]
 fn a_controllers_states_are_named_in_errors() {
-    let controlled = SPRING.with_controller(|_, z| (0.0, [z[0], z[1].ln()]));
-    let error = precise()
-        .integrate_to(&controlled, (rest(), [0.0, f64::NAN]), 1.0)
-        .unwrap_err();
+    let error = |second: f64| {
+        Problem::new(&SPRING, rest())
+            .feedback_with_states([0.0, second], |_, z| (0.0, [z[0], z[1].ln()]))
+            .solve(1.0, precise())
+            .unwrap_err()
+            .error()
+    };
     assert_eq!(
-        error.to_string(),
+        error(f64::NAN).to_string(),
         "state 1 of the controller is NaN at t = 0"
     );
-    let interrupted: PartialTrajectory<_> = precise()
-        .sample(&controlled, (rest(), [0.0, -1.0]), &[1.0])
-        .unwrap_err();
-    let IntegrationError::NonFiniteDerivative { component, .. } = interrupted.error() else {
+    let interrupted = error(-1.0);
+    let IntegrationError::NonFiniteDerivative { component, .. } = interrupted else {
         panic!("{interrupted}");
     };
     assert_eq!(component, ComponentName::Controller(1));
@@ -158,13 +165,13 @@ fn a_controllers_states_are_named_in_errors() {
 #[test]
 fn a_stop_condition_can_depend_on_the_controllers_states() -> Result<(), IntegrationError> {
     // A clock.
-    let controlled = SPRING.with_controller(|_, _| (1.0, 1.0));
-    let outcome = precise()
-        .driver()
-        .stop_at_zero(|_, x: &AugmentedPhase<f64, 1, 1>| x.controller[0] - 0.75)
-        .run_until(&controlled, (rest(), [0.0]), 10.0)?;
-    assert_eq!(outcome.reason, StopReason::Condition);
-    assert_close(outcome.last.t, 0.75, 1e-12);
+    let end = Problem::new(&SPRING, rest())
+        .feedback_with_states([0.0], |_, _| (1.0, 1.0))
+        .when(|x| x.controller[0] - 0.75)
+        .stop()
+        .solve(10.0, precise())?;
+    assert_eq!(end.reason, StopReason::Condition);
+    assert_close(end.t, 0.75, 1e-12);
     Ok(())
 }
 
@@ -174,11 +181,12 @@ fn a_controller_on_another_scalar() -> Result<(), IntegrationError> {
         let error = 0.7 - state.q[0];
         (6.0 * error + 5.0 * z[0] - 3.0 * state.v[0], error)
     };
-    let controlled = WithController::new(&SPRING, law);
-    let start = (State::new(0.0, [0.0], [0.0]), [0.0]);
-    let end = RungeKutta::classical(0.01).integrate_to(&controlled, start, 2.0)?;
+    let start = State::new(0.0_f32, [0.0], [0.0]);
+    let end = Problem::new(&SPRING, start)
+        .feedback_with_states([0.0], law)
+        .solve(2.0, RungeKutta::classical(0.01))?;
     let [x, _, z] = under_pid(2.0);
-    assert_close(f64::from(end.x.q[0]), x, 1e-6);
-    assert_close(f64::from(end.x.controller[0]), z, 1e-6);
+    assert_close(f64::from(end.q[0]), x, 1e-6);
+    assert_close(f64::from(end.controller[0]), z, 1e-6);
     Ok(())
 }

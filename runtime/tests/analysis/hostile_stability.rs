@@ -134,8 +134,8 @@ fn driven_models_are_undecided() {
     assert!(found.contains_time, "{found:?}");
     assert_eq!(found.verdict(), Verdict::Undecided);
     let start = State::new(0.0, [1e-6], [0.0]);
-    let end = Dop853::new().integrate_to(&model.dynamics(), start, 100.0);
-    assert!(end.unwrap().state().q[0].abs() > 1e-3);
+    let end = Problem::new(&model, start).solve(100.0, Dop853::new());
+    assert!(end.unwrap().q[0].abs() > 1e-3);
     (model.p, model.f) = (0.0, 0.5);
     assert_eq!(stability(&model).verdict(), Verdict::Undecided);
 }

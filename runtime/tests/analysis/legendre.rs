@@ -192,7 +192,9 @@ fn derivatives_by_momenta_are_those_of_the_inverse() {
 fn motions_through_rest() {
     let equations = ThreeHalves.canonical_equations();
     let start = equations.canonical(&State::new(0.0, [1.0], [0.0]));
-    let end = Dop853::new().integrate_to(&equations, start, 20.0).unwrap();
+    let end = Problem::new(&equations, start)
+        .solve(20.0, Dop853::new())
+        .unwrap();
     let [before, after] = [start.x, end.x].map(|x| ThreeHalves.hamiltonian(0.0, &x).unwrap());
     assert!((after - before).abs() < 1e-7, "{before} {after}");
 }

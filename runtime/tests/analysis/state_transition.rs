@@ -113,11 +113,11 @@ fn derivatives_do_not_depend_on_their_units() {
         [Dual::constant(1.0)],
         [Dual::constant(0.0)],
     );
-    let end = Taylor::new()
-        .integrate_to(&model.dynamics(), start, 10.0)
+    let end = Problem::new(&model, start)
+        .solve(10.0, Taylor::new())
         .unwrap();
     let expected = -10.0 / 4.0 * 20.0_f64.sin();
-    assert!((end.x.q[0].derivative[0] / base - expected).abs() < 1e-12);
+    assert!((end.q[0].derivative[0] / base - expected).abs() < 1e-12);
 }
 
 /// Over a period T = 2π a^(3/2), Φ = 1 − ẋ (∂T/∂x₀)ᵀ: the motion is periodic for all x₀, with 1/a = 2/r − v².
@@ -191,8 +191,8 @@ fn differences_confirm_all_columns() {
             SVector::from([v, w]),
         );
         let model = DoublePendulum { m, l };
-        let end = Taylor::order_40().integrate_to(&model.dynamics(), start, 2.0);
-        end.unwrap().x
+        let end = Problem::new(&model, start).solve(2.0, Taylor::order_40());
+        end.unwrap().last
     };
     let step = 2.0_f64.powi(-36);
     for j in 0..6 {
@@ -218,12 +218,19 @@ fn samples_have_transitions_too() {
     let model = oscillator();
     let start = State::new(1.0, [0.5], [0.25]);
     let times = [1.0, 1.5, 4.0];
-    let initial = StateTransition::<1, 5>::initial(&start);
-    let trajectory = Taylor::new()
-        .sample(&model.dynamics(), initial, &times)
+    let At { t, x } = StateTransition::<1, 5>::initial(&start);
+    let initial = At {
+        t: Dual::constant(t),
+        x,
+    };
+    let motion = Problem::new(&model, initial)
+        .save(times)
+        .solve(4.0, Taylor::new())
         .unwrap();
-    for (sample, t) in trajectory.samples().iter().zip(times) {
-        let matrix = StateTransition::of(sample).matrix::<2>();
+    for (sample, t) in motion.samples().iter().zip(times) {
+        assert_eq!(sample.t, Dual::constant(t));
+        let sample = At { t, x: sample.x };
+        let matrix = StateTransition::of(&sample).matrix::<2>();
         let (sine, cosine) = (2.0 * (t - 1.0)).sin_cos();
         let expected = Matrix2::new(cosine, 0.5 * sine, -2.0 * sine, cosine);
         assert!((matrix - expected).amax() < 1e-14);

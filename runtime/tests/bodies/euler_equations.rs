@@ -35,6 +35,14 @@ fn state<S: Scalar>() -> RotationState<S> {
     )
 }
 
+/// Its motion begins there.
+fn start<S: Scalar>() -> At<S, RotationState<S>> {
+    At {
+        t: S::zero(),
+        x: state(),
+    }
+}
+
 #[test]
 fn equations_of_the_text() {
     let [i1, i2, i3] = [1.2, 2.0, 2.7];
@@ -139,37 +147,31 @@ fn all_methods_and_scalars_agree() {
     };
     let body = EulerEquations::new(oblique()).unwrap().with_moment(weight);
     let to = 5.0;
-    let taylor = Taylor::new()
-        .integrate_to(&body, (0.0, state()), to)
-        .unwrap()
-        .x;
+    let problem = Problem::new(&body, start());
+    let taylor = problem.clone().solve(to, Taylor::new()).unwrap();
     let precise = body.map(d, |weight| ConstantForce {
         point: weight.point.map(d),
         force: weight.force.map(d),
     });
-    let precise = Taylor::order_40()
-        .integrate_to(&precise, (0.0, state()), to)
-        .unwrap()
-        .x;
-    let close = |found: RotationState, tolerance: f64| {
+    let precise = Problem::new(&precise, start())
+        .solve(to, Taylor::order_40())
+        .unwrap();
+    let close = |found: &RotationState, tolerance: f64| {
         for (found, expected) in found.components().zip(precise.components()) {
             assert_close(found, expected.to_f64(), tolerance);
         }
     };
-    close(taylor, 1e-12);
+    close(&taylor, 1e-12);
     let method = Dop853::new()
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-12);
-    close(
-        method.integrate_to(&body, (0.0, state()), to).unwrap().x,
-        1e-10,
-    );
+    close(&problem.clone().solve(to, method).unwrap(), 1e-10);
     // Of fourth order: half the step has a sixteenth of the error.
     let error = |step: f64| {
-        let end = RungeKutta::classical(step)
-            .integrate_to(&body, (0.0, state()), to)
-            .unwrap()
-            .x;
+        let end = problem
+            .clone()
+            .solve(to, RungeKutta::classical(step))
+            .unwrap();
         let pairs = end.components().zip(taylor.components());
         pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
     };
@@ -196,7 +198,7 @@ fn ensembles_of_bodies() {
     let start = |i: u32| {
         let omega = V::new(0.3 * f64::from(i), 1.0, -0.2);
         (
-            (0.0, RotationState::aligned(omega)),
+            At::from((0.0, RotationState::aligned(omega))),
             1.0 + 0.3 * f64::from(i),
         )
     };
@@ -205,7 +207,7 @@ fn ensembles_of_bodies() {
         .collect(&lanes, (0..9).map(start));
     for (found, i) in together.into_iter().zip(0..) {
         let (from, to) = start(i);
-        let alone = Taylor::new().integrate_to(&body, from, to).unwrap().x;
+        let alone = Problem::new(&body, from).solve(to, Taylor::new()).unwrap();
         for (found, alone) in found.unwrap().last.x.components().zip(alone.components()) {
             assert_close(found, alone, 1e-12);
         }
@@ -268,6 +270,7 @@ fn one_motion_by_a_quaternion_and_by_angles_of_two_sequences() {
     let (cardan, cardan_rates) = angles.continued(EulerSequence::Xyz, &rates).unwrap();
     let method = Taylor::new();
     let start = RotationState::new(&angles.quaternion(), angles.angular_velocity(&rates));
+    let body = Problem::new(&body, At { t: 0.0, x: start });
     let zxz = InZxz {
         inertia,
         center,
@@ -278,28 +281,16 @@ fn one_motion_by_a_quaternion_and_by_angles_of_two_sequences() {
         center,
         weight,
     };
-    let zxz_start = State::new(0.0, angles.angles, rates);
-    let xyz_start = State::new(0.0, cardan.angles, cardan_rates);
+    let zxz = Problem::new(&zxz, State::new(0.0, angles.angles, rates));
+    let xyz = Problem::new(&xyz, State::new(0.0, cardan.angles, cardan_rates));
     let mut compared = [0; 2];
     for step in 1..=40 {
         let to = 0.1 * f64::from(step);
-        let expected = method.integrate_to(&body, (0.0, start), to).unwrap().x;
+        let expected = body.clone().solve(to, method).unwrap();
         let orientation = lagrangian::rotation::rotation_of(&expected.orientation());
         let ends = [
-            (
-                EulerSequence::Zxz,
-                method
-                    .integrate_to(&zxz.dynamics(), zxz_start, to)
-                    .unwrap()
-                    .state(),
-            ),
-            (
-                EulerSequence::Xyz,
-                method
-                    .integrate_to(&xyz.dynamics(), xyz_start, to)
-                    .unwrap()
-                    .state(),
-            ),
+            (EulerSequence::Zxz, zxz.clone().solve(to, method).unwrap()),
+            (EulerSequence::Xyz, xyz.clone().solve(to, method).unwrap()),
         ];
         for ((sequence, end), compared) in ends.into_iter().zip(&mut compared) {
             let found = EulerAngles::new(sequence, end.q.into());
@@ -329,8 +320,9 @@ fn heavy_top_through_the_pole_of_its_angles() {
         force: V::new(0.0, 0.0, -9.81 * top.mass()),
     };
     let equations = equations.with_moment(weight);
-    let start = RotationState::aligned(V::new(0.0, 150.0, -4.615_38));
-    let check = |end: RotationState, tolerance: f64| {
+    let x = RotationState::aligned(V::new(0.0, 150.0, -4.615_38));
+    let problem = Problem::new(&equations, At { t: 0.0, x });
+    let check = |end: &RotationState, tolerance: f64| {
         let center = end.to_space(&top.center());
         let expected = V::new(
             -0.150_416_822_745_641_79,
@@ -358,21 +350,9 @@ fn heavy_top_through_the_pole_of_its_angles() {
             tolerance,
         );
     };
-    check(
-        Taylor::new()
-            .integrate_to(&equations, (0.0, start), 2.0)
-            .unwrap()
-            .x,
-        1e-11,
-    );
+    check(&problem.clone().solve(2.0, Taylor::new()).unwrap(), 1e-11);
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    check(
-        method
-            .integrate_to(&equations, (0.0, start), 2.0)
-            .unwrap()
-            .x,
-        1e-9,
-    );
+    check(&problem.solve(2.0, method).unwrap(), 1e-9);
 }

@@ -61,13 +61,11 @@ where
     F: Into<InertiaTensor<f64>>,
 {
     let equations = EulerEquations::new(*precise).unwrap();
+    let problem = Problem::new(&equations, At::from((d(0.0), start(omega))));
     let exact = FreeRotation::new(precise, &start(omega)).unwrap();
     let single = FreeRotation::new(&tensor().into(), &start(omega)).unwrap();
     for time in [0.0, 0.3, 2.0, -3.0, 7.0] {
-        let expected = Taylor::order_40()
-            .integrate_to(&equations, (0.0, start(omega)), time)
-            .unwrap()
-            .x;
+        let expected = problem.clone().solve(time, Taylor::order_40()).unwrap();
         let found = exact.at(d(time));
         let error = precisely_apart(&found, &expected);
         assert!(error < tolerance * 1e-15, "{omega:?} at {time}: {error:e}");
@@ -236,12 +234,10 @@ fn derivatives_of_the_closed_form() {
         state.angular_velocity = omega.into();
         let motion = FreeRotation::new(&tensor, &state).unwrap();
         let equations = EulerEquations::new(tensor).unwrap();
+        let problem = Problem::new(&equations, At::from((Dual::constant(0.0), state)));
         for time in [0.4, 3.0] {
             let found = derivatives(&motion.at(Dual::constant(time)));
-            let end = Taylor::new()
-                .integrate_to(&equations, (0.0, state), time)
-                .unwrap()
-                .x;
+            let end = problem.clone().solve(time, Taylor::new()).unwrap();
             let expected = derivatives(&end);
             // The quaternion has either sign.
             let sign = (motion.at(Dual::constant(time)).quaternion[0].value
@@ -285,14 +281,17 @@ where
     Dy: Series<f64, State = X>,
     X: VectorSpace<f64>,
 {
-    let driver = || Taylor::new().driver().stop_at_zero(|_, x: &X| zero(x));
-    let first = driver().run_until(dynamics, (0.0, start), 100.0).unwrap();
-    assert_eq!(first.reason, StopReason::Condition);
-    let second = driver()
-        .run_until(dynamics, first.last.clone(), 200.0)
-        .unwrap();
-    assert_eq!(second.reason, StopReason::Condition);
-    second.last.t - first.last.t
+    let next = |start, end| {
+        let stopped = Problem::new(dynamics, start)
+            .when(|x| zero(&x.x))
+            .stop()
+            .solve(end, Taylor::new())
+            .unwrap();
+        assert_eq!(stopped.reason, StopReason::Condition);
+        stopped.last
+    };
+    let first = next(At { t: 0.0, x: start }, 100.0);
+    next(first.clone(), 200.0).t - first.t
 }
 
 #[test]

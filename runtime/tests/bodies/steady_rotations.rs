@@ -19,10 +19,10 @@ fn perturbations_of_steady_rotations() {
         let mut omega = V::zeros();
         omega[axis] = speed;
         omega[next] = 1e-8;
+        let start = At::from((0.0, RotationState::aligned(omega)));
         let at = |time: f64| {
-            let end =
-                Taylor::new().integrate_to(&equations, (0.0, RotationState::aligned(omega)), time);
-            end.unwrap().x.angular_velocity
+            let end = Problem::new(&equations, start).solve(time, Taylor::new());
+            end.unwrap().angular_velocity
         };
         match kind {
             SteadyRotation::Stable { frequency } => {
@@ -51,10 +51,9 @@ fn steady_rotations_with_equal_moments() {
     assert_eq!(second, Drifting { rate: -1.0 });
     let equations = EulerEquations::principal([1.0, 1.0, 1.5]).unwrap();
     let state = RotationState::aligned(V::new(2.0, 0.0, 1e-8));
-    let end = Taylor::new()
-        .integrate_to(&equations, (0.0, state), 5.0)
-        .unwrap()
-        .x;
+    let end = Problem::new(&equations, At::from((0.0, state)))
+        .solve(5.0, Taylor::new())
+        .unwrap();
     assert_close(end.angular_velocity.z, 1e-8, 1e-22);
     assert_close(end.angular_velocity.y / 1e-8, 5.0, 1e-6);
     assert_eq!(SteadyRotation::about_axes([2.0; 3], 1.0), [Indifferent; 3]);

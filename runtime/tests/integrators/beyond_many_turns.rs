@@ -13,14 +13,13 @@ use lagrangian::{DoubleDouble, Lanes};
 )]
 struct Rotors;
 
-fn motion<S: Scalar>(q: [f64; 2]) -> (At<f64, Phase<S, 2>>, u64) {
+fn motion<S: Scalar>(q: [f64; 2]) -> (State<S, 2>, u64) {
     let number = S::from_f64;
     let start = State::new(number(0.0), q.map(number), [3.0, -5.0].map(number));
-    let outcome = Dop853::new()
-        .driver()
-        .run_until(&Rotors.dynamics(), start, 20.0)
+    let end = Problem::new(&Rotors, start)
+        .solve(20.0, Dop853::new())
         .unwrap();
-    (outcome.last, outcome.statistics.steps)
+    (end.last, end.statistics.steps)
 }
 
 /// An angle less whole periods of two turns, in numbers of more digits.
@@ -43,9 +42,9 @@ fn as_many_steps_and_the_same_angles() {
         for i in 0..2 {
             // The state itself has the digits of its size.
             let ulp = f64::EPSILON * far[i].abs();
-            let error = (there.x.v[i] - here.x.v[i]).abs();
+            let error = (there.v[i] - here.v[i]).abs();
             assert!(error < 1e-8, "{turns:e}: {error:e}");
-            let change = (there.x.q[i] - far[i]) - (here.x.q[i] - near[i]);
+            let change = (there.q[i] - far[i]) - (here.q[i] - near[i]);
             assert!(change.abs() < 1e-8 + 4.0 * ulp, "{turns:e}: {change:e}");
         }
     }
@@ -57,6 +56,6 @@ fn in_lanes() {
     let (alone, _) = motion::<f64>(far);
     let (lanes, _) = motion::<Lanes<4>>(far);
     for i in 0..2 {
-        assert!((lanes.x.v[i].lane(1) - alone.x.v[i]).abs() < 1e-9);
+        assert!((lanes.v[i].lane(1) - alone.v[i]).abs() < 1e-9);
     }
 }

@@ -16,22 +16,24 @@ struct Several;
 /// Jumps that coincide, that depend on jumps, and corners beside them: the same as by small steps of another method between.
 #[test]
 fn jumps_together_with_corners() {
-    let (dynamics, start) = (Several.dynamics(), State::new(0.1, [0.5, 0.1], [0.2, -0.3]));
-    let found = Taylor::new().integrate_to(&dynamics, start, 30.0).unwrap();
+    let start = State::new(0.1, [0.5, 0.1], [0.2, -0.3]);
+    let found = Problem::new(&Several, start)
+        .solve(30.0, Taylor::new())
+        .unwrap();
     let precise = Dop853::new()
         .relative_tolerance(1e-14)
         .absolute_tolerance(1e-14);
-    let expected = precise.integrate_to(&dynamics, start, 30.0).unwrap();
+    let expected = Problem::new(&Several, start).solve(30.0, precise).unwrap();
     assert!(
-        (found.x.q - expected.x.q).norm() < 1e-9,
+        (found.q - expected.q).norm() < 1e-9,
         "{} {}",
-        found.x.q,
-        expected.x.q
+        found.q,
+        expected.q
     );
-    let back = Taylor::new()
-        .integrate_to(&dynamics, found.state(), 0.1)
+    let back = Problem::new(&Several, found.last)
+        .solve(0.1, Taylor::new())
         .unwrap();
-    assert!((back.x.q - start.q).norm() < 1e-9, "{}", back.x.q);
+    assert!((back.q - start.q).norm() < 1e-9, "{}", back.q);
 }
 
 /// A jump in a coupling of six coordinates, between which relays act.
@@ -51,10 +53,10 @@ fn six_coordinates_conserve_energy() {
         [0.3, -0.2, 0.9, 0.1, -0.5, 0.4],
         [0.1, 0.5, -0.3, 0.2, 0.7, -0.9],
     );
-    let end = Taylor::new()
-        .integrate_to(&Chain6.dynamics(), start, 50.0)
+    let end = Problem::new(&Chain6, start)
+        .solve(50.0, Taylor::new())
         .unwrap();
-    let drift = Chain6.energy(&end.state()) - Chain6.energy(&start);
+    let drift = Chain6.energy(&end) - Chain6.energy(&start);
     assert!(drift.abs() < 1e-12, "{drift:e}");
 }
 
@@ -72,29 +74,24 @@ fn jumps_in_lanes() {
         .ensemble::<4>()
         .collect(&Several.dynamics(), starts.clone());
     for (end, (start, t)) in ends.into_iter().zip(starts) {
-        let alone = Taylor::new()
-            .integrate_to(&Several.dynamics(), start, t)
+        let alone = Problem::new(&Several, start)
+            .solve(t, Taylor::new())
             .unwrap();
-        assert_eq!(end.unwrap().last, alone);
+        assert_eq!(end.unwrap().last, alone.last);
     }
 }
 
 /// Stored and resumed anywhere, to the last bit.
 #[test]
 fn checkpoints_between_jumps() {
-    let dynamics = Several.dynamics();
-    let driver = Taylor::new().driver();
-    let start = State::new(0.1, [0.5, 0.1], [0.2, -0.3]);
-    let mut whole = driver.clone().start(&dynamics, start).unwrap();
-    whole.advance_to(25.0).unwrap();
-    let mut parts = driver.clone().max_steps(1).start(&dynamics, start).unwrap();
-    while parts.advance_to(25.0).unwrap().reason == StopReason::StepLimit {
+    let problem = Problem::new(&Several, State::new(0.1, [0.5, 0.1], [0.2, -0.3]));
+    let mut whole = problem.clone().start(Taylor::new()).unwrap();
+    whole.advance(25.0).unwrap();
+    let problem = problem.max_steps(1);
+    let mut parts = problem.clone().start(Taylor::new()).unwrap();
+    while parts.advance(25.0).unwrap().reason == StopReason::StepLimit {
         let checkpoint = parts.checkpoint();
-        parts = driver
-            .clone()
-            .max_steps(1)
-            .resume(&dynamics, checkpoint)
-            .unwrap();
+        parts = problem.clone().resume(checkpoint, Taylor::new()).unwrap();
     }
     assert_eq!(parts.state(), whole.state());
 }
@@ -122,17 +119,15 @@ fn nested_jumps_are_those_of_their_branches() {
         let i = f64::from(i);
         let start = State::new(0.3 * i, [0.9 - 0.07 * i], [0.5 + 0.1 * i]);
         let end = start.t + 5.0 + 0.37 * i;
-        let found = Taylor::new()
-            .integrate_to(&Nested.dynamics(), start, end)
+        let found = Problem::new(&Nested, start)
+            .solve(end, Taylor::new())
             .unwrap();
-        let expected = precise
-            .integrate_to(&Nested.dynamics(), start, end)
-            .unwrap();
+        let expected = Problem::new(&Nested, start).solve(end, precise).unwrap();
         assert!(
-            (found.x.q - expected.x.q).norm() < 1e-8,
+            (found.q - expected.q).norm() < 1e-8,
             "{i}: {} {}",
-            found.x.q,
-            expected.x.q
+            found.q,
+            expected.q
         );
     }
 }
@@ -154,10 +149,9 @@ fn singular_series_behind_a_corner() {
         .relative_tolerance(1e-14)
         .absolute_tolerance(1e-14);
     let start = State::new(0.0, [1.0], [0.0]);
-    let driver = Taylor::new().driver().max_steps(1000);
-    let found = driver
-        .clone()
-        .run_until(&Hertz.dynamics(), start, 12.0)
+    let found = Problem::new(&Hertz, start)
+        .max_steps(1000)
+        .solve(12.0, Taylor::new())
         .unwrap();
     assert_eq!(
         found.reason,
@@ -165,8 +159,6 @@ fn singular_series_behind_a_corner() {
         "{:?}",
         found.statistics
     );
-    let expected = precise
-        .integrate_to(&Hertz.dynamics(), start, 12.0)
-        .unwrap();
-    assert!((found.last.x.q - expected.x.q).norm() < 1e-9);
+    let expected = Problem::new(&Hertz, start).solve(12.0, precise).unwrap();
+    assert!((found.q - expected.q).norm() < 1e-9);
 }

@@ -34,23 +34,24 @@ fn square_waves_are_parabolas() {
     for i in 0..6 {
         let omega = 0.5 + 2.733 * f64::from(i);
         let model = SquareWave { a: 1.5, omega };
-        let dynamics = model.dynamics();
         for end in [20.0, 7.3, 2.0 * PI / omega, -11.0] {
             let start = State::new(0.0, [0.0], [0.0]);
-            let found = Taylor::new().integrate_to(&dynamics, start, end).unwrap();
+            let found = Problem::new(&model, start)
+                .solve(end, Taylor::new())
+                .unwrap();
             // Backwards, x(−t) = −x(t), since the force is odd in time.
             let [x, v] = wave(1.5, omega, end.abs());
             let [x, v] = if end < 0.0 { [-x, v] } else { [x, v] };
             // The phase ωt is rounded at each jump, and what the velocity loses there, the position loses for a long time.
             assert!(
-                (found.x.q[0] - x).abs() < 1e-12,
+                (found.q[0] - x).abs() < 1e-12,
                 "{omega} {end}: {:e}",
-                found.x.q[0] - x
+                found.q[0] - x
             );
             assert!(
-                (found.x.v[0] - v).abs() < 1e-13,
+                (found.v[0] - v).abs() < 1e-13,
                 "{omega} {end}: {:e}",
-                found.x.v[0] - v
+                found.v[0] - v
             );
         }
     }
@@ -60,25 +61,20 @@ fn square_waves_are_parabolas() {
 #[test]
 fn many_jumps_take_few_steps() {
     let model = SquareWave { a: 1.0, omega: 1.0 };
-    let (dynamics, start) = (model.dynamics(), State::new(0.0, [0.0], [0.0]));
+    let start = State::new(0.0, [0.0], [0.0]);
     let jumps = 2000.0;
     let end = PI * jumps;
-    let outcome = Taylor::new()
-        .driver()
-        .run_until(&dynamics, start, end)
+    let motion = Problem::new(&model, start)
+        .solve(end, Taylor::new())
         .unwrap();
     let [x, v] = wave(1.0, 1.0, end);
+    assert!((motion.v[0] - v).abs() < 1e-12, "{:e}", motion.v[0] - v);
     assert!(
-        (outcome.last.x.v[0] - v).abs() < 1e-12,
+        (motion.q[0] / x - 1.0).abs() < 1e-14,
         "{:e}",
-        outcome.last.x.v[0] - v
+        motion.q[0] / x - 1.0
     );
-    assert!(
-        (outcome.last.x.q[0] / x - 1.0).abs() < 1e-14,
-        "{:e}",
-        outcome.last.x.q[0] / x - 1.0
-    );
-    let statistics = outcome.statistics;
+    let statistics = motion.statistics;
     assert!(statistics.steps < 2500, "{statistics:?}");
     assert!(statistics.evaluations < 60_000, "{statistics:?}");
 }
@@ -121,21 +117,22 @@ fn switch(samples: u32) {
         let model = Relay { x0 };
         let start = State::new(0.0, [x0 + 1.0], [0.0]);
         let times: Vec<f64> = (1..=samples).map(|i| 151.7 * f64::from(i)).collect();
-        let trajectory = Taylor::new()
-            .sample(&model.dynamics(), start, &times)
-            .unwrap();
-        for sample in trajectory.samples() {
+        let end = times[times.len() - 1];
+        let motion = Problem::new(&model, start)
+            .save(times)
+            .solve(end, Taylor::new());
+        for sample in motion.unwrap() {
             let [x, v] = relay(x0, sample.t);
             // Rounding errors of the energy are a random walk, and the phase sums them.
             let jumps = sample.t / 8.0_f64.sqrt();
             let tolerance = 16.0 * f64::EPSILON * (1.0 + x0.abs()) * jumps.powf(1.5);
             assert!(
-                (sample.x.q[0] - x).abs() < tolerance,
+                (sample.q[0] - x).abs() < tolerance,
                 "{x0} {}: {:e}",
                 sample.t,
-                sample.x.q[0] - x
+                sample.q[0] - x
             );
-            assert!((sample.x.v[0] - v).abs() < tolerance, "{x0} {}", sample.t);
+            assert!((sample.v[0] - v).abs() < tolerance, "{x0} {}", sample.t);
         }
     }
 }
@@ -154,21 +151,23 @@ fn steps_in_time_wherever_they_are() {
         for late in [0.0, 1e3, -1e6] {
             let model = Step { t0: t0 + late };
             let t0 = model.t0 - late;
-            let (dynamics, start) = (model.dynamics(), State::new(late, [1.0], [0.0]));
+            let start = State::new(late, [1.0], [0.0]);
             let times = [late + 0.3, late + 1.0, late + 1.5, late + 2.0, late + 2.0];
-            let trajectory = Taylor::new().sample(&dynamics, start, &times).unwrap();
-            let running =
-                Taylor::new().integrate_to(&dynamics, trajectory.samples()[3], late + 3.0);
-            let all = trajectory.samples().iter().copied().chain(running);
+            let motion = Problem::new(&model, start)
+                .save(times)
+                .solve(times[4], Taylor::new())
+                .unwrap();
+            let later = Problem::new(&model, motion.samples()[3]).solve(late + 3.0, Taylor::new());
+            let all = motion.into_iter().chain([later.unwrap().last]);
             for sample in all {
                 let t = sample.t - late;
                 let since = (t - t0).max(0.0);
                 let expected = t.cos() + 1.0 - since.cos();
                 let tolerance = 1e-14 + 8.0 * f64::EPSILON * late.abs();
                 assert!(
-                    (sample.x.q[0] - expected).abs() < tolerance,
+                    (sample.q[0] - expected).abs() < tolerance,
                     "{t0} {late} {t}: {:e}",
-                    sample.x.q[0] - expected
+                    sample.q[0] - expected
                 );
             }
         }
@@ -187,23 +186,26 @@ struct Follower {
 fn relays_of_driven_motions() {
     let model = Follower { u: 0.0 };
     // u = t/4: in the frame of the signal a relay.
-    let driven = model.driven_by([Polynomial([0.0, 0.25])]);
+    let signal = Polynomial([0.0, 0.25]);
     let start = State::new(0.0, [1.0], [0.25]);
     for t in [3.0, 40.0, 500.0] {
-        let end = Taylor::new().integrate_to(&driven, start, t).unwrap();
+        let end = Problem::new(&model, start)
+            .driven_by([signal])
+            .solve(t, Taylor::new())
+            .unwrap();
         let expected = relay(0.0, t)[0] + 0.25 * t;
         assert!(
-            (end.x.q[0] - expected).abs() < 1e-11,
+            (end.q[0] - expected).abs() < 1e-11,
             "{t}: {:e}",
-            end.x.q[0] - expected
+            end.q[0] - expected
         );
     }
     let held = model.with_inputs([0.5]);
     let start = State::new(0.0, [1.5], [0.0]);
-    let end = Taylor::new()
-        .integrate_to(&held.dynamics(), start, 40.0)
+    let end = Problem::new(&held, start)
+        .solve(40.0, Taylor::new())
         .unwrap();
-    assert!((end.x.q[0] - relay(0.5, 40.0)[0]).abs() < 1e-12);
+    assert!((end.q[0] - relay(0.5, 40.0)[0]).abs() < 1e-12);
 }
 
 /// A relay without constants.
@@ -213,11 +215,7 @@ struct UnitRelay;
 
 fn on<S: Scalar, const HALF: usize>(method: Taylor<HALF>, t: f64) -> S {
     let start = State::new(S::zero(), [S::one()], [S::zero()]);
-    method
-        .integrate_to(&UnitRelay.dynamics(), start, t)
-        .unwrap()
-        .x
-        .q[0]
+    Problem::new(&UnitRelay, start).solve(t, method).unwrap().q[0]
 }
 
 #[test]

@@ -23,13 +23,17 @@ fn lanes_move_as_they_would_alone() {
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-12);
     let times = [0.5, 1.0, 2.0];
-    let together = method.sample(&PENDULUM.dynamics(), both(), &times).unwrap();
+    let together = Problem::new(&PENDULUM, both())
+        .save(times)
+        .solve(2.0, method)
+        .unwrap();
     for (lane, (q, v)) in [(0.5, 0.0), (2.5, 1.0)].into_iter().enumerate() {
         let initial = State::new(0.0, [q], [v]);
-        let alone = method
-            .sample(&PENDULUM.dynamics(), initial, &times)
+        let alone = Problem::new(&PENDULUM, initial)
+            .save(times)
+            .solve(2.0, method)
             .unwrap();
-        for (together, alone) in together.states().zip(alone.states()) {
+        for (together, alone) in together.samples().iter().zip(alone.samples()) {
             assert_close(together.q[0].0[lane], alone.q[0], 1e-10);
             assert_close(together.v[0].0[lane], alone.v[0], 1e-10);
         }
@@ -40,12 +44,10 @@ fn lanes_move_as_they_would_alone() {
 #[test]
 fn lanes_that_take_the_same_steps_have_the_same_bits() {
     let method = RungeKutta::classical(0.01);
-    let together = method.integrate_to(&PENDULUM.dynamics(), both(), 2.0);
-    let together = together.unwrap().x;
+    let together = Problem::new(&PENDULUM, both()).solve(2.0, method).unwrap();
     for (lane, (q, v)) in [(0.5, 0.0), (2.5, 1.0)].into_iter().enumerate() {
         let initial = State::new(0.0_f64, [q], [v]);
-        let alone = method.integrate_to(&PENDULUM.dynamics(), initial, 2.0);
-        let alone = alone.unwrap().x;
+        let alone = Problem::new(&PENDULUM, initial).solve(2.0, method).unwrap();
         assert_eq!(together.q[0].lane(lane).to_bits(), alone.q[0].to_bits());
         assert_eq!(together.v[0].lane(lane).to_bits(), alone.v[0].to_bits());
     }
@@ -58,12 +60,8 @@ fn the_step_is_that_of_the_fastest_lane() {
         .relative_tolerance(1e-10)
         .absolute_tolerance(1e-10);
     let steps = |initial: State<Lanes<2>, 1>| {
-        let driver = method.driver();
-        driver
-            .run_until(&PENDULUM.dynamics(), initial, 10.0)
-            .unwrap()
-            .statistics
-            .steps
+        let end = Problem::new(&PENDULUM, initial).solve(10.0, method);
+        end.unwrap().statistics.steps
     };
     let slow = State::new(Lanes([0.0; 2]), [Lanes([0.5; 2])], [Lanes([0.0; 2])]);
     assert!(steps(both()) > steps(slow));
@@ -71,18 +69,19 @@ fn the_step_is_that_of_the_fastest_lane() {
 
 #[test]
 fn a_lane_that_is_not_finite_is_an_error_and_lanes_have_one_time() {
-    let method = Dop853::new();
+    let error = |initial| {
+        let refused = Problem::new(&PENDULUM, initial).solve(1.0, Dop853::new());
+        refused.unwrap_err().error()
+    };
     let mut initial = both();
     initial.q[0] = Lanes([0.5, f64::NAN]);
-    let error = method
-        .integrate_to(&PENDULUM.dynamics(), initial, 1.0)
-        .unwrap_err();
-    assert_eq!(error.to_string(), "the coordinate theta is NaN at t = 0");
+    assert_eq!(
+        error(initial).to_string(),
+        "the coordinate theta is NaN at t = 0"
+    );
     let mut initial = both();
     initial.t = Lanes([0.0, 1.0]);
-    let error = method
-        .integrate_to(&PENDULUM.dynamics(), initial, 1.0)
-        .unwrap_err();
+    let error = error(initial);
     assert!(
         matches!(error, IntegrationError::NonFiniteTime { .. }),
         "{error}"
@@ -201,11 +200,11 @@ fn a_lane_of_a_derived_model_gives_what_it_gives_alone() {
 fn a_lane_at_rest_needs_no_absolute_tolerance() {
     let method = Dop853::new().absolute_tolerance(0.0);
     let initial = State::new(Lanes::zero(), [Lanes([0.0, 0.5])], [Lanes([0.0, 0.0])]);
-    let driver = method.driver().max_steps(200);
-    let end = driver.run_until(&PENDULUM.dynamics(), initial, 1.0);
-    let end = end.unwrap().last.state();
+    let end = Problem::new(&PENDULUM, initial)
+        .max_steps(200)
+        .solve(1.0, method)
+        .unwrap();
     assert_close(end.q[0].0[0], 0.0, 0.0);
-    let alone =
-        Dop853::new().integrate_to(&PENDULUM.dynamics(), State::new(0.0, [0.5], [0.0]), 1.0);
-    assert_close(end.q[0].0[1], alone.unwrap().x.q[0], 1e-8);
+    let alone = Problem::new(&PENDULUM, State::new(0.0, [0.5], [0.0])).solve(1.0, Dop853::new());
+    assert_close(end.q[0].0[1], alone.unwrap().q[0], 1e-8);
 }

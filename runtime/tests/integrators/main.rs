@@ -1,4 +1,4 @@
-//! Integrators, and problems that they solve: methods, orders, tolerances, inputs, ensembles.
+//! Integrators, and the problems that they solve: methods, orders, tolerances, inputs, ensembles.
 
 #[path = "../common/mod.rs"]
 mod common;

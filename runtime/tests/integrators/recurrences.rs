@@ -195,16 +195,11 @@ impl<S: Scalar> Series<S> for ByHand {
 fn motions_by_hand_are_those_of_the_derived_model() {
     let number = D::from_f64;
     let method = Taylor::order_40();
-    let by_hand = (1.0, SVector::from([number(2.0), number(0.5)]));
-    let by_hand = method.integrate_to(&ByHand, by_hand, 20.0).unwrap();
+    let by_hand = At::from((number(1.0), SVector::from([2.0, 0.5].map(number))));
+    let by_hand = Problem::new(&ByHand, by_hand).solve(20.0, method).unwrap();
     let start = State::new(number(1.0), [number(2.0)], [number(0.5)]);
-    let derived = method
-        .integrate_to(&Derived.dynamics(), start, 20.0)
-        .unwrap();
-    for (by_hand, derived) in [
-        (by_hand.x[0], derived.x.q[0]),
-        (by_hand.x[1], derived.x.v[0]),
-    ] {
+    let derived = Problem::new(&Derived, start).solve(20.0, method).unwrap();
+    for (by_hand, derived) in [(by_hand[0], derived.q[0]), (by_hand[1], derived.v[0])] {
         let difference = (by_hand - derived).largest();
         assert!(difference.abs() < 1e-27, "{difference}");
     }

@@ -32,17 +32,20 @@ impl<S: Scalar> Series<S> for Riccati {
 
 #[test]
 fn recurrences_can_be_written_by_hand() {
-    let start = (0.0, SVector::from([1.0]));
-    let end = Taylor::new().integrate_to(&Riccati, start, 0.99).unwrap();
-    assert_close(end.x[0], 100.0, 1e-9);
+    let start = At::from((0.0, SVector::from([1.0])));
+    let end = Problem::new(&Riccati, start)
+        .solve(0.99, Taylor::new())
+        .unwrap();
+    assert_close(end[0], 100.0, 1e-9);
 }
 
 #[test]
 fn a_pole_of_the_solution_names_its_component() {
-    let start = (0.0, SVector::from([1.0]));
-    let error = Taylor::new()
-        .integrate_to(&Riccati, start, 2.0)
-        .unwrap_err();
+    let start = At::from((0.0, SVector::from([1.0])));
+    let error = Problem::new(&Riccati, start)
+        .solve(2.0, Taylor::new())
+        .unwrap_err()
+        .error();
     let IntegrationError::StepTooSmall {
         time, component, ..
     } = error
@@ -80,12 +83,12 @@ impl<S: Scalar> Series<S> for DecayAndPole {
 /// The component that limits the step is named, alone and in a lane.
 #[test]
 fn the_component_with_the_pole_is_named() {
-    let start = (0.0, SVector::from([1.0, 1.0]));
-    let alone = Taylor::new().integrate_to(&DecayAndPole, start, 2.0);
+    let start = At::from((0.0, SVector::from([1.0, 1.0])));
+    let alone = Problem::new(&DecayAndPole, start).solve(2.0, Taylor::new());
     let in_lanes = Taylor::new()
         .ensemble::<2>()
         .collect(&DecayAndPole, [(start, 2.0)]);
-    for error in [alone.unwrap_err(), in_lanes[0].unwrap_err()] {
+    for error in [alone.unwrap_err().error(), in_lanes[0].unwrap_err()] {
         let IntegrationError::StepTooSmall { component, .. } = error else {
             panic!("{error}");
         };

@@ -23,24 +23,21 @@ fn friction_reverses_until_it_holds() {
     let (mu, amplitude) = (0.1, 10.05);
     let model = Friction { mu };
     let start = State::new(0.0, [amplitude], [0.0]);
+    let solve = |end| Problem::new(&model, start).solve(end, Taylor::new());
     for half in [1_u32, 7, 30] {
         let end = PI * f64::from(half) + 1.0;
-        let found = Taylor::new()
-            .integrate_to(&model.dynamics(), start, end)
-            .unwrap();
+        let found = solve(end).unwrap();
         let sign = if half % 2 == 0 { 1.0 } else { -1.0 };
         let left = amplitude - 2.0 * mu * f64::from(half);
         let expected = sign * (mu + (left - mu) * 1.0_f64.cos());
         assert!(
-            (found.x.q[0] - expected).abs() < 1e-12,
+            (found.q[0] - expected).abs() < 1e-12,
             "{half}: {:e}",
-            found.x.q[0] - expected
+            found.q[0] - expected
         );
     }
     // After 50 half periods it is at 0.05, where friction holds it.
-    let error = Taylor::new()
-        .integrate_to(&model.dynamics(), start, 200.0)
-        .unwrap_err();
+    let error = solve(200.0).unwrap_err().error();
     let IntegrationError::SlidingMode { time, function } = error else {
         panic!("{error}");
     };
@@ -57,40 +54,41 @@ fn friction_reverses_until_it_holds() {
 #[test]
 fn sticking_is_an_error_with_the_motion_before_it() {
     let model = Friction { mu: 1.0 };
-    let (dynamics, start) = (model.dynamics(), State::new(0.0, [2.5], [0.0]));
+    let start = State::new(0.0, [2.5], [0.0]);
     let times = [1.0, 2.0, 3.0, 4.0];
-    let partial = Taylor::new().sample(&dynamics, start, &times).unwrap_err();
+    let partial = Problem::new(&model, start)
+        .save(times)
+        .solve(4.0, Taylor::new())
+        .unwrap_err();
     assert!(matches!(
         partial.error(),
         IntegrationError::SlidingMode { .. }
     ));
-    assert_eq!(partial.trajectory().len(), 3);
-    let last = partial.trajectory().last();
+    assert_eq!(partial.solution().samples().len(), 3);
+    let last = partial.solution().last;
     assert!(
-        (last.t - PI).abs() < 1e-13 && (last.x.q[0] + 0.5).abs() < 1e-13,
+        (last.t - PI).abs() < 1e-13 && (last.q[0] + 0.5).abs() < 1e-13,
         "{last:?}"
     );
-    let stopped = Taylor::new()
-        .driver()
-        .stop_at_crossing(Crossing::Rising, |_, x: &Phase<f64, 1>| x.v[0])
-        .run_until(&dynamics, State::new(0.1, [2.0], [-1.0]), 10.0)
+    let stopped = Problem::new(&model, State::new(0.1, [2.0], [-1.0]))
+        .when(|x| x.v[0])
+        .rising()
+        .stop()
+        .solve(10.0, Taylor::new())
         .unwrap();
     assert_eq!(stopped.reason, StopReason::Condition);
     // At rest from the start, with and without a force that friction holds.
-    let held = State::new(0.0, [0.5], [0.0]);
-    let error = Taylor::new()
-        .integrate_to(&dynamics, held, 1.0)
-        .unwrap_err();
+    let from_rest =
+        |x: f64| Problem::new(&model, State::new(0.0, [x], [0.0])).solve(1.0, Taylor::new());
+    let error = from_rest(0.5).unwrap_err().error();
     assert!(
         matches!(error, IntegrationError::SlidingMode { .. }),
         "{error}"
     );
-    let free = State::new(0.0, [0.0], [0.0]);
-    let rest = Taylor::new().integrate_to(&dynamics, free, 1.0).unwrap();
-    assert_eq!(rest.x.q[0].to_bits(), 0.0_f64.to_bits());
-    let moving = State::new(0.0, [3.0], [0.0]);
-    let end = Taylor::new().integrate_to(&dynamics, moving, 1.0).unwrap();
-    assert!((end.x.q[0] - (1.0 + 2.0 * 1.0_f64.cos())).abs() < 1e-14);
+    let rest = from_rest(0.0).unwrap();
+    assert_eq!(rest.q[0].to_bits(), 0.0_f64.to_bits());
+    let end = from_rest(3.0).unwrap();
+    assert!((end.q[0] - (1.0 + 2.0 * 1.0_f64.cos())).abs() < 1e-14);
 }
 
 /// Lanes whose motions stick, each at its time.
@@ -102,7 +100,8 @@ fn sticking_lanes() {
         .ensemble::<4>()
         .collect(&friction.dynamics(), held.clone());
     for (end, (start, t)) in ends.into_iter().zip(held) {
-        let alone = Taylor::new().integrate_to(&friction.dynamics(), start, t);
+        let alone = Problem::new(&friction, start).solve(t, Taylor::new());
+        let alone = alone.map(|end| end.last).map_err(|partial| partial.error());
         assert_eq!(end.map(|end| end.last), alone);
     }
 }
@@ -115,9 +114,10 @@ struct Twisting;
 #[test]
 fn passages_that_accumulate_are_an_error() {
     let start = State::new(0.0, [1.0], [0.0]);
-    let error = Taylor::new()
-        .integrate_to(&Twisting.dynamics(), start, 100.0)
-        .unwrap_err();
+    let error = Problem::new(&Twisting, start)
+        .solve(100.0, Taylor::new())
+        .unwrap_err()
+        .error();
     let IntegrationError::SlidingMode { time, .. } = error else {
         panic!("{error}");
     };

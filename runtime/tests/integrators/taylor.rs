@@ -91,10 +91,9 @@ struct Steep;
 fn polynomial_motions_are_exact_in_one_step() {
     let start = State::new(0.5, [1.0, 2.0], [3.0, -1.0]);
     let stone = Stone { g: 8.0 };
-    let driver = Taylor::new().driver();
-    let outcome = driver.run_until(&stone.dynamics(), start, 4.5).unwrap();
-    assert_eq!(outcome.statistics.steps, 1);
-    let state = outcome.last.state();
+    let state = Problem::new(&stone, start).solve(4.5, Taylor::new());
+    let state = state.unwrap();
+    assert_eq!(state.statistics.steps, 1);
     // ẍ = 6 t: x = 1 + (3 − 3 t₀²)(t − t₀) + t³ − t₀³.
     assert_close(
         state.q[0],
@@ -113,14 +112,11 @@ fn units_of_time_do_not_matter() {
         let rate = 2.0_f64.powi(exponent);
         let pendulum = Pendulum { rate };
         let start = State::new(0.0, [2.5], [0.0]);
-        let driver = Taylor::new().relative_tolerance(f64::EPSILON).driver();
-        let end = 50.0 / rate;
-        let outcome = driver.run_until(&pendulum.dynamics(), start, end).unwrap();
-        all.push((
-            outcome.statistics,
-            outcome.last.x.q[0],
-            outcome.last.x.v[0] / rate,
-        ));
+        let method = Taylor::new().relative_tolerance(f64::EPSILON);
+        let end = Problem::new(&pendulum, start)
+            .solve(50.0 / rate, method)
+            .unwrap();
+        all.push((end.statistics, end.q[0], end.v[0] / rate));
     }
     for (statistics, q, v) in &all {
         assert!(
@@ -136,24 +132,28 @@ fn units_of_time_do_not_matter() {
 fn motions_are_reversible() {
     let pendulum = Pendulum { rate: 3.0 };
     let start = State::new(0.0, [3.0], [0.1]);
-    let dynamics = pendulum.dynamics();
-    let there = Taylor::new().integrate_to(&dynamics, start, 30.0).unwrap();
-    let back = Taylor::new()
-        .integrate_to(&dynamics, there.state(), 0.0)
+    let there = Problem::new(&pendulum, start)
+        .solve(30.0, Taylor::new())
         .unwrap();
-    assert_close(back.x.q[0], 3.0, 1e-11);
-    assert_close(back.x.v[0], 0.1, 1e-11);
+    let back = Problem::new(&pendulum, there.last)
+        .solve(0.0, Taylor::new())
+        .unwrap();
+    assert_close(back.q[0], 3.0, 1e-11);
+    assert_close(back.v[0], 0.1, 1e-11);
 }
 
 #[test]
 fn dense_output_has_the_accuracy_of_the_steps() {
     let times: Vec<f64> = (0..=1000).map(|i| 0.02 * f64::from(i)).collect();
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let trajectory = Taylor::new().sample(&Oscillator, start, &times).unwrap();
-    assert!(trajectory.statistics().steps < 30);
-    for sample in trajectory.samples() {
-        assert_close(sample.x[0], sample.t.cos(), 1e-14);
-        assert_close(sample.x[1], -sample.t.sin(), 1e-14);
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
+    let motion = Problem::new(&Oscillator, start)
+        .save(&times)
+        .solve(times[1000], Taylor::new())
+        .unwrap();
+    assert!(motion.statistics.steps < 30);
+    for sample in motion {
+        assert_close(sample[0], sample.t.cos(), 1e-14);
+        assert_close(sample[1], -sample.t.sin(), 1e-14);
     }
 }
 
@@ -163,25 +163,29 @@ fn corners_shorten_the_step() {
     // From x = 1 at rest, a quarter of the period is √2, and the motion is made of parabolas.
     let quarter = 2.0_f64.sqrt();
     let start = State::new(0.0, [1.0], [0.0]);
-    let driver = Taylor::new().driver().max_steps(10_000);
     let times: Vec<f64> = (1..=8).map(|i| f64::from(i) * quarter).collect();
-    let trajectory = driver.sample(&Valley.dynamics(), start, &times).unwrap();
-    for (i, sample) in (1..).zip(trajectory.samples()) {
+    let motion = Problem::new(&Valley, start)
+        .max_steps(10_000)
+        .save(&times)
+        .solve(times[7], Taylor::new())
+        .unwrap();
+    for (i, sample) in (1..).zip(motion.samples()) {
         let expected = [0.0, -1.0, 0.0, 1.0][(i - 1) % 4];
-        assert_close(sample.x.q[0], expected, 1e-9);
+        assert_close(sample.q[0], expected, 1e-9);
     }
     // Each of four corners ends a step.
-    assert!(trajectory.statistics().steps > 4);
+    assert!(motion.statistics.steps > 4);
 }
 
 #[test]
 fn double_doubles_have_all_digits() {
     let end = DoubleDouble::from_f64(8.0);
-    let initial = (0.0, SVector::from([1.0, 0.0].map(DoubleDouble::from_f64)));
-    let found = Taylor::order_40()
-        .integrate_to(&Oscillator, initial, 8.0)
+    let [zero, one] = [0.0, 1.0].map(DoubleDouble::from_f64);
+    let initial = At::from((zero, SVector::from([one, zero])));
+    let found = Problem::new(&Oscillator, initial)
+        .solve(8.0, Taylor::order_40())
         .unwrap();
-    let error = (found.x[0] - end.cos()).abs() + (found.x[1] + end.sin()).abs();
+    let error = (found[0] - end.cos()).abs() + (found[1] + end.sin()).abs();
     assert!(error.to_f64() < 1e-29, "{error:?}");
 }
 
@@ -195,13 +199,13 @@ fn lanes_are_the_motions_of_each_lane() {
         SVector::from([Lanes([0.0; 4])]),
     );
     let method = Taylor::new();
-    let together = method.integrate_to(&lanes.dynamics(), start, 10.0).unwrap();
+    let together = Problem::new(&lanes, start).solve(10.0, method).unwrap();
     for (lane, rate) in rates.into_iter().enumerate() {
         let start = State::new(0.0, [2.0], [0.0]);
-        let alone = method
-            .integrate_to(&Pendulum { rate }.dynamics(), start, 10.0)
+        let alone = Problem::new(&Pendulum { rate }, start)
+            .solve(10.0, method)
             .unwrap();
-        assert_close(together.x.q[0].0[lane], alone.x.q[0], 1e-12);
+        assert_close(together.q[0].0[lane], alone.q[0], 1e-12);
     }
 }
 
@@ -209,24 +213,25 @@ fn lanes_are_the_motions_of_each_lane() {
 fn single_precision_is_enough_for_itself() {
     let pendulum = Pendulum { rate: 1.0_f32 };
     let start: State<f32, 1> = State::new(0.0, SVector::from([1.0]), SVector::from([0.0]));
-    let end = Taylor::order_12()
-        .integrate_to(&pendulum.dynamics(), start, 5.0)
+    let end = Problem::new(&pendulum, start)
+        .solve(5.0, Taylor::order_12())
         .unwrap();
     let precise = Pendulum { rate: 1.0_f64 };
     let start = State::new(0.0, [1.0], [0.0]);
-    let expected = Taylor::new()
-        .integrate_to(&precise.dynamics(), start, 5.0)
+    let expected = Problem::new(&precise, start)
+        .solve(5.0, Taylor::new())
         .unwrap();
-    assert_close(f64::from(end.x.q[0]), expected.x.q[0], 2e-6);
+    assert_close(f64::from(end.q[0]), expected.q[0], 2e-6);
 }
 
 #[test]
 fn a_pole_of_the_solution_is_an_error_with_its_time() {
     // ẍ = 2 x³ with ẋ = x², whose solution is 1/(1 − t).
     let start = State::new(0.0, [1.0], [1.0]);
-    let error = Taylor::new()
-        .integrate_to(&BlowUp.dynamics(), start, 2.0)
-        .unwrap_err();
+    let error = Problem::new(&BlowUp, start)
+        .solve(2.0, Taylor::new())
+        .unwrap_err()
+        .error();
     assert!(
         error.to_string().contains("t = 0.99") || error.to_string().contains("t = 1"),
         "{error}"
@@ -236,9 +241,10 @@ fn a_pole_of_the_solution_is_an_error_with_its_time() {
 #[test]
 fn where_there_is_no_series_the_error_names_the_component() {
     let start = State::new(0.25, [-1.0], [0.0]);
-    let error = Taylor::new()
-        .integrate_to(&Logarithm.dynamics(), start, 1.0)
-        .unwrap_err();
+    let error = Problem::new(&Logarithm, start)
+        .solve(1.0, Taylor::new())
+        .unwrap_err()
+        .error();
     assert!(
         matches!(error, IntegrationError::NonFiniteDerivative { .. }),
         "{error}"
@@ -254,13 +260,13 @@ fn tiny_motions_have_series() {
             State::new(0.0, [size], [0.0]),
             State::new(0.0, [0.0], [size]),
         ] {
-            let driver = Taylor::new().driver().max_steps(1000);
-            let outcome = driver
-                .run_until(&Pendulum { rate }.dynamics(), start, 10.0)
+            let end = Problem::new(&Pendulum { rate }, start)
+                .max_steps(1000)
+                .solve(10.0, Taylor::new())
                 .unwrap();
             let (s, c) = (rate * 10.0).sin_cos();
             let expected = start.q[0] * c + start.v[0] * s / rate;
-            assert_close(outcome.last.x.q[0], expected, 1e-14);
+            assert_close(end.q[0], expected, 1e-14);
         }
     }
 }
@@ -270,24 +276,24 @@ fn tiny_motions_have_series() {
 fn late_times_and_many_digits_do_not_shorten_steps() {
     let rate = 100.0;
     let start = State::new(1e4, [0.0], [0.0]);
-    let driver = Taylor::new().driver().max_steps(300);
-    let outcome = driver
-        .run_until(&Driven { rate }.dynamics(), start, 1e4 + 5.0)
+    let end = Problem::new(&Driven { rate }, start)
+        .max_steps(300)
+        .solve(1e4 + 5.0, Taylor::new())
         .unwrap();
     let (from, to) = (rate * 1e4, rate * (1e4 + 5.0));
     let expected = (from.cos() - to.cos()) / rate;
     // 100 t has the rounding errors of a number near 10⁶.
-    assert_close(outcome.last.x.v[0], expected, 1e-10);
+    assert_close(end.v[0], expected, 1e-10);
 
     let one = DoubleDouble::from_f64(1.0);
     let [t, q, v] = [0.0, 0.0, -1.0].map(DoubleDouble::from_f64);
     let start = State::new(t, SVector::from([q]), SVector::from([v]));
-    let driver = Taylor::order_40().driver().max_steps(300);
-    let outcome = driver
-        .run_until(&Driven { rate: one }.dynamics(), start, 9.7)
+    let end = Problem::new(&Driven { rate: one }, start)
+        .max_steps(300)
+        .solve(9.7, Taylor::order_40())
         .unwrap();
     // x = −sin t.
-    let error = outcome.last.x.q[0] + DoubleDouble::from_f64(9.7).sin();
+    let error = end.q[0] + DoubleDouble::from_f64(9.7).sin();
     assert!(error.abs().to_f64() < 1e-29, "{error:?}");
 }
 
@@ -295,49 +301,54 @@ fn late_times_and_many_digits_do_not_shorten_steps() {
 fn the_condition_of_a_force_is_no_corner() {
     let spring = FarSpring { end: 1e6 };
     let start = State::new(0.0, [1e6 + 1.0], [0.0]);
-    let driver = Taylor::new().driver().max_steps(60);
-    let outcome = driver.run_until(&spring.dynamics(), start, 100.0).unwrap();
-    assert_close(outcome.last.x.q[0] - 1e6, 100.0_f64.cos(), 1e-8);
+    let end = Problem::new(&spring, start)
+        .max_steps(60)
+        .solve(100.0, Taylor::new())
+        .unwrap();
+    assert_close(end.q[0] - 1e6, 100.0_f64.cos(), 1e-8);
 }
 
 #[test]
 fn forces_that_act_within_a_long_step_are_noticed() {
     let start = State::new(0.0, [0.0], [0.0]);
-    let end = Taylor::new()
-        .integrate_to(&Pulse.dynamics(), start, 5.0)
-        .unwrap();
-    assert_close(end.x.v[0], 0.1 * core::f64::consts::PI.sqrt(), 1e-12);
-    let end = Taylor::new()
-        .integrate_to(&Hat.dynamics(), start, 10.0)
-        .unwrap();
-    assert_close(end.x.v[0], 1.0, 1e-9);
+    let end = Problem::new(&Pulse, start).solve(5.0, Taylor::new());
+    assert_close(end.unwrap().v[0], 0.1 * core::f64::consts::PI.sqrt(), 1e-12);
+    let end = Problem::new(&Hat, start).solve(10.0, Taylor::new());
+    assert_close(end.unwrap().v[0], 1.0, 1e-9);
 }
 
 #[test]
 fn roots_of_zero_have_series() {
     let drag = Drag { g: 9.81 };
     let start = State::new(0.0, [1.0, 0.0], [0.0, 0.0]);
-    let end = Taylor::new()
-        .integrate_to(&drag.dynamics(), start, 2.0)
+    let end = Problem::new(&drag, start)
+        .solve(2.0, Taylor::new())
         .unwrap();
     // v = −√g tanh(√g t).
     let rate = 9.81_f64.sqrt();
-    assert_close(end.x.v[1], -rate * (2.0 * rate).tanh(), 1e-12);
-    assert_close(end.x.q[1], -(2.0 * rate).cosh().ln(), 1e-12);
+    assert_close(end.v[1], -rate * (2.0 * rate).tanh(), 1e-12);
+    assert_close(end.q[1], -(2.0 * rate).cosh().ln(), 1e-12);
 }
 
 #[test]
 fn the_branch_that_is_not_taken_costs_no_digits() {
     let start = State::new(0.0, [0.3], [0.0]);
-    let driver = Taylor::new().driver().max_steps(20);
-    let outcome = driver.run_until(&Steep.dynamics(), start, 10.0).unwrap();
-    assert_close(outcome.last.x.q[0], 0.3 * 10.0_f64.cos(), 1e-14);
+    let end = Problem::new(&Steep, start)
+        .max_steps(20)
+        .solve(10.0, Taylor::new())
+        .unwrap();
+    assert_close(end.q[0], 0.3 * 10.0_f64.cos(), 1e-14);
 }
 
 #[test]
 fn invalid_settings_are_errors() {
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let run = |method: Taylor| method.integrate_to(&Oscillator, start, 1.0).unwrap_err();
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
+    let run = |method: Taylor| {
+        Problem::new(&Oscillator, start)
+            .solve(1.0, method)
+            .unwrap_err()
+            .error()
+    };
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = run(Taylor::new().relative_tolerance(tolerance));
         assert!(

@@ -84,7 +84,7 @@ fn a_motion_is_free_of_rounding_errors_of_f64() -> Result<(), IntegrationError> 
     let method = Dop853::new()
         .relative_tolerance(1e-18)
         .absolute_tolerance(1e-18);
-    let end = method.integrate_to(&top.dynamics(), start, 0.25)?.state();
+    let end = Problem::new(&top, start).solve(0.25, method)?;
     let before = top.energy(&start);
     let drift = ((top.energy(&end) - before) / before).to_f64().abs();
     assert!(drift < 1e-19, "{drift:e}");
@@ -99,8 +99,8 @@ fn a_motion_has_the_digits_of_the_methods_coefficients() -> Result<(), Integrati
         let method = Dop853::new()
             .relative_tolerance(tolerance)
             .absolute_tolerance(tolerance);
-        let end = method.integrate_to(&Oscillator.dynamics(), start, 4.0)?;
-        let error = (end.x.q[0] - read("4").cos()).to_f64().abs();
+        let end = Problem::new(&Oscillator, start).solve(4.0, method)?;
+        let error = (end.q[0] - read("4").cos()).to_f64().abs();
         assert!((1e-17..1e-15).contains(&error), "{tolerance:e}: {error:e}");
     }
     Ok(())

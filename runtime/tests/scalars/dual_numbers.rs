@@ -178,8 +178,8 @@ fn a_dual_integration_has_the_sensitivity() -> Result<(), IntegrationError> {
             ..hanging_bob()
         };
         let method = RungeKutta::classical(0.02);
-        let end = method.integrate_to(&model.dynamics(), state(), T + 1.0)?;
-        Ok(end.x.q)
+        let end = Problem::new(&model, state()).solve(T + 1.0, method)?;
+        Ok(end.q)
     }
     let h = DoubleDouble::from(1e-10);
     let (more, less) = (

@@ -37,8 +37,7 @@ fn two_coordinates_of_which_one_has_no_inertia_of_its_own() {
         let start = State::new(0.0, [0.3, 1.0], [0.0, 0.0]);
         let pivots = model.relative_pivots(&start);
         assert!(pivots.iter().all(|pivot| *pivot > 0.9), "{pivots}");
-        let end = tight().integrate_to(&model.dynamics(), start, 5.0);
-        let end = end.unwrap().state();
+        let end = Problem::new(&model, start).solve(5.0, tight()).unwrap();
         let (sin, cos) = end.t.sin_cos();
         assert_close(end.q[0], 0.3 * cos + 0.5 * c * end.t * sin, 1e-10);
         assert_close(end.q[1], cos, 1e-10);
@@ -52,20 +51,19 @@ fn two_coordinates_with_inertias_of_either_sign() {
     for (a, b, c) in [(-1.0, 0.5, 1.0), (-1.0, 0.2, -2.0), (1.0, 2.0, 1.0)] {
         let model = Two { a, b, c, k: 0.7 };
         let start = State::new(0.0, [0.3, 0.2], [0.1, -0.2]);
-        let end = tight().integrate_to(&model.dynamics(), start, 2.0);
-        let end = end.unwrap().state();
+        let end = Problem::new(&model, start).solve(2.0, tight()).unwrap();
         let written = crate::common::equation::<4, _>(|_, x| {
             let determinant = a * c - b * b;
             let [f, g] = [-0.7 * x[1], -0.7 * x[0]];
             let accelerations = [(c * f - b * g) / determinant, (a * g - b * f) / determinant];
             SVector::from([x[2], x[3], accelerations[0], accelerations[1]])
         });
-        let initial = (0.0, SVector::from([0.3, 0.2, 0.1, -0.2]));
-        let expected = RungeKutta::classical(1e-3)
-            .integrate_to(&written, initial, 2.0)
+        let initial = At::from((0.0, SVector::from([0.3, 0.2, 0.1, -0.2])));
+        let expected = Problem::new(&written, initial)
+            .solve(2.0, RungeKutta::classical(1e-3))
             .unwrap();
-        assert_close(end.q[0], expected.x[0], 1e-10);
-        assert_close(end.q[1], expected.x[1], 1e-10);
+        assert_close(end.q[0], expected[0], 1e-10);
+        assert_close(end.q[1], expected[1], 1e-10);
         assert_close(model.energy(&end), model.energy(&start), 1e-10);
     }
 }
@@ -92,8 +90,7 @@ fn three_coordinates_keep_their_energy() {
         for (found, expected) in model.accelerations(&start).iter().zip(&expected) {
             assert_close(*found, *expected, 1e-14);
         }
-        let end = tight().integrate_to(&model.dynamics(), start, 2.0);
-        let end = end.unwrap().state();
+        let end = Problem::new(&model, start).solve(2.0, tight()).unwrap();
         assert_close(model.energy(&end), model.energy(&start), 1e-10);
         assert!((end.q - start.q).norm() > 0.1, "it has moved");
     }
@@ -129,8 +126,7 @@ fn five_coordinates_oscillate() {
         a: MATRIX,
         bend: 0.0,
     };
-    let end = tight().integrate_to(&straight.dynamics(), start, 3.0);
-    let end = end.unwrap().state();
+    let end = Problem::new(&straight, start).solve(3.0, tight()).unwrap();
     for i in 0..5 {
         assert_close(end.q[i], start.q[i] * 3.0_f64.cos(), 1e-10);
     }
@@ -138,8 +134,7 @@ fn five_coordinates_oscillate() {
         bend: 20.0,
         ..straight
     };
-    let end = tight().integrate_to(&bent.dynamics(), start, 3.0);
-    let end = end.unwrap().state();
+    let end = Problem::new(&bent, start).solve(3.0, tight()).unwrap();
     assert_close(bent.energy(&end), bent.energy(&start), 1e-10);
     assert!((end.q[1] - start.q[1] * 3.0_f64.cos()).abs() > 1e-3);
 }
@@ -157,7 +152,7 @@ fn units_make_no_matrix_singular() {
         let start = State::new(0.0, [0.3, 1.0 / s], [0.0, 0.0]);
         let pivots = model.relative_pivots(&start);
         assert!(pivots.iter().all(|pivot| *pivot > 0.9), "{s}: {pivots}");
-        let end = Dop853::new().integrate_to(&model.dynamics(), start, 2.0);
+        let end = Problem::new(&model, start).solve(2.0, Dop853::new());
         assert!(end.is_ok(), "{s}: {end:?}");
         let matrix = SMatrix::<f64, 5, 5>::from(MATRIX);
         let mut scaled = matrix;
@@ -195,12 +190,15 @@ struct Pinched;
 #[test]
 fn where_it_is_singular_the_coordinates_are_named() {
     let start = State::new(0.0, [0.0, 0.2, 0.3], [0.0; 3]);
-    let error = tight().integrate_to(&Pinched.dynamics(), start, 1.0);
+    let error = Problem::new(&Pinched, start)
+        .solve(1.0, tight())
+        .unwrap_err()
+        .error();
     let IntegrationError::SingularConfiguration {
         estimated_error,
         singularity,
         ..
-    } = error.unwrap_err()
+    } = error
     else {
         panic!("{error:?}")
     };
@@ -221,8 +219,10 @@ fn where_it_is_singular_the_coordinates_are_named() {
     ] {
         let model = Two { a, b, c, k: 1.0 };
         let start = State::new(0.0, [0.3, 0.2], [0.0; 2]);
-        let error = tight().integrate_to(&model.dynamics(), start, 1.0);
-        let error = error.unwrap_err();
+        let error = Problem::new(&model, start)
+            .solve(1.0, tight())
+            .unwrap_err()
+            .error();
         assert!(
             matches!(error, IntegrationError::SingularConfiguration { .. }),
             "{error}"
@@ -246,7 +246,7 @@ fn nearness_to_a_singular_matrix_is_measured() {
             let expected = closeness / (2.0 - closeness);
             assert_close(*pivot, expected, 4.0 * f64::EPSILON);
         }
-        let ended = Dop853::new().integrate_to(&model.dynamics(), state, 1e-6);
+        let ended = Problem::new(&model, state).solve(1e-6, Dop853::new());
         assert_eq!(ended.is_ok(), closeness > 1e-5, "{ended:?}");
     }
 }
