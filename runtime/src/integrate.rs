@@ -41,14 +41,14 @@ pub use dense_solution::DenseSolution;
 pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
-pub use event::{EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber};
+pub use event::{Detection, EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber};
 pub use integrator::Integrator;
-pub use observer::{ObservationKind, Progress};
+pub use observer::{ObservationKind, Observer, Progress};
 pub use outcome::StopReason;
 pub use partial::Partial;
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
-pub use problem::{End, Keep, Problem, Run, Solution, System, When};
+pub use problem::{End, Keep, Problem, Reactions, Run, Solution, System, When};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };

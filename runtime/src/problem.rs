@@ -1,8 +1,9 @@
 //! What a [`Problem`](crate::Problem) is made of, what it asks for, and what is kept of its solution.
 //!
-//! Programs name few of these: [`Every`], [`StepEnds`] and [`Dense`] for what is saved.
+//! Programs name few of these: [`Every`], [`StepEnds`] and [`Dense`] for what is saved. The traits are bounds of functions that
+//! are generic over problems.
 
 #[cfg(feature = "alloc")]
 pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
-pub use crate::integrate::{End, Keep, Run, System, When};
+pub use crate::integrate::{Detection, End, Keep, Observer, Reactions, Run, System, When};
 pub use crate::model::{SampledFeedback, SampledPhase};

@@ -36,7 +36,7 @@ use super::partial::Partial;
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 use keep::{Begun, Collecting};
-pub(crate) use reaction::Reactions;
+pub use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
 ///

@@ -218,19 +218,13 @@ fn samples_have_transitions_too() {
     let model = oscillator();
     let start = State::new(1.0, [0.5], [0.25]);
     let times = [1.0, 1.5, 4.0];
-    let At { t, x } = StateTransition::<1, 5>::initial(&start);
-    let initial = At {
-        t: Dual::constant(t),
-        x,
-    };
-    let motion = Problem::new(&model, initial)
+    let motion = Problem::new(&model, StateTransition::<1, 5>::initial(&start))
         .save(times)
         .solve(4.0, Taylor::new())
         .unwrap();
     for (sample, t) in motion.samples().iter().zip(times) {
         assert_eq!(sample.t, Dual::constant(t));
-        let sample = At { t, x: sample.x };
-        let matrix = StateTransition::of(&sample).matrix::<2>();
+        let matrix = StateTransition::of(sample).matrix::<2>();
         let (sine, cosine) = (2.0 * (t - 1.0)).sin_cos();
         let expected = Matrix2::new(cosine, 0.5 * sine, -2.0 * sine, cosine);
         assert!((matrix - expected).amax() < 1e-14);

@@ -207,7 +207,7 @@ fn limits_and_settings_are_errors_of_each_motion() {
     assert!(nothing.is_empty());
     let still = ensemble.collect(&dynamics, motions().map(|(start, _)| (start, start.t)));
     for (result, (start, _)) in still.into_iter().zip(motions()) {
-        assert_eq!(result.unwrap().last.state(), start);
+        assert_eq!(result.unwrap().last, start);
     }
 }
 
